@@ -1,0 +1,174 @@
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "splinecore/basis/functions.hpp"
+#include "splinecore/basis/knot_vector.hpp"
+#include "splinecore/basis/samples.hpp"
+
+namespace bindings {
+
+using splinecore::KnotVector;
+using splinecore::Samples;
+using splinecore::Side;
+
+namespace {
+
+/// Values of all functions: (..., count).
+py::array functions_at(const KnotVector& knots, const py::object& u, const py::object& side) {
+  const Doubles at = real_array(u, "u");
+  Shape shape(at.shape(), at.shape() + at.ndim());
+  shape.push_back(knots.count());
+  py::array_t<double> out(shape);
+  const Samples samples = Samples::make(knots, {at.data(), static_cast<std::size_t>(at.size())}, 0,
+                                        side_of(side, "side"));
+  double* row = out.mutable_data();
+  std::fill_n(row, out.size(), 0.0);
+  for (std::size_t i = 0; i < samples.size(); ++i, row += knots.count()) {
+    for (int j = 0; j <= knots.degree(); ++j) {
+      row[(samples.first(i) + j) % knots.count()] += samples.weights(i)[j];
+    }
+  }
+  return out;
+}
+
+py::array function_at(const KnotVector& knots, const py::object& i, const py::object& u) {
+  const Doubles at = real_array(u, "u");
+  const int function = integer(i, "i");
+  py::array_t<double> out(Shape(at.shape(), at.shape() + at.ndim()));
+  for (py::ssize_t k = 0; k < at.size(); ++k) {
+    out.mutable_data()[k] = splinecore::function_value(knots, function, at.data()[k]);
+  }
+  return out;
+}
+
+py::array span_at(const KnotVector& knots, const py::object& u, const py::object& side) {
+  const Doubles at = real_array(u, "u");
+  const Side which = side_of(side, "side");
+  py::array_t<std::int64_t> out(Shape(at.shape(), at.shape() + at.ndim()));
+  for (py::ssize_t k = 0; k < at.size(); ++k) {
+    const double admitted = knots.admit(at.data()[k], which, k);
+    out.mutable_data()[k] = knots.spans()[knots.span_of(admitted, which)];
+  }
+  return out;
+}
+
+py::array sample_weights(const Samples& samples, int order, std::size_t width) {
+  if (order < 0 || order > samples.order()) {
+    throw splinecore::InvalidShape("order = " + std::to_string(order) + " is outside [0, " +
+                                   std::to_string(samples.order()) + "]");
+  }
+  py::array_t<double> out({samples.size(), width});
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    std::ranges::copy(samples.weights(i, order), out.mutable_data() + i * width);
+  }
+  return out;
+}
+
+/// Applies weights to any rows of numbers, by the distinct control points they belong to.
+py::array apply_samples(const Samples& samples, int count, const py::object& values, int order) {
+  const Doubles rows = real_array(values, "values");
+  if (rows.ndim() < 1 || rows.shape(0) != count) {
+    throw splinecore::InvalidShape("values has shape " + shape_text(rows) + ", " + std::to_string(count) +
+                                   " rows are expected");
+  }
+  sample_weights(samples, order, samples.size() == 0 ? 1 : samples.weights(0).size());
+  Shape shape(rows.shape(), rows.shape() + rows.ndim());
+  shape[0] = static_cast<py::ssize_t>(samples.size());
+  py::array_t<double> out(shape);
+  const std::size_t width = rows.size() / count;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    double* row = out.mutable_data() + i * width;
+    std::fill_n(row, width, 0.0);
+    const auto weights = samples.weights(i, order);
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      const double* from = rows.data() + (samples.first(i) + j) % count * width;
+      for (std::size_t k = 0; k < width; ++k) row[k] += weights[j] * from[k];
+    }
+  }
+  return out;
+}
+
+/// Samples together with the count of distinct points, which folds periodic indices.
+struct BoundSamples {
+  Samples samples;
+  int count;
+  int degree;
+};
+
+}  // namespace
+
+void bind_basis(py::module_& module) {
+  py::module_ basis = module.def_submodule("basis", "Knot vectors, basis functions, samples.");
+  py::class_<KnotVector>(basis, "KnotVector", py::module_local(),
+                         "A degree and its non-decreasing knots.\n\n"
+                         "Plain: n + degree + 1 knots for n control points. Periodic: n + 1 knots, one period.\n"
+                         "Degree 0 is allowed here, though no curve has it. Raises InvalidShape if a knot\n"
+                         "decreases, is not finite or has multiplicity above degree + 1. Lecture rows S14, S15.")
+      .def(py::init([](const py::object& degree, const py::object& knots, const py::object& periodic) {
+             return KnotVector::make(integer(degree, "degree"), numbers(knots, "knots"), boolean(periodic, "periodic"));
+           }),
+           py::arg("degree"), py::arg("knots"), py::arg("periodic") = false)
+      .def_property_readonly("degree", &KnotVector::degree)
+      .def_property_readonly("periodic", &KnotVector::periodic)
+      .def_property_readonly("count", &KnotVector::count, "How many control points belong to these knots.")
+      .def_property_readonly("knots", [](const py::object& self) {
+        return view_of_numbers(py::cast<const KnotVector&>(self).knots(), self);
+      }, "The knots as given: a read-only float64 array.")
+      .def_property_readonly("domain", [](const KnotVector& self) { return pair_of(self.domain()); },
+                             "(start, end): the parameters at which the functions add up to 1.")
+      .def("span", &span_at, py::arg("u"), py::kw_only(), py::arg("side") = "right",
+           "Index k with knots[k] <= u < knots[k + 1], in the unrolled knots: (...,) -> (...,) int64.")
+      .def("functions", &functions_at, py::arg("u"), py::kw_only(), py::arg("side") = "right",
+           "Values of all functions at parameters of the domain: (...,) -> (..., count). They add up to 1.")
+      .def("function", &function_at, py::arg("i"), py::arg("u"),
+           "Values of N_{i,degree} on the whole line: (...,) -> (...,). Half-open spans, closed at the end of\n"
+           "the domain; defined also where the domain is empty (Cox 1972, de Boor 1972; lecture row S14).")
+      .def("support", [](const KnotVector& self, const py::object& i) {
+             return pair_of(splinecore::function_support(self, integer(i, "i")));
+           }, py::arg("i"), "The smallest interval outside which N_{i,degree} is zero.")
+      .def("multiplicity", [](const KnotVector& self, const py::object& u) {
+             return splinecore::multiplicity(self, real(u, "u"));
+           }, py::arg("u"), "How often u occurs among the knots; 0 if it is none.")
+      .def("__eq__", [](const KnotVector& self, const py::object& other) {
+        return py::isinstance<KnotVector>(other) && self == py::cast<const KnotVector&>(other);
+      })
+      .def("__hash__", [](const KnotVector& self) {
+        return py::hash(py::make_tuple(self.degree(), self.periodic(), py::tuple(py::cast(std::vector<double>(
+            self.knots().begin(), self.knots().end())))));
+      })
+      .def(py::pickle([](const KnotVector& self) {
+             return py::make_tuple(self.degree(), std::vector<double>(self.knots().begin(), self.knots().end()),
+                                   self.periodic());
+           },
+           [](const py::tuple& state) {
+             return KnotVector::make(state[0].cast<int>(), state[1].cast<std::vector<double>>(), state[2].cast<bool>());
+           }))
+      .def("__repr__", [](const KnotVector& self) {
+        return "KnotVector(degree=" + std::to_string(self.degree()) + ", " + std::to_string(self.knots().size()) +
+               " knots" + (self.periodic() ? ", periodic)" : ")");
+      });
+
+  py::class_<BoundSamples>(basis, "Samples", py::module_local(),
+                           "Where a batch of parameters falls, and with which weights.\n\n"
+                           "Computed once, applied to any rows of numbers: points, weights, colours.")
+      .def(py::init([](const KnotVector& knots, const py::object& u, const py::object& order, const py::object& side) {
+             const std::vector<double> at = numbers(u, "u");
+             const int highest = integer(order, "order");
+             if (highest < 0) throw splinecore::InvalidShape("order = " + std::to_string(highest) + " is below 0");
+             return BoundSamples{Samples::make(knots, at, highest, side_of(side, "side")), knots.count(), knots.degree()};
+           }),
+           py::arg("knots"), py::arg("u"), py::arg("order") = 0, py::kw_only(), py::arg("side") = "right")
+      .def("__len__", [](const BoundSamples& self) { return self.samples.size(); })
+      .def_property_readonly("first", [](const BoundSamples& self) {
+        py::array_t<std::int64_t> out(static_cast<py::ssize_t>(self.samples.size()));
+        for (std::size_t i = 0; i < self.samples.size(); ++i) out.mutable_data()[i] = self.samples.first(i) % self.count;
+        return out;
+      }, "(m,) int64: the first control point that each sample depends on.")
+      .def("weights", [](const BoundSamples& self, const py::object& order) {
+             return sample_weights(self.samples, integer(order, "order"), self.degree + 1);
+           }, py::arg("order") = 0, "(m, degree + 1): weights of control points first, first + 1, … (modulo their count).")
+      .def("apply", [](const BoundSamples& self, const py::object& values, const py::object& order) {
+             return apply_samples(self.samples, self.count, values, integer(order, "order"));
+           }, py::arg("values"), py::arg("order") = 0, "(count, ...) -> (m, ...): the weighted sums, or those of a derivative.");
+}
+
+}  // namespace bindings

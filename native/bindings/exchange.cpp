@@ -1,0 +1,55 @@
+#include "rooms.hpp"
+#include "splinecore/exchange/json.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+namespace py = pybind11;
+using splinecore::Document;
+using splinecore::Value;
+
+namespace {
+
+Value value_of(const py::handle& object) {
+  std::optional<Value> value;
+  if (unwrap(object, value)) return *value;
+  throw py::type_error("value must be a curve, a patch, a PatchSet, or a list of them, not " +
+                       std::string(py::str(py::type::of(object).attr("__name__"))));
+}
+
+Document document_of(const py::object& object) {
+  if (!py::isinstance<py::list>(object) && !py::isinstance<py::tuple>(object)) return value_of(object);
+  std::vector<Value> items;
+  for (const py::handle& item : py::cast<py::sequence>(object)) items.push_back(value_of(item));
+  return items;
+}
+
+py::object object_of(const Document& document) {
+  if (const auto* value = std::get_if<Value>(&document)) return wrap(*value);
+  py::list items;
+  for (const Value& item : std::get<std::vector<Value>>(document)) items.append(wrap(item));
+  return items;
+}
+
+}  // namespace
+
+void bind_exchange(py::module_& module) {
+  module.def(
+      "dumps", [](const py::object& value) { return splinecore::to_json(document_of(value)); },
+      py::arg("value"),
+      "JSON text of a curve, a patch, a PatchSet or a list of them. loads() reads it back equal in every bit.");
+  module.def(
+      "loads",
+      [](const py::object& text) {
+        if (!py::isinstance<py::str>(text) && !py::isinstance<py::bytes>(text)) {
+          throw py::type_error("text must be a str, not " + std::string(py::str(py::type::of(text).attr("__name__"))));
+        }
+        return object_of(splinecore::from_json(py::cast<std::string>(text)));
+      },
+      py::arg("text"),
+      "The value that dumps() wrote, or a list of values.\n\n"
+      "Raises InvalidShape, with the place, if the text is damaged, of another format, of a newer\n"
+      "version, or holds an invalid shape.");
+}
+
+}  // namespace bindings

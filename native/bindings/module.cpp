@@ -1,0 +1,25 @@
+#include <pybind11/pybind11.h>
+
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "splinecore/base/errors.hpp"
+
+namespace py = pybind11;
+
+PYBIND11_MODULE(_splinecore, module) {
+  module.doc() = "Exact NURBS, Bezier and Hermite curves and patches.";
+  module.attr("__version__") = SPLINECORE_VERSION;
+
+  py::register_local_exception<splinecore::InvalidShape>(module, "InvalidShape", PyExc_ValueError).doc() =
+      "Bad input: the message names the argument, the first offending index and its value.";
+  py::register_local_exception<splinecore::PointAtInfinity>(module, "PointAtInfinity", PyExc_ArithmeticError).doc() =
+      "A point was asked for where the homogeneous weight is zero.";
+  py::register_local_exception<bindings::Cancelled>(module, "Cancelled", PyExc_RuntimeError).doc() =
+      "A long call was ended by its cancel argument.";
+
+  bindings::bind_basis(module);
+  bindings::bind_curves(module);
+  bindings::bind_patches(module);
+  bindings::bind_patch_set(module);
+  bindings::bind_exchange(module);
+}

@@ -1,0 +1,296 @@
+#include <map>
+
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "splinecore/patch/edges.hpp"
+#include "splinecore/patch/patch_set.hpp"
+#include "splinecore/tessellate/tessellation.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::AnyPatch;
+using splinecore::EdgeKind;
+using splinecore::IndexedPatch;
+using splinecore::InvalidShape;
+using splinecore::PatchKind;
+using splinecore::PatchSet;
+using splinecore::Tessellation;
+
+namespace {
+
+const char* name_of(PatchKind kind) {
+  switch (kind) {
+    case PatchKind::bezier: return "bezier";
+    case PatchKind::hermite: return "hermite";
+    default: return "nurbs";
+  }
+}
+
+PatchKind kind_of(const py::object& value) {
+  if (py::isinstance<py::str>(value)) {
+    const std::string text = py::str(value);
+    if (text == "bezier") return PatchKind::bezier;
+    if (text == "hermite") return PatchKind::hermite;
+    if (text == "nurbs") return PatchKind::nurbs;
+  }
+  throw InvalidShape("kind = " + std::string(py::repr(value)) + " is none of 'bezier', 'hermite', 'nurbs'");
+}
+
+py::array_t<int, py::array::c_style> index_array(const py::object& value, int dimensions) {
+  const py::array given = py::module_::import("numpy").attr("asarray")(value);
+  const char kind = given.dtype().kind();
+  if (kind != 'i' && kind != 'u') {
+    throw py::type_error("indices has dtype " + std::string(py::str(given.dtype())) + ", integers are expected");
+  }
+  if (given.ndim() != dimensions) {
+    throw InvalidShape("indices has shape " + shape_text(given) + ", " + std::to_string(dimensions) +
+                       " dimensions are expected");
+  }
+  const py::array_t<std::int64_t, py::array::c_style> wide(given);
+  for (py::ssize_t i = 0; i < wide.size(); ++i) {
+    const std::int64_t index = wide.data()[i];
+    if (index >= 0 && index <= 2147483647) continue;
+    throw InvalidShape("indices" + splinecore::index_text(i, wide.shape(dimensions - 1)) + " = " +
+                       std::to_string(index) + " is outside the pool");
+  }
+  return py::array_t<int, py::array::c_style>(given);
+}
+
+py::object entry(const py::dict& fields, const char* name) {
+  if (!fields.contains(name)) throw InvalidShape(std::string(name) + " is missing");
+  return fields[name];
+}
+
+/// {"kind", "indices"} and what the kind needs more; or the indices alone, of a Bezier patch.
+IndexedPatch indexed_patch(const py::object& value) {
+  py::dict fields;
+  if (py::isinstance<py::dict>(value)) {
+    fields = value;
+  } else {
+    fields["kind"] = "bezier";
+    fields["indices"] = value;
+  }
+  IndexedPatch patch;
+  patch.kind = kind_of(entry(fields, "kind"));
+  const bool hermite = patch.kind == PatchKind::hermite;
+  const auto indices = index_array(entry(fields, "indices"), hermite ? 3 : 2);
+  if (hermite && indices.shape(0) != 4) {
+    throw InvalidShape("indices has shape " + shape_text(indices) +
+                       ", (4, nu, nv) is expected: points, tangents u, tangents v, twists");
+  }
+  patch.count_u = static_cast<int>(indices.shape(hermite ? 1 : 0));
+  patch.count_v = static_cast<int>(indices.shape(hermite ? 2 : 1));
+  patch.indices.assign(indices.data(), indices.data() + indices.size());
+  if (patch.kind == PatchKind::bezier) return patch;
+  const auto pair = [&](const char* name) {
+    const py::object both = entry(fields, name);
+    if (!py::isinstance<py::sequence>(both) || py::len(both) != 2) {
+      throw py::type_error(std::string(name) + " must be a pair: one for u, one for v");
+    }
+    return std::pair{py::object(both[py::int_(0)]), py::object(both[py::int_(1)])};
+  };
+  const char* knots = hermite ? "parameters" : "knots";
+  patch.knots_u = numbers(pair(knots).first, knots);
+  patch.knots_v = numbers(pair(knots).second, knots);
+  if (hermite) return patch;
+  patch.degree_u = integer(pair("degree").first, "degree");
+  patch.degree_v = integer(pair("degree").second, "degree");
+  if (fields.contains("periodic")) {
+    patch.periodic_u = boolean(pair("periodic").first, "periodic");
+    patch.periodic_v = boolean(pair("periodic").second, "periodic");
+  }
+  return patch;
+}
+
+py::dict fields_of(const IndexedPatch& patch) {
+  py::dict fields;
+  fields["kind"] = name_of(patch.kind);
+  Shape shape{patch.count_u, patch.count_v};
+  if (patch.kind == PatchKind::hermite) shape.insert(shape.begin(), 4);
+  py::array_t<std::int32_t> indices(shape);
+  std::ranges::copy(patch.indices, indices.mutable_data());
+  fields["indices"] = indices;
+  const auto array = [](const std::vector<double>& values) {
+    return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+  };
+  if (patch.kind == PatchKind::hermite) {
+    fields["parameters"] = py::make_tuple(array(patch.knots_u), array(patch.knots_v));
+  }
+  if (patch.kind == PatchKind::nurbs) {
+    fields["degree"] = py::make_tuple(patch.degree_u, patch.degree_v);
+    fields["knots"] = py::make_tuple(array(patch.knots_u), array(patch.knots_v));
+    fields["periodic"] = py::make_tuple(patch.periodic_u, patch.periodic_v);
+  }
+  return fields;
+}
+
+py::sequence sequence_of(const py::object& value, const char* name) {
+  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value)) {
+    throw py::type_error(std::string(name) + " must be a list of patches");
+  }
+  return value;
+}
+
+PatchSet patch_set(const py::object& points, const py::object& patches, const py::object& weights) {
+  std::vector<IndexedPatch> all;
+  for (const py::handle& patch : sequence_of(patches, "patches")) {
+    try {
+      all.push_back(indexed_patch(py::reinterpret_borrow<py::object>(patch)));
+    } catch (const InvalidShape& error) {
+      throw InvalidShape("patches" + splinecore::index_text(all.size()) + ": " + error.what());
+    }
+  }
+  return PatchSet::make(weighted_points(real_array(points, "points"), weights, 1), std::move(all));
+}
+
+py::dict edge_counts(const PatchSet& set) {
+  int edges = 0;
+  std::map<int, EdgeKind> kinds;
+  int poles = 0;
+  int open = 0;
+  for (const auto& sides : splinecore::patch_sides(set)) {
+    for (const auto& side : sides) {
+      poles += side.kind == EdgeKind::pole;
+      open += side.kind == EdgeKind::open;
+      if (side.edge >= 0) kinds[side.edge] = side.kind;
+    }
+  }
+  for (const auto& [edge, kind] : kinds) edges += kind == EdgeKind::shared;
+  py::dict counts;
+  counts["shared"] = edges;
+  counts["free"] = static_cast<int>(kinds.size()) - edges;
+  counts["pole"] = poles;
+  counts["open"] = open;
+  return counts;
+}
+
+template <class Number>
+py::array copied(std::span<const Number> values, const Shape& shape) {
+  py::array_t<Number> array(shape);
+  std::ranges::copy(values, array.mutable_data());
+  return array;
+}
+
+template <class Number>
+py::array copied(std::span<const Number> values) {
+  return copied(values, {static_cast<py::ssize_t>(values.size())});
+}
+
+void bind_set(py::module_& module) {
+  py::class_<PatchSet> cls(
+      module, "PatchSet", py::module_local(),
+      "PatchSet(points, patches, weights=None)\n\n"
+      "Many patches on one pool of points (n, 2 or 3) with weights (n,), so that neighbours share them.\n"
+      "A patch is an (nu, nv) array of rows of the pool (Bezier), or a dict: kind 'bezier', 'hermite' or\n"
+      "'nurbs', indices, and for NURBS degree, knots and periodic (pairs), for Hermite parameters and\n"
+      "indices (4, nu, nv) of points (w = 1), tangents along u, along v and twists (w = 0).");
+  cls.def(py::init(&patch_set), py::arg("points"), py::arg("patches"), py::arg("weights") = py::none());
+  cls.def_static("from_patches", [](const py::object& patches, const py::object& merge) {
+                   std::vector<AnyPatch> all;
+                   for (const py::handle& item : sequence_of(patches, "patches")) {
+                     std::optional<AnyPatch> patch;
+                     if (!unwrap(item, patch)) {
+                       throw py::type_error("patches" + splinecore::index_text(all.size()) +
+                                            " is no BezierPatch, HermitePatch or NurbsPatch");
+                     }
+                     all.push_back(*patch);
+                   }
+                   return PatchSet::of(all, boolean(merge, "merge"));
+                 },
+                 py::arg("patches"), py::arg("merge") = true,
+                 "A set with the patches' own points as its pool; points equal in every bit become one.");
+  bind_value(cls);
+  cls.def_property_readonly("points", [](const py::object& self) {
+    const auto points = py::cast<const PatchSet&>(self).points();
+    return view_of_points(points, {static_cast<py::ssize_t>(points.size())}, self);
+  }, "(n, 3) float64, the pool, read-only.");
+  cls.def_property_readonly("weights", [](const py::object& self) {
+    const auto points = py::cast<const PatchSet&>(self).points();
+    return view_of_weights(points, {static_cast<py::ssize_t>(points.size())}, self);
+  }, "(n,) float64, read-only.");
+  cls.def_property_readonly("patches", [](const PatchSet& self) {
+    py::list all;
+    for (const IndexedPatch& patch : self.patches()) all.append(fields_of(patch));
+    return all;
+  }, "A dict for each patch, as the constructor takes them.");
+  cls.def("__len__", [](const PatchSet& self) { return self.patches().size(); });
+  cls.def("__getitem__", [](const PatchSet& self, const py::object& i) {
+    const int index = integer(i, "i");
+    const int count = static_cast<int>(self.patches().size());
+    if (index < -count || index >= count) throw py::index_error("i = " + std::to_string(index) + " is outside the set");
+    return wrap(self.patch(index < 0 ? index + count : index));
+  }, py::arg("i"), "Patch i as a BezierPatch, HermitePatch or NurbsPatch.");
+  cls.def("with_points", [](const PatchSet& self, const py::object& points, const py::object& weights) {
+            auto rows = weighted_points(real_array(points, "points"), weights, 1);
+            if (weights.is_none() && rows.size() == self.points().size()) {
+              for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
+            }
+            return self.with_points(std::move(rows));
+          }, py::arg("points"), py::arg("weights") = py::none(), "The same patches on another pool; weights are kept unless given.");
+  cls.def("flipped", [](const PatchSet& self) { return splinecore::flipped(self); },
+          "All patches seen from the other side: u and v exchanged.");
+  cls.def("edge_counts", &edge_counts,
+          "{'shared', 'free', 'pole', 'open'}: how the sides of the patches meet. Shared and free edges count\n"
+          "once; a pole is a side shrunk to a point; an open side is not carried by points of its own.");
+  cls.def("__repr__", [](const PatchSet& self) {
+    return "PatchSet(patches=" + std::to_string(self.patches().size()) + ", points=" + std::to_string(self.points().size()) + ")";
+  });
+}
+
+void bind_tessellation(py::module_& module) {
+  py::class_<Tessellation> cls(
+      module, "Tessellation", py::module_local(),
+      "Tessellation(patch_set, resolution)\n\n"
+      "The mesh of a patch set, resolution (an int or a pair) faces in every span, everything but\n"
+      "positions: made once, evaluated for any position of the points. Vertices are shared along common\n"
+      "edges, a pole is one vertex, faces are wound along S_u x S_v. Lecture row S22.");
+  cls.def(py::init([](const PatchSet& set, const py::object& resolution) {
+            const bool is_pair = py::isinstance<py::sequence>(resolution) && py::len(resolution) == 2;
+            const int u = integer(is_pair ? py::object(resolution[py::int_(0)]) : resolution, "resolution");
+            const int v = integer(is_pair ? py::object(resolution[py::int_(1)]) : resolution, "resolution");
+            const py::gil_scoped_release unlocked;
+            return Tessellation::make(set, u, v);
+          }), py::arg("patch_set"), py::arg("resolution"));
+  cls.def_property_readonly("vertex_count", &Tessellation::vertex_count);
+  cls.def_property_readonly("face_starts", [](const Tessellation& self) { return copied(self.face_starts()); },
+                            "(f,) int32: where the corners of each face start.");
+  cls.def_property_readonly("face_patches", [](const Tessellation& self) { return copied(self.face_patches()); },
+                            "(f,) int32: the patch of each face.");
+  cls.def_property_readonly("corner_vertices", [](const Tessellation& self) { return copied(self.corner_vertices()); },
+                            "(c,) int32: the vertex of each corner.");
+  cls.def_property_readonly("corner_uvs", [](const Tessellation& self) {
+    return copied(self.corner_uvs(), {static_cast<py::ssize_t>(self.corner_uvs().size() / 2), 2});
+  }, "(c, 2) float32: u, v of each corner, scaled to [0, 1].");
+  cls.def("evaluate", [](const Tessellation& self, const PatchSet& set) {
+            if (!self.fits(set)) throw InvalidShape("patch_set has other patches than the tessellation was made for");
+            py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
+            py::array_t<float> normals({static_cast<py::ssize_t>(self.corner_vertices().size()), py::ssize_t{3}});
+            const std::span to_positions(positions.mutable_data(), positions.size());
+            const std::span to_normals(normals.mutable_data(), normals.size());
+            {
+              const py::gil_scoped_release unlocked;
+              self.evaluate(set, to_positions, to_normals);
+            }
+            return py::make_tuple(positions, normals);
+          }, py::arg("patch_set"), "(positions (vertex_count, 3), corner normals (c, 3)), float32.");
+  cls.def("sharp_edges", [](const Tessellation& self, const py::object& normals, const py::object& angle) {
+            const py::array_t<float, py::array::c_style | py::array::forcecast> given(real_array(normals, "normals"));
+            if (static_cast<std::size_t>(given.size()) != 3 * self.corner_vertices().size()) {
+              throw InvalidShape("normals has shape " + shape_text(given) + ", one row for each corner is expected");
+            }
+            const std::vector<std::int32_t> pairs =
+                self.sharp_edges({given.data(), static_cast<std::size_t>(given.size())}, real(angle, "angle"));
+            return copied(std::span<const std::int32_t>(pairs), {static_cast<py::ssize_t>(pairs.size() / 2), 2});
+          }, py::arg("normals"), py::arg("angle"),
+          "(k, 2) int32: vertices of edges across which the corner normals differ by more than angle (radians).");
+}
+
+}  // namespace
+
+void bind_patch_set(py::module_& module) {
+  bind_set(module);
+  bind_tessellation(module);
+}
+
+}  // namespace bindings

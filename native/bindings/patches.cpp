@@ -1,0 +1,440 @@
+#include "arrays.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/base/quotient.hpp"
+#include "splinecore/convert/to_bezier.hpp"
+#include "splinecore/convert/to_hermite.hpp"
+#include "splinecore/patch/bezier_patch.hpp"
+#include "splinecore/patch/evaluate.hpp"
+#include "splinecore/patch/hermite_patch.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::Axis;
+using splinecore::BezierPatch;
+using splinecore::HermitePatch;
+using splinecore::InvalidShape;
+using splinecore::KnotVector;
+using splinecore::NurbsPatch;
+using splinecore::PatchOptions;
+
+namespace {
+
+constexpr std::size_t kPart = 1 << 15;
+
+const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
+const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
+const NurbsPatch& form(const HermitePatch& patch) { return patch.nurbs(); }
+
+Axis axis_of(const py::object& value) {
+  if (py::isinstance<py::str>(value)) {
+    const std::string text = py::str(value);
+    if (text == "u") return Axis::u;
+    if (text == "v") return Axis::v;
+  }
+  throw InvalidShape("axis = " + std::string(py::repr(value)) + " is neither 'u' nor 'v'");
+}
+
+/// One side for both directions, or a pair.
+PatchOptions options_of(const py::object& side, const py::object& at_infinity) {
+  const bool is_pair = py::isinstance<py::tuple>(side) && py::len(side) == 2;
+  const py::object side_u = is_pair ? py::object(side[py::int_(0)]) : side;
+  const py::object side_v = is_pair ? py::object(side[py::int_(1)]) : side;
+  return {side_of(side_u, "side"), side_of(side_v, "side"), at_infinity_of(at_infinity)};
+}
+
+/// u and v broadcast against each other.
+struct Pairs {
+  Doubles u;
+  Doubles v;
+  Shape shape;
+
+  Pairs(const py::object& at_u, const py::object& at_v) {
+    const Doubles given_u = real_array(at_u, "u");
+    const Doubles given_v = real_array(at_v, "v");
+    py::list both;
+    try {
+      both = py::module_::import("numpy").attr("broadcast_arrays")(given_u, given_v);
+    } catch (py::error_already_set&) {
+      throw InvalidShape("u of shape " + shape_text(given_u) + " and v of shape " + shape_text(given_v) +
+                         " do not broadcast");
+    }
+    u = Doubles(both[0]);
+    v = Doubles(both[1]);
+    shape.assign(u.shape(), u.shape() + u.ndim());
+  }
+  std::span<const double> us(std::size_t begin, std::size_t end) const { return {u.data() + begin, end - begin}; }
+  std::span<const double> vs(std::size_t begin, std::size_t end) const { return {v.data() + begin, end - begin}; }
+};
+
+py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& side,
+                   const py::object& at_infinity, const py::object& dtype, const py::object& out,
+                   const py::object& cancel) {
+  const Pairs pairs(u, v);
+  Shape shape = pairs.shape;
+  shape.push_back(3);
+  const Output output(shape, out, dtype);
+  const PatchOptions options = options_of(side, at_infinity);
+  in_parts(pairs.u.size(), kPart, cancel, [&](std::size_t begin, std::size_t end) {
+    const std::size_t first = 3 * begin;
+    const std::size_t count = 3 * (end - begin);
+    if (output.single()) {
+      splinecore::evaluate(patch, pairs.us(begin, end), pairs.vs(begin, end), output.floats(first, count), options);
+    } else {
+      splinecore::evaluate(patch, pairs.us(begin, end), pairs.vs(begin, end), output.doubles(first, count), options);
+    }
+  });
+  return output.array();
+}
+
+py::array derivatives(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& order,
+                      const py::object& side, const py::object& at_infinity, const py::object& cancel) {
+  const Pairs pairs(u, v);
+  const int highest = integer(order, "order");
+  splinecore::require_order(highest);
+  Shape shape = pairs.shape;
+  shape.insert(shape.end(), {highest + 1, highest + 1, 3});
+  const Output output(shape, py::none(), py::none());
+  const PatchOptions options = options_of(side, at_infinity);
+  const std::size_t row = 3 * (highest + 1) * (highest + 1);
+  in_parts(pairs.u.size(), kPart, cancel, [&](std::size_t begin, std::size_t end) {
+    splinecore::derivatives(patch, pairs.us(begin, end), pairs.vs(begin, end), highest,
+                            output.doubles(row * begin, row * (end - begin)), options);
+  });
+  return output.array();
+}
+
+Doubles axis_parameters(const py::object& value, const char* name) {
+  const Doubles array = real_array(value, name);
+  if (array.ndim() == 1) return array;
+  throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + ", (n,) is expected");
+}
+
+/// Rows of a grid that make up one part of a long call.
+std::size_t rows_per_part(const Doubles& v) { return std::max<std::size_t>(1, kPart / std::max<py::ssize_t>(1, v.size())); }
+
+py::array evaluate_grid(const NurbsPatch& patch, const py::object& at_u, const py::object& at_v,
+                        const py::object& side, const py::object& at_infinity, const py::object& dtype,
+                        const py::object& out, const py::object& cancel) {
+  const Doubles u = axis_parameters(at_u, "u");
+  const Doubles v = axis_parameters(at_v, "v");
+  const Output output({u.size(), v.size(), 3}, out, dtype);
+  const PatchOptions options = options_of(side, at_infinity);
+  const std::size_t row = 3 * v.size();
+  const std::span columns(v.data(), v.size());
+  in_parts(u.size(), rows_per_part(v), cancel, [&](std::size_t begin, std::size_t end) {
+    const std::span rows(u.data() + begin, end - begin);
+    if (output.single()) {
+      splinecore::evaluate_grid(patch, rows, columns, output.floats(row * begin, row * rows.size()), options);
+    } else {
+      splinecore::evaluate_grid(patch, rows, columns, output.doubles(row * begin, row * rows.size()), options);
+    }
+  });
+  return output.array();
+}
+
+py::tuple evaluate_grid_with_normals(const NurbsPatch& patch, const py::object& at_u, const py::object& at_v,
+                                     const py::object& side, const py::object& at_infinity, const py::object& dtype,
+                                     const py::object& cancel) {
+  const Doubles u = axis_parameters(at_u, "u");
+  const Doubles v = axis_parameters(at_v, "v");
+  const Shape shape{u.size(), v.size(), 3};
+  const Output points(shape, py::none(), dtype);
+  const Output normals(shape, py::none(), dtype);
+  const PatchOptions options = options_of(side, at_infinity);
+  const std::size_t row = 3 * v.size();
+  const std::span columns(v.data(), v.size());
+  in_parts(u.size(), rows_per_part(v), cancel, [&](std::size_t begin, std::size_t end) {
+    const std::span rows(u.data() + begin, end - begin);
+    const std::size_t first = row * begin;
+    const std::size_t count = row * rows.size();
+    if (points.single()) {
+      splinecore::evaluate_grid_with_normals(patch, rows, columns, points.floats(first, count),
+                                             normals.floats(first, count), options);
+    } else {
+      splinecore::evaluate_grid_with_normals(patch, rows, columns, points.doubles(first, count),
+                                             normals.doubles(first, count), options);
+    }
+  });
+  return py::make_tuple(points.array(), normals.array());
+}
+
+py::list bezier_rows(const NurbsPatch& patch) {
+  const auto grid = splinecore::to_bezier(patch);
+  py::list rows;
+  for (int i = 0; i < grid.count_u; ++i) {
+    py::list row;
+    for (int j = 0; j < grid.count_v; ++j) row.append(grid.patches[i * grid.count_v + j]);
+    rows.append(row);
+  }
+  return rows;
+}
+
+Shape net_shape(const NurbsPatch& patch) { return {patch.count(Axis::u), patch.count(Axis::v)}; }
+
+/// What every kind of patch can do through its NURBS form.
+template <class Patch>
+void bind_common(py::class_<Patch>& cls) {
+  cls.def_property_readonly("degree", [](const Patch& self) {
+    return py::make_tuple(form(self).knot_vector(Axis::u).degree(), form(self).knot_vector(Axis::v).degree());
+  }, "(degree in u, degree in v).");
+  cls.def_property_readonly("domain", [](const Patch& self) {
+    return py::make_tuple(pair_of(form(self).knot_vector(Axis::u).domain()),
+                          pair_of(form(self).knot_vector(Axis::v).domain()));
+  }, "((start, end) of u, (start, end) of v).");
+  cls.def_property_readonly("is_rational", [](const Patch& self) { return form(self).rational(); },
+                            "True unless every weight is 1.");
+  cls.def("evaluate", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
+                         const py::object& at_infinity, const py::object& dtype, const py::object& out,
+                         const py::object& cancel) {
+            return evaluate(form(self), u, v, side, at_infinity, dtype, out, cancel);
+          },
+          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          "Points at pairs of parameters: u and v broadcast, (...,) -> (..., 3). side is 'right', 'left' or a\n"
+          "pair for u and v. The rest as for curves. Rows S19, S20.");
+  cls.def("evaluate_grid", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
+                              const py::object& at_infinity, const py::object& dtype, const py::object& out,
+                              const py::object& cancel) {
+            return evaluate_grid(form(self), u, v, side, at_infinity, dtype, out, cancel);
+          },
+          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          "Points at every pair of (a,) u and (b,) v: (a, b, 3).");
+  cls.def("evaluate_grid_with_normals",
+          [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
+             const py::object& at_infinity, const py::object& dtype, const py::object& cancel) {
+            return evaluate_grid_with_normals(form(self), u, v, side, at_infinity, dtype, cancel);
+          },
+          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
+          py::arg("dtype") = py::none(), py::arg("cancel") = py::none(),
+          "(points, unit normals) of a grid, both (a, b, 3). Normals point along S_u x S_v; at a pole or a\n"
+          "collapsed edge they are the limit from inside the domain.");
+  cls.def("derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& order,
+                            const py::object& side, const py::object& at_infinity, const py::object& cancel) {
+            return derivatives(form(self), u, v, order, side, at_infinity, cancel);
+          },
+          py::arg("u"), py::arg("v"), py::arg("order"), py::kw_only(), py::arg("side") = "right",
+          py::arg("at_infinity") = "raise", py::arg("cancel") = py::none(),
+          "Mixed derivatives, k along u and l along v, k, l <= order: (..., order + 1, order + 1, 3).\n"
+          "The NURBS Book, A4.4.");
+  cls.def("split", [](const Patch& self, const py::object& axis, const py::object& u) -> py::tuple {
+            const Axis direction = axis_of(axis);
+            const double at = real(u, "u");
+            if constexpr (std::is_same_v<Patch, NurbsPatch>) {
+              if (self.knot_vector(direction).periodic()) {
+                return py::make_tuple(splinecore::opened(self, direction, at));
+              }
+            }
+            auto [before, after] = splinecore::split(self, direction, at);
+            return py::make_tuple(std::move(before), std::move(after));
+          }, py::arg("axis"), py::arg("u"), "(before, after) a parameter of axis 'u' or 'v'.");
+  cls.def("reversed", [](const Patch& self, const py::object& axis) { return splinecore::reversed(self, axis_of(axis)); },
+          py::arg("axis"), "The same surface with axis 'u' or 'v' running backwards: normals turn over.");
+  cls.def("swapped", [](const Patch& self) { return splinecore::swapped(self); },
+          "The same surface with u and v exchanged: normals turn over.");
+  cls.def("to_bezier", [](const Patch& self) { return bezier_rows(form(self)); },
+          "One BezierPatch for each pair of spans: rows along u of lists along v.");
+  cls.def("to_hermite", [](const Patch& self) { return splinecore::to_hermite(form(self)); },
+          "The same patch as a HermitePatch; InvalidShape if rational, of degree above 3 or not C1 inside.");
+}
+
+template <class Patch>
+void bind_points(py::class_<Patch>& cls) {
+  cls.def_property_readonly("points", [](const py::object& self) {
+    const auto& patch = form(py::cast<const Patch&>(self));
+    return view_of_points(patch.points(), net_shape(patch), self);
+  }, "(nu, nv, 3) float64, as given, read-only.");
+  cls.def_property_readonly("weights", [](const py::object& self) {
+    const auto& patch = form(py::cast<const Patch&>(self));
+    return view_of_weights(patch.points(), net_shape(patch), self);
+  }, "(nu, nv) float64, read-only.");
+  cls.def_property_readonly("homogeneous_points", [](const Patch& self) {
+    return homogeneous_array(form(self).points(), net_shape(form(self)));
+  }, "(nu, nv, 4): wx, wy, wz, w; a direction keeps its coordinates.");
+}
+
+/// A net of points with the weights that the rows of another have.
+std::vector<glm::dvec4> with_weights_of(std::vector<glm::dvec4> rows, std::span<const glm::dvec4> other) {
+  if (rows.size() != other.size()) return rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = other[i].w;
+  return rows;
+}
+
+std::vector<glm::dvec4> with_new_weights(std::span<const glm::dvec4> points, const py::object& weights, const Shape& shape) {
+  const Doubles given = real_array(weights, "weights");
+  if (!std::equal(shape.begin(), shape.end(), given.shape(), given.shape() + given.ndim())) {
+    throw InvalidShape("weights has shape " + shape_text(given) + ", (" + std::to_string(shape[0]) + ", " +
+                       std::to_string(shape[1]) + ") is expected");
+  }
+  std::vector<glm::dvec4> rows(points.begin(), points.end());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = given.data()[i];
+  return rows;
+}
+
+KnotVector knots_of(const py::object& degree, const py::object& knots, const py::object& periodic, int axis) {
+  const auto part = [&](const py::object& pair, const char* name) {
+    const bool is_pair = py::isinstance<py::sequence>(pair) && !py::isinstance<py::str>(pair) && py::len(pair) == 2;
+    if (!is_pair) throw py::type_error(std::string(name) + " must be a pair: one for u, one for v");
+    return py::object(pair[py::int_(axis)]);
+  };
+  return KnotVector::make(integer(part(degree, "degree"), "degree"), numbers(part(knots, "knots"), "knots"),
+                          boolean(part(periodic, "periodic"), "periodic"));
+}
+
+void bind_nurbs(py::module_& module) {
+  py::class_<NurbsPatch> cls(
+      module, "NurbsPatch", py::module_local(),
+      "NurbsPatch(degree, knots, points, weights=None, periodic=(False, False))\n\n"
+      "A net (nu, nv, 2 or 3) with weights (nu, nv) on two knot vectors; degree, knots and periodic are pairs\n"
+      "for u and v. Lecture row S20.");
+  cls.def(py::init([](const py::object& degree, const py::object& knots, const py::object& points,
+                      const py::object& weights, const py::object& periodic) {
+            const Doubles net = real_array(points, "points");
+            auto rows = weighted_points(net, weights, 2);
+            KnotVector u = knots_of(degree, knots, periodic, 0);
+            KnotVector v = knots_of(degree, knots, periodic, 1);
+            if (net.shape(0) != u.count() || net.shape(1) != v.count()) {
+              throw InvalidShape("points has shape " + shape_text(net) + ", but the knots belong to " +
+                                 std::to_string(u.count()) + " x " + std::to_string(v.count()) + " points");
+            }
+            return NurbsPatch::make(std::move(u), std::move(v), std::move(rows));
+          }),
+          py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("weights") = py::none(),
+          py::arg("periodic") = py::make_tuple(false, false));
+  cls.def_static("from_homogeneous", [](const py::object& degree, const py::object& knots, const py::object& points,
+                                        const py::object& periodic) {
+                   const auto rows = rows_of_four(real_array(points, "points"), "points", 2);
+                   splinecore::require_points(rows);
+                   return NurbsPatch::from_homogeneous(knots_of(degree, knots, periodic, 0),
+                                                       knots_of(degree, knots, periodic, 1), rows);
+                 },
+                 py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = py::make_tuple(false, false),
+                 "From points (nu, nv, 4): wx, wy, wz, w; w = 0 makes a direction.");
+  bind_common(cls);
+  bind_points(cls);
+  bind_value(cls);
+  cls.def_property_readonly("periodic", [](const NurbsPatch& self) {
+    return py::make_tuple(self.knot_vector(Axis::u).periodic(), self.knot_vector(Axis::v).periodic());
+  });
+  cls.def_property_readonly("knots", [](const py::object& self) {
+    const auto& patch = py::cast<const NurbsPatch&>(self);
+    return py::make_tuple(view_of_numbers(patch.knot_vector(Axis::u).knots(), self),
+                          view_of_numbers(patch.knot_vector(Axis::v).knots(), self));
+  }, "(knots of u, knots of v): read-only float64 arrays.");
+  cls.def_property_readonly("knot_vectors", [](const NurbsPatch& self) {
+    return py::make_tuple(self.knot_vector(Axis::u), self.knot_vector(Axis::v));
+  });
+  cls.def("with_points", [](const NurbsPatch& self, const py::object& points) {
+    return self.with_points(with_weights_of(weighted_points(real_array(points, "points"), py::none(), 2), self.points()));
+  }, py::arg("points"), "The patch with other points and the same weights and knots.");
+  cls.def("with_weights", [](const NurbsPatch& self, const py::object& weights) {
+    return self.with_points(with_new_weights(self.points(), weights, net_shape(self)));
+  }, py::arg("weights"), "The patch with other weights and the same points and knots.");
+  cls.def("insert_knot", [](const NurbsPatch& self, const py::object& axis, const py::object& u, const py::object& times) {
+            return splinecore::insert_knot(self, axis_of(axis), real(u, "u"), integer(times, "times"));
+          }, py::arg("axis"), py::arg("u"), py::arg("times") = 1, "The same surface with u added to the knots of an axis.");
+  cls.def("refine", [](const NurbsPatch& self, const py::object& axis, const py::object& knots) {
+            return splinecore::refine(self, axis_of(axis), numbers(knots, "knots"));
+          }, py::arg("axis"), py::arg("knots"), "The same surface with all these parameters added to the knots of an axis.");
+  cls.def("unrolled", [](const NurbsPatch& self) { return splinecore::unrolled(self); },
+          "The same surface without periodic directions.");
+  cls.def("to_nurbs", [](const NurbsPatch& self) { return self; }, "The patch itself.");
+  cls.def("__repr__", [](const NurbsPatch& self) {
+    return "NurbsPatch(degree=(" + std::to_string(self.knot_vector(Axis::u).degree()) + ", " +
+           std::to_string(self.knot_vector(Axis::v).degree()) + "), points=(" + std::to_string(self.count(Axis::u)) +
+           ", " + std::to_string(self.count(Axis::v)) + (self.rational() ? "), rational)" : "))");
+  });
+}
+
+void bind_bezier(py::module_& module) {
+  py::class_<BezierPatch> cls(
+      module, "BezierPatch", py::module_local(),
+      "BezierPatch(points, weights=None)\n\n"
+      "A net (degree_u + 1, degree_v + 1, 2 or 3) with weights, over [0, 1] x [0, 1]. Lecture row S19.");
+  cls.def(py::init([](const py::object& points, const py::object& weights) {
+            const Doubles net = real_array(points, "points");
+            auto rows = weighted_points(net, weights, 2);
+            const auto limited = [](py::ssize_t n) { return static_cast<int>(std::min<py::ssize_t>(n, 1 << 30)); };
+            return BezierPatch::make(limited(net.shape(0)), limited(net.shape(1)), std::move(rows));
+          }), py::arg("points"), py::arg("weights") = py::none());
+  bind_common(cls);
+  bind_points(cls);
+  bind_value(cls);
+  cls.def("with_points", [](const BezierPatch& self, const py::object& points) {
+    const Doubles net = real_array(points, "points");
+    auto rows = with_weights_of(weighted_points(net, py::none(), 2), self.points());
+    return BezierPatch::make(static_cast<int>(net.shape(0)), static_cast<int>(net.shape(1)), std::move(rows));
+  }, py::arg("points"), "The patch with other points and the same weights.");
+  cls.def("with_weights", [](const BezierPatch& self, const py::object& weights) {
+    return BezierPatch::make(self.count(Axis::u), self.count(Axis::v),
+                             with_new_weights(self.points(), weights, net_shape(self.nurbs())));
+  }, py::arg("weights"), "The patch with other weights and the same points.");
+  cls.def("to_nurbs", [](const BezierPatch& self) { return self.nurbs(); }, "The same patch as a NurbsPatch.");
+  cls.def("__repr__", [](const BezierPatch& self) {
+    return "BezierPatch(degree=(" + std::to_string(self.degree(Axis::u)) + ", " + std::to_string(self.degree(Axis::v)) +
+           (self.nurbs().rational() ? "), rational)" : "))");
+  });
+}
+
+void bind_hermite(py::module_& module) {
+  py::class_<HermitePatch> cls(
+      module, "HermitePatch", py::module_local(),
+      "HermitePatch(points, tangents_u, tangents_v, twists=None, parameters=None)\n\n"
+      "A grid of bicubic patches through points (nu, nv, 2 or 3) with derivatives of the same shape; without\n"
+      "twists Ferguson's patch. parameters is a pair of increasing (nu,), (nv,). Lecture row S20.");
+  cls.def(py::init([](const py::object& points, const py::object& tangents_u, const py::object& tangents_v,
+                      const py::object& twists, const py::object& parameters) {
+            const Doubles net = real_array(points, "points");
+            splinecore::HermiteNet all{vectors(net, "points", 2), vectors(real_array(tangents_u, "tangents_u"), "tangents_u", 2),
+                                       vectors(real_array(tangents_v, "tangents_v"), "tangents_v", 2), {}};
+            if (!twists.is_none()) all.twists = vectors(real_array(twists, "twists"), "twists", 2);
+            py::object in_u = py::none();
+            py::object in_v = py::none();
+            if (!parameters.is_none()) {
+              if (!py::isinstance<py::sequence>(parameters) || py::len(parameters) != 2) {
+                throw py::type_error("parameters must be a pair: one for u, one for v");
+              }
+              in_u = parameters[py::int_(0)];
+              in_v = parameters[py::int_(1)];
+            }
+            return HermitePatch::make(static_cast<int>(net.shape(0)), static_cast<int>(net.shape(1)), std::move(all),
+                                      numbers(in_u, "parameters_u"), numbers(in_v, "parameters_v"));
+          }),
+          py::arg("points"), py::arg("tangents_u"), py::arg("tangents_v"), py::arg("twists") = py::none(),
+          py::arg("parameters") = py::none());
+  bind_common(cls);
+  bind_value(cls);
+  const auto add_net = [&cls](const char* name, std::vector<glm::dvec3> splinecore::HermiteNet::*member) {
+    cls.def_property_readonly(name, [member](const py::object& self) {
+      const auto& patch = py::cast<const HermitePatch&>(self);
+      return view_of_vectors(patch.net().*member, {patch.count(Axis::u), patch.count(Axis::v)}, self);
+    }, "(nu, nv, 3) float64, read-only.");
+  };
+  add_net("points", &splinecore::HermiteNet::points);
+  add_net("tangents_u", &splinecore::HermiteNet::tangents_u);
+  add_net("tangents_v", &splinecore::HermiteNet::tangents_v);
+  add_net("twists", &splinecore::HermiteNet::twists);
+  cls.def_property_readonly("parameters", [](const py::object& self) {
+    const auto& patch = py::cast<const HermitePatch&>(self);
+    return py::make_tuple(view_of_numbers(patch.parameters(Axis::u), self), view_of_numbers(patch.parameters(Axis::v), self));
+  }, "(parameters of u, parameters of v): read-only float64 arrays.");
+  cls.def("to_nurbs", [](const HermitePatch& self) { return self.nurbs(); },
+          "The same patch as a bicubic NurbsPatch with triple knots.");
+  cls.def("__repr__", [](const HermitePatch& self) {
+    return "HermitePatch(points=(" + std::to_string(self.count(Axis::u)) + ", " + std::to_string(self.count(Axis::v)) + "))";
+  });
+}
+
+}  // namespace
+
+void bind_patches(py::module_& module) {
+  bind_nurbs(module);
+  bind_bezier(module);
+  bind_hermite(module);
+}
+
+}  // namespace bindings

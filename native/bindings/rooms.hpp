@@ -1,0 +1,14 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+// One function for each file of bindings, in the order in which the module calls them.
+namespace bindings {
+
+void bind_basis(pybind11::module_& module);
+void bind_curves(pybind11::module_& module);
+void bind_patches(pybind11::module_& module);
+void bind_patch_set(pybind11::module_& module);
+void bind_exchange(pybind11::module_& module);
+
+}  // namespace bindings

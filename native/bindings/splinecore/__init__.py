@@ -1,0 +1,50 @@
+"""Exact NURBS, Bezier and Hermite curves and patches on a native library.
+
+    import splinecore as sc
+    curve = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+    curve.evaluate([0.0, 0.5, 1.0])      # three points of the unit circle
+
+Values are immutable; arrays go in as any real numbers and come out as float64.
+"""
+
+from . import _splinecore
+from ._splinecore import (
+    BezierCurve,
+    BezierPatch,
+    Cancelled,
+    HermiteCurve,
+    HermitePatch,
+    InvalidShape,
+    NurbsCurve,
+    NurbsPatch,
+    PatchSet,
+    PointAtInfinity,
+    Tessellation,
+    __version__,
+    dumps,
+    loads,
+)
+from . import basis
+
+__all__ = [
+    "BezierCurve",
+    "BezierPatch",
+    "Cancelled",
+    "HermiteCurve",
+    "HermitePatch",
+    "InvalidShape",
+    "NurbsCurve",
+    "NurbsPatch",
+    "PatchSet",
+    "PointAtInfinity",
+    "Tessellation",
+    "basis",
+    "dumps",
+    "loads",
+]
+
+# So that pickles, errors and help name the package and not the file below it.
+for _name in __all__:
+    if _name != "basis":
+        globals()[_name].__module__ = __name__
+del _name

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace splinecore {
+
+// Rows of points are handed over as plain doubles, four to a point.
+static_assert(sizeof(glm::dvec4) == 4 * sizeof(double) && alignof(glm::dvec4) == alignof(double));
+
+/// (wx, wy, wz, w) of a point given as (x, y, z, w); a direction (w = 0) stays as it is.
+inline glm::dvec4 homogeneous(const glm::dvec4& given) noexcept {
+  const double w = given.w;
+  return w == 0.0 || w == 1.0 ? given : glm::dvec4(given.x * w, given.y * w, given.z * w, w);
+}
+
+/// (x, y, z, w) of a homogeneous point; the inverse of homogeneous() up to rounding.
+inline glm::dvec4 as_given(const glm::dvec4& point) noexcept {
+  const double w = point.w;
+  return w == 0.0 || w == 1.0 ? point : glm::dvec4(point.x / w, point.y / w, point.z / w, w);
+}
+
+std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given);
+std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points);
+
+/// True unless every w is 1.
+bool is_rational(std::span<const glm::dvec4> points) noexcept;
+
+/// Largest distance between two opposite corners of the box of the finite points (w != 0).
+double extent(std::span<const glm::dvec4> points) noexcept;
+
+/// @throws InvalidShape if a number is not finite, or every w is zero.
+/// @param row_length  0 for a row of points, otherwise the length of a net's rows
+void require_points(std::span<const glm::dvec4> points, std::size_t row_length = 0);
+
+/// @throws InvalidShape naming `argument` if a number is not finite.
+void require_finite(std::span<const double> values, const std::string& argument);
+
+/// @throws InvalidShape naming `argument` if a coordinate is not finite.
+void require_finite(std::span<const glm::dvec3> vectors, const std::string& argument,
+                    std::size_t row_length = 0);
+
+}  // namespace splinecore

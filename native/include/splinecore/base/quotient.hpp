@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace splinecore {
+
+/// Highest derivative order that is offered; factorials and binomials stay exact below it.
+inline constexpr int kMaxOrder = 64;
+
+/// @throws InvalidShape unless 0 <= order <= kMaxOrder.
+void require_order(int order);
+
+/// The point that a homogeneous point stands for.
+inline glm::dvec3 project(const glm::dvec4& h) noexcept { return glm::dvec3(h) / h.w; }
+
+bool is_finite(const glm::dvec3& p) noexcept;
+
+/// Derivatives 0 … n of X/W, Y/W, Z/W from those of X, Y, Z, W (The NURBS Book, A4.2).
+void quotient_derivatives(std::span<const glm::dvec4> homogeneous, std::span<glm::dvec3> out) noexcept;
+
+/// The same for all mixed derivatives k, l <= order, row after row (A4.4).
+void quotient_derivatives(std::span<const glm::dvec4> homogeneous, int order,
+                          std::span<glm::dvec3> out) noexcept;
+
+}  // namespace splinecore

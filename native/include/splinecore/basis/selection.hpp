@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "splinecore/basis/knot_vector.hpp"
+
+namespace splinecore {
+
+/// New knots, and for each of their control points the old one that it is.
+///
+/// The verbs that only move points about, for a curve and for either direction of a patch.
+struct Selection {
+  KnotVector knots;
+  std::vector<int> indices;
+};
+
+/// How many copies of u must be inserted until a curve falls apart there.
+int missing_for_cut(const KnotVector& knots, double u) noexcept;
+
+/// The parts on either side of u, which has multiplicity degree + 1 inside a plain vector.
+Selection part_before(const KnotVector& knots, double u);
+Selection part_after(const KnotVector& knots, double u);
+
+/// One period of a periodic vector from u on, which has multiplicity degree + 1, as a plain one.
+Selection opened_at(const KnotVector& knots, double u);
+
+/// The plain vector with unrolled() knots.
+Selection unrolled(const KnotVector& knots);
+
+/// The knots mirrored in the middle of the domain.
+Selection reversed(const KnotVector& knots);
+
+/// @throws InvalidShape unless u lies strictly inside the domain of a plain vector.
+void require_inside(const KnotVector& knots, double u);
+
+}  // namespace splinecore

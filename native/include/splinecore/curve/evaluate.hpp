@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "splinecore/base/interval.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace splinecore {
+
+/// How parameters at a jump and at infinity are taken.
+struct EvaluateOptions {
+  Side side = Side::right;
+  AtInfinity at_infinity = AtInfinity::raise;
+};
+
+/// x, y, z at each parameter; out.size() == 3 * parameters.size(). float32 is the last store only.
+///
+/// Bernstein weights of the span times its matrix times the control points: as stable as
+/// de Casteljau's algorithm at any degree (S6, S14, S15). Results do not depend on the batch.
+/// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless asked for NaN.
+void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
+              EvaluateOptions options = {});
+void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<float> out,
+              EvaluateOptions options = {});
+
+/// The point and its derivatives up to `order`; out.size() == 3 * (order + 1) * parameters.size().
+///
+/// Derivatives of the homogeneous curve, then the quotient rule (The NURBS Book, A4.2).
+void derivatives(const NurbsCurve& curve, std::span<const double> parameters, int order,
+                 std::span<double> out, EvaluateOptions options = {});
+
+/// The homogeneous point at each parameter: defined also where the curve is at infinity.
+void evaluate_homogeneous(const NurbsCurve& curve, std::span<const double> parameters,
+                          std::span<glm::dvec4> out, Side side = Side::right);
+
+}  // namespace splinecore

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <span>
+
+#include "splinecore/base/interval.hpp"
+#include "splinecore/basis/samples.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+namespace splinecore {
+
+/// How jumps and points at infinity are taken; one side for each direction.
+struct PatchOptions {
+  Side side_u = Side::right;
+  Side side_v = Side::right;
+  AtInfinity at_infinity = AtInfinity::raise;
+};
+
+/// x, y, z at each pair (u[i], v[i]); out.size() == 3 * u.size() (lecture rows S19, S20).
+/// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless NaN is asked for.
+void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+              std::span<double> out, PatchOptions options = {});
+void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+              std::span<float> out, PatchOptions options = {});
+
+/// x, y, z at every pair of the grid, v fastest; out.size() == 3 * u.size() * v.size().
+void evaluate_grid(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                   std::span<double> out, PatchOptions options = {});
+void evaluate_grid(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                   std::span<float> out, PatchOptions options = {});
+
+/// The grid's points, and unit normals along S_u x S_v.
+///
+/// Where S_u x S_v vanishes (a pole, a collapsed edge) the normal is its limit when approached
+/// from inside the domain; (0, 0, 0) where derivatives up to the third have none.
+void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double> u,
+                                std::span<const double> v, std::span<double> points,
+                                std::span<double> normals, PatchOptions options = {});
+void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double> u,
+                                std::span<const double> v, std::span<float> points,
+                                std::span<float> normals, PatchOptions options = {});
+
+/// The same on samples computed before, which must hold first derivatives.
+void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
+                                std::span<double> points, std::span<double> normals,
+                                AtInfinity at_infinity = AtInfinity::raise);
+
+/// All mixed derivatives k along u and l along v with k, l <= order at each pair;
+/// out.size() == 3 * (order + 1)² * u.size() (The NURBS Book, A4.4).
+void derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                 int order, std::span<double> out, PatchOptions options = {});
+
+}  // namespace splinecore

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace splinecore {
+
+/// The points of one finite piece of a curve, x, y, z after x, y, z.
+struct Polyline {
+  std::vector<double> points;
+  bool closed = false;  ///< the last point is joined to the first, which is not repeated
+};
+
+/// One polyline for each of pieces(), with `resolution` steps in every span. A piece that runs to
+/// infinity ends at its last sample before it. A whole curve whose end points are equal in every
+/// bit is closed.
+/// @throws InvalidShape if the resolution is outside [1, 4096].
+std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution);
+
+}  // namespace splinecore

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "splinecore/patch/edges.hpp"
+#include "splinecore/patch/patch_set.hpp"
+#include "splinecore/tessellate/axis_samples.hpp"
+
+namespace splinecore {
+
+/// The mesh of a patch set with a fixed number of faces per span: everything but positions.
+///
+/// Vertices are shared along common edges and at common corners; a collapsed edge is one
+/// vertex with triangles around it; faces are wound so that their normals are S_u x S_v
+/// (lecture row S22, by count). It depends on indices and knots alone, so it is made once and
+/// evaluated for as many positions of the points as come.
+class Tessellation {
+ public:
+  /// @throws InvalidShape if a resolution is outside [1, 4096] or there would be more than 2^28 samples.
+  static Tessellation make(const PatchSet& set, int resolution_u, int resolution_v);
+
+  /// Whether the set has the patches, on the same knots, that this was made for.
+  bool fits(const PatchSet& set) const noexcept;
+
+  std::size_t vertex_count() const noexcept { return vertex_samples_.size(); }
+
+  /// Where the corners of each face start in corner_vertices().
+  std::span<const std::int32_t> face_starts() const noexcept { return face_starts_; }
+  std::span<const std::int32_t> face_patches() const noexcept { return face_patches_; }
+  std::span<const std::int32_t> corner_vertices() const noexcept { return corner_vertices_; }
+
+  /// u, v of each corner, scaled to [0, 1] over the patch's domain.
+  std::span<const float> corner_uvs() const noexcept { return corner_uvs_; }
+
+  /// x, y, z of each vertex and of the normal at each corner, of a set with the same patches.
+  void evaluate(const PatchSet& set, std::span<float> positions, std::span<float> corner_normals) const;
+
+  /// Pairs of vertices between which the surface has an angle above `angle` (radians), of the
+  /// corner normals that evaluate() gave. Only edges of patches and knots without C1 can be sharp.
+  std::vector<std::int32_t> sharp_edges(std::span<const float> corner_normals, double angle) const;
+
+ private:
+  struct Grid {
+    AxisSamples u;
+    AxisSamples v;
+    std::size_t first_sample;
+  };
+  /// The side of a mesh edge that a face lies on.
+  struct Seam {
+    std::int32_t low_vertex, high_vertex;
+    std::int32_t low_corner, high_corner;
+  };
+  friend class TessellationBuilder;
+
+  std::vector<IndexedPatch> patches_;
+  std::vector<Grid> grids_;
+  std::size_t sample_count_ = 0;
+  std::vector<std::size_t> vertex_samples_;
+  std::vector<std::size_t> corner_samples_;
+  std::vector<std::int32_t> corner_vertices_;
+  std::vector<std::int32_t> face_starts_;
+  std::vector<std::int32_t> face_patches_;
+  std::vector<float> corner_uvs_;
+  std::vector<Seam> seams_;
+};
+
+}  // namespace splinecore

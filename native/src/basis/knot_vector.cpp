@@ -1,0 +1,247 @@
+#include "splinecore/basis/knot_vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/basis/bernstein.hpp"
+#include "splinecore/basis/blossom.hpp"
+
+namespace splinecore {
+
+struct KnotVector::Matrices {
+  std::once_flag built;
+  std::vector<double> values;
+};
+
+namespace {
+
+void require_degree(int degree) {
+  if (degree >= 0 && degree <= kMaxDegree) return;
+  throw InvalidShape("degree = " + std::to_string(degree) + " is outside [0, " +
+                     std::to_string(kMaxDegree) + "]");
+}
+
+void require_order(std::span<const double> knots, int degree) {
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    if (knots[i] < knots[i - 1]) {
+      throw InvalidShape("knots" + index_text(i) + " = " + text_of(knots[i]) + " is below knots" +
+                         index_text(i - 1) + " = " + text_of(knots[i - 1]));
+    }
+    const auto first = i - std::min<std::size_t>(i, degree + 1);
+    if (i > static_cast<std::size_t>(degree) && knots[i] == knots[first]) {
+      throw InvalidShape("knots" + index_text(i) + " = " + text_of(knots[i]) +
+                         " has multiplicity above degree + 1 = " + std::to_string(degree + 1));
+    }
+  }
+}
+
+void require_period(std::span<const double> knots, int degree) {
+  const auto leading = std::ranges::count(knots, knots.front());
+  const auto trailing = std::ranges::count(knots, knots.back());
+  if (knots.front() == knots.back()) {
+    throw InvalidShape("knots" + index_text(knots.size() - 1) + " = " + text_of(knots.back()) +
+                       " equals knots[0]: the period has no length");
+  }
+  if (leading + trailing - 1 > degree + 1) {
+    throw InvalidShape("knots[0] = " + text_of(knots.front()) +
+                       " has multiplicity above degree + 1 = " + std::to_string(degree + 1) +
+                       " together with the end of the period");
+  }
+}
+
+std::vector<double> unroll(std::span<const double> period, int degree) {
+  const long count = static_cast<long>(period.size()) - 1;
+  std::vector<double> unrolled;
+  unrolled.reserve(count + 2 * degree + 1);
+  for (long i = -degree; i <= count + degree; ++i) unrolled.push_back(periodic_knot(period, i));
+  return unrolled;
+}
+
+std::vector<int> positive_spans(std::span<const double> knots, int degree) {
+  std::vector<int> spans;
+  const int last = static_cast<int>(knots.size()) - degree - 1;
+  for (int k = degree; k < last; ++k) {
+    if (knots[k] < knots[k + 1]) spans.push_back(k);
+  }
+  return spans;
+}
+
+std::vector<double> repeated(double low, double high, int times) {
+  std::vector<double> knots(times, low);
+  knots.insert(knots.end(), times, high);
+  return knots;
+}
+
+/// A vector that cannot be built is refused before its memory is asked for.
+void require_count(int degree, int count) {
+  require_degree(degree);
+  constexpr int kMaxCount = 1 << 28;
+  if (count < 1 || count > kMaxCount) {
+    throw InvalidShape("count = " + std::to_string(count) + " is outside [1, " +
+                       std::to_string(kMaxCount) + "]");
+  }
+}
+
+}  // namespace
+
+KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic) {
+  require_degree(degree);
+  const std::size_t needed = periodic ? 2 : degree + 2;
+  if (knots.size() < needed) {
+    throw InvalidShape("knots has " + std::to_string(knots.size()) + " values, at least " +
+                       std::to_string(needed) + " are needed for degree " + std::to_string(degree));
+  }
+  require_finite(knots, "knots");
+  require_order(knots, degree);
+  if (!std::isfinite(knots.back() - knots.front())) {
+    throw InvalidShape("knots from " + text_of(knots.front()) + " to " + text_of(knots.back()) +
+                       " overflow: their distance is not a finite number");
+  }
+  if (periodic) require_period(knots, degree);
+
+  auto state = std::make_shared<State>();
+  state->degree = degree;
+  state->periodic = periodic;
+  state->count = static_cast<int>(knots.size()) - (periodic ? 1 : degree + 1);
+  state->unrolled = periodic ? unroll(knots, degree) : knots;
+  state->knots = std::move(knots);
+  state->spans = positive_spans(state->unrolled, degree);
+  state->matrices = std::make_shared<Matrices>();
+  return KnotVector(std::move(state));
+}
+
+KnotVector KnotVector::bezier(int degree) {
+  require_degree(degree);
+  return make(degree, repeated(0.0, 1.0, degree + 1));
+}
+
+KnotVector KnotVector::clamped(int degree, int count) {
+  require_count(degree, count);
+  if (count <= degree) {
+    throw InvalidShape("count = " + std::to_string(count) + " is below degree + 1 = " +
+                       std::to_string(degree + 1));
+  }
+  std::vector<double> knots = repeated(0.0, count - degree, degree);
+  std::vector<double> inner(count - degree + 1);
+  std::iota(inner.begin(), inner.end(), 0.0);
+  knots.insert(knots.begin() + degree, inner.begin(), inner.end());
+  return make(degree, std::move(knots));
+}
+
+KnotVector KnotVector::uniform(int degree, int count) {
+  require_count(degree, count);
+  std::vector<double> knots(count + degree + 1);
+  std::iota(knots.begin(), knots.end(), 0.0);
+  return make(degree, std::move(knots));
+}
+
+KnotVector KnotVector::periodic_uniform(int degree, int count) {
+  require_count(degree, count);
+  std::vector<double> knots(count + 1);
+  std::iota(knots.begin(), knots.end(), 0.0);
+  return make(degree, std::move(knots), true);
+}
+
+int KnotVector::unrolled_count() const noexcept {
+  return state_->count + (state_->periodic ? state_->degree : 0);
+}
+
+Interval KnotVector::domain() const {
+  if (!has_domain()) {
+    throw InvalidShape("knots leave no domain: for degree " + std::to_string(degree()) +
+                       " the knots u_" + std::to_string(degree()) + " and u_" +
+                       std::to_string(count()) + " must differ");
+  }
+  return {state_->unrolled[degree()], state_->unrolled[unrolled_count()]};
+}
+
+Interval KnotVector::span_interval(int i) const noexcept {
+  const int k = state_->spans[i];
+  return {state_->unrolled[k], state_->unrolled[k + 1]};
+}
+
+double KnotVector::admit(double u, Side side, std::size_t index, const char* name) const {
+  const Interval range = domain();
+  if (u > range.start && u < range.end) return u;
+  if (periodic() && std::isfinite(u)) {
+    const double period = range.length();
+    double rest = std::fmod(u - range.start, period);
+    if (rest < 0.0) rest += period;
+    if (rest == 0.0) return side == Side::right ? range.start : range.end;
+    return std::min(range.start + rest, range.end);
+  }
+  const double slack = 4.0 * std::numeric_limits<double>::epsilon() *
+                       std::max(std::abs(range.start), std::abs(range.end));
+  if (u >= range.start - slack && u <= range.end + slack) {
+    return std::clamp(u, range.start, range.end);
+  }
+  throw InvalidShape(name + index_text(index) + " = " + text_of(u) + " is outside the domain [" +
+                     text_of(range.start) + ", " + text_of(range.end) + "]");
+}
+
+int KnotVector::span_of(double u, Side side) const noexcept {
+  const auto& knots = state_->unrolled;
+  const auto& spans = state_->spans;
+  const auto starts_after = [&](double value, int k) {
+    return side == Side::right ? value < knots[k] : value <= knots[k];
+  };
+  const auto next = std::upper_bound(spans.begin() + 1, spans.end(), u, starts_after);
+  return static_cast<int>(next - spans.begin()) - 1;
+}
+
+std::span<const double> KnotVector::bezier_matrix(int i) const {
+  const int order = state_->degree + 1;
+  const std::size_t size = static_cast<std::size_t>(order) * order;
+  Matrices& matrices = *state_->matrices;
+  std::call_once(matrices.built, [&] {
+    matrices.values.resize(size * state_->spans.size());
+    double* row = matrices.values.data();
+    for (const int k : state_->spans) {
+      const double* knots = state_->unrolled.data() + k;
+      std::vector<double> arguments(order - 1, knots[0]);
+      for (int ends = 0; ends < order; ++ends, row += order) {
+        if (ends > 0) arguments[ends - 1] = knots[1];
+        blossom_weights(knots - (order - 1), order - 1, arguments, row);
+      }
+    }
+  });
+  return {matrices.values.data() + size * i, size};
+}
+
+bool operator==(const KnotVector& a, const KnotVector& b) noexcept {
+  return a.state_ == b.state_ || (a.degree() == b.degree() && a.periodic() == b.periodic() &&
+                                  std::ranges::equal(a.knots(), b.knots()));
+}
+
+double periodic_image(std::span<const double> period, double u, long turns) noexcept {
+  const double start = period.front();
+  const double end = period.back();
+  const double length = end - start;
+  // Relative to the nearer end, so that an image of an end is equal to a knot of that value.
+  if (turns > 0) return end + ((u - start) + static_cast<double>(turns - 1) * length);
+  if (turns < 0) return start + ((u - end) + static_cast<double>(turns + 1) * length);
+  return u;
+}
+
+double periodic_knot(std::span<const double> period, long i) noexcept {
+  const long count = static_cast<long>(period.size()) - 1;
+  if (i >= 0 && i <= count) return period[i];
+  const long turns = i / count - (i % count < 0 ? 1 : 0);
+  return periodic_image(period, period[i - turns * count], turns);
+}
+
+int multiplicity(const KnotVector& knots, double u) noexcept {
+  const auto given = knots.knots();
+  const auto times = static_cast<int>(std::ranges::count(given, u));
+  if (!knots.periodic() || (u != given.front() && u != given.back())) return times;
+  return static_cast<int>(std::ranges::count(given, given.front()) +
+                          std::ranges::count(given, given.back())) - 1;
+}
+
+}  // namespace splinecore

@@ -1,0 +1,168 @@
+#include "splinecore/basis/refinement.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/basis/blossom.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A knot of the refined vector; an inserted one has no old index.
+struct Merged {
+  double value;
+  long old_index;
+  bool inserted;
+};
+
+/// The old knots that any window of a refined vector can reach; begin is the index of the first.
+struct OldKnots {
+  long begin = 0;
+  std::vector<double> values;
+  const double* at(long i) const { return values.data() + (i - begin); }
+};
+
+OldKnots reachable(const KnotVector& knots) {
+  const auto given = knots.knots();
+  if (!knots.periodic()) return {0, {given.begin(), given.end()}};
+  const long margin = 2 * knots.degree() + 2;
+  OldKnots old{-margin, {}};
+  for (long i = -margin; i <= knots.count() + margin; ++i) {
+    old.values.push_back(periodic_knot(given, i));
+  }
+  return old;
+}
+
+std::vector<double> admitted(const KnotVector& knots, std::span<const double> inserted) {
+  std::vector<double> values(inserted.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = knots.admit(inserted[i], Side::right, i, "knots");
+  }
+  std::ranges::sort(values);
+  for (std::size_t i = 0; i < values.size();) {
+    const auto end = std::upper_bound(values.begin() + i, values.end(), values[i]);
+    const long times = (end - values.begin()) - static_cast<long>(i) + multiplicity(knots, values[i]);
+    if (times > knots.degree() + 1) {
+      throw InvalidShape("knots: " + text_of(values[i]) + " would have multiplicity " +
+                         std::to_string(times) + ", above degree + 1 = " +
+                         std::to_string(knots.degree() + 1));
+    }
+    i = end - values.begin();
+  }
+  return values;
+}
+
+/// Old and inserted knots in order. An inserted knot stands after old ones of its value, but at
+/// the end of a plain domain before them, so that every window with it lies inside the vector.
+std::vector<Merged> merge(const KnotVector& knots, const OldKnots& old,
+                          const std::vector<double>& inserted) {
+  const bool periodic = knots.periodic();
+  const long reach = periodic ? knots.degree() + 1 : 0;
+  const long last = periodic ? knots.count() + reach : static_cast<long>(old.values.size()) - 1;
+  std::vector<Merged> merged;
+  for (long i = -reach; i <= last; ++i) merged.push_back({*old.at(i), i, false});
+  const double low = merged.front().value;
+  const double high = merged.back().value;
+  const long turns = periodic ? reach / knots.count() + 1 : 0;
+  for (long turn = -turns; turn <= turns; ++turn) {
+    for (const double value : inserted) {
+      const double image = periodic ? periodic_image(knots.knots(), value, turn) : value;
+      if (image >= low && image <= high) merged.push_back({image, 0, true});
+    }
+  }
+  const double end = knots.domain().end;
+  const auto rank = [&](const Merged& knot) {
+    if (!knot.inserted) return 1;
+    return !periodic && knot.value == end ? 0 : 2;
+  };
+  std::ranges::stable_sort(merged, [&](const Merged& a, const Merged& b) {
+    return a.value != b.value ? a.value < b.value : rank(a) < rank(b);
+  });
+  return merged;
+}
+
+/// Calls visit(first, arguments) for the `count` windows of `degree` knots from `start` on: the
+/// inserted knots of each, and the first of the old points that carry all its old knots.
+template <class Visit>
+void for_each_window(const std::vector<Merged>& merged, long start, int count, int degree, Visit visit) {
+  const auto is_old = [](const Merged& k) { return !k.inserted; };
+  long next_old = std::find_if(merged.rend() - start, merged.rend(), is_old)->old_index + 1;
+  std::vector<double> arguments;
+  for (int j = 0; j < count; ++j) {
+    arguments.clear();
+    for (const Merged& knot : std::span(merged.data() + start + j, degree)) {
+      if (knot.inserted) arguments.push_back(knot.value);
+    }
+    visit(next_old - 1 - static_cast<long>(arguments.size()), arguments);
+    if (is_old(merged[start + j])) next_old = merged[start + j].old_index + 1;
+  }
+}
+
+}  // namespace
+
+Refinement Refinement::make(const KnotVector& knots, std::span<const double> inserted) {
+  const OldKnots old = reachable(knots);
+  const std::vector<Merged> merged = merge(knots, old, admitted(knots, inserted));
+  const auto is_origin = [](const Merged& k) { return !k.inserted && k.old_index == 0; };
+  const long origin = std::ranges::find_if(merged, is_origin) - merged.begin();
+  std::vector<double> values;
+  for (std::size_t i = 0; i < knots.knots().size() + inserted.size(); ++i) {
+    values.push_back(merged[origin + i].value);
+  }
+  const int degree = knots.degree();
+  KnotVector refined = KnotVector::make(degree, std::move(values), knots.periodic());
+
+  // The window of new point j: the knots after knot j where plain, up to knot j where periodic.
+  const long start = origin + (knots.periodic() ? 1 - degree : 1);
+  Rows rows;
+  std::vector<double> row(degree + 1);
+  for_each_window(merged, start, refined.count(), degree, [&](long first, const auto& arguments) {
+    std::ranges::fill(row, 0.0);
+    blossom_weights(old.at(first), degree, arguments, row.data());
+    rows.first.push_back(first + (knots.periodic() ? degree : 0));
+    rows.weights.insert(rows.weights.end(), row.begin(), row.end());
+  });
+  return {knots, std::move(refined), std::move(rows)};
+}
+
+long Refinement::old_index(std::size_t j, long r) const noexcept {
+  const long count = old_.count();
+  return ((rows_.first[j] + r) % count + count) % count;
+}
+
+void Refinement::apply(const glm::dvec4* points, std::size_t stride, glm::dvec4* out,
+                       std::size_t out_stride) const {
+  const long width = old_.degree() + 1;
+  for (std::size_t j = 0; j < rows_.first.size(); ++j) {
+    glm::dvec4 sum(0.0);
+    for (long r = 0; r < width; ++r) {
+      const double weight = rows_.weights[j * width + r];
+      if (weight == 0.0) continue;
+      const glm::dvec4& point = points[old_index(j, r) * stride];
+      sum = weight == 1.0 ? point : sum + weight * point;
+    }
+    out[j * out_stride] = sum;
+  }
+}
+
+void Refinement::keep_untouched(const glm::dvec4* points, std::size_t stride, glm::dvec4* out,
+                                std::size_t out_stride) const {
+  const long width = old_.degree() + 1;
+  for (std::size_t j = 0; j < rows_.first.size(); ++j) {
+    for (long r = 0; r < width; ++r) {
+      if (rows_.weights[j * width + r] == 1.0) out[j * out_stride] = points[old_index(j, r) * stride];
+    }
+  }
+}
+
+std::vector<double> knot_copies(const KnotVector& knots, double u, int times) {
+  if (times < 1 || times > knots.degree() + 1) {
+    throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " +
+                       std::to_string(knots.degree() + 1) + "]");
+  }
+  return std::vector<double>(times, u);
+}
+
+}  // namespace splinecore

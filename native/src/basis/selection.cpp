@@ -1,0 +1,90 @@
+#include "splinecore/basis/selection.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "splinecore/base/errors.hpp"
+
+namespace splinecore {
+
+namespace {
+
+std::vector<int> range_of(int start, int end) {
+  std::vector<int> indices(end - start);
+  std::iota(indices.begin(), indices.end(), start);
+  return indices;
+}
+
+int position_of(const KnotVector& knots, double u) {
+  return static_cast<int>(std::ranges::find(knots.knots(), u) - knots.knots().begin());
+}
+
+int modulo(long i, int count) { return static_cast<int>((i % count + count) % count); }
+
+}  // namespace
+
+int missing_for_cut(const KnotVector& knots, double u) noexcept {
+  return knots.degree() + 1 - multiplicity(knots, u);
+}
+
+Selection part_before(const KnotVector& knots, double u) {
+  const int at = position_of(knots, u);
+  const auto given = knots.knots();
+  return {KnotVector::make(knots.degree(), {given.begin(), given.begin() + at + knots.degree() + 1}),
+          range_of(0, at)};
+}
+
+Selection part_after(const KnotVector& knots, double u) {
+  const int at = position_of(knots, u);
+  const auto given = knots.knots();
+  return {KnotVector::make(knots.degree(), {given.begin() + at, given.end()}),
+          range_of(at, knots.count())};
+}
+
+Selection opened_at(const KnotVector& knots, double u) {
+  const auto period = knots.knots();
+  // The first of the degree + 1 equal knots; at the seam they may begin before knot 0.
+  long at = position_of(knots, u);
+  while (periodic_knot(period, at - 1) == u) --at;
+  const int degree = knots.degree();
+  std::vector<double> plain;
+  for (long i = at; i <= at + knots.count() + degree; ++i) plain.push_back(periodic_knot(period, i));
+  std::vector<int> indices;
+  for (long i = at; i < at + knots.count(); ++i) indices.push_back(modulo(i + degree, knots.count()));
+  return {KnotVector::make(degree, std::move(plain)), std::move(indices)};
+}
+
+Selection unrolled(const KnotVector& knots) {
+  const auto all = knots.unrolled();
+  std::vector<int> indices = range_of(0, knots.unrolled_count());
+  for (int& i : indices) i %= knots.count();
+  return {KnotVector::make(knots.degree(), {all.begin(), all.end()}), std::move(indices)};
+}
+
+Selection reversed(const KnotVector& knots) {
+  const Interval range = knots.domain();
+  std::vector<double> mirrored(knots.knots().rbegin(), knots.knots().rend());
+  for (double& u : mirrored) {
+    u = u == range.start ? range.end : range.start + (range.end - u);
+  }
+  // Rounding may push a knot past an end of the domain by an ulp.
+  std::inclusive_scan(mirrored.begin(), mirrored.end(), mirrored.begin(),
+                      [](double a, double b) { return std::max(a, b); });
+  const int count = knots.count();
+  const int last = knots.periodic() ? count + knots.degree() - 1 : count - 1;
+  std::vector<int> indices(count);
+  for (int i = 0; i < count; ++i) indices[i] = modulo(last - i, count);
+  return {KnotVector::make(knots.degree(), std::move(mirrored), knots.periodic()), std::move(indices)};
+}
+
+void require_inside(const KnotVector& knots, double u) {
+  if (knots.periodic()) {
+    throw InvalidShape("a periodic shape does not fall in two at one parameter: open it there first");
+  }
+  const Interval range = knots.domain();
+  if (u > range.start && u < range.end) return;
+  throw InvalidShape("u = " + text_of(u) + " is not inside the domain (" + text_of(range.start) +
+                     ", " + text_of(range.end) + ")");
+}
+
+}  // namespace splinecore

@@ -1,0 +1,68 @@
+#include "splinecore/convert/to_bezier.hpp"
+
+#include "splinecore/base/points.hpp"
+#include "splinecore/basis/samples.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// The control points of the tensor piece that starts at spans u and v, row after row.
+std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span_v) {
+  const KnotVector& knots_u = patch.knot_vector(Axis::u);
+  const KnotVector& knots_v = patch.knot_vector(Axis::v);
+  const std::size_t rows = knots_u.degree() + 1;
+  const std::size_t columns = knots_v.degree() + 1;
+  const auto matrix_u = knots_u.bezier_matrix(span_u);
+  const auto matrix_v = knots_v.bezier_matrix(span_v);
+  const int width = knots_v.unrolled_count();
+  const glm::dvec4* corner = patch.homogeneous_points().data() +
+                             (knots_u.spans()[span_u] - knots_u.degree()) * width +
+                             (knots_v.spans()[span_v] - knots_v.degree());
+  std::vector<glm::dvec4> half(rows * columns);
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      half[i * columns + j] = weighted_sum(matrix_v.subspan(j * columns, columns), corner + i * width);
+    }
+  }
+  std::vector<glm::dvec4> net(rows * columns, glm::dvec4(0.0));
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t k = 0; k < rows; ++k) {
+      const double weight = matrix_u[i * rows + k];
+      if (weight == 0.0) continue;
+      for (std::size_t j = 0; j < columns; ++j) net[i * columns + j] += weight * half[k * columns + j];
+    }
+  }
+  return as_given(net);
+}
+
+}  // namespace
+
+std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
+  const KnotVector& knots = curve.knot_vector();
+  const std::size_t order = knots.degree() + 1;
+  std::vector<BezierCurve> beziers;
+  std::vector<glm::dvec4> points(order);
+  for (std::size_t span = 0; span < knots.spans().size(); ++span) {
+    const auto matrix = knots.bezier_matrix(static_cast<int>(span));
+    const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
+    for (std::size_t j = 0; j < order; ++j) points[j] = weighted_sum(matrix.subspan(j * order, order), first);
+    beziers.push_back(BezierCurve::from_homogeneous(points));
+  }
+  return beziers;
+}
+
+BezierGrid to_bezier(const NurbsPatch& patch) {
+  const KnotVector& knots_u = patch.knot_vector(Axis::u);
+  const KnotVector& knots_v = patch.knot_vector(Axis::v);
+  BezierGrid grid{static_cast<int>(knots_u.spans().size()), static_cast<int>(knots_v.spans().size()), {}};
+  for (int i = 0; i < grid.count_u; ++i) {
+    for (int j = 0; j < grid.count_v; ++j) {
+      grid.patches.push_back(BezierPatch::make(knots_u.degree() + 1, knots_v.degree() + 1,
+                                               bezier_net(patch, i, j)));
+    }
+  }
+  return grid;
+}
+
+}  // namespace splinecore

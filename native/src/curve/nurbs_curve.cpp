@@ -1,0 +1,94 @@
+#include "splinecore/curve/nurbs_curve.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/basis/refinement.hpp"
+#include "splinecore/basis/selection.hpp"
+
+namespace splinecore {
+
+NurbsCurve::NurbsCurve(KnotVector knots, std::vector<glm::dvec4> points)
+    : knots_(std::move(knots)), points_(std::move(points)), homogeneous_(homogeneous(points_)),
+      rational_(is_rational(points_)) {
+  for (int i = 0; i < knots_.unrolled_count() - knots_.count(); ++i) {
+    homogeneous_.push_back(homogeneous_[i]);
+  }
+}
+
+NurbsCurve NurbsCurve::make(KnotVector knots, std::vector<glm::dvec4> points) {
+  if (knots.degree() < 1) throw InvalidShape("degree = 0: a curve needs degree 1 or more");
+  if (points.size() != static_cast<std::size_t>(knots.count())) {
+    throw InvalidShape("points has " + std::to_string(points.size()) + " rows, but " +
+                       std::to_string(knots.knots().size()) + " knots of degree " +
+                       std::to_string(knots.degree()) + " belong to " +
+                       std::to_string(knots.count()));
+  }
+  static_cast<void>(knots.domain());
+  require_points(points);
+  return {std::move(knots), std::move(points)};
+}
+
+NurbsCurve NurbsCurve::make(int degree, std::vector<double> knots, std::vector<glm::dvec4> points,
+                            bool periodic) {
+  if (degree < 1) throw InvalidShape("degree = " + std::to_string(degree) + ": a curve needs degree 1 or more");
+  return make(KnotVector::make(degree, std::move(knots), periodic), std::move(points));
+}
+
+NurbsCurve NurbsCurve::from_homogeneous(KnotVector knots, std::span<const glm::dvec4> points) {
+  return make(std::move(knots), as_given(points));
+}
+
+NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
+  const Refinement refinement = Refinement::make(curve.knot_vector(), inserted);
+  std::vector<glm::dvec4> points(refinement.knots().count());
+  refinement.apply(curve.homogeneous_points().data(), 1, points.data(), 1);
+  points = as_given(points);
+  refinement.keep_untouched(curve.points().data(), 1, points.data(), 1);
+  return NurbsCurve::make(refinement.knots(), std::move(points));
+}
+
+NurbsCurve insert_knot(const NurbsCurve& curve, double u, int times) {
+  return refine(curve, knot_copies(curve.knot_vector(), u, times));
+}
+
+namespace {
+
+/// With u of multiplicity degree + 1, so that the curve falls apart there.
+NurbsCurve cut(const NurbsCurve& curve, double u) {
+  const std::vector<double> copies(missing_for_cut(curve.knot_vector(), u), u);
+  return copies.empty() ? curve : refine(curve, copies);
+}
+
+NurbsCurve selected(const NurbsCurve& curve, const Selection& selection) {
+  std::vector<glm::dvec4> points;
+  points.reserve(selection.indices.size());
+  for (const int i : selection.indices) points.push_back(curve.points()[i]);
+  return NurbsCurve::make(selection.knots, std::move(points));
+}
+
+}  // namespace
+
+std::pair<NurbsCurve, NurbsCurve> split(const NurbsCurve& curve, double u) {
+  require_inside(curve.knot_vector(), u);
+  const NurbsCurve whole = cut(curve, u);
+  return {selected(whole, part_before(whole.knot_vector(), u)),
+          selected(whole, part_after(whole.knot_vector(), u))};
+}
+
+NurbsCurve opened(const NurbsCurve& curve, double u) {
+  if (!curve.periodic()) throw InvalidShape("only a periodic curve can be opened");
+  const double start = curve.knot_vector().admit(u, Side::right);
+  const NurbsCurve whole = cut(curve, start);
+  return selected(whole, opened_at(whole.knot_vector(), start));
+}
+
+NurbsCurve unrolled(const NurbsCurve& curve) {
+  return curve.periodic() ? selected(curve, unrolled(curve.knot_vector())) : curve;
+}
+
+NurbsCurve reversed(const NurbsCurve& curve) { return selected(curve, reversed(curve.knot_vector())); }
+
+}  // namespace splinecore

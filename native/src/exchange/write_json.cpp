@@ -1,0 +1,106 @@
+#include <nlohmann/json.hpp>
+
+#include "splinecore/exchange/json.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(std::span<const double> values) { return Json(std::vector<double>(values.begin(), values.end())); }
+
+Json row(const glm::dvec4& p) { return {p.x, p.y, p.z, p.w}; }
+Json row(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+template <class Point>
+Json list(std::span<const Point> points) {
+  Json rows = Json::array();
+  for (const Point& p : points) rows.push_back(row(p));
+  return rows;
+}
+
+template <class Point>
+Json net(std::span<const Point> points, int count_v) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < points.size(); i += count_v) rows.push_back(list(points.subspan(i, count_v)));
+  return rows;
+}
+
+Json content(const BezierCurve& curve) { return {{"kind", "bezier_curve"}, {"points", list(curve.points())}}; }
+
+Json content(const HermiteCurve& curve) {
+  Json tangents = Json::array();
+  for (const Tangents& t : curve.tangents()) tangents.push_back({row(t.incoming), row(t.outgoing)});
+  return {{"kind", "hermite_curve"}, {"points", list(curve.points())}, {"tangents", tangents},
+          {"parameters", numbers(curve.parameters())}};
+}
+
+Json content(const NurbsCurve& curve) {
+  return {{"kind", "nurbs_curve"}, {"degree", curve.degree()}, {"periodic", curve.periodic()},
+          {"knots", numbers(curve.knot_vector().knots())}, {"points", list(curve.points())}};
+}
+
+Json content(const BezierPatch& patch) {
+  return {{"kind", "bezier_patch"}, {"points", net(patch.points(), patch.count(Axis::v))}};
+}
+
+Json content(const HermitePatch& patch) {
+  const int width = patch.count(Axis::v);
+  const auto grid = [&](const std::vector<glm::dvec3>& values) { return net(std::span(values), width); };
+  return {{"kind", "hermite_patch"}, {"points", grid(patch.net().points)},
+          {"tangents_u", grid(patch.net().tangents_u)}, {"tangents_v", grid(patch.net().tangents_v)},
+          {"twists", grid(patch.net().twists)}, {"parameters_u", numbers(patch.parameters(Axis::u))},
+          {"parameters_v", numbers(patch.parameters(Axis::v))}};
+}
+
+Json content(const NurbsPatch& patch) {
+  const KnotVector& u = patch.knot_vector(Axis::u);
+  const KnotVector& v = patch.knot_vector(Axis::v);
+  return {{"kind", "nurbs_patch"}, {"degree", {u.degree(), v.degree()}}, {"periodic", {u.periodic(), v.periodic()}},
+          {"knots", {numbers(u.knots()), numbers(v.knots())}}, {"points", net(patch.points(), v.count())}};
+}
+
+Json content(const IndexedPatch& patch) {
+  Json item{{"count", {patch.count_u, patch.count_v}}, {"indices", patch.indices}};
+  switch (patch.kind) {
+    case PatchKind::bezier: item["kind"] = "bezier"; break;
+    case PatchKind::hermite:
+      item["kind"] = "hermite";
+      item["parameters"] = {patch.knots_u, patch.knots_v};
+      break;
+    case PatchKind::nurbs:
+      item["kind"] = "nurbs";
+      item["degree"] = {patch.degree_u, patch.degree_v};
+      item["periodic"] = {patch.periodic_u, patch.periodic_v};
+      item["knots"] = {patch.knots_u, patch.knots_v};
+      break;
+  }
+  return item;
+}
+
+Json content(const PatchSet& set) {
+  Json patches = Json::array();
+  for (const IndexedPatch& patch : set.patches()) patches.push_back(content(patch));
+  return {{"kind", "patch_set"}, {"points", list(set.points())}, {"patches", patches}};
+}
+
+Json content(const Value& value) {
+  return std::visit([](const auto& shape) { return content(shape); }, value);
+}
+
+}  // namespace
+
+std::string to_json(const Document& document) {
+  Json text{{"format", "splinecore"}, {"version", kJsonVersion}};
+  if (const auto* value = std::get_if<Value>(&document)) {
+    text.update(content(*value));
+  } else {
+    Json items = Json::array();
+    for (const Value& item : std::get<std::vector<Value>>(document)) items.push_back(content(item));
+    text["items"] = items;
+  }
+  return text.dump();
+}
+
+}  // namespace splinecore

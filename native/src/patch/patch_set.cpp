@@ -1,0 +1,192 @@
+#include "splinecore/patch/patch_set.hpp"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+
+namespace splinecore {
+
+namespace {
+
+std::size_t nets_of(const IndexedPatch& patch) { return patch.kind == PatchKind::hermite ? 4 : 1; }
+
+void require_indices(const IndexedPatch& patch, std::size_t pool) {
+  if (patch.count_u < 2 || patch.count_v < 2) {
+    throw InvalidShape("indices is " + std::to_string(patch.count_u) + " x " +
+                       std::to_string(patch.count_v) + ", a patch needs 2 x 2 or more");
+  }
+  const std::size_t wanted = nets_of(patch) * patch.count_u * patch.count_v;
+  if (patch.indices.size() != wanted) {
+    throw InvalidShape("indices has " + std::to_string(patch.indices.size()) + " values for " +
+                       std::to_string(wanted));
+  }
+  for (std::size_t i = 0; i < patch.indices.size(); ++i) {
+    if (patch.indices[i] >= 0 && static_cast<std::size_t>(patch.indices[i]) < pool) continue;
+    throw InvalidShape("indices" + index_text(i, patch.count_v) + " = " + std::to_string(patch.indices[i]) +
+                       " is outside the pool of " + std::to_string(pool) + " points");
+  }
+}
+
+/// One of the nets of a Hermite patch, whose rows must have the given w.
+std::vector<glm::dvec3> hermite_net(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch,
+                                    std::size_t net, double w) {
+  const std::size_t size = patch.indices.size() / 4;
+  std::vector<glm::dvec3> vectors;
+  for (std::size_t i = net * size; i < (net + 1) * size; ++i) {
+    const glm::dvec4& row = pool[patch.indices[i]];
+    if (row.w != w) {
+      throw InvalidShape("points" + index_text(patch.indices[i]) + " has w = " + text_of(row.w) + ", a Hermite " +
+                         (w == 1.0 ? "point needs w = 1" : "tangent or twist needs w = 0"));
+    }
+    vectors.emplace_back(row);
+  }
+  return vectors;
+}
+
+AnyPatch value_of(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch) {
+  require_indices(patch, pool.size());
+  if (patch.kind == PatchKind::hermite) {
+    HermiteNet net{hermite_net(pool, patch, 0, 1.0), hermite_net(pool, patch, 1, 0.0),
+                   hermite_net(pool, patch, 2, 0.0), hermite_net(pool, patch, 3, 0.0)};
+    return HermitePatch::make(patch.count_u, patch.count_v, std::move(net), patch.knots_u, patch.knots_v);
+  }
+  std::vector<glm::dvec4> points;
+  points.reserve(patch.indices.size());
+  for (const int i : patch.indices) points.push_back(pool[i]);
+  if (patch.kind == PatchKind::bezier) return BezierPatch::make(patch.count_u, patch.count_v, std::move(points));
+  return NurbsPatch::make(KnotVector::make(patch.degree_u, patch.knots_u, patch.periodic_u),
+                          KnotVector::make(patch.degree_v, patch.knots_v, patch.periodic_v), std::move(points));
+}
+
+/// Collects points, each once where merging.
+class Pool {
+ public:
+  explicit Pool(bool merged) : merged_(merged) {}
+
+  int index_of(const glm::dvec4& point) {
+    const auto next = static_cast<int>(points.size());
+    if (merged_) {
+      Bits bits;
+      std::memcpy(bits.data(), &point, sizeof(point));
+      const auto [found, is_new] = known_.emplace(bits, next);
+      if (!is_new) return found->second;
+    }
+    points.push_back(point);
+    return next;
+  }
+
+  std::vector<glm::dvec4> points;
+
+ private:
+  using Bits = std::array<std::uint64_t, 4>;
+  bool merged_;
+  std::map<Bits, int> known_;
+};
+
+IndexedPatch indexed(const BezierPatch& patch, Pool& pool) {
+  IndexedPatch indexed;
+  indexed.kind = PatchKind::bezier;
+  indexed.count_u = patch.count(Axis::u);
+  indexed.count_v = patch.count(Axis::v);
+  for (const glm::dvec4& p : patch.points()) indexed.indices.push_back(pool.index_of(p));
+  return indexed;
+}
+
+IndexedPatch indexed(const HermitePatch& patch, Pool& pool) {
+  IndexedPatch indexed;
+  indexed.kind = PatchKind::hermite;
+  indexed.count_u = patch.count(Axis::u);
+  indexed.count_v = patch.count(Axis::v);
+  const auto add = [&](const std::vector<glm::dvec3>& net, double w) {
+    for (const glm::dvec3& vector : net) indexed.indices.push_back(pool.index_of({vector, w}));
+  };
+  add(patch.net().points, 1.0);
+  add(patch.net().tangents_u, 0.0);
+  add(patch.net().tangents_v, 0.0);
+  add(patch.net().twists, 0.0);
+  indexed.knots_u.assign(patch.parameters(Axis::u).begin(), patch.parameters(Axis::u).end());
+  indexed.knots_v.assign(patch.parameters(Axis::v).begin(), patch.parameters(Axis::v).end());
+  return indexed;
+}
+
+IndexedPatch indexed(const NurbsPatch& patch, Pool& pool) {
+  const KnotVector& u = patch.knot_vector(Axis::u);
+  const KnotVector& v = patch.knot_vector(Axis::v);
+  IndexedPatch indexed{.kind = PatchKind::nurbs, .count_u = u.count(), .count_v = v.count(),
+                       .indices = {}, .degree_u = u.degree(), .degree_v = v.degree(),
+                       .periodic_u = u.periodic(), .periodic_v = v.periodic(),
+                       .knots_u = {u.knots().begin(), u.knots().end()},
+                       .knots_v = {v.knots().begin(), v.knots().end()}};
+  for (const glm::dvec4& p : patch.points()) indexed.indices.push_back(pool.index_of(p));
+  return indexed;
+}
+
+std::vector<int> transposed(const IndexedPatch& patch, std::size_t net) {
+  const int* first = patch.indices.data() + net * patch.count_u * patch.count_v;
+  std::vector<int> turned;
+  for (int j = 0; j < patch.count_v; ++j) {
+    for (int i = 0; i < patch.count_u; ++i) turned.push_back(first[i * patch.count_v + j]);
+  }
+  return turned;
+}
+
+}  // namespace
+
+const NurbsPatch& nurbs_of(const AnyPatch& patch) noexcept {
+  if (const auto* bezier = std::get_if<BezierPatch>(&patch)) return bezier->nurbs();
+  if (const auto* hermite = std::get_if<HermitePatch>(&patch)) return hermite->nurbs();
+  return *std::get_if<NurbsPatch>(&patch);
+}
+
+PatchSet::PatchSet(std::vector<glm::dvec4> points, std::vector<IndexedPatch> patches)
+    : points_(std::move(points)), patches_(std::move(patches)) {}
+
+PatchSet PatchSet::make(std::vector<glm::dvec4> points, std::vector<IndexedPatch> patches) {
+  require_points(points);
+  if (patches.empty()) throw InvalidShape("patches is empty: a patch set needs one or more");
+  PatchSet set(std::move(points), std::move(patches));
+  set.values_.reserve(set.patches_.size());
+  for (std::size_t i = 0; i < set.patches_.size(); ++i) {
+    try {
+      set.values_.push_back(value_of(set.points_, set.patches_[i]));
+    } catch (const InvalidShape& error) {
+      throw InvalidShape("patches" + index_text(i) + ": " + error.what());
+    }
+  }
+  return set;
+}
+
+PatchSet PatchSet::of(std::span<const AnyPatch> patches, bool merged) {
+  Pool pool(merged);
+  std::vector<IndexedPatch> all;
+  for (const AnyPatch& patch : patches) {
+    all.push_back(std::visit([&](const auto& value) { return indexed(value, pool); }, patch));
+  }
+  return make(std::move(pool.points), std::move(all));
+}
+
+PatchSet flipped(const PatchSet& set) {
+  std::vector<IndexedPatch> patches(set.patches().begin(), set.patches().end());
+  for (IndexedPatch& patch : patches) {
+    std::vector<int> indices;
+    // Of a Hermite patch the tangents along u become those along v.
+    const std::array<std::size_t, 4> order{0, 2, 1, 3};
+    for (std::size_t net = 0; net < nets_of(patch); ++net) {
+      const std::vector<int> turned = transposed(patch, order[net]);
+      indices.insert(indices.end(), turned.begin(), turned.end());
+    }
+    patch.indices = std::move(indices);
+    std::swap(patch.count_u, patch.count_v);
+    std::swap(patch.degree_u, patch.degree_v);
+    std::swap(patch.periodic_u, patch.periodic_v);
+    std::swap(patch.knots_u, patch.knots_v);
+  }
+  return PatchSet::make({set.points().begin(), set.points().end()}, std::move(patches));
+}
+
+}  // namespace splinecore

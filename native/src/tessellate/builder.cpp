@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/tessellate/tessellation.hpp"
+
+namespace splinecore {
+
+/// Numbers the vertices of one patch after the other and lays faces between them.
+class TessellationBuilder {
+ public:
+  TessellationBuilder(const PatchSet& set, Tessellation& mesh)
+      : set_(set), mesh_(mesh), sides_(patch_sides(set)) {}
+
+  void add_patch(std::size_t patch);
+
+ private:
+  using Grid = Tessellation::Grid;
+
+  /// Rows and columns of vertex lines of the patch at hand.
+  struct Lines {
+    int rows;
+    int columns;
+    std::vector<std::int32_t> vertices;
+    std::int32_t& at(int i, int j) { return vertices[i * columns + j]; }
+  };
+
+  std::optional<int> corner_row(std::size_t patch, bool end_u, bool end_v) const;
+  std::size_t sample_on(const Grid& grid, int row, int column) const;
+  std::int32_t new_vertex(const Grid& grid, int row, int column);
+  void number_corners(std::size_t patch, const Grid& grid, Lines& lines);
+  void number_side(std::size_t patch, int side, const Grid& grid, Lines& lines);
+  void add_faces(std::size_t patch, const Grid& grid, Lines& lines);
+  void add_seam(std::int32_t corner_a, std::int32_t corner_b);
+
+  const PatchSet& set_;
+  Tessellation& mesh_;
+  std::vector<std::array<PatchSide, 4>> sides_;
+  std::map<int, std::int32_t> corner_vertices_;
+  std::map<int, std::vector<std::int32_t>> edge_vertices_;
+};
+
+/// The pool row that a corner of the patch lies on, if it lies on one.
+std::optional<int> TessellationBuilder::corner_row(std::size_t patch, bool end_u, bool end_v) const {
+  const PatchSide& side_u = sides_[patch][end_u ? 1 : 0];
+  const PatchSide& side_v = sides_[patch][end_v ? 3 : 2];
+  if (side_u.kind == EdgeKind::open || side_v.kind == EdgeKind::open) return std::nullopt;
+  const IndexedPatch& indexed = set_.patches()[patch];
+  const int i = end_u ? indexed.count_u - 1 : 0;
+  const int j = end_v ? indexed.count_v - 1 : 0;
+  return indexed.indices[i * indexed.count_v + j];
+}
+
+/// The first sample on a pair of lines.
+std::size_t TessellationBuilder::sample_on(const Grid& grid, int row, int column) const {
+  const auto i = std::ranges::find(grid.u.line, row) - grid.u.line.begin();
+  const auto j = std::ranges::find(grid.v.line, column) - grid.v.line.begin();
+  return grid.first_sample + i * grid.v.samples.size() + j;
+}
+
+std::int32_t TessellationBuilder::new_vertex(const Grid& grid, int row, int column) {
+  mesh_.vertex_samples_.push_back(sample_on(grid, row, column));
+  return static_cast<std::int32_t>(mesh_.vertex_samples_.size()) - 1;
+}
+
+void TessellationBuilder::number_corners(std::size_t patch, const Grid& grid, Lines& lines) {
+  for (const bool end_u : {false, true}) {
+    for (const bool end_v : {false, true}) {
+      const auto pool_row = corner_row(patch, end_u, end_v);
+      if (!pool_row) continue;
+      const int row = end_u ? lines.rows - 1 : 0;
+      const int column = end_v ? lines.columns - 1 : 0;
+      const auto known = corner_vertices_.find(*pool_row);
+      lines.at(row, column) = known != corner_vertices_.end()
+                                  ? known->second
+                                  : corner_vertices_[*pool_row] = new_vertex(grid, row, column);
+    }
+  }
+}
+
+void TessellationBuilder::number_side(std::size_t patch, int side, const Grid& grid, Lines& lines) {
+  const PatchSide& description = sides_[patch][side];
+  if (description.kind == EdgeKind::open) return;
+  const bool along_v = side < 2;
+  const int count = along_v ? lines.columns : lines.rows;
+  const int fixed = side % 2 == 0 ? 0 : (along_v ? lines.rows : lines.columns) - 1;
+  const auto place = [&](int k) { return along_v ? std::pair{fixed, k} : std::pair{k, fixed}; };
+  const auto vertex = [&](int k) -> std::int32_t& { return lines.at(place(k).first, place(k).second); };
+  const auto number_new = [&](int k) {
+    if (vertex(k) < 0) vertex(k) = new_vertex(grid, place(k).first, place(k).second);
+    return vertex(k);
+  };
+  if (description.kind == EdgeKind::pole) {
+    for (int k = 0; k < count; ++k) vertex(k) = number_new(0);
+    return;
+  }
+  std::vector<std::int32_t>& known = edge_vertices_[description.edge];
+  const auto on_edge = [&](int k) { return description.reversed ? count - 1 - k : k; };
+  if (known.empty()) {
+    known.resize(count);
+    for (int k = 0; k < count; ++k) known[on_edge(k)] = number_new(k);
+    return;
+  }
+  for (int k = 0; k < count; ++k) {
+    if (vertex(k) < 0) vertex(k) = known[on_edge(k)];
+  }
+}
+
+void TessellationBuilder::add_seam(std::int32_t corner_a, std::int32_t corner_b) {
+  if (mesh_.corner_vertices_[corner_a] > mesh_.corner_vertices_[corner_b]) std::swap(corner_a, corner_b);
+  mesh_.seams_.push_back({mesh_.corner_vertices_[corner_a], mesh_.corner_vertices_[corner_b], corner_a, corner_b});
+}
+
+void TessellationBuilder::add_faces(std::size_t patch, const Grid& grid, Lines& lines) {
+  const Interval range_u = nurbs_of(set_.patch(patch)).knot_vector(Axis::u).domain();
+  const Interval range_v = nurbs_of(set_.patch(patch)).knot_vector(Axis::v).domain();
+  const int samples_u = static_cast<int>(grid.u.samples.size());
+  const int samples_v = static_cast<int>(grid.v.samples.size());
+  for (int i = 0; i < samples_u; ++i) {
+    for (int j = 0; j < samples_v; ++j) {
+      if (!grid.u.face_follows[i] || !grid.v.face_follows[j]) continue;
+      // Counter-clockwise seen from where S_u x S_v points.
+      const std::array<std::pair<int, int>, 4> around{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
+      std::array<std::int32_t, 4> corners{-1, -1, -1, -1};
+      std::vector<std::pair<std::int32_t, int>> kept;
+      for (int k = 0; k < 4; ++k) {
+        const std::int32_t vertex = lines.at(grid.u.line[around[k].first], grid.v.line[around[k].second]);
+        const bool repeated = (!kept.empty() && kept.back().first == vertex) ||
+                              (k == 3 && !kept.empty() && kept.front().first == vertex);
+        if (!repeated) kept.emplace_back(vertex, k);
+      }
+      if (kept.size() < 3) continue;
+      mesh_.face_starts_.push_back(static_cast<std::int32_t>(mesh_.corner_vertices_.size()));
+      mesh_.face_patches_.push_back(static_cast<std::int32_t>(patch));
+      for (const auto& [vertex, k] : kept) {
+        const auto [a, b] = around[k];
+        corners[k] = static_cast<std::int32_t>(mesh_.corner_vertices_.size());
+        mesh_.corner_vertices_.push_back(vertex);
+        mesh_.corner_samples_.push_back(grid.first_sample + static_cast<std::size_t>(a) * samples_v + b);
+        mesh_.corner_uvs_.push_back(static_cast<float>((grid.u.samples.parameter(a) - range_u.start) / range_u.length()));
+        mesh_.corner_uvs_.push_back(static_cast<float>((grid.v.samples.parameter(b) - range_v.start) / range_v.length()));
+      }
+      const auto seam_if = [&](bool border, int k, int l) {
+        if (border && corners[k] >= 0 && corners[l] >= 0) add_seam(corners[k], corners[l]);
+      };
+      seam_if(i == 0 || !grid.u.face_follows[i - 1], 0, 3);
+      seam_if(!grid.u.face_follows[i + 1], 1, 2);
+      seam_if(j == 0 || !grid.v.face_follows[j - 1], 0, 1);
+      seam_if(!grid.v.face_follows[j + 1], 3, 2);
+    }
+  }
+}
+
+void TessellationBuilder::add_patch(std::size_t patch) {
+  const Grid& grid = mesh_.grids_[patch];
+  Lines lines{grid.u.line_count, grid.v.line_count, {}};
+  lines.vertices.assign(static_cast<std::size_t>(lines.rows) * lines.columns, -1);
+  number_corners(patch, grid, lines);
+  for (int side = 0; side < 4; ++side) number_side(patch, side, grid, lines);
+  for (int row = 0; row < lines.rows; ++row) {
+    for (int column = 0; column < lines.columns; ++column) {
+      if (lines.at(row, column) < 0) lines.at(row, column) = new_vertex(grid, row, column);
+    }
+  }
+  add_faces(patch, grid, lines);
+}
+
+Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resolution_v) {
+  constexpr int kMaxResolution = 4096;
+  constexpr double kMaxSamples = 1 << 28;
+  for (const auto& [value, name] : {std::pair{resolution_u, "resolution_u"}, std::pair{resolution_v, "resolution_v"}}) {
+    if (value < 1 || value > kMaxResolution) {
+      throw InvalidShape(std::string(name) + " = " + std::to_string(value) + " is outside [1, " +
+                         std::to_string(kMaxResolution) + "]");
+    }
+  }
+  Tessellation mesh;
+  mesh.patches_.assign(set.patches().begin(), set.patches().end());
+  double expected = 0.0;
+  for (std::size_t i = 0; i < set.patches().size(); ++i) {
+    const NurbsPatch& form = nurbs_of(set.patch(i));
+    expected += (1.0 + resolution_u * static_cast<double>(form.knot_vector(Axis::u).spans().size())) *
+                (1.0 + resolution_v * static_cast<double>(form.knot_vector(Axis::v).spans().size()));
+  }
+  if (expected > kMaxSamples) throw InvalidShape("the mesh would have more than 2^28 vertices: lower the resolution");
+  for (std::size_t i = 0; i < set.patches().size(); ++i) {
+    const NurbsPatch& form = nurbs_of(set.patch(i));
+    Grid grid{sample_axis(form.knot_vector(Axis::u), resolution_u),
+              sample_axis(form.knot_vector(Axis::v), resolution_v), mesh.sample_count_};
+    mesh.sample_count_ += grid.u.samples.size() * grid.v.samples.size();
+    mesh.grids_.push_back(std::move(grid));
+  }
+  TessellationBuilder builder(set, mesh);
+  for (std::size_t i = 0; i < mesh.grids_.size(); ++i) builder.add_patch(i);
+  std::ranges::sort(mesh.seams_, {}, [](const Seam& seam) { return std::pair{seam.low_vertex, seam.high_vertex}; });
+  return mesh;
+}
+
+}  // namespace splinecore

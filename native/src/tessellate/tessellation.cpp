@@ -1,0 +1,57 @@
+#include "splinecore/tessellate/tessellation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/patch/evaluate.hpp"
+
+namespace splinecore {
+
+bool Tessellation::fits(const PatchSet& set) const noexcept { return std::ranges::equal(patches_, set.patches()); }
+
+void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,
+                            std::span<float> corner_normals) const {
+  std::vector<double> points(3 * sample_count_);
+  std::vector<double> normals(3 * sample_count_);
+  for (std::size_t i = 0; i < grids_.size(); ++i) {
+    const Grid& grid = grids_[i];
+    const std::size_t size = 3 * grid.u.samples.size() * grid.v.samples.size();
+    evaluate_grid_with_normals(nurbs_of(set.patch(i)), grid.u.samples, grid.v.samples,
+                               std::span(points).subspan(3 * grid.first_sample, size),
+                               std::span(normals).subspan(3 * grid.first_sample, size));
+  }
+  const auto gather = [](std::span<const std::size_t> samples, std::span<const double> from, std::span<float> to) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) to[3 * i + axis] = static_cast<float>(from[3 * samples[i] + axis]);
+    }
+  };
+  gather(vertex_samples_, points, positions);
+  gather(corner_samples_, normals, corner_normals);
+}
+
+std::vector<std::int32_t> Tessellation::sharp_edges(std::span<const float> corner_normals, double angle) const {
+  const auto normal = [&](std::int32_t corner) {
+    return glm::dvec3(corner_normals[3 * corner], corner_normals[3 * corner + 1], corner_normals[3 * corner + 2]);
+  };
+  const auto apart = [&](std::int32_t a, std::int32_t b) {
+    const glm::dvec3 na = normal(a);
+    const glm::dvec3 nb = normal(b);
+    return std::atan2(glm::length(glm::cross(na, nb)), glm::dot(na, nb)) > angle;
+  };
+  std::vector<std::int32_t> sharp;
+  // seams_ is sorted by vertices, so the sides of one edge are neighbours.
+  for (std::size_t i = 1; i < seams_.size(); ++i) {
+    const Seam& a = seams_[i - 1];
+    const Seam& b = seams_[i];
+    if (a.low_vertex != b.low_vertex || a.high_vertex != b.high_vertex) continue;
+    if (!apart(a.low_corner, b.low_corner) && !apart(a.high_corner, b.high_corner)) continue;
+    const bool known = sharp.size() >= 2 && sharp[sharp.size() - 2] == a.low_vertex && sharp.back() == a.high_vertex;
+    if (!known) sharp.insert(sharp.end(), {a.low_vertex, a.high_vertex});
+  }
+  return sharp;
+}
+
+}  // namespace splinecore
