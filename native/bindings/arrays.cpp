@@ -1,6 +1,7 @@
 #include "arrays.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "splinecore/base/points.hpp"
 
@@ -9,8 +10,6 @@ namespace bindings {
 using splinecore::InvalidShape;
 
 namespace {
-
-std::string type_name(const py::handle& value) { return py::str(py::type::of(value).attr("__name__")); }
 
 py::array read_only(py::array array) {
   array.attr("setflags")(py::arg("write") = false);
@@ -21,6 +20,67 @@ void require_dimensions(const Doubles& array, const char* name, int dimensions, 
   if (array.ndim() == dimensions + 1) return;
   const char* shape = dimensions == 1 ? "(n, " : "(nu, nv, ";
   throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + ", " + shape + columns + ") is expected");
+}
+
+bool is_aligned(const py::array& array) {
+  return (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
+}
+
+std::string short_text(const py::handle& value) {
+  const std::string text = py::repr(value);
+  return text.size() <= 60 ? text : std::string(py::str(py::repr(value)[py::slice(0, 57, 1)])) + "...";
+}
+
+bool is_real_number(const py::handle& value) {
+  if (PyFloat_Check(value.ptr())) return true;
+  if (!PyLong_Check(value.ptr()) || PyBool_Check(value.ptr())) return false;
+  int overflow = 0;
+  PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
+  return overflow == 0;
+}
+
+/// Names the first element of an array that is no array of real numbers.
+[[noreturn]] void refuse_elements(const py::array& array, const char* name) {
+  const py::list elements = array.attr("ravel")().attr("tolist")();
+  py::ssize_t first = 0;
+  for (const py::handle& element : elements) {
+    if (!is_real_number(element)) break;
+    ++first;
+  }
+  const auto count = static_cast<py::ssize_t>(elements.size());
+  if (count == 0) {
+    throw py::type_error(std::string(name) + " has dtype " + std::string(py::str(array.dtype())) +
+                         ", real numbers are expected");
+  }
+  const py::ssize_t place = first == count ? 0 : first;
+  throw py::type_error(std::string(name) + place_text(array, place) + " = " + short_text(elements[place]) +
+                       " is not a real number that fits float64 or int64");
+}
+
+/// What numpy has to say about a list that is no array, or better: its first row of another length.
+[[noreturn]] void refuse_ragged(const py::handle& value, const char* name, const std::string& reason) {
+  if (PyList_Check(value.ptr()) || PyTuple_Check(value.ptr())) {
+    const auto rows = py::reinterpret_borrow<py::sequence>(value);
+    py::ssize_t wanted = -1;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const py::object row = rows[i];
+      const py::ssize_t length = PySequence_Check(row.ptr()) ? PySequence_Size(row.ptr()) : 0;
+      PyErr_Clear();
+      if (wanted < 0) wanted = length;
+      if (length == wanted) continue;
+      throw InvalidShape(std::string(name) + splinecore::index_text(i) + " = " + short_text(row) + " has " +
+                         std::to_string(length) + " values, the rows before have " + std::to_string(wanted));
+    }
+  }
+  throw InvalidShape(std::string(name) + " is not an array: " + reason);
+}
+
+py::dtype dtype_of(const py::object& value) {
+  try {
+    return py::dtype::from_args(value);
+  } catch (py::error_already_set& error) {
+    throw py::type_error("dtype = " + short_text(value) + " is not float64 or float32");
+  }
 }
 
 Shape strides_of(const Shape& shape, py::ssize_t item) {
@@ -44,33 +104,42 @@ py::array columns_view(const void* data, Shape shape, py::ssize_t step, const py
 
 }  // namespace
 
+std::string type_name(const py::handle& value) { return py::str(py::type::of(value).attr("__name__")); }
+
+py::array array_of(const py::handle& value, const char* name) {
+  std::string reason;
+  try {
+    return py::module_::import("numpy").attr("asarray")(value);
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
+    reason = py::str(error.value());
+  }
+  refuse_ragged(value, name, reason);
+}
+
 Doubles real_array(const py::handle& value, const char* name) {
   if (value.is_none()) throw py::type_error(std::string(name) + " is missing: an array is expected, not None");
-  py::array array;
-  try {
-    array = py::module_::import("numpy").attr("asarray")(value);
-  } catch (py::error_already_set& error) {
-    throw InvalidShape(std::string(name) + " is not an array: " + std::string(py::str(error.value())));
-  }
+  const py::array array = array_of(value, name);
   const char kind = array.dtype().kind();
-  if (kind != 'f' && kind != 'i' && kind != 'u') {
-    throw py::type_error(std::string(name) + " has dtype " + std::string(py::str(array.dtype())) +
-                         ", real numbers are expected");
-  }
-  return Doubles(array);
+  if (kind != 'f' && kind != 'i' && kind != 'u') refuse_elements(array, name);
+  const Doubles numbers(array);
+  return is_aligned(numbers) ? numbers : Doubles(numbers.attr("copy")());
 }
 
 int integer(const py::handle& value, const char* name) {
   const bool is_index = PyIndex_Check(value.ptr()) != 0 && !PyBool_Check(value.ptr());
   if (!is_index) {
-    throw py::type_error(std::string(name) + " must be an integer, not " + type_name(value));
+    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be an integer, not " + type_name(value));
   }
   const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
-  if (!number) throw py::error_already_set();
+  if (!number) {
+    PyErr_Clear();
+    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be an integer, not " + type_name(value));
+  }
   int overflow = 0;
   const long wide = PyLong_AsLongAndOverflow(number.ptr(), &overflow);
   if (overflow != 0 || wide > 2147483647L || wide < -2147483647L) {
-    throw InvalidShape(std::string(name) + " = " + std::string(py::str(number)) + " is far too large");
+    throw InvalidShape(std::string(name) + " = " + short_text(number) + " is far too large");
   }
   return static_cast<int>(wide);
 }
@@ -80,16 +149,52 @@ double real(const py::handle& value, const char* name) {
   if (array.ndim() != 0 && array.size() != 1) {
     throw py::type_error(std::string(name) + " must be one number, not an array of shape " + shape_text(array));
   }
-  return *array.data();
+  const double number = *array.data();
+  if (!std::isfinite(number)) throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not finite");
+  return number;
+}
+
+double parameter(const py::handle& value, const splinecore::KnotVector& knots) {
+  const double u = real(value, "u");
+  require_inside(knots, Doubles(py::float_(u)), splinecore::Side::right, "u");
+  return u;
 }
 
 bool boolean(const py::handle& value, const char* name) {
   const bool numpy_bool = type_name(value) == "bool_" || type_name(value) == "bool";
-  if (!numpy_bool) throw py::type_error(std::string(name) + " must be True or False, not " + type_name(value));
+  if (!numpy_bool) {
+    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be True or False, not " + type_name(value));
+  }
   return py::bool_(py::reinterpret_borrow<py::object>(value));
 }
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
+
+std::string place_text(const py::array& array, py::ssize_t flat) {
+  std::string text;
+  for (py::ssize_t axis = array.ndim(); axis-- > 0; flat /= array.shape(axis)) {
+    text = std::to_string(flat % array.shape(axis)) + (text.empty() ? "" : ", ") + text;
+  }
+  return text.empty() ? text : "[" + text + "]";
+}
+
+void require_net(const py::array& array, const char* name, const Shape& net) {
+  const auto dimensions = static_cast<py::ssize_t>(net.size());
+  if (array.ndim() >= dimensions && std::equal(net.begin(), net.end(), array.shape())) return;
+  const std::string counts = py::str(py::tuple(py::cast(net)));
+  throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + " for points " + counts);
+}
+
+std::pair<py::object, py::object> pair_argument(const py::object& value, const char* name) {
+  const bool is_sequence = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::str>(value) &&
+                           !py::isinstance<py::bytes>(value);
+  const py::ssize_t length = is_sequence ? PySequence_Size(value.ptr()) : -1;
+  PyErr_Clear();
+  if (length != 2) {
+    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be a pair: one for u, one for v");
+  }
+  return {value[py::int_(0)], value[py::int_(1)]};
+}
 
 std::vector<glm::dvec4> weighted_points(const Doubles& points, const py::object& weights, int dimensions) {
   const std::vector<glm::dvec3> places = vectors(points, "points", dimensions);
@@ -129,8 +234,29 @@ std::vector<glm::dvec3> vectors(const Doubles& values, const char* name, int dim
   return rows;
 }
 
+std::vector<double> optional_numbers(const py::object& value, const char* name) {
+  return value.is_none() ? std::vector<double>() : numbers(value, name);
+}
+
+Doubles apart_from(const Doubles& values, const py::object& out) {
+  if (!py::isinstance<py::array>(out)) return values;
+  const bool shared = py::module_::import("numpy").attr("may_share_memory")(values, out).cast<bool>();
+  return shared ? Doubles(values.attr("copy")()) : values;
+}
+
+void require_inside(const splinecore::KnotVector& knots, const Doubles& parameters, splinecore::Side side,
+                    const char* name) {
+  for (py::ssize_t i = 0; i < parameters.size(); ++i) {
+    try {
+      knots.admit(parameters.data()[i], side, 0, "");
+    } catch (const InvalidShape& error) {
+      const std::string rest = std::string(error.what()).substr(splinecore::index_text(0).size());
+      throw InvalidShape(name + place_text(parameters, i) + rest);
+    }
+  }
+}
+
 std::vector<double> numbers(const py::object& value, const char* name) {
-  if (value.is_none()) return {};
   const Doubles array = real_array(value, name);
   if (array.ndim() != 1) {
     throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + ", (n,) is expected");
@@ -148,10 +274,6 @@ py::array view_of_weights(std::span<const glm::dvec4> points, const Shape& shape
 
 py::array view_of_vectors(std::span<const glm::dvec3> vectors, const Shape& shape, const py::object& owner) {
   return columns_view(vectors.data(), shape, sizeof(glm::dvec3), owner);
-}
-
-py::array view_of_numbers(std::span<const double> numbers, const py::object& owner) {
-  return strided_view(numbers.data(), {static_cast<py::ssize_t>(numbers.size())}, sizeof(double), owner);
 }
 
 py::array homogeneous_array(std::span<const glm::dvec4> given, const Shape& shape) {
@@ -186,7 +308,7 @@ splinecore::AtInfinity at_infinity_of(const py::handle& value) {
 Output::Output(const Shape& shape, const py::object& out, const py::object& dtype) {
   py::dtype wanted = py::dtype::of<double>();
   if (!dtype.is_none()) {
-    wanted = py::dtype::from_args(dtype);
+    wanted = dtype_of(dtype);
     single_ = wanted.equal(py::dtype::of<float>());
     if (!single_ && !wanted.equal(py::dtype::of<double>())) {
       throw py::type_error("dtype must be float64 or float32, not " + std::string(py::str(wanted)));
@@ -212,6 +334,7 @@ Output::Output(const Shape& shape, const py::object& out, const py::object& dtyp
                        std::string(py::str(py::tuple(py::cast(shape)))));
   }
   if (!(array_.flags() & py::array::c_style)) throw InvalidShape("out is not C-contiguous");
+  if (!is_aligned(array_)) throw InvalidShape("out is not aligned in memory");
   if (!array_.writeable()) throw InvalidShape("out is read-only");
   data_ = array_.mutable_data();
 }

@@ -8,32 +8,59 @@
 #include <glm/vec4.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/interval.hpp"
+#include "splinecore/basis/knot_vector.hpp"
 
 // Arrays in, arrays out: what every binding needs to be strict about its arguments.
 namespace bindings {
 
 namespace py = pybind11;
-using Doubles = py::array_t<double, py::array::c_style>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Shape = std::vector<py::ssize_t>;
 
-/// Any array-like of real numbers as contiguous float64.
+/// Any array-like of real numbers as contiguous, aligned float64.
 /// @throws py::type_error for strings, complex numbers, objects, None; InvalidShape for ragged lists.
 Doubles real_array(const py::handle& value, const char* name);
+
+/// Any array-like as an array of what it holds. @throws InvalidShape for ragged lists.
+py::array array_of(const py::handle& value, const char* name);
 
 /// An integer that fits an int. @throws py::type_error for anything else, InvalidShape if too large.
 int integer(const py::handle& value, const char* name);
 
-/// A real number. @throws py::type_error for anything else.
+/// A real number. @throws py::type_error for anything else, InvalidShape if it is not finite.
 double real(const py::handle& value, const char* name);
+
+/// The argument u, a parameter of the domain. @throws InvalidShape if it lies outside.
+double parameter(const py::handle& value, const splinecore::KnotVector& knots);
 
 bool boolean(const py::handle& value, const char* name);
 
 /// "(3, 4)"
 std::string shape_text(const py::array& array);
+
+/// Where element `flat` of an array lies: "[1, 2]", or nothing for a single number.
+std::string place_text(const py::array& array, py::ssize_t flat);
+
+/// "int": for messages.
+std::string type_name(const py::handle& value);
+
+/// @throws InvalidShape unless the first dimensions are these.
+void require_net(const py::array& array, const char* name, const Shape& net);
+
+/// An argument with one part for u and one for v. @throws py::type_error if it is no pair.
+std::pair<py::object, py::object> pair_argument(const py::object& value, const char* name);
+
+/// The result of work that needs no interpreter, done without its lock.
+template <class Work>
+auto unlocked(Work work) {
+  const py::gil_scoped_release lock;
+  return work();
+}
 
 /// Points of two or three columns and their weights (or None: all 1), as (x, y, z, w).
 /// @param dimensions  1 for a row of points, 2 for a net
@@ -47,11 +74,33 @@ std::vector<glm::dvec3> vectors(const Doubles& values, const char* name, int dim
 
 std::vector<double> numbers(const py::object& value, const char* name);
 
+/// The same; none at all for None.
+std::vector<double> optional_numbers(const py::object& value, const char* name);
+
+/// Values that do not change while `out` is written.
+Doubles apart_from(const Doubles& values, const py::object& out);
+
+/// @throws InvalidShape naming the first parameter outside the domain, by its place in the array.
+void require_inside(const splinecore::KnotVector& knots, const Doubles& parameters, splinecore::Side side,
+                    const char* name);
+
 /// Read-only views into the memory of `owner`, which they keep alive.
 py::array view_of_points(std::span<const glm::dvec4> points, const Shape& shape, const py::object& owner);
 py::array view_of_weights(std::span<const glm::dvec4> points, const Shape& shape, const py::object& owner);
 py::array view_of_vectors(std::span<const glm::dvec3> vectors, const Shape& shape, const py::object& owner);
-py::array view_of_numbers(std::span<const double> numbers, const py::object& owner);
+
+/// The same for numbers that lie one after the other.
+template <class Number>
+py::array view_of_numbers(std::span<const Number> numbers, const Shape& shape, const py::object& owner) {
+  py::array view(py::dtype::of<Number>(), shape, numbers.data(), owner);
+  view.attr("setflags")(py::arg("write") = false);
+  return view;
+}
+
+template <class Number>
+py::array view_of_numbers(std::span<const Number> numbers, const py::object& owner) {
+  return view_of_numbers(numbers, {static_cast<py::ssize_t>(numbers.size())}, owner);
+}
 
 /// A new read-only array of (wx, wy, wz, w).
 py::array homogeneous_array(std::span<const glm::dvec4> given, const Shape& shape);
@@ -64,7 +113,7 @@ splinecore::AtInfinity at_infinity_of(const py::handle& value);
 /// Where a result goes: a new array, or the caller's `out`, in float64 or float32.
 class Output {
  public:
-  /// @throws py::type_error or InvalidShape if out is not a writable C-contiguous array of the
+  /// @throws py::type_error or InvalidShape if out is not a writable, aligned C-contiguous array of the
   ///         shape, or its type and dtype disagree.
   Output(const Shape& shape, const py::object& out, const py::object& dtype);
 

@@ -1,8 +1,12 @@
+#include <cmath>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
+#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/functions.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/samples.hpp"
+#include "values.hpp"
 
 namespace bindings {
 
@@ -18,8 +22,9 @@ py::array functions_at(const KnotVector& knots, const py::object& u, const py::o
   Shape shape(at.shape(), at.shape() + at.ndim());
   shape.push_back(knots.count());
   py::array_t<double> out(shape);
-  const Samples samples = Samples::make(knots, {at.data(), static_cast<std::size_t>(at.size())}, 0,
-                                        side_of(side, "side"));
+  const Side which = side_of(side, "side");
+  require_inside(knots, at, which, "u");
+  const Samples samples = Samples::make(knots, {at.data(), static_cast<std::size_t>(at.size())}, 0, which);
   double* row = out.mutable_data();
   std::fill_n(row, out.size(), 0.0);
   for (std::size_t i = 0; i < samples.size(); ++i, row += knots.count()) {
@@ -30,10 +35,19 @@ py::array functions_at(const KnotVector& knots, const py::object& u, const py::o
   return out;
 }
 
+void require_finite(const Doubles& values, const char* name) {
+  for (py::ssize_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values.data()[i])) continue;
+    throw splinecore::InvalidShape(name + place_text(values, i) + " = " + splinecore::text_of(values.data()[i]) +
+                                   " is not finite");
+  }
+}
+
 py::array function_at(const KnotVector& knots, const py::object& i, const py::object& u) {
   const Doubles at = real_array(u, "u");
   const int function = integer(i, "i");
   py::array_t<double> out(Shape(at.shape(), at.shape() + at.ndim()));
+  require_finite(at, "u");
   for (py::ssize_t k = 0; k < at.size(); ++k) {
     out.mutable_data()[k] = splinecore::function_value(knots, function, at.data()[k]);
   }
@@ -43,6 +57,7 @@ py::array function_at(const KnotVector& knots, const py::object& i, const py::ob
 py::array span_at(const KnotVector& knots, const py::object& u, const py::object& side) {
   const Doubles at = real_array(u, "u");
   const Side which = side_of(side, "side");
+  require_inside(knots, at, which, "u");
   py::array_t<std::int64_t> out(Shape(at.shape(), at.shape() + at.ndim()));
   for (py::ssize_t k = 0; k < at.size(); ++k) {
     const double admitted = knots.admit(at.data()[k], which, k);
@@ -51,11 +66,14 @@ py::array span_at(const KnotVector& knots, const py::object& u, const py::object
   return out;
 }
 
+void require_sampled(const Samples& samples, int order) {
+  if (order >= 0 && order <= samples.order()) return;
+  throw splinecore::InvalidShape("order = " + std::to_string(order) + " is outside [0, " +
+                                 std::to_string(samples.order()) + "]");
+}
+
 py::array sample_weights(const Samples& samples, int order, std::size_t width) {
-  if (order < 0 || order > samples.order()) {
-    throw splinecore::InvalidShape("order = " + std::to_string(order) + " is outside [0, " +
-                                   std::to_string(samples.order()) + "]");
-  }
+  require_sampled(samples, order);
   py::array_t<double> out({samples.size(), width});
   for (std::size_t i = 0; i < samples.size(); ++i) {
     std::ranges::copy(samples.weights(i, order), out.mutable_data() + i * width);
@@ -70,7 +88,7 @@ py::array apply_samples(const Samples& samples, int count, const py::object& val
     throw splinecore::InvalidShape("values has shape " + shape_text(rows) + ", " + std::to_string(count) +
                                    " rows are expected");
   }
-  sample_weights(samples, order, samples.size() == 0 ? 1 : samples.weights(0).size());
+  require_sampled(samples, order);
   Shape shape(rows.shape(), rows.shape() + rows.ndim());
   shape[0] = static_cast<py::ssize_t>(samples.size());
   py::array_t<double> out(shape);
@@ -98,11 +116,13 @@ struct BoundSamples {
 
 void bind_basis(py::module_& module) {
   py::module_ basis = module.def_submodule("basis", "Knot vectors, basis functions, samples.");
-  py::class_<KnotVector>(basis, "KnotVector", py::module_local(),
+  py::class_<KnotVector> knot_vector(basis, "KnotVector", py::module_local(),
                          "A degree and its non-decreasing knots.\n\n"
                          "Plain: n + degree + 1 knots for n control points. Periodic: n + 1 knots, one period.\n"
                          "Degree 0 is allowed here, though no curve has it. Raises InvalidShape if a knot\n"
-                         "decreases, is not finite or has multiplicity above degree + 1. Lecture rows S14, S15.")
+                         "decreases, is not finite or has multiplicity above degree + 1. Lecture rows S14, S15.");
+  refuse_unmade(knot_vector);
+  knot_vector
       .def(py::init([](const py::object& degree, const py::object& knots, const py::object& periodic) {
              return KnotVector::make(integer(degree, "degree"), numbers(knots, "knots"), boolean(periodic, "periodic"));
            }),
@@ -128,9 +148,7 @@ void bind_basis(py::module_& module) {
       .def("multiplicity", [](const KnotVector& self, const py::object& u) {
              return splinecore::multiplicity(self, real(u, "u"));
            }, py::arg("u"), "How often u occurs among the knots; 0 if it is none.")
-      .def("__eq__", [](const KnotVector& self, const py::object& other) {
-        return py::isinstance<KnotVector>(other) && self == py::cast<const KnotVector&>(other);
-      })
+      .def("__eq__", [](const KnotVector& self, const KnotVector& other) { return self == other; }, py::is_operator())
       .def("__hash__", [](const KnotVector& self) {
         return py::hash(py::make_tuple(self.degree(), self.periodic(), py::tuple(py::cast(std::vector<double>(
             self.knots().begin(), self.knots().end())))));
@@ -147,14 +165,20 @@ void bind_basis(py::module_& module) {
                " knots" + (self.periodic() ? ", periodic)" : ")");
       });
 
-  py::class_<BoundSamples>(basis, "Samples", py::module_local(),
+  py::class_<BoundSamples> bound_samples(basis, "Samples", py::module_local(),
                            "Where a batch of parameters falls, and with which weights.\n\n"
-                           "Computed once, applied to any rows of numbers: points, weights, colours.")
-      .def(py::init([](const KnotVector& knots, const py::object& u, const py::object& order, const py::object& side) {
+                           "Computed once, applied to any rows of numbers: points, weights, colours.");
+  refuse_unmade(bound_samples);
+  bound_samples
+      .def(py::init([](const py::object& knots, const py::object& u, const py::object& order, const py::object& side) {
+             if (!py::isinstance<KnotVector>(knots)) {
+               throw py::type_error("knots must be a KnotVector, not " + type_name(knots));
+             }
+             const auto& vector = py::cast<const KnotVector&>(knots);
              const std::vector<double> at = numbers(u, "u");
              const int highest = integer(order, "order");
-             if (highest < 0) throw splinecore::InvalidShape("order = " + std::to_string(highest) + " is below 0");
-             return BoundSamples{Samples::make(knots, at, highest, side_of(side, "side")), knots.count(), knots.degree()};
+             splinecore::require_order(highest);
+             return BoundSamples{Samples::make(vector, at, highest, side_of(side, "side")), vector.count(), vector.degree()};
            }),
            py::arg("knots"), py::arg("u"), py::arg("order") = 0, py::kw_only(), py::arg("side") = "right")
       .def("__len__", [](const BoundSamples& self) { return self.samples.size(); })

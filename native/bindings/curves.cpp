@@ -33,15 +33,27 @@ EvaluateOptions options_of(const py::object& side, const py::object& at_infinity
   return {side_of(side, "side"), at_infinity_of(at_infinity)};
 }
 
+/// in_parts() over parameters; one that is refused is named by its place among all of them.
+template <class Work>
+void in_parts_of(const Doubles& parameters, const NurbsCurve& curve, const EvaluateOptions& options,
+                 const py::object& cancel, Work work) {
+  try {
+    in_parts(parameters.size(), kPart, cancel, work);
+  } catch (const InvalidShape&) {
+    require_inside(curve.knot_vector(), parameters, options.side, "u");
+    throw;
+  }
+}
+
 py::array evaluate(const NurbsCurve& curve, const py::object& u, const py::object& side,
                    const py::object& at_infinity, const py::object& dtype, const py::object& out,
                    const py::object& cancel) {
-  const Doubles at = real_array(u, "u");
+  const Doubles at = apart_from(real_array(u, "u"), out);
   Shape shape(at.shape(), at.shape() + at.ndim());
   shape.push_back(3);
   const Output output(shape, out, dtype);
   const EvaluateOptions options = options_of(side, at_infinity);
-  in_parts(at.size(), kPart, cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(at, curve, options, cancel, [&](std::size_t begin, std::size_t end) {
     const std::span parameters(at.data() + begin, end - begin);
     if (output.single()) {
       splinecore::evaluate(curve, parameters, output.floats(3 * begin, 3 * (end - begin)), options);
@@ -63,7 +75,7 @@ py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::ob
   const Output output(shape, py::none(), py::none());
   const EvaluateOptions options = options_of(side, at_infinity);
   const std::size_t row = 3 * (highest + 1);
-  in_parts(at.size(), kPart, cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(at, curve, options, cancel, [&](std::size_t begin, std::size_t end) {
     splinecore::derivatives(curve, {at.data() + begin, end - begin}, highest,
                             output.doubles(row * begin, row * (end - begin)), options);
   });
@@ -72,7 +84,8 @@ py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::ob
 
 py::list polylines(const NurbsCurve& curve, const py::object& resolution) {
   py::list lines;
-  for (const auto& line : splinecore::polylines(curve, integer(resolution, "resolution"))) {
+  const int steps = integer(resolution, "resolution");
+  for (const auto& line : unlocked([&] { return splinecore::polylines(curve, steps); })) {
     py::array_t<double> points({static_cast<py::ssize_t>(line.points.size() / 3), py::ssize_t{3}});
     std::ranges::copy(line.points, points.mutable_data());
     lines.append(py::make_tuple(points, line.closed));
@@ -118,7 +131,7 @@ void bind_common(py::class_<Curve>& cls) {
   cls.def("polylines", [](const Curve& self, const py::object& resolution) { return polylines(form(self), resolution); },
           py::arg("resolution"),
           "[(points (m, 3), closed), …]: one polyline for each of pieces(), resolution steps a span.");
-  cls.def("to_bezier", [](const Curve& self) { return splinecore::to_bezier(form(self)); },
+  cls.def("to_bezier", [](const Curve& self) { return unlocked([&] { return splinecore::to_bezier(form(self)); }); },
           "One BezierCurve for each span, in order. The NURBS Book, A5.6.");
   cls.def("to_hermite", [](const Curve& self) { return splinecore::to_hermite(form(self)); },
           "The same curve as a HermiteCurve; InvalidShape if it is rational, has a gap or degree above 3.");
@@ -140,10 +153,10 @@ void bind_points(py::class_<Curve>& cls) {
     return homogeneous_array(self.points(), count(self));
   }, "(n, 4): wx, wy, wz, w; a direction keeps its coordinates.");
   cls.def("with_points", [](const Curve& self, const py::object& points) {
-            std::vector<glm::dvec4> rows = weighted_points(real_array(points, "points"), py::none(), 1);
-            if (rows.size() == self.points().size()) {
-              for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
-            }
+            const Doubles given = real_array(points, "points");
+            std::vector<glm::dvec4> rows = weighted_points(given, py::none(), 1);
+            require_net(given, "points", {static_cast<py::ssize_t>(self.points().size())});
+            for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
             return self.with_points(std::move(rows));
           }, py::arg("points"), "The curve with other points (n, 2 or 3) and the same weights and knots.");
   cls.def("with_weights", [](const Curve& self, const py::object& weights) {
@@ -214,11 +227,12 @@ void bind_nurbs(py::module_& module) {
   cls.def_property_readonly("knot_vector", [](const NurbsCurve& self) { return self.knot_vector(); },
                             "The basis.KnotVector, shared.");
   cls.def("insert_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times) {
-            return splinecore::insert_knot(self, real(u, "u"), integer(times, "times"));
+            return splinecore::insert_knot(self, parameter(u, self.knot_vector()), integer(times, "times"));
           }, py::arg("u"), py::arg("times") = 1,
           "The same curve with u added to the knots. Untouched points keep every digit (Boehm 1980).");
   cls.def("refine", [](const NurbsCurve& self, const py::object& knots) {
-            return splinecore::refine(self, numbers(knots, "knots"));
+            const std::vector<double> inserted = numbers(knots, "knots");
+            return unlocked([&] { return splinecore::refine(self, inserted); });
           }, py::arg("knots"), "The same curve with all these parameters added to the knots.");
   cls.def("split", [](const NurbsCurve& self, const py::object& u) -> py::tuple {
             const double at = real(u, "u");
@@ -270,7 +284,7 @@ void bind_hermite(py::module_& module) {
       "outgoing. Parameters (n,) increase; 0, 1, 2, … if none are given. Lecture row S4.");
   cls.def(py::init([](const py::object& points, const py::object& tangents, const py::object& parameters) {
             return HermiteCurve::make(vectors(real_array(points, "points"), "points", 1), tangents_of(tangents),
-                                      numbers(parameters, "parameters"));
+                                      optional_numbers(parameters, "parameters"));
           }), py::arg("points"), py::arg("tangents"), py::arg("parameters") = py::none());
   bind_common(cls);
   bind_value(cls);

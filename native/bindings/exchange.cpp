@@ -1,3 +1,4 @@
+#include "arrays.hpp"
 #include "rooms.hpp"
 #include "splinecore/exchange/json.hpp"
 #include "values.hpp"
@@ -14,7 +15,21 @@ Value value_of(const py::handle& object) {
   std::optional<Value> value;
   if (unwrap(object, value)) return *value;
   throw py::type_error("value must be a curve, a patch, a PatchSet, or a list of them, not " +
-                       std::string(py::str(py::type::of(object).attr("__name__"))));
+                       type_name(object));
+}
+
+/// The text of a str or of bytes, in UTF-8.
+std::string utf8_of(const py::object& text) {
+  if (!py::isinstance<py::str>(text) && !py::isinstance<py::bytes>(text)) {
+    throw py::type_error("text must be a str, not " + type_name(text));
+  }
+  try {
+    const bool is_text = py::isinstance<py::str>(text);
+    return py::bytes(is_text ? text.attr("encode")() : text.attr("decode")().attr("encode")());
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_UnicodeError)) throw;
+    throw splinecore::InvalidShape("text is not Unicode: " + std::string(py::str(error.value())));
+  }
 }
 
 Document document_of(const py::object& object) {
@@ -35,16 +50,17 @@ py::object object_of(const Document& document) {
 
 void bind_exchange(py::module_& module) {
   module.def(
-      "dumps", [](const py::object& value) { return splinecore::to_json(document_of(value)); },
+      "dumps", [](const py::object& value) {
+        const Document document = document_of(value);
+        return unlocked([&] { return splinecore::to_json(document); });
+      },
       py::arg("value"),
       "JSON text of a curve, a patch, a PatchSet or a list of them. loads() reads it back equal in every bit.");
   module.def(
       "loads",
       [](const py::object& text) {
-        if (!py::isinstance<py::str>(text) && !py::isinstance<py::bytes>(text)) {
-          throw py::type_error("text must be a str, not " + std::string(py::str(py::type::of(text).attr("__name__"))));
-        }
-        return object_of(splinecore::from_json(py::cast<std::string>(text)));
+        const std::string utf8 = utf8_of(text);
+        return object_of(unlocked([&] { return splinecore::from_json(utf8); }));
       },
       py::arg("text"),
       "The value that dumps() wrote, or a list of values.\n\n"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace bindings {
 
@@ -15,17 +16,27 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled by the caller") {}
 };
 
+inline bool is_true(const py::object& answer) {
+  const int truth = PyObject_IsTrue(answer.ptr());
+  if (truth < 0) throw py::error_already_set();
+  return truth != 0;
+}
+
 /// Calls work(begin, end) on consecutive parts of [0, total) without the interpreter's lock. Between
 /// parts Ctrl-C and `cancel`, a callable that returns true to end the call, are heeded.
+/// @throws py::type_error if cancel is neither None nor callable.
 template <class Work>
 void in_parts(std::size_t total, std::size_t part, const py::object& cancel, Work work) {
+  if (!cancel.is_none() && PyCallable_Check(cancel.ptr()) == 0) {
+    throw py::type_error("cancel = " + std::string(py::repr(cancel)) + " is not callable");
+  }
   for (std::size_t begin = 0; begin < total; begin += part) {
     {
       const py::gil_scoped_release unlocked;
       work(begin, std::min(total, begin + part));
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!cancel.is_none() && py::cast<bool>(cancel())) throw Cancelled();
+    if (!cancel.is_none() && is_true(cancel())) throw Cancelled();
   }
 }
 

@@ -37,8 +37,21 @@ PatchKind kind_of(const py::object& value) {
   throw InvalidShape("kind = " + std::string(py::repr(value)) + " is none of 'bezier', 'hermite', 'nurbs'");
 }
 
-py::array_t<int, py::array::c_style> index_array(const py::object& value, int dimensions) {
-  const py::array given = py::module_::import("numpy").attr("asarray")(value);
+using Indices = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
+
+/// @throws InvalidShape unless every element fits the index of a row.
+void require_rows(const py::array& indices) {
+  const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> wide(indices);
+  for (py::ssize_t i = 0; i < wide.size(); ++i) {
+    const std::int64_t index = wide.data()[i];  // of an unsigned number above 2^63: negative
+    if (index >= 0 && index <= 2147483647) continue;
+    throw InvalidShape("indices" + place_text(indices, i) + " = " +
+                       std::string(py::str(indices.attr("flat")[py::int_(i)])) + " is outside the pool");
+  }
+}
+
+Indices index_array(const py::object& value, int dimensions) {
+  const py::array given = array_of(value, "indices");
   const char kind = given.dtype().kind();
   if (kind != 'i' && kind != 'u') {
     throw py::type_error("indices has dtype " + std::string(py::str(given.dtype())) + ", integers are expected");
@@ -47,14 +60,8 @@ py::array_t<int, py::array::c_style> index_array(const py::object& value, int di
     throw InvalidShape("indices has shape " + shape_text(given) + ", " + std::to_string(dimensions) +
                        " dimensions are expected");
   }
-  const py::array_t<std::int64_t, py::array::c_style> wide(given);
-  for (py::ssize_t i = 0; i < wide.size(); ++i) {
-    const std::int64_t index = wide.data()[i];
-    if (index >= 0 && index <= 2147483647) continue;
-    throw InvalidShape("indices" + splinecore::index_text(i, wide.shape(dimensions - 1)) + " = " +
-                       std::to_string(index) + " is outside the pool");
-  }
-  return py::array_t<int, py::array::c_style>(given);
+  require_rows(given);
+  return Indices(given);
 }
 
 py::object entry(const py::dict& fields, const char* name) {
@@ -83,13 +90,7 @@ IndexedPatch indexed_patch(const py::object& value) {
   patch.count_v = static_cast<int>(indices.shape(hermite ? 2 : 1));
   patch.indices.assign(indices.data(), indices.data() + indices.size());
   if (patch.kind == PatchKind::bezier) return patch;
-  const auto pair = [&](const char* name) {
-    const py::object both = entry(fields, name);
-    if (!py::isinstance<py::sequence>(both) || py::len(both) != 2) {
-      throw py::type_error(std::string(name) + " must be a pair: one for u, one for v");
-    }
-    return std::pair{py::object(both[py::int_(0)]), py::object(both[py::int_(1)])};
-  };
+  const auto pair = [&](const char* name) { return pair_argument(entry(fields, name), name); };
   const char* knots = hermite ? "parameters" : "knots";
   patch.knots_u = numbers(pair(knots).first, knots);
   patch.knots_v = numbers(pair(knots).second, knots);
@@ -103,16 +104,15 @@ IndexedPatch indexed_patch(const py::object& value) {
   return patch;
 }
 
-py::dict fields_of(const IndexedPatch& patch) {
+/// The patch as the constructor takes it; its arrays are read-only views that keep `owner` alive.
+py::dict fields_of(const IndexedPatch& patch, const py::object& owner) {
   py::dict fields;
   fields["kind"] = name_of(patch.kind);
   Shape shape{patch.count_u, patch.count_v};
   if (patch.kind == PatchKind::hermite) shape.insert(shape.begin(), 4);
-  py::array_t<std::int32_t> indices(shape);
-  std::ranges::copy(patch.indices, indices.mutable_data());
-  fields["indices"] = indices;
-  const auto array = [](const std::vector<double>& values) {
-    return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+  fields["indices"] = view_of_numbers(std::span<const int>(patch.indices), shape, owner);
+  const auto array = [&](const std::vector<double>& values) {
+    return view_of_numbers(std::span<const double>(values), owner);
   };
   if (patch.kind == PatchKind::hermite) {
     fields["parameters"] = py::make_tuple(array(patch.knots_u), array(patch.knots_v));
@@ -139,6 +139,8 @@ PatchSet patch_set(const py::object& points, const py::object& patches, const py
       all.push_back(indexed_patch(py::reinterpret_borrow<py::object>(patch)));
     } catch (const InvalidShape& error) {
       throw InvalidShape("patches" + splinecore::index_text(all.size()) + ": " + error.what());
+    } catch (const py::type_error& error) {
+      throw py::type_error("patches" + splinecore::index_text(all.size()) + ": " + error.what());
     }
   }
   return PatchSet::make(weighted_points(real_array(points, "points"), weights, 1), std::move(all));
@@ -163,18 +165,6 @@ py::dict edge_counts(const PatchSet& set) {
   counts["pole"] = poles;
   counts["open"] = open;
   return counts;
-}
-
-template <class Number>
-py::array copied(std::span<const Number> values, const Shape& shape) {
-  py::array_t<Number> array(shape);
-  std::ranges::copy(values, array.mutable_data());
-  return array;
-}
-
-template <class Number>
-py::array copied(std::span<const Number> values) {
-  return copied(values, {static_cast<py::ssize_t>(values.size())});
 }
 
 void bind_set(py::module_& module) {
@@ -209,9 +199,9 @@ void bind_set(py::module_& module) {
     const auto points = py::cast<const PatchSet&>(self).points();
     return view_of_weights(points, {static_cast<py::ssize_t>(points.size())}, self);
   }, "(n,) float64, read-only.");
-  cls.def_property_readonly("patches", [](const PatchSet& self) {
+  cls.def_property_readonly("patches", [](const py::object& self) {
     py::list all;
-    for (const IndexedPatch& patch : self.patches()) all.append(fields_of(patch));
+    for (const IndexedPatch& patch : py::cast<const PatchSet&>(self).patches()) all.append(fields_of(patch, self));
     return all;
   }, "A dict for each patch, as the constructor takes them.");
   cls.def("__len__", [](const PatchSet& self) { return self.patches().size(); });
@@ -222,12 +212,14 @@ void bind_set(py::module_& module) {
     return wrap(self.patch(index < 0 ? index + count : index));
   }, py::arg("i"), "Patch i as a BezierPatch, HermitePatch or NurbsPatch.");
   cls.def("with_points", [](const PatchSet& self, const py::object& points, const py::object& weights) {
-            auto rows = weighted_points(real_array(points, "points"), weights, 1);
-            if (weights.is_none() && rows.size() == self.points().size()) {
+            const Doubles given = real_array(points, "points");
+            auto rows = weighted_points(given, weights, 1);
+            if (weights.is_none()) {
+              require_net(given, "points", {static_cast<py::ssize_t>(self.points().size())});
               for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
             }
             return self.with_points(std::move(rows));
-          }, py::arg("points"), py::arg("weights") = py::none(), "The same patches on another pool; weights are kept unless given.");
+          }, py::arg("points"), py::arg("weights") = py::none(), "The same patches on another pool. Weights are kept unless given; a pool of another size needs them.");
   cls.def("flipped", [](const PatchSet& self) { return splinecore::flipped(self); },
           "All patches seen from the other side: u and v exchanged.");
   cls.def("edge_counts", &edge_counts,
@@ -238,6 +230,21 @@ void bind_set(py::module_& module) {
   });
 }
 
+const PatchSet& set_of(const py::object& value) {
+  if (py::isinstance<PatchSet>(value)) return py::cast<const PatchSet&>(value);
+  throw py::type_error("patch_set must be a PatchSet, not " + type_name(value));
+}
+
+/// Faces in each span along u and v: one number for both, or a pair.
+std::pair<int, int> resolutions_of(const py::object& value) {
+  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) {
+    const int both = integer(value, "resolution");
+    return {both, both};
+  }
+  const auto [u, v] = pair_argument(value, "resolution");
+  return {integer(u, "resolution"), integer(v, "resolution")};
+}
+
 void bind_tessellation(py::module_& module) {
   py::class_<Tessellation> cls(
       module, "Tessellation", py::module_local(),
@@ -245,43 +252,54 @@ void bind_tessellation(py::module_& module) {
       "The mesh of a patch set, resolution (an int or a pair) faces in every span, everything but\n"
       "positions: made once, evaluated for any position of the points. Vertices are shared along common\n"
       "edges, a pole is one vertex, faces are wound along S_u x S_v. Lecture row S22.");
-  cls.def(py::init([](const PatchSet& set, const py::object& resolution) {
-            const bool is_pair = py::isinstance<py::sequence>(resolution) && py::len(resolution) == 2;
-            const int u = integer(is_pair ? py::object(resolution[py::int_(0)]) : resolution, "resolution");
-            const int v = integer(is_pair ? py::object(resolution[py::int_(1)]) : resolution, "resolution");
-            const py::gil_scoped_release unlocked;
-            return Tessellation::make(set, u, v);
+  refuse_unmade(cls);
+  cls.def(py::init([](const py::object& patch_set, const py::object& resolution) {
+            const PatchSet& set = set_of(patch_set);
+            const auto [u, v] = resolutions_of(resolution);
+            return unlocked([&] { return Tessellation::make(set, u, v); });
           }), py::arg("patch_set"), py::arg("resolution"));
   cls.def_property_readonly("vertex_count", &Tessellation::vertex_count);
-  cls.def_property_readonly("face_starts", [](const Tessellation& self) { return copied(self.face_starts()); },
-                            "(f,) int32: where the corners of each face start.");
-  cls.def_property_readonly("face_patches", [](const Tessellation& self) { return copied(self.face_patches()); },
-                            "(f,) int32: the patch of each face.");
-  cls.def_property_readonly("corner_vertices", [](const Tessellation& self) { return copied(self.corner_vertices()); },
-                            "(c,) int32: the vertex of each corner.");
-  cls.def_property_readonly("corner_uvs", [](const Tessellation& self) {
-    return copied(self.corner_uvs(), {static_cast<py::ssize_t>(self.corner_uvs().size() / 2), 2});
-  }, "(c, 2) float32: u, v of each corner, scaled to [0, 1].");
-  cls.def("evaluate", [](const Tessellation& self, const PatchSet& set) {
-            if (!self.fits(set)) throw InvalidShape("patch_set has other patches than the tessellation was made for");
+  cls.def_property_readonly("face_starts", [](const py::object& self) {
+    return view_of_numbers(py::cast<const Tessellation&>(self).face_starts(), self);
+  },
+                            "(f,) int32: where the corners of each face start, read-only.");
+  cls.def_property_readonly("face_patches", [](const py::object& self) {
+    return view_of_numbers(py::cast<const Tessellation&>(self).face_patches(), self);
+  },
+                            "(f,) int32: the patch of each face, read-only.");
+  cls.def_property_readonly("corner_vertices", [](const py::object& self) {
+    return view_of_numbers(py::cast<const Tessellation&>(self).corner_vertices(), self);
+  },
+                            "(c,) int32: the vertex of each corner, read-only.");
+  cls.def_property_readonly("corner_uvs", [](const py::object& self) {
+    const auto uvs = py::cast<const Tessellation&>(self).corner_uvs();
+    return view_of_numbers(uvs, {static_cast<py::ssize_t>(uvs.size() / 2), 2}, self);
+  }, "(c, 2) float32: u, v of each corner, scaled to [0, 1], read-only.");
+  cls.def("fits", [](const Tessellation& self, const py::object& patch_set) { return self.fits(set_of(patch_set)); },
+          py::arg("patch_set"),
+          "Whether evaluate() takes the set: it has the same patches, and the same of its points are equal.");
+  cls.def("evaluate", [](const Tessellation& self, const py::object& patch_set) {
+            const PatchSet& set = set_of(patch_set);
+            if (!self.fits(set)) throw InvalidShape("patch_set does not fit: its patches, or which of its points are equal, differ");
             py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
             py::array_t<float> normals({static_cast<py::ssize_t>(self.corner_vertices().size()), py::ssize_t{3}});
             const std::span to_positions(positions.mutable_data(), positions.size());
             const std::span to_normals(normals.mutable_data(), normals.size());
-            {
-              const py::gil_scoped_release unlocked;
-              self.evaluate(set, to_positions, to_normals);
-            }
+            unlocked([&] { self.evaluate(set, to_positions, to_normals); });
             return py::make_tuple(positions, normals);
           }, py::arg("patch_set"), "(positions (vertex_count, 3), corner normals (c, 3)), float32.");
   cls.def("sharp_edges", [](const Tessellation& self, const py::object& normals, const py::object& angle) {
             const py::array_t<float, py::array::c_style | py::array::forcecast> given(real_array(normals, "normals"));
-            if (static_cast<std::size_t>(given.size()) != 3 * self.corner_vertices().size()) {
-              throw InvalidShape("normals has shape " + shape_text(given) + ", one row for each corner is expected");
+            const auto corners = static_cast<py::ssize_t>(self.corner_vertices().size());
+            if (given.ndim() != 2 || given.shape(0) != corners || given.shape(1) != 3) {
+              throw InvalidShape("normals has shape " + shape_text(given) + ", (" +
+                                 std::to_string(corners) + ", 3) is expected: one row for each corner");
             }
             const std::vector<std::int32_t> pairs =
                 self.sharp_edges({given.data(), static_cast<std::size_t>(given.size())}, real(angle, "angle"));
-            return copied(std::span<const std::int32_t>(pairs), {static_cast<py::ssize_t>(pairs.size() / 2), 2});
+            py::array_t<std::int32_t> edges({static_cast<py::ssize_t>(pairs.size() / 2), py::ssize_t{2}});
+            std::ranges::copy(pairs, edges.mutable_data());
+            return edges;
           }, py::arg("normals"), py::arg("angle"),
           "(k, 2) int32: vertices of edges across which the corner normals differ by more than angle (radians).");
 }

@@ -48,13 +48,14 @@ PatchOptions options_of(const py::object& side, const py::object& at_infinity) {
 
 /// u and v broadcast against each other.
 struct Pairs {
+  Doubles given_u;
+  Doubles given_v;
   Doubles u;
   Doubles v;
   Shape shape;
 
-  Pairs(const py::object& at_u, const py::object& at_v) {
-    const Doubles given_u = real_array(at_u, "u");
-    const Doubles given_v = real_array(at_v, "v");
+  Pairs(const py::object& at_u, const py::object& at_v, const py::object& out)
+      : given_u(apart_from(real_array(at_u, "u"), out)), given_v(apart_from(real_array(at_v, "v"), out)) {
     py::list both;
     try {
       both = py::module_::import("numpy").attr("broadcast_arrays")(given_u, given_v);
@@ -70,15 +71,28 @@ struct Pairs {
   std::span<const double> vs(std::size_t begin, std::size_t end) const { return {v.data() + begin, end - begin}; }
 };
 
+/// in_parts() over parameters; one that is refused is named by its place among all of them.
+template <class Work>
+void in_parts_of(std::size_t total, std::size_t part, const NurbsPatch& patch, const Doubles& u, const Doubles& v,
+                 const PatchOptions& options, const py::object& cancel, Work work) {
+  try {
+    in_parts(total, part, cancel, work);
+  } catch (const InvalidShape&) {
+    require_inside(patch.knot_vector(Axis::u), u, options.side_u, "u");
+    require_inside(patch.knot_vector(Axis::v), v, options.side_v, "v");
+    throw;
+  }
+}
+
 py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& side,
                    const py::object& at_infinity, const py::object& dtype, const py::object& out,
                    const py::object& cancel) {
-  const Pairs pairs(u, v);
+  const Pairs pairs(u, v, out);
   Shape shape = pairs.shape;
   shape.push_back(3);
   const Output output(shape, out, dtype);
   const PatchOptions options = options_of(side, at_infinity);
-  in_parts(pairs.u.size(), kPart, cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, [&](std::size_t begin, std::size_t end) {
     const std::size_t first = 3 * begin;
     const std::size_t count = 3 * (end - begin);
     if (output.single()) {
@@ -92,7 +106,7 @@ py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::objec
 
 py::array derivatives(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& order,
                       const py::object& side, const py::object& at_infinity, const py::object& cancel) {
-  const Pairs pairs(u, v);
+  const Pairs pairs(u, v, py::none());
   const int highest = integer(order, "order");
   splinecore::require_order(highest);
   Shape shape = pairs.shape;
@@ -100,7 +114,7 @@ py::array derivatives(const NurbsPatch& patch, const py::object& u, const py::ob
   const Output output(shape, py::none(), py::none());
   const PatchOptions options = options_of(side, at_infinity);
   const std::size_t row = 3 * (highest + 1) * (highest + 1);
-  in_parts(pairs.u.size(), kPart, cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, [&](std::size_t begin, std::size_t end) {
     splinecore::derivatives(patch, pairs.us(begin, end), pairs.vs(begin, end), highest,
                             output.doubles(row * begin, row * (end - begin)), options);
   });
@@ -119,13 +133,13 @@ std::size_t rows_per_part(const Doubles& v) { return std::max<std::size_t>(1, kP
 py::array evaluate_grid(const NurbsPatch& patch, const py::object& at_u, const py::object& at_v,
                         const py::object& side, const py::object& at_infinity, const py::object& dtype,
                         const py::object& out, const py::object& cancel) {
-  const Doubles u = axis_parameters(at_u, "u");
-  const Doubles v = axis_parameters(at_v, "v");
+  const Doubles u = apart_from(axis_parameters(at_u, "u"), out);
+  const Doubles v = apart_from(axis_parameters(at_v, "v"), out);
   const Output output({u.size(), v.size(), 3}, out, dtype);
   const PatchOptions options = options_of(side, at_infinity);
   const std::size_t row = 3 * v.size();
   const std::span columns(v.data(), v.size());
-  in_parts(u.size(), rows_per_part(v), cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(u.size(), rows_per_part(v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
     const std::span rows(u.data() + begin, end - begin);
     if (output.single()) {
       splinecore::evaluate_grid(patch, rows, columns, output.floats(row * begin, row * rows.size()), options);
@@ -147,7 +161,7 @@ py::tuple evaluate_grid_with_normals(const NurbsPatch& patch, const py::object& 
   const PatchOptions options = options_of(side, at_infinity);
   const std::size_t row = 3 * v.size();
   const std::span columns(v.data(), v.size());
-  in_parts(u.size(), rows_per_part(v), cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(u.size(), rows_per_part(v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
     const std::span rows(u.data() + begin, end - begin);
     const std::size_t first = row * begin;
     const std::size_t count = row * rows.size();
@@ -163,7 +177,7 @@ py::tuple evaluate_grid_with_normals(const NurbsPatch& patch, const py::object& 
 }
 
 py::list bezier_rows(const NurbsPatch& patch) {
-  const auto grid = splinecore::to_bezier(patch);
+  const auto grid = unlocked([&] { return splinecore::to_bezier(patch); });
   py::list rows;
   for (int i = 0; i < grid.count_u; ++i) {
     py::list row;
@@ -257,10 +271,12 @@ void bind_points(py::class_<Patch>& cls) {
   }, "(nu, nv, 4): wx, wy, wz, w; a direction keeps its coordinates.");
 }
 
-/// A net of points with the weights that the rows of another have.
-std::vector<glm::dvec4> with_weights_of(std::vector<glm::dvec4> rows, std::span<const glm::dvec4> other) {
-  if (rows.size() != other.size()) return rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = other[i].w;
+/// Other points with the weights of the patch.
+std::vector<glm::dvec4> with_new_points(const NurbsPatch& patch, const py::object& points) {
+  const Doubles given = real_array(points, "points");
+  std::vector<glm::dvec4> rows = weighted_points(given, py::none(), 2);
+  require_net(given, "points", net_shape(patch));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = patch.points()[i].w;
   return rows;
 }
 
@@ -275,14 +291,27 @@ std::vector<glm::dvec4> with_new_weights(std::span<const glm::dvec4> points, con
   return rows;
 }
 
-KnotVector knots_of(const py::object& degree, const py::object& knots, const py::object& periodic, int axis) {
-  const auto part = [&](const py::object& pair, const char* name) {
-    const bool is_pair = py::isinstance<py::sequence>(pair) && !py::isinstance<py::str>(pair) && py::len(pair) == 2;
-    if (!is_pair) throw py::type_error(std::string(name) + " must be a pair: one for u, one for v");
-    return py::object(pair[py::int_(axis)]);
+KnotVector knots_of(const py::object& degree, const py::object& knots, const py::object& periodic, Axis axis) {
+  const auto part = [&](const py::object& value, const char* name) {
+    const auto pair = pair_argument(value, name);
+    return axis == Axis::u ? pair.first : pair.second;
   };
-  return KnotVector::make(integer(part(degree, "degree"), "degree"), numbers(part(knots, "knots"), "knots"),
-                          boolean(part(periodic, "periodic"), "periodic"));
+  const std::string direction = axis == Axis::u ? "in u: " : "in v: ";
+  const int number = integer(part(degree, "degree"), "degree");
+  std::vector<double> values = numbers(part(knots, "knots"), "knots");
+  const bool closed = boolean(part(periodic, "periodic"), "periodic");
+  try {
+    return KnotVector::make(number, std::move(values), closed);
+  } catch (const InvalidShape& error) {
+    throw InvalidShape(direction + error.what());
+  }
+}
+
+/// @throws InvalidShape unless the net has as many rows and columns as the knots want.
+void require_counts(const Doubles& net, const KnotVector& u, const KnotVector& v) {
+  if (net.shape(0) == u.count() && net.shape(1) == v.count()) return;
+  throw InvalidShape("points has shape " + shape_text(net) + ", but the knots belong to " + std::to_string(u.count()) +
+                     " x " + std::to_string(v.count()) + " points");
 }
 
 void bind_nurbs(py::module_& module) {
@@ -295,22 +324,22 @@ void bind_nurbs(py::module_& module) {
                       const py::object& weights, const py::object& periodic) {
             const Doubles net = real_array(points, "points");
             auto rows = weighted_points(net, weights, 2);
-            KnotVector u = knots_of(degree, knots, periodic, 0);
-            KnotVector v = knots_of(degree, knots, periodic, 1);
-            if (net.shape(0) != u.count() || net.shape(1) != v.count()) {
-              throw InvalidShape("points has shape " + shape_text(net) + ", but the knots belong to " +
-                                 std::to_string(u.count()) + " x " + std::to_string(v.count()) + " points");
-            }
+            KnotVector u = knots_of(degree, knots, periodic, Axis::u);
+            KnotVector v = knots_of(degree, knots, periodic, Axis::v);
+            require_counts(net, u, v);
             return NurbsPatch::make(std::move(u), std::move(v), std::move(rows));
           }),
           py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("weights") = py::none(),
           py::arg("periodic") = py::make_tuple(false, false));
   cls.def_static("from_homogeneous", [](const py::object& degree, const py::object& knots, const py::object& points,
                                         const py::object& periodic) {
-                   const auto rows = rows_of_four(real_array(points, "points"), "points", 2);
-                   splinecore::require_points(rows);
-                   return NurbsPatch::from_homogeneous(knots_of(degree, knots, periodic, 0),
-                                                       knots_of(degree, knots, periodic, 1), rows);
+                   const Doubles net = real_array(points, "points");
+                   const auto rows = rows_of_four(net, "points", 2);
+                   KnotVector u = knots_of(degree, knots, periodic, Axis::u);
+                   KnotVector v = knots_of(degree, knots, periodic, Axis::v);
+                   require_counts(net, u, v);
+                   splinecore::require_points(rows, net.shape(1));
+                   return NurbsPatch::from_homogeneous(std::move(u), std::move(v), rows);
                  },
                  py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = py::make_tuple(false, false),
                  "From points (nu, nv, 4): wx, wy, wz, w; w = 0 makes a direction.");
@@ -329,16 +358,20 @@ void bind_nurbs(py::module_& module) {
     return py::make_tuple(self.knot_vector(Axis::u), self.knot_vector(Axis::v));
   });
   cls.def("with_points", [](const NurbsPatch& self, const py::object& points) {
-    return self.with_points(with_weights_of(weighted_points(real_array(points, "points"), py::none(), 2), self.points()));
+    return self.with_points(with_new_points(self, points));
   }, py::arg("points"), "The patch with other points and the same weights and knots.");
   cls.def("with_weights", [](const NurbsPatch& self, const py::object& weights) {
     return self.with_points(with_new_weights(self.points(), weights, net_shape(self)));
   }, py::arg("weights"), "The patch with other weights and the same points and knots.");
   cls.def("insert_knot", [](const NurbsPatch& self, const py::object& axis, const py::object& u, const py::object& times) {
-            return splinecore::insert_knot(self, axis_of(axis), real(u, "u"), integer(times, "times"));
+            const Axis direction = axis_of(axis);
+            return splinecore::insert_knot(self, direction, parameter(u, self.knot_vector(direction)),
+                                           integer(times, "times"));
           }, py::arg("axis"), py::arg("u"), py::arg("times") = 1, "The same surface with u added to the knots of an axis.");
   cls.def("refine", [](const NurbsPatch& self, const py::object& axis, const py::object& knots) {
-            return splinecore::refine(self, axis_of(axis), numbers(knots, "knots"));
+            const Axis direction = axis_of(axis);
+            const std::vector<double> inserted = numbers(knots, "knots");
+            return unlocked([&] { return splinecore::refine(self, direction, inserted); });
           }, py::arg("axis"), py::arg("knots"), "The same surface with all these parameters added to the knots of an axis.");
   cls.def("unrolled", [](const NurbsPatch& self) { return splinecore::unrolled(self); },
           "The same surface without periodic directions.");
@@ -365,9 +398,7 @@ void bind_bezier(py::module_& module) {
   bind_points(cls);
   bind_value(cls);
   cls.def("with_points", [](const BezierPatch& self, const py::object& points) {
-    const Doubles net = real_array(points, "points");
-    auto rows = with_weights_of(weighted_points(net, py::none(), 2), self.points());
-    return BezierPatch::make(static_cast<int>(net.shape(0)), static_cast<int>(net.shape(1)), std::move(rows));
+    return BezierPatch::make(self.count(Axis::u), self.count(Axis::v), with_new_points(self.nurbs(), points));
   }, py::arg("points"), "The patch with other points and the same weights.");
   cls.def("with_weights", [](const BezierPatch& self, const py::object& weights) {
     return BezierPatch::make(self.count(Axis::u), self.count(Axis::v),
@@ -380,6 +411,14 @@ void bind_bezier(py::module_& module) {
   });
 }
 
+/// Vectors that belong to the points of a net, one each.
+std::vector<glm::dvec3> vectors_of_net(const py::object& value, const char* name, const Doubles& net) {
+  const Doubles array = real_array(value, name);
+  std::vector<glm::dvec3> rows = vectors(array, name, 2);
+  require_net(array, name, {net.shape(0), net.shape(1)});
+  return rows;
+}
+
 void bind_hermite(py::module_& module) {
   py::class_<HermitePatch> cls(
       module, "HermitePatch", py::module_local(),
@@ -389,20 +428,14 @@ void bind_hermite(py::module_& module) {
   cls.def(py::init([](const py::object& points, const py::object& tangents_u, const py::object& tangents_v,
                       const py::object& twists, const py::object& parameters) {
             const Doubles net = real_array(points, "points");
-            splinecore::HermiteNet all{vectors(net, "points", 2), vectors(real_array(tangents_u, "tangents_u"), "tangents_u", 2),
-                                       vectors(real_array(tangents_v, "tangents_v"), "tangents_v", 2), {}};
-            if (!twists.is_none()) all.twists = vectors(real_array(twists, "twists"), "twists", 2);
-            py::object in_u = py::none();
-            py::object in_v = py::none();
-            if (!parameters.is_none()) {
-              if (!py::isinstance<py::sequence>(parameters) || py::len(parameters) != 2) {
-                throw py::type_error("parameters must be a pair: one for u, one for v");
-              }
-              in_u = parameters[py::int_(0)];
-              in_v = parameters[py::int_(1)];
-            }
+            splinecore::HermiteNet all{vectors(net, "points", 2), vectors_of_net(tangents_u, "tangents_u", net),
+                                       vectors_of_net(tangents_v, "tangents_v", net), {}};
+            if (!twists.is_none()) all.twists = vectors_of_net(twists, "twists", net);
+            std::pair<py::object, py::object> at{py::none(), py::none()};
+            if (!parameters.is_none()) at = pair_argument(parameters, "parameters");
             return HermitePatch::make(static_cast<int>(net.shape(0)), static_cast<int>(net.shape(1)), std::move(all),
-                                      numbers(in_u, "parameters_u"), numbers(in_v, "parameters_v"));
+                                      optional_numbers(at.first, "parameters_u"),
+                                      optional_numbers(at.second, "parameters_v"));
           }),
           py::arg("points"), py::arg("tangents_u"), py::arg("tangents_v"), py::arg("twists") = py::none(),
           py::arg("parameters") = py::none());

@@ -32,13 +32,19 @@ py::object wrap(const std::variant<Kinds...>& value) {
   return std::visit([](const auto& shape) { return py::cast(shape); }, value);
 }
 
+/// An object that Shape.__new__ gave and no constructor filled is refused wherever it is used.
+template <class Shape>
+void refuse_unmade(py::class_<Shape>& cls) {
+  auto* type = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(cls.ptr()));
+  type->operator_new = [](std::size_t) -> void* { throw py::type_error("the value was not made by its constructor"); };
+}
+
 /// Comparison, hash, pickle, copy and text of an immutable value.
 template <class Shape>
 void bind_value(py::class_<Shape>& cls) {
   using splinecore::Value;
-  cls.def("__eq__", [](const Shape& self, const py::object& other) {
-    return py::isinstance<Shape>(other) && self == py::cast<const Shape&>(other);
-  });
+  refuse_unmade(cls);
+  cls.def("__eq__", [](const Shape& self, const Shape& other) { return self == other; }, py::is_operator());
   cls.def("__hash__", [](const Shape& self) {
     // Zeros of both signs are equal, so they must have one hash.
     std::string text = splinecore::to_json(Value(self));

@@ -51,7 +51,7 @@ std::optional<int> TessellationBuilder::corner_row(std::size_t patch, bool end_u
   const IndexedPatch& indexed = set_.patches()[patch];
   const int i = end_u ? indexed.count_u - 1 : 0;
   const int j = end_v ? indexed.count_v - 1 : 0;
-  return indexed.indices[i * indexed.count_v + j];
+  return mesh_.first_equal_[indexed.indices[i * indexed.count_v + j]];
 }
 
 /// The first sample on a pair of lines.
@@ -179,6 +179,7 @@ Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resol
   }
   Tessellation mesh;
   mesh.patches_.assign(set.patches().begin(), set.patches().end());
+  mesh.first_equal_ = first_equal_rows(set);
   double expected = 0.0;
   for (std::size_t i = 0; i < set.patches().size(); ++i) {
     const NurbsPatch& form = nurbs_of(set.patch(i));

@@ -10,7 +10,9 @@
 
 namespace splinecore {
 
-bool Tessellation::fits(const PatchSet& set) const noexcept { return std::ranges::equal(patches_, set.patches()); }
+bool Tessellation::fits(const PatchSet& set) const {
+  return std::ranges::equal(patches_, set.patches()) && first_equal_ == first_equal_rows(set);
+}
 
 void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,
                             std::span<float> corner_normals) const {

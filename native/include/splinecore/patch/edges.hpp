@@ -24,10 +24,13 @@ struct PatchSide {
   bool reversed = false;
 };
 
+/// For each row of the pool the first row that is equal to it: points that lie on one another.
+std::vector<int> first_equal_rows(const PatchSet& set);
+
 /// The four sides of every patch of a set.
 ///
-/// Two sides lie on the same edge where they name the same rows of the pool in the same or in
-/// the opposite order, on knots that are equal (to 1e-12 of the domain) after scaling to [0, 1].
+/// Two sides lie on the same edge where they have equal points and weights in the same or in the
+/// opposite order, on knots that are equal (to 1e-12 of the domain) after scaling to [0, 1].
 std::vector<std::array<PatchSide, 4>> patch_sides(const PatchSet& set);
 
 }  // namespace splinecore

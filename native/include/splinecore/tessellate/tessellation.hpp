@@ -15,15 +15,16 @@ namespace splinecore {
 ///
 /// Vertices are shared along common edges and at common corners; a collapsed edge is one
 /// vertex with triangles around it; faces are wound so that their normals are S_u x S_v
-/// (lecture row S22, by count). It depends on indices and knots alone, so it is made once and
-/// evaluated for as many positions of the points as come.
+/// (lecture row S22, by count). It depends on indices, knots and which points are equal, so it is
+/// made once and evaluated for as many positions of the points as come.
 class Tessellation {
  public:
   /// @throws InvalidShape if a resolution is outside [1, 4096] or there would be more than 2^28 samples.
   static Tessellation make(const PatchSet& set, int resolution_u, int resolution_v);
 
-  /// Whether the set has the patches, on the same knots, that this was made for.
-  bool fits(const PatchSet& set) const noexcept;
+  /// Whether the set has the patches, on the same knots and with the same points on one another,
+  /// that this was made for.
+  bool fits(const PatchSet& set) const;
 
   std::size_t vertex_count() const noexcept { return vertex_samples_.size(); }
 
@@ -56,6 +57,7 @@ class Tessellation {
   friend class TessellationBuilder;
 
   std::vector<IndexedPatch> patches_;
+  std::vector<int> first_equal_;
   std::vector<Grid> grids_;
   std::size_t sample_count_ = 0;
   std::vector<std::size_t> vertex_samples_;

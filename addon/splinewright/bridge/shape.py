@@ -1,0 +1,85 @@
+"""A shape as a whole: its definition, and the mesh or curve that is written from it."""
+
+import bpy
+
+from ..core import definition as definitions
+from ..core.library import sc
+from . import store, write_curve, write_mesh
+
+
+def has_shape(ob):
+    """Whether the object is a shape of ours."""
+    return ob is not None and ob.type in ('MESH', 'CURVE') and store.has_definition(ob.data)
+
+
+def new_data(name, value, resolution):
+    """A new Mesh or Curve that shows the value. resolution is a pair; a curve uses the first."""
+    definition = definitions.from_value(value)
+    collection = bpy.data.curves if definition.has_curves else bpy.data.meshes
+    data = collection.new(name, 'CURVE') if definition.has_curves else collection.new(name)
+    if definition.has_curves:
+        data.use_path = True        # Follow Path finds no path otherwise
+    try:
+        data.splinewright.set_resolution(*resolution)
+        set_definition(data, definition)
+    except Exception:
+        collection.remove(data)
+        raise
+    return data
+
+
+def value_of(data):
+    """The splinecore value of a data-block, or None where it has no definition."""
+    definition = store.read(data)
+    return None if definition is None else definitions.to_value(definition)
+
+
+def set_value(data, value):
+    """Give the data-block another definition and write what it shows.
+
+    Raises TypeError or ValueError, and changes nothing, if the value does not fit.
+    """
+    set_definition(data, definitions.from_value(value))
+
+
+def set_definition(data, definition):
+    require_writable(data)
+    if definition.has_curves != isinstance(data, bpy.types.Curve):
+        holds, wants = ("a Curve", "patches") if isinstance(data, bpy.types.Curve) else ("a Mesh", "curves")
+        raise TypeError(f"{data.name} is {holds}, which cannot show {wants}")
+    show = evaluated(data, definition)
+    store.write(data, definition)
+    show()
+
+
+def rewrite(data):
+    """Evaluate the stored definition again, after its settings changed."""
+    definition = store.read(data)
+    if definition is not None:
+        require_writable(data)
+        evaluated(data, definition)()
+
+
+def evaluated(data, definition):
+    """Evaluate now, write later: what is returned writes the result, and can no longer be refused."""
+    settings = data.splinewright
+    if definition.has_curves:
+        value = definitions.to_value(definition)
+        curves = value if isinstance(value, list) else [value]
+        lines = [line for curve in curves for line in curve.polylines(settings.resolution_u)]
+        if not lines:
+            raise sc.InvalidShape("no piece of the curve is finite")
+        return lambda: write_curve.write(data, lines)
+    patch_set = definitions.to_patch_set(definition)
+    tessellation = sc.Tessellation(patch_set, (settings.resolution_u, settings.resolution_v))
+    positions, normals = tessellation.evaluate(patch_set)
+    sharp = tessellation.sharp_edges(normals, settings.sharp_angle)
+    return lambda: write_mesh.write(data, tessellation, positions, normals, sharp)
+
+
+def require_writable(data):
+    if data.library:
+        raise ValueError(f"{data.name} is linked from another file and cannot be changed here")
+    if data.is_editmode:
+        raise ValueError(f"{data.name} is in Edit Mode: leave it first")
+

@@ -1,0 +1,76 @@
+"""A definition as ID properties of a Mesh or Curve, float64 and versioned."""
+
+import json
+
+import numpy as np
+
+from ..core.definition import Definition, Piece
+
+KEY = "splinewright_definition"
+VERSION = 1
+
+
+class UnreadableDefinition(Exception):
+    """The stored definition is damaged, or was made by a newer Splinewright. Nothing was changed."""
+
+
+def has_definition(data):
+    return KEY in data.keys()
+
+
+def write(data, definition):
+    """Keep the definition with the data-block, in place of any before."""
+    structure = [{'kind': piece.kind, 'shape': list(piece.indices.shape), 'degree': list(piece.degree),
+                  'periodic': [bool(p) for p in piece.periodic], 'knots': [len(k) for k in piece.knots]}
+                 for piece in definition.pieces]
+    indices = [piece.indices.ravel() for piece in definition.pieces]
+    knots = [knots for piece in definition.pieces for knots in piece.knots]
+    group = {
+        'version': VERSION,
+        'form': definition.form,
+        'structure': json.dumps(structure),
+        'pool': np.ascontiguousarray(definition.pool, dtype=np.float64).ravel(),
+        'indices': np.concatenate(indices).astype(np.int32),
+        'knots': np.concatenate(knots).astype(np.float64) if knots else [],
+    }
+    # Blender 4.3 and 5.2 overrun memory when an array is assigned over one of another length.
+    if KEY in data.keys():
+        del data[KEY]
+    data[KEY] = group
+
+
+def read(data):
+    """The definition of a data-block, or None where it has none.
+
+    Raises UnreadableDefinition with a sentence for the user.
+    """
+    if KEY not in data.keys():
+        return None
+    group = data[KEY]
+    try:
+        version = int(group['version'])
+        if version > VERSION:
+            raise UnreadableDefinition(f"This shape was made by a newer Splinewright (definition version {version}, "
+                                       f"this one reads {VERSION}): it is shown but cannot be changed here")
+        return _read_version_1(group)
+    except (KeyError, TypeError, ValueError, IndexError) as error:
+        raise UnreadableDefinition(f"The definition of this shape is damaged ({error}): its mesh is left alone") from error
+
+
+def _read_version_1(group):
+    pool = np.array(group['pool'], dtype=np.float64).reshape(-1, 4)
+    all_indices = np.array(group['indices'], dtype=np.int32)
+    all_knots = np.array(group['knots'], dtype=np.float64)
+    pieces, next_index, next_knot = [], 0, 0
+    for entry in json.loads(group['structure']):
+        count = int(np.prod(entry['shape']))
+        indices = all_indices[next_index:next_index + count].reshape(entry['shape'])
+        next_index += count
+        knots = []
+        for length in entry['knots']:
+            knots.append(all_knots[next_knot:next_knot + length])
+            next_knot += length
+        pieces.append(Piece(entry['kind'], indices, tuple(entry['degree']), tuple(entry['periodic']), tuple(knots)))
+    if next_index != len(all_indices) or next_knot != len(all_knots):
+        raise ValueError("its lengths disagree")
+    return Definition(str(group['form']), pool, tuple(pieces))

@@ -1,0 +1,106 @@
+"""A tessellation into a Mesh: faces, UVs, smooth shading, exact normals, sharp edges."""
+
+import hashlib
+
+import numpy as np
+
+TOPOLOGY_KEY = "splinewright_topology"
+UV_NAME = "UVMap"
+
+
+def write(mesh, tessellation, positions, normals, sharp):
+    """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
+    sharp edges (k, 2). Where the faces are the same as before only positions and normals change."""
+    topology = _digest(tessellation)
+    if mesh.get(TOPOLOGY_KEY) == topology and _has_counts(mesh, tessellation):
+        _write_positions(mesh, positions)
+    else:
+        mesh.clear_geometry()
+        _write_faces(mesh, tessellation, positions)
+        _write_uvs(mesh, tessellation)
+        mesh[TOPOLOGY_KEY] = topology
+    _write_sharp_edges(mesh, sharp)
+    _write_normals(mesh, normals)
+    mesh.update()
+
+
+def _digest(tessellation):
+    digest = hashlib.sha1(tessellation.face_starts)
+    digest.update(tessellation.corner_vertices)
+    return digest.hexdigest()
+
+
+def _has_counts(mesh, tessellation):
+    return (len(mesh.vertices) == tessellation.vertex_count
+            and len(mesh.loops) == len(tessellation.corner_vertices)
+            and len(mesh.polygons) == len(tessellation.face_starts))
+
+
+def _write_positions(mesh, positions):
+    flat = np.ascontiguousarray(positions, np.float32).ravel()
+    if 'position' in mesh.attributes:
+        mesh.attributes['position'].data.foreach_set('vector', flat)
+    else:
+        mesh.vertices.foreach_set('co', flat)
+
+
+def _write_faces(mesh, tessellation, positions):
+    starts, corners = tessellation.face_starts, tessellation.corner_vertices
+    mesh.vertices.add(tessellation.vertex_count)
+    mesh.loops.add(len(corners))
+    mesh.polygons.add(len(starts))
+    _write_positions(mesh, positions)
+    mesh.loops.foreach_set('vertex_index', corners)
+    mesh.polygons.foreach_set('loop_start', starts)
+    if not hasattr(mesh, 'shade_smooth'):       # Blender 3.4 derives no totals
+        mesh.polygons.foreach_set('loop_total', np.diff(np.append(starts, len(corners))).astype(np.int32))
+    mesh.polygons.foreach_set('use_smooth', np.ones(len(starts), bool))
+    mesh.update(calc_edges=True)
+
+
+def _write_uvs(mesh, tessellation):
+    layer = mesh.uv_layers.get(UV_NAME) or mesh.uv_layers.new(name=UV_NAME, do_init=False)
+    flat = tessellation.corner_uvs.ravel()
+    if hasattr(layer, 'uv'):
+        layer.uv.foreach_set('vector', flat)
+    else:
+        layer.data.foreach_set('uv', flat)
+
+
+def _write_sharp_edges(mesh, sharp):
+    flags = np.zeros(len(mesh.edges), bool)
+    if len(sharp):
+        ends = np.empty(2 * len(mesh.edges), np.int32)
+        mesh.edges.foreach_get('vertices', ends)
+        count = len(mesh.vertices)
+        flags = np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(sharp, count))
+    mesh.edges.foreach_set('use_edge_sharp', flags)
+
+
+def _edge_numbers(pairs, count):
+    """One number for an edge, whichever way it runs."""
+    pairs = np.sort(pairs.astype(np.int64), axis=1)
+    return pairs[:, 0] * count + pairs[:, 1]
+
+
+def _write_normals(mesh, normals):
+    flat = np.ascontiguousarray(normals, np.float32)
+    if _has_exact_normals(mesh):
+        attribute = mesh.attributes.get('custom_normal')
+        if attribute is not None and (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'CORNER'):
+            mesh.attributes.remove(attribute)
+            attribute = None
+        if attribute is None:
+            attribute = mesh.attributes.new('custom_normal', 'FLOAT_VECTOR', 'CORNER')
+        attribute.data.foreach_set('vector', flat.ravel())
+        return
+    if hasattr(mesh, 'use_auto_smooth'):
+        mesh.use_auto_smooth = True
+        mesh.auto_smooth_angle = np.pi
+    mesh.normals_split_custom_set(flat.tolist())
+
+
+def _has_exact_normals(mesh):
+    """From Blender 4.5 on custom normals may be stored as they are, not as 16-bit angles."""
+    import bpy
+    return bpy.app.version >= (4, 5, 0)

@@ -1,0 +1,1 @@
+"""Numbers only: definitions, starting shapes, file formats. Nothing here knows Blender."""

@@ -1,0 +1,132 @@
+"""The exact mathematics of one shape: pieces on one pool of points.
+
+A piece names rows of the pool. Points are (x, y, z, w) as given; tangents and twists of Hermite
+pieces are rows with w = 0. Everything is float64 and survives a round trip bit for bit.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .library import sc
+
+CURVES = (sc.BezierCurve, sc.HermiteCurve, sc.NurbsCurve)
+PATCHES = (sc.BezierPatch, sc.HermitePatch, sc.NurbsPatch)
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One curve or patch. Curves have one axis, patches two."""
+
+    kind: str                       # 'bezier', 'hermite' or 'nurbs'
+    indices: np.ndarray             # int32; curves (n,) or (3, n), patches (nu, nv) or (4, nu, nv)
+    degree: tuple = ()              # NURBS: of each axis
+    periodic: tuple = ()            # NURBS: of each axis
+    knots: tuple = ()               # NURBS: knots, Hermite: parameters, of each axis
+
+
+@dataclass(frozen=True)
+class Definition:
+    """What a shape is. `form` says what value it came from: 'curve', 'curves', 'patch', 'patch_set'."""
+
+    form: str
+    pool: np.ndarray                # (n, 4) float64
+    pieces: tuple = field(default=())
+
+    @property
+    def has_curves(self):
+        return self.form in ('curve', 'curves')
+
+
+def from_value(value):
+    """The definition of a splinecore value: a curve, a list of curves, a patch or a PatchSet."""
+    if isinstance(value, CURVES):
+        return _from_curves('curve', [value])
+    if isinstance(value, PATCHES):
+        return _from_patch_set('patch', sc.PatchSet.from_patches([value], merge=False))
+    if isinstance(value, sc.PatchSet):
+        return _from_patch_set('patch_set', value)
+    if isinstance(value, (list, tuple)):
+        for i, item in enumerate(value):
+            if not isinstance(item, CURVES):
+                raise TypeError(f"value[{i}] is a {type(item).__name__}, a list holds curves only")
+        if not value:
+            raise ValueError("value is an empty list: a shape needs one curve or more")
+        return _from_curves('curves', value)
+    raise TypeError(f"value is a {type(value).__name__}, a curve, a list of curves, a patch "
+                    "or a PatchSet is expected")
+
+
+def to_value(definition):
+    """The splinecore value that from_value() was given."""
+    if definition.has_curves:
+        curves = [_curve(definition.pool, piece) for piece in definition.pieces]
+        return curves[0] if definition.form == 'curve' else curves
+    patch_set = to_patch_set(definition)
+    return patch_set[0] if definition.form == 'patch' else patch_set
+
+
+def to_patch_set(definition):
+    """The patches of a definition as one PatchSet, also where it is a single patch."""
+    patches = []
+    for piece in definition.pieces:
+        fields = {'kind': piece.kind, 'indices': piece.indices}
+        if piece.kind == 'nurbs':
+            fields.update(degree=piece.degree, periodic=piece.periodic, knots=piece.knots)
+        elif piece.kind == 'hermite':
+            fields.update(parameters=piece.knots)
+        patches.append(fields)
+    return sc.PatchSet(definition.pool[:, :3], patches, definition.pool[:, 3])
+
+
+def _from_patch_set(form, patch_set):
+    pieces = tuple(
+        Piece(kind=patch['kind'], indices=patch['indices'], degree=patch.get('degree', ()),
+              periodic=patch.get('periodic', ()),
+              knots=tuple(patch.get('knots', patch.get('parameters', ()))))
+        for patch in patch_set.patches)
+    return Definition(form, np.column_stack([patch_set.points, patch_set.weights]), pieces)
+
+
+def _from_curves(form, curves):
+    pool, pieces, count = [], [], 0
+    for curve in curves:
+        rows, piece = _from_curve(curve, count)
+        pool.append(rows)
+        pieces.append(piece)
+        count += len(rows)
+    return Definition(form, np.concatenate(pool), tuple(pieces))
+
+
+def _from_curve(curve, first):
+    """The rows that a curve adds to the pool, and its piece, whose indices start at `first`."""
+    if isinstance(curve, sc.HermiteCurve):
+        return _from_hermite(curve, first)
+    rows = np.column_stack([curve.points, curve.weights])
+    indices = np.arange(first, first + len(rows), dtype=np.int32)
+    if isinstance(curve, sc.BezierCurve):
+        return rows, Piece('bezier', indices)
+    return rows, Piece('nurbs', indices, (curve.degree,), (curve.periodic,), (np.array(curve.knots),))
+
+
+def _from_hermite(curve, first):
+    """Points, then tangents; an incoming tangent equal to the outgoing one is the same row."""
+    count = len(curve.points)
+    incoming, outgoing = curve.tangents[:, 0], curve.tangents[:, 1]
+    smooth = (incoming == outgoing).all(1) & (np.signbit(incoming) == np.signbit(outgoing)).all(1)
+    rows = np.concatenate([np.column_stack([curve.points, np.ones(count)]),
+                           np.column_stack([outgoing, np.zeros(count)]),
+                           np.column_stack([incoming, np.zeros(count)])[~smooth]])
+    in_rows = np.arange(count, 2 * count)
+    in_rows[~smooth] = 2 * count + np.arange(np.count_nonzero(~smooth))
+    indices = first + np.stack([np.arange(count), in_rows, np.arange(count, 2 * count)])
+    return rows, Piece('hermite', indices.astype(np.int32), knots=(np.array(curve.parameters),))
+
+
+def _curve(pool, piece):
+    rows = pool[piece.indices]
+    if piece.kind == 'hermite':
+        return sc.HermiteCurve(rows[0, :, :3], np.stack([rows[1, :, :3], rows[2, :, :3]], 1), piece.knots[0])
+    if piece.kind == 'bezier':
+        return sc.BezierCurve(rows[:, :3], rows[:, 3])
+    return sc.NurbsCurve(piece.degree[0], piece.knots[0], rows[:, :3], rows[:, 3], piece.periodic[0])

@@ -1,0 +1,75 @@
+"""A definition in words, for the panel."""
+
+import numpy as np
+
+KINDS = {'bezier': "Bezier", 'hermite': "Hermite", 'nurbs': "NURBS"}
+
+
+def lines(definition):
+    """Pairs of a label and a text."""
+    pieces = definition.pieces
+    noun = "curve" if definition.has_curves else "patch"
+    if len(pieces) > 1:
+        return _summary(definition, noun)
+    piece = pieces[0]
+    found = [("Kind", f"{KINDS[piece.kind]} {noun}"),
+             ("Degree", _times(_degrees(piece, noun))),
+             ("Points", _times(_counts(piece, noun)))]
+    if piece.kind == 'nurbs':
+        names = [""] if noun == "curve" else [" U", " V"]
+        for name, knots, degree, periodic in zip(names, piece.knots, piece.degree, piece.periodic):
+            found.append((f"Knots{name}", f"{len(knots)}, {knot_type(knots, degree, periodic)}"))
+            found.append(("", knots_text(knots)))
+    if _is_rational(definition):
+        found.append(("Weights", "rational"))
+    return found
+
+
+def _summary(definition, noun):
+    kinds = sorted({KINDS[piece.kind] for piece in definition.pieces})
+    degrees = sorted({_degrees(piece, noun) for piece in definition.pieces})
+    plural = "curves" if noun == "curve" else "patches"
+    found = [("Kind", f"{len(definition.pieces)} {' and '.join(kinds)} {plural}"),
+             ("Degrees", ", ".join(_times(d) for d in degrees)),
+             ("Points", f"{len(definition.pool)} in the pool")]
+    if _is_rational(definition):
+        found.append(("Weights", "rational"))
+    return found
+
+
+def knot_type(knots, degree, periodic):
+    """'periodic', 'clamped' or 'unclamped'."""
+    if periodic:
+        return "periodic"
+    start, end = knots[:degree + 1], knots[-degree - 1:]
+    return "clamped" if start[0] == start[-1] and end[0] == end[-1] else "unclamped"
+
+
+def knots_text(knots, limit=12):
+    """The knots as short numbers, the middle left out where there are many."""
+    texts = [f"{knot:.4g}" for knot in knots]
+    if len(texts) > limit:
+        texts = texts[:limit // 2] + ["…"] + texts[-limit // 2:]
+    return " ".join(texts)
+
+
+def _degrees(piece, noun):
+    axes = 1 if noun == "curve" else 2
+    if piece.kind == 'hermite':
+        return (3,) * axes
+    if piece.kind == 'bezier':
+        return tuple(count - 1 for count in piece.indices.shape)
+    return tuple(piece.degree)
+
+
+def _counts(piece, noun):
+    return piece.indices.shape[-1:] if noun == "curve" else piece.indices.shape[-2:]
+
+
+def _times(numbers):
+    return " × ".join(str(number) for number in numbers)
+
+
+def _is_rational(definition):
+    used = [piece.indices.ravel() for piece in definition.pieces if piece.kind != 'hermite']
+    return bool(used) and bool((definition.pool[np.concatenate(used), 3] != 1.0).any())

@@ -1,0 +1,34 @@
+"""What a user sees and calls. register() here is the only one."""
+
+import bpy
+
+from ..core import library
+from . import preferences
+
+
+def _rooms():
+    """Modules with CLASSES and, some, register() and unregister(); imported only with the library."""
+    from . import menus, panels, props
+    from .operators import add_curve, add_patch, exchange
+    return (props, add_curve, add_patch, exchange, panels, menus)
+
+
+def register():
+    bpy.utils.register_class(preferences.SplinewrightPreferences)
+    if library.problem:
+        return
+    for room in _rooms():
+        for cls in room.CLASSES:
+            bpy.utils.register_class(cls)
+        if hasattr(room, 'register'):
+            room.register()
+
+
+def unregister():
+    if not library.problem:
+        for room in reversed(_rooms()):
+            if hasattr(room, 'unregister'):
+                room.unregister()
+            for cls in reversed(room.CLASSES):
+                bpy.utils.unregister_class(cls)
+    bpy.utils.unregister_class(preferences.SplinewrightPreferences)

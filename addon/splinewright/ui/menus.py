@@ -1,0 +1,69 @@
+"""Entries in Blender's Add, Import and Export menus."""
+
+import bpy
+
+
+class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_curve_add"
+    bl_label = "Splinewright"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        layout.operator("splinewright.add_bezier_curve", text="Bezier Curve", icon='CURVE_BEZCURVE')
+        layout.operator("splinewright.add_hermite_curve", text="Hermite Chain", icon='CURVE_PATH')
+        layout.operator("splinewright.add_nurbs_curve", text="NURBS Curve", icon='CURVE_NCURVE')
+
+
+class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_surface_add"
+    bl_label = "Splinewright"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        layout.operator("splinewright.add_bezier_patch", text="Bezier Patch", icon='MESH_GRID')
+        layout.operator("splinewright.add_hermite_patch", text="Hermite Patch", icon='SURFACE_NSURFACE')
+        layout.operator("splinewright.add_nurbs_patch", text="NURBS Patch", icon='SURFACE_DATA')
+        layout.separator()
+        layout.operator("splinewright.add_teapot", text="Newell's Teapot", icon='MESH_UVSPHERE')
+
+
+def _draw_curve_add(self, context):
+    self.layout.separator()
+    self.layout.menu(SPLINEWRIGHT_MT_curve_add.bl_idname, icon='CURVE_DATA')
+
+
+def _draw_surface_add(self, context):
+    self.layout.separator()
+    self.layout.menu(SPLINEWRIGHT_MT_surface_add.bl_idname, icon='SURFACE_DATA')
+
+
+def _draw_import(self, context):
+    self.layout.operator("splinewright.import_bpt", text="Bezier Patches (.bpt)")
+    self.layout.operator("splinewright.import_json", text="Splinewright Exact Curves and Patches (.json)")
+
+
+def _draw_export(self, context):
+    self.layout.operator("splinewright.export_bpt", text="Bezier Patches (.bpt)")
+    self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.json)")
+
+
+CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add)
+
+_ENTRIES = (
+    ("VIEW3D_MT_curve_add", _draw_curve_add),
+    ("VIEW3D_MT_surface_add", _draw_surface_add),
+    ("TOPBAR_MT_file_import", _draw_import),
+    ("TOPBAR_MT_file_export", _draw_export),
+)
+
+
+def register():
+    for menu, draw in _ENTRIES:
+        getattr(bpy.types, menu).append(draw)
+
+
+def unregister():
+    for menu, draw in _ENTRIES:
+        getattr(bpy.types, menu).remove(draw)

@@ -1,0 +1,72 @@
+"""Add Bezier, Hermite and NURBS curves."""
+
+import bpy
+from bpy.props import BoolProperty
+
+from ...core import starters
+from .adding import (AddShape, count_property, degree_property, enough_points, knots_property,
+                     resolution_property)
+
+
+class SPLINEWRIGHT_OT_add_bezier_curve(AddShape, bpy.types.Operator):
+    bl_idname = "splinewright.add_bezier_curve"
+    bl_label = "Add Bezier Curve"
+    bl_description = "Add one Bezier segment of any degree"
+    shape_name = "Bezier Curve"
+
+    degree: degree_property(default=3)
+    resolution_u: resolution_property(default=32)
+
+    def value(self):
+        return starters.bezier_curve(self.degree)
+
+    def draw_shape(self, layout):
+        layout.prop(self, "degree")
+        layout.prop(self, "resolution_u", text="Resolution")
+
+
+class SPLINEWRIGHT_OT_add_hermite_curve(AddShape, bpy.types.Operator):
+    bl_idname = "splinewright.add_hermite_curve"
+    bl_label = "Add Hermite Chain"
+    bl_description = "Add a chain of cubics through points with given tangents"
+    shape_name = "Hermite Chain"
+
+    count: count_property(default=4)
+    closed: BoolProperty(name="Closed", description="End where the chain began")
+    resolution_u: resolution_property()
+
+    def value(self):
+        if self.closed:
+            self.count = max(self.count, 3)
+        return starters.hermite_chain(self.count, self.closed)
+
+    def draw_shape(self, layout):
+        layout.prop(self, "count")
+        layout.prop(self, "closed")
+        layout.prop(self, "resolution_u", text="Resolution")
+
+
+class SPLINEWRIGHT_OT_add_nurbs_curve(AddShape, bpy.types.Operator):
+    bl_idname = "splinewright.add_nurbs_curve"
+    bl_label = "Add NURBS Curve"
+    bl_description = "Add a NURBS curve of any degree on clamped, unclamped or periodic knots"
+    shape_name = "NURBS Curve"
+
+    degree: degree_property(default=3)
+    count: count_property(default=6)
+    knots: knots_property()
+    resolution_u: resolution_property()
+
+    def value(self):
+        self.count = enough_points(self.count, self.degree, self.knots)
+        return starters.nurbs_curve(self.degree, self.count, self.knots)
+
+    def draw_shape(self, layout):
+        layout.prop(self, "degree")
+        layout.prop(self, "count")
+        layout.prop(self, "knots")
+        layout.prop(self, "resolution_u", text="Resolution")
+
+
+CLASSES = (SPLINEWRIGHT_OT_add_bezier_curve, SPLINEWRIGHT_OT_add_hermite_curve,
+           SPLINEWRIGHT_OT_add_nurbs_curve)

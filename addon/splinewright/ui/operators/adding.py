@@ -1,0 +1,89 @@
+"""What all Add operators have in common."""
+
+import bpy
+from bpy.props import FloatProperty, IntProperty
+from bpy_extras.object_utils import AddObjectHelper, object_data_add
+
+from ...bridge import shape, store
+from ...core import starters
+
+
+class AddShape(AddObjectHelper):
+    """Adds the object of value(), at the 3D cursor or where align, location and rotation say."""
+
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    #: Default name of the object.
+    shape_name = "Shape"
+
+    size: FloatProperty(
+        name="Radius", description="Distance from the middle to the sides",
+        default=1.0, min=0.0001, soft_max=100.0, unit='LENGTH')
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode != 'OBJECT':
+            cls.poll_message_set("Leave Edit Mode first: a shape is an object of its own")
+            return False
+        if context.scene.library or (context.collection and context.collection.library):
+            cls.poll_message_set("The active collection is linked from another file")
+            return False
+        return True
+
+    def value(self):
+        raise NotImplementedError("value: each operator says what it adds")
+
+    def resolution(self):
+        return self.resolution_u, self.resolution_u
+
+    def execute(self, context):
+        try:
+            value = starters.scaled(self.value(), self.size)
+            data = shape.new_data(self.shape_name, value, self.resolution())
+        except (ValueError, TypeError, ArithmeticError) as error:
+            self.report({'ERROR'}, str(error))
+            return {'CANCELLED'}
+        object_data_add(context, data, operator=self)
+        return {'FINISHED'}
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        self.draw_shape(layout)
+        layout.prop(self, "size")
+        layout.separator()
+        layout.prop(self, "align")
+        layout.prop(self, "location")
+        layout.prop(self, "rotation")
+
+
+def resolution_property(axis="", default=12):
+    along = f" along {axis.lower()}" if axis else ""
+    return IntProperty(name=f"Resolution {axis}".strip(), description=f"Steps in every span{along}",
+                       default=default, min=1, max=4096, soft_max=64)
+
+
+def degree_property(axis="", default=3):
+    along = f" along {axis.lower()}" if axis else ""
+    return IntProperty(name=f"Degree {axis}".strip(), description=f"Degree of the polynomials{along}",
+                       default=default, min=1, max=255, soft_max=11)
+
+
+def count_property(axis="", default=4, minimum=2):
+    along = f" along {axis.lower()}" if axis else ""
+    return IntProperty(name=f"Points {axis}".strip(), description=f"Control points{along}",
+                       default=default, min=minimum, max=100_000, soft_max=32)
+
+
+def knots_property(axis=""):
+    along = f" along {axis.lower()}" if axis else ""
+    return bpy.props.EnumProperty(
+        name=f"Knots {axis}".strip(), description=f"How the knots{along} meet the ends",
+        items=(('CLAMPED', "Clamped", "Begins and ends in the outer control points"),
+               ('UNCLAMPED', "Unclamped", "Uniform knots that touch no end point"),
+               ('PERIODIC', "Periodic", "Closed and smooth everywhere")))
+
+
+def enough_points(count, degree, knots):
+    """At least as many points as the degree needs; a closed shape needs three."""
+    return max(count, 3 if knots == 'PERIODIC' else degree + 1)

@@ -1,0 +1,146 @@
+"""Import and export: BPT patch files and exact JSON."""
+
+from pathlib import Path
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+from bpy_extras.io_utils import ExportHelper, ImportHelper
+from bpy_extras.object_utils import object_data_add
+
+from ...bridge import shape, store
+from ...core import bpt
+from ...core.definition import CURVES
+from ...core.library import sc
+
+_FAILURES = (ValueError, TypeError, ArithmeticError, OSError, store.UnreadableDefinition)
+_RESOLUTION = (10, 10)
+
+
+class _Import(ImportHelper):
+    bl_options = {'REGISTER', 'UNDO'}
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode != 'OBJECT':
+            cls.poll_message_set("Leave Edit Mode first: a shape is an object of its own")
+            return False
+        return True
+
+    def execute(self, context):
+        path = Path(self.filepath)
+        made = []
+        try:
+            text = path.read_text(encoding='utf-8')
+            for value in self.values(text):
+                made.append(shape.new_data(path.stem, value, _RESOLUTION))
+        except _FAILURES as error:
+            for data in made:
+                (bpy.data.curves if isinstance(data, bpy.types.Curve) else bpy.data.meshes).remove(data)
+            self.report({'ERROR'}, f"{path.name}: {error}")
+            return {'CANCELLED'}
+        objects = [object_data_add(context, data, name=path.stem) for data in made]
+        for ob in objects:
+            ob.select_set(True)
+        self.report({'INFO'}, f"Imported {path.name}")
+        return {'FINISHED'}
+
+
+class _Export(ExportHelper):
+    bl_options = {'REGISTER'}
+
+    @classmethod
+    def poll(cls, context):
+        if not shape.has_shape(context.object):
+            cls.poll_message_set("Select a Splinewright shape")
+            return False
+        return True
+
+    def execute(self, context):
+        path = Path(self.filepath)
+        try:
+            text = self.text(shape.value_of(context.object.data))
+            path.write_text(text, encoding='utf-8')
+        except _FAILURES as error:
+            self.report({'ERROR'}, f"{context.object.name}: {error}")
+            return {'CANCELLED'}
+        self.report({'INFO'}, f"Exported {path.name}")
+        return {'FINISHED'}
+
+
+class SPLINEWRIGHT_OT_import_bpt(_Import, bpy.types.Operator):
+    bl_idname = "splinewright.import_bpt"
+    bl_label = "Import BPT"
+    bl_description = "Import a file of Bezier patches as one object; equal points become one"
+
+    filename_ext = ".bpt"
+    filter_glob: StringProperty(default="*.bpt", options={'HIDDEN'})
+    flip: BoolProperty(name="Flip", description="Exchange u and v of every patch, which turns the normals over")
+
+    def values(self, text):
+        return [bpt.loads(text, self.flip)]
+
+
+class SPLINEWRIGHT_OT_export_bpt(_Export, bpy.types.Operator):
+    bl_idname = "splinewright.export_bpt"
+    bl_label = "Export BPT"
+    bl_description = "Export the patches of the active shape as Bezier patches, exactly"
+
+    filename_ext = ".bpt"
+    filter_glob: StringProperty(default="*.bpt", options={'HIDDEN'})
+    flip: BoolProperty(name="Flip", description="Exchange u and v of every patch, which turns the normals over")
+
+    def text(self, value):
+        if isinstance(value, (*CURVES, list)):
+            raise TypeError("BPT holds patches, this is a curve")
+        if self.flip:
+            value = value.flipped() if isinstance(value, sc.PatchSet) else value.swapped()
+        return bpt.dumps(value)
+
+
+class SPLINEWRIGHT_OT_import_json(_Import, bpy.types.Operator):
+    bl_idname = "splinewright.import_json"
+    bl_label = "Import Exact JSON"
+    bl_description = "Import curves and patches with every digit; all curves of a list become one object"
+
+    filename_ext = ".json"
+    filter_glob: StringProperty(default="*.json", options={'HIDDEN'})
+
+    def values(self, text):
+        value = sc.loads(text)
+        if not isinstance(value, list):
+            return [value]
+        curves = [item for item in value if isinstance(item, CURVES)]
+        patches = [item for item in value if not isinstance(item, CURVES)]
+        if not value:
+            raise ValueError("the file holds an empty list")
+        return ([curves] if curves else []) + patches
+
+
+class SPLINEWRIGHT_OT_export_json(_Export, bpy.types.Operator):
+    bl_idname = "splinewright.export_json"
+    bl_label = "Export Exact JSON"
+    bl_description = "Export the definition of the active shape with every digit"
+
+    filename_ext = ".json"
+    filter_glob: StringProperty(default="*.json", options={'HIDDEN'})
+
+    def text(self, value):
+        return sc.dumps(value)
+
+
+CLASSES = (SPLINEWRIGHT_OT_import_bpt, SPLINEWRIGHT_OT_export_bpt,
+           SPLINEWRIGHT_OT_import_json, SPLINEWRIGHT_OT_export_json)
+
+if hasattr(bpy.types, 'FileHandler'):
+    class SPLINEWRIGHT_FH_bpt(bpy.types.FileHandler):
+        bl_idname = "SPLINEWRIGHT_FH_bpt"
+        bl_label = "Bezier Patches"
+        bl_import_operator = "splinewright.import_bpt"
+        bl_export_operator = "splinewright.export_bpt"
+        bl_file_extensions = ".bpt"
+
+        @classmethod
+        def poll_drop(cls, context):
+            return context.area and context.area.type == 'VIEW_3D'
+
+    CLASSES += (SPLINEWRIGHT_FH_bpt,)

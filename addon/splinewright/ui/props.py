@@ -1,0 +1,67 @@
+"""Settings of a shape, on its Mesh or Curve, and the door for scripts: data.splinewright.value."""
+
+import math
+
+import bpy
+from bpy.props import FloatProperty, IntProperty, PointerProperty
+
+from ..bridge import shape, store
+
+#: Types of data-blocks that can hold a shape.
+OWNERS = (bpy.types.Mesh, bpy.types.Curve)
+
+
+def _resolution_changed(self, context):
+    if self.quiet or not store.has_definition(self.id_data):
+        return
+    try:
+        shape.rewrite(self.id_data)
+    except (ValueError, ArithmeticError, store.UnreadableDefinition) as error:
+        print(f"Splinewright: {self.id_data.name} is left as it was: {error}")
+
+
+class SplinewrightShape(bpy.types.PropertyGroup):
+    """How finely a shape is shown. The definition itself lies in float64 beside it."""
+
+    resolution_u: IntProperty(
+        name="Resolution U", description="Steps in every span along u",
+        default=12, min=1, max=4096, soft_max=64, update=_resolution_changed)
+    resolution_v: IntProperty(
+        name="Resolution V", description="Steps in every span along v",
+        default=12, min=1, max=4096, soft_max=64, update=_resolution_changed)
+    sharp_angle: FloatProperty(
+        name="Sharp Angle", description="Edges across which the exact normals differ by more are marked sharp",
+        default=math.radians(1.0), min=0.0, max=math.pi, subtype='ANGLE', update=_resolution_changed)
+    quiet: bpy.props.BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
+
+    def set_resolution(self, resolution_u, resolution_v):
+        """Both at once, with one evaluation at most."""
+        self.quiet = True
+        self.resolution_u = resolution_u
+        self.quiet = False
+        self.resolution_v = resolution_v
+
+    @property
+    def value(self):
+        """The exact shape: a splinecore curve, list of curves, patch or PatchSet; None without one.
+
+        Assigning one rewrites the mesh or curve; TypeError or ValueError, and no change, if it does not fit.
+        """
+        return shape.value_of(self.id_data)
+
+    @value.setter
+    def value(self, value):
+        shape.set_value(self.id_data, value)
+
+
+CLASSES = (SplinewrightShape,)
+
+
+def register():
+    for owner in OWNERS:
+        owner.splinewright = PointerProperty(type=SplinewrightShape)
+
+
+def unregister():
+    for owner in OWNERS:
+        del owner.splinewright

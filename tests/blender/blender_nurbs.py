@@ -1,0 +1,147 @@
+"""What Blender makes of a NURBS spline: its knots, where it is valid, where it samples.
+
+Measured on 3.4.1, 4.3.2 and 5.2.2. Blender calls degree + 1 the order. Needs no bpy.
+"""
+
+import itertools
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Flags(NamedTuple):
+    """Blender's use_cyclic, use_endpoint and use_bezier of one direction."""
+
+    cyclic: bool = False
+    endpoint: bool = False
+    bezier: bool = False
+
+    def __str__(self):
+        return "+".join(name for name, on in zip(self._fields, self) if on) or "plain"
+
+
+ALL_FLAGS = tuple(Flags(*flags) for flags in itertools.product((False, True), repeat=3))
+
+
+class Direction(NamedTuple):
+    """A curve, or u or v of a surface: how many points of which degree with which flags."""
+
+    count: int
+    degree: int
+    flags: Flags = Flags()
+
+
+def is_valid_curve(direction):
+    """Whether Blender evaluates such a curve; if not it shows the control polygon."""
+    needs_more = direction.flags.bezier and not direction.flags.endpoint
+    return is_valid_surface(direction) and not (needs_more and direction.count <= direction.degree + 1)
+
+
+def is_valid_surface(direction):
+    """Whether Blender evaluates a surface with such a direction; if not it makes an empty mesh."""
+    count, degree, flags = direction
+    if count <= degree:
+        return False
+    if not flags.bezier:
+        return True
+    if flags.cyclic:
+        return count % degree == 0
+    return flags.endpoint or count > degree + 1
+
+
+def _growing_knots(degree, flags):
+    """Blender's knots from the start on, without an end."""
+    start = 0.0
+    if flags.cyclic and flags.endpoint:
+        yield start
+        start = 1.0
+    if flags.endpoint:
+        multiplicity = degree if flags.cyclic else degree + 1
+    else:
+        multiplicity = min(2, degree) if flags.bezier else 1
+    yield from itertools.repeat(start, multiplicity)
+    for value in itertools.count(start + 1.0):
+        yield from itertools.repeat(value, degree if flags.bezier else 1)
+
+
+def _all_knots(direction):
+    """count + degree + 1 knots; degree more, for the points that come round again, if cyclic."""
+    count, degree, flags = direction
+    own = count if flags.cyclic or flags.endpoint else count + degree + 1
+    knots = list(itertools.islice(_growing_knots(degree, flags), own + 1))
+    following = knots.pop()
+    if flags.cyclic:
+        for i in range(2 * degree + 1):         # may read what it has appended
+            knots.append(following + knots[i] - knots[0])
+    elif flags.endpoint:
+        knots += [following] * (degree + 1)
+    return np.array(knots)
+
+
+def domain(direction):
+    """(start, end) of Blender's parameter."""
+    knots = _all_knots(direction)
+    last = direction.count + direction.degree if direction.flags.cyclic else direction.count
+    return knots[direction.degree], knots[last]
+
+
+def used_count(direction):
+    """How many points the shape depends on: clamped Bezier pieces leave an incomplete one out."""
+    count, degree, flags = direction
+    if flags.endpoint and flags.bezier and not flags.cyclic:
+        return count - (count - 1) % degree
+    return count
+
+
+def plain_knots(direction):
+    """The knots of the plain spline on wrapped() points."""
+    used = direction._replace(count=used_count(direction))
+    return _all_knots(used)
+
+
+def wrapped(points, direction, axis=0):
+    """The points of the plain spline along an axis: the first ones again if cyclic."""
+    count = used_count(direction) + (direction.degree if direction.flags.cyclic else 0)
+    return np.take(points, range(count), axis=axis, mode="wrap")
+
+
+def periodic_knots(direction):
+    """One period of a cyclic direction, for its own points, unrepeated."""
+    return _all_knots(direction)[direction.degree:direction.count + direction.degree + 1]
+
+
+def curve_parameters(direction, resolution, version):
+    """Where that version of Blender samples a curve. The two oddities of Blender 3 and 4 are not in it."""
+    if version >= (5, 0, 0):
+        return _parameters_by_span(direction, resolution)
+    cyclic = direction.flags.cyclic
+    return _spread(direction, resolution * (direction.count if cyclic else direction.count - 1))
+
+
+def surface_parameters(direction, resolution):
+    """Where every version samples a surface in one direction."""
+    return _spread(direction, resolution * direction.count)
+
+
+def _spread(direction, count):
+    start, end = domain(direction)
+    return np.linspace(start, end, count, endpoint=not direction.flags.cyclic)
+
+
+def _parameters_by_span(direction, resolution):
+    start, end = domain(direction)
+    joints = np.unique(_all_knots(direction))
+    joints = joints[(joints >= start) & (joints <= end)]
+    steps = np.arange(resolution) / resolution
+    parameters = (joints[:-1, None] + np.diff(joints)[:, None] * steps).ravel()
+    return parameters if direction.flags.cyclic else np.append(parameters, end)
+
+
+def gives_origin(direction, resolution, version):
+    """Before 5, two points at resolution 1 leave room for one sample, which Blender never writes."""
+    return version < (5, 0, 0) and direction.count == 2 and resolution == 1 and not direction.flags.cyclic
+
+
+def gives_polygon(direction, resolution, version):
+    """4.3 takes a cyclic curve of resolution 1 for its control polygon."""
+    return (4, 3, 0) <= version < (5, 0, 0) and resolution == 1 and direction.flags.cyclic

@@ -1,0 +1,14 @@
+"""Runs pytest inside Blender: blender --background ... --python run.py -- PYTEST_ARGUMENTS"""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE))
+sys.dont_write_bytecode = True
+arguments = sys.argv[sys.argv.index('--') + 1:]
+code = pytest.main(['-q', '-p', 'no:cacheprovider', '--rootdir', str(HERE), *(arguments or [str(HERE)])])
+sys.stdout.flush()
+sys.exit(int(code))

@@ -1,0 +1,208 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/basis/samples.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/patch/evaluate.hpp"
+
+namespace splinecore::testing {
+
+using Random = std::mt19937_64;
+
+inline double real(Random& random, double low, double high) {
+  return std::uniform_real_distribution(low, high)(random);
+}
+
+inline int integer(Random& random, int low, int high) { return std::uniform_int_distribution(low, high)(random); }
+
+enum class Ends { clamped, unclamped, periodic };
+enum class Weights { one, positive, any };
+
+struct Kind {
+  int degree;
+  int spans;
+  Ends ends;
+  Weights weights;
+};
+
+/// Every combination for degrees 1 to 9 and for one, two and seven spans.
+inline std::vector<Kind> all_kinds() {
+  std::vector<Kind> kinds;
+  for (int degree = 1; degree <= 9; ++degree) {
+    for (const int spans : {1, 2, 7}) {
+      for (const Ends ends : {Ends::clamped, Ends::unclamped, Ends::periodic}) {
+        for (const Weights weights : {Weights::one, Weights::positive, Weights::any}) {
+          kinds.push_back({degree, spans, ends, weights});
+        }
+      }
+    }
+  }
+  return kinds;
+}
+
+/// The same, with one kind of weights.
+inline std::vector<Kind> all_kinds(Weights weights) {
+  std::vector<Kind> kinds = all_kinds();
+  std::erase_if(kinds, [&](const Kind& kind) { return kind.weights != weights; });
+  return kinds;
+}
+
+inline std::string text_of(const Kind& kind) {
+  return "degree " + std::to_string(kind.degree) + ", spans " + std::to_string(kind.spans) + ", ends " +
+         std::to_string(static_cast<int>(kind.ends)) + ", weights " + std::to_string(static_cast<int>(kind.weights));
+}
+
+/// Unequal spans; inner knots of every multiplicity up to degree + 1; unclamped ends of any steps, also none.
+inline KnotVector random_knots(Random& random, int degree, int spans, Ends ends) {
+  std::vector<double> knots;
+  double u = real(random, -3.0, 3.0);
+  const auto step = [&] { u += integer(random, 0, 4) == 0 ? real(random, 0.01, 0.02) : real(random, 0.5, 1.5); };
+  const auto add = [&](int times) { knots.insert(knots.end(), times, u); };
+  const auto inner = [&] { return integer(random, 0, 2) == 0 ? integer(random, 1, degree + 1) : 1; };
+  const bool periodic = ends == Ends::periodic;
+  const int first = periodic ? integer(random, 1, degree + 1) : degree + 1;
+  const auto outer = [&] {
+    add(1);
+    if (knots.size() % 3 != 0) step();
+  };
+  if (ends == Ends::unclamped) {
+    for (int i = 0; i < degree; ++i) outer();
+    add(1);
+  } else {
+    add(first);
+  }
+  for (int span = 1; span < spans; ++span) {
+    step();
+    add(inner());
+  }
+  step();
+  if (ends != Ends::unclamped) {
+    add(periodic ? integer(random, 1, degree + 2 - first) : degree + 1);
+  } else {
+    add(1);
+    for (int i = 0; i < degree; ++i) {
+      if (i % 2 == 0) step();
+      add(1);
+    }
+  }
+  return KnotVector::make(degree, std::move(knots), periodic);
+}
+
+inline glm::dvec3 random_vector(Random& random, double size = 10.0) {
+  const double x = real(random, -size, size);
+  const double y = real(random, -size, size);
+  return {x, y, real(random, -size, size)};
+}
+
+inline double random_weight(Random& random, Weights weights) {
+  if (weights == Weights::one) return 1.0;
+  if (weights == Weights::positive || integer(random, 0, 1) == 0) return std::exp2(real(random, -2.0, 2.0));
+  return integer(random, 0, 1) == 0 ? 0.0 : -real(random, 0.1, 2.0);
+}
+
+/// The first weight is never zero, so that the points make a shape.
+inline std::vector<glm::dvec4> random_points(Random& random, int count, Weights weights) {
+  std::vector<glm::dvec4> points;
+  for (int i = 0; i < count; ++i) points.emplace_back(random_vector(random), random_weight(random, weights));
+  if (points[0].w == 0.0) points[0].w = 1.0;
+  return points;
+}
+
+inline NurbsCurve random_curve(Random& random, const Kind& kind) {
+  KnotVector knots = random_knots(random, kind.degree, kind.spans, kind.ends);
+  std::vector<glm::dvec4> points = random_points(random, knots.count(), kind.weights);
+  return NurbsCurve::make(std::move(knots), std::move(points));
+}
+
+inline NurbsCurve random_curve(Random& random, Weights weights = Weights::any) {
+  return random_curve(random, {integer(random, 1, 9), integer(random, 1, 8), static_cast<Ends>(integer(random, 0, 2)), weights});
+}
+
+inline NurbsPatch random_patch(Random& random, const Kind& u, const Kind& v) {
+  KnotVector knots_u = random_knots(random, u.degree, u.spans, u.ends);
+  KnotVector knots_v = random_knots(random, v.degree, v.spans, v.ends);
+  const int count = knots_u.count() * knots_v.count();
+  return NurbsPatch::make(std::move(knots_u), std::move(knots_v), random_points(random, count, u.weights));
+}
+
+inline NurbsPatch random_patch(Random& random, Weights weights = Weights::any) {
+  const auto kind = [&] {
+    const int degree = integer(random, 1, 5);
+    return Kind{degree, integer(random, 1, 3), static_cast<Ends>(integer(random, 0, 2)), weights};
+  };
+  const Kind u = kind();
+  return random_patch(random, u, kind());
+}
+
+inline std::vector<double> random_parameters(Random& random, Interval range, int count) {
+  std::vector<double> parameters(count);
+  for (double& u : parameters) u = real(random, range.start, range.end);
+  return parameters;
+}
+
+inline glm::dvec3 point_at(const NurbsCurve& curve, double u, Side side = Side::right) {
+  glm::dvec3 point;
+  evaluate(curve, {&u, 1}, std::span(&point.x, 3), {.side = side});
+  return point;
+}
+
+inline glm::dvec4 homogeneous_at(const NurbsCurve& curve, double u, Side side = Side::right) {
+  glm::dvec4 point;
+  evaluate_homogeneous(curve, {&u, 1}, {&point, 1}, side);
+  return point;
+}
+
+inline glm::dvec3 point_at(const NurbsPatch& patch, double u, double v, PatchOptions options = {}) {
+  glm::dvec3 point;
+  evaluate(patch, {&u, 1}, {&v, 1}, std::span(&point.x, 3), options);
+  return point;
+}
+
+/// The homogeneous point, through samples: defined also where the patch is at infinity.
+inline glm::dvec4 homogeneous_at(const NurbsPatch& patch, double u, double v) {
+  const Samples su = Samples::make(patch.knot_vector(Axis::u), {&u, 1});
+  const Samples sv = Samples::make(patch.knot_vector(Axis::v), {&v, 1});
+  const int width = patch.knot_vector(Axis::v).unrolled_count();
+  glm::dvec4 sum(0.0);
+  for (std::size_t i = 0; i < su.weights(0).size(); ++i) {
+    const glm::dvec4* row = patch.homogeneous_points().data() + (su.first(0) + i) * width + sv.first(0);
+    sum += su.weights(0)[i] * weighted_sum(sv.weights(0), row);
+  }
+  return sum;
+}
+
+template <class Vector>
+double largest(const Vector& p) {
+  double size = 0.0;
+  for (int axis = 0; axis < p.length(); ++axis) size = std::max(size, std::abs(static_cast<double>(p[axis])));
+  return size;
+}
+
+/// Largest coordinate of any homogeneous point: what rounding is relative to.
+template <class Shape>
+double size_of(const Shape& shape) {
+  double size = 0.0;
+  for (const glm::dvec4& p : shape.homogeneous_points()) size = std::max(size, largest(p));
+  return size;
+}
+
+/// The message with which an action is refused.
+template <class Action>
+std::string refusal(Action action) {
+  try {
+    action();
+  } catch (const InvalidShape& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+}  // namespace splinecore::testing
