@@ -27,8 +27,8 @@ bool is_aligned(const py::array& array) {
 }
 
 std::string short_text(const py::handle& value) {
-  const std::string text = py::repr(value);
-  return text.size() <= 60 ? text : std::string(py::str(py::repr(value)[py::slice(0, 57, 1)])) + "...";
+  const py::str text = py::str(" ").attr("join")(py::repr(value).attr("split")());
+  return py::len(text) <= 60 ? std::string(text) : std::string(py::str(text[py::slice(0, 57, 1)])) + "...";
 }
 
 bool is_real_number(const py::handle& value) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <random>
 #include <string>
 #include <vector>

@@ -42,7 +42,7 @@ def test_degree_255_is_the_highest():
     u = np.linspace(0, 1, 9)
     line = sc.BezierCurve([(i / 255, 0) for i in range(256)])
     assert np.abs(line.evaluate(u)[:, 0] - u).max() <= 1e-13
-    with pytest.raises(sc.InvalidShape, match="257"):
+    with pytest.raises(sc.InvalidShape, match="256"):
         sc.BezierCurve(np.zeros((257, 3)))
 
 

@@ -27,8 +27,6 @@ class _ShapePanel:
             row.label(text=label)
             row.label(text=text)
         layout.separator()
-        layout.use_property_split = True
-        layout.use_property_decorate = False
         settings = data.splinewright
         column = layout.column(align=True)
         if definition.has_curves:

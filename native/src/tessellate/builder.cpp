@@ -13,7 +13,7 @@ namespace splinecore {
 class TessellationBuilder {
  public:
   TessellationBuilder(const PatchSet& set, Tessellation& mesh)
-      : set_(set), mesh_(mesh), sides_(patch_sides(set)) {}
+      : set_(set), mesh_(mesh), sides_(mesh.sides_) {}
 
   void add_patch(std::size_t patch);
 
@@ -38,7 +38,7 @@ class TessellationBuilder {
 
   const PatchSet& set_;
   Tessellation& mesh_;
-  std::vector<std::array<PatchSide, 4>> sides_;
+  const std::vector<std::array<PatchSide, 4>>& sides_;
   std::map<int, std::int32_t> corner_vertices_;
   std::map<int, std::vector<std::int32_t>> edge_vertices_;
 };
@@ -180,6 +180,7 @@ Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resol
   Tessellation mesh;
   mesh.patches_.assign(set.patches().begin(), set.patches().end());
   mesh.first_equal_ = first_equal_rows(set);
+  mesh.sides_ = patch_sides(set);
   double expected = 0.0;
   for (std::size_t i = 0; i < set.patches().size(); ++i) {
     const NurbsPatch& form = nurbs_of(set.patch(i));

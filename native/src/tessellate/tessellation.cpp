@@ -11,7 +11,8 @@
 namespace splinecore {
 
 bool Tessellation::fits(const PatchSet& set) const {
-  return std::ranges::equal(patches_, set.patches()) && first_equal_ == first_equal_rows(set);
+  return std::ranges::equal(patches_, set.patches()) && first_equal_ == first_equal_rows(set) &&
+         sides_ == patch_sides(set);
 }
 
 void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,

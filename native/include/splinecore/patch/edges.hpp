@@ -22,6 +22,8 @@ struct PatchSide {
   int edge = -1;
   /// The side runs against the direction of its edge.
   bool reversed = false;
+
+  friend bool operator==(const PatchSide&, const PatchSide&) = default;
 };
 
 /// For each row of the pool the first row that is equal to it: points that lie on one another.

@@ -58,6 +58,7 @@ class Tessellation {
 
   std::vector<IndexedPatch> patches_;
   std::vector<int> first_equal_;
+  std::vector<std::array<PatchSide, 4>> sides_;
   std::vector<Grid> grids_;
   std::size_t sample_count_ = 0;
   std::vector<std::size_t> vertex_samples_;

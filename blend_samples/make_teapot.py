@@ -1,0 +1,13 @@
+"""Newell's teapot: one object of 32 bicubic Bezier patches on 306 shared points."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import stage
+
+stage.begin()
+stage.add('add_teapot', "Teapot", color='clay', resolution_u=16, resolution_v=16)
+stage.ground()
+stage.camera((2.9, -4.6, 2.6), (0.05, 0, 0.72), 50)
+stage.finish("teapot")

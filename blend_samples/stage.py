@@ -1,0 +1,114 @@
+"""What the sample scripts share: an empty scene with light and camera, a ground, saving and rendering."""
+
+import math
+import sys
+import time
+from pathlib import Path
+
+import bpy
+from mathutils import Vector
+
+PALETTE = {
+    'clay': (0.80, 0.32, 0.17), 'sea': (0.10, 0.36, 0.52), 'moss': (0.24, 0.42, 0.16),
+    'sand': (0.82, 0.66, 0.40), 'plum': (0.38, 0.15, 0.36), 'snow': (0.85, 0.85, 0.83),
+}
+_rows = []
+_started = time.perf_counter()
+
+
+def splinecore():
+    """The module that the installed add-on carries."""
+    return next(module for name, module in sys.modules.items() if name.endswith('splinewright.splinecore'))
+
+
+def begin():
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    scene = bpy.context.scene
+    world = bpy.data.worlds.new("Sky")
+    world.use_nodes = True
+    world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.85, 0.9, 1.0, 1.0)
+    world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.55
+    scene.world = world
+    light = bpy.data.lights.new("Sun", 'SUN')
+    light.energy, light.angle = 3.0, math.radians(12)
+    sun = bpy.data.objects.new("Sun", light)
+    sun.rotation_euler = (math.radians(48), math.radians(8), math.radians(35))
+    scene.collection.objects.link(sun)
+
+
+def add(operator, name, place=(0, 0, 0), rotation=(0, 0, 0), color='snow', **settings):
+    """Call an Add operator; returns the named and painted object, and keeps a row for the table."""
+    started = time.perf_counter()
+    getattr(bpy.ops.splinewright, operator)(location=place, rotation=rotation, **settings)
+    ob = bpy.context.object
+    ob.name = ob.data.name = name
+    ob.data.materials.append(paint(color))
+    _rows.append((ob, operator, 1e3 * (time.perf_counter() - started)))
+    return ob
+
+
+def tube(ob, radius=0.03):
+    """Give a curve shape thickness, so that it is seen in a render."""
+    ob.data.bevel_depth, ob.data.bevel_resolution = radius, 4
+    return ob
+
+
+def paint(color):
+    if color in bpy.data.materials:
+        return bpy.data.materials[color]
+    material = bpy.data.materials.new(color)
+    material.use_nodes = True
+    shader = material.node_tree.nodes["Principled BSDF"]
+    shader.inputs["Base Color"].default_value = (*PALETTE[color], 1.0)
+    shader.inputs["Roughness"].default_value = 0.35
+    material.diffuse_color = (*PALETTE[color], 1.0)
+    return material
+
+
+def ground(height=0.0, size=60.0):
+    bpy.ops.mesh.primitive_plane_add(size=size, location=(0, 0, height))
+    bpy.context.object.name = "Ground"
+    bpy.context.object.data.materials.append(paint('snow'))
+
+
+def camera(place, target, lens=50):
+    data = bpy.data.cameras.new("Camera")
+    data.lens = lens
+    ob = bpy.data.objects.new("Camera", data)
+    ob.location = place
+    ob.rotation_euler = (Vector(target) - Vector(place)).to_track_quat('-Z', 'Y').to_euler()
+    bpy.context.scene.collection.objects.link(ob)
+    bpy.context.scene.camera = ob
+
+
+def finish(name, samples=48, size=(960, 600)):
+    """Save NAME.blend, render NAME.png, print what was made."""
+    output = Path(sys.argv[sys.argv.index('--') + 1])
+    scene = bpy.context.scene
+    scene.render.engine = 'CYCLES'
+    scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = 'CPU', samples, False
+    scene.render.resolution_x, scene.render.resolution_y = size
+    scene.render.filepath = str(output / f"{name}.png")
+    scene.view_settings.view_transform = 'Standard'
+    for ob in bpy.context.selected_objects:
+        ob.select_set(False)
+    bpy.context.preferences.filepaths.save_version = 0
+    scene.render.filepath = f"//{name}.png"
+    bpy.ops.wm.save_as_mainfile(filepath=str(output / f"{name}.blend"), compress=True, relative_remap=False)
+    made = time.perf_counter() - _started
+    scene.render.filepath = str(output / f"{name}.png")
+    bpy.ops.render.render(write_still=True)
+    _print_table(name, made, time.perf_counter() - _started - made)
+
+
+def _print_table(name, made, rendered):
+    print(f"\n{name}.blend: made in {made:.2f} s, rendered in {rendered:.1f} s")
+    print(f"  {'object':<26}{'operator':<20}{'pieces':>7}{'points':>8}{'vertices':>10}{'ms':>8}")
+    for ob, operator, ms in _rows:
+        value = ob.data.splinewright.value
+        pieces = len(value) if hasattr(value, '__len__') else 1
+        points = sum(item.points.size // 3 for item in value) if isinstance(value, list) else value.points.size // 3
+        count = (len(ob.data.vertices) if ob.type == 'MESH'
+                 else sum(len(spline.points) for spline in ob.data.splines))
+        print(f"  {ob.name:<26}{operator:<20}{pieces:>7}{points:>8}{count:>10}{ms:>8.1f}")
+    sys.stdout.flush()

@@ -1,0 +1,87 @@
+"""Add shapes from the menus of a real window, change them, undo; a picture of each state is kept."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, run, save_picture
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+
+
+def picture(name):
+    rgb = save_picture(OUTPUT / f"{name}.png")
+    assert len(np.unique(rgb.reshape(-1, 3), axis=0)) > 200, f"{name}.png is empty"
+    return rgb
+
+
+def pick(view, menu, steps_down):
+    """Open a menu, whose first entry comes up under the mouse, and choose one by keyboard."""
+    with view.override():
+        bpy.ops.wm.call_menu(name=menu)
+    yield 0.6
+    picture(menu.lower())
+    for _ in range(steps_down):
+        view.press('DOWN_ARROW')
+        yield 0.15
+    view.press('RET')
+    yield 0.8
+
+
+def frame(view):
+    with view.override():
+        bpy.ops.view3d.view_selected()
+    yield 0.6
+
+
+def steps():
+    view = View()
+    with view.override():
+        bpy.ops.object.select_all(action='SELECT')
+        bpy.ops.object.delete()
+        bpy.ops.ed.undo_push(message="empty")
+        view.area.spaces.active.overlay.show_cursor = False
+    view.open_sidebar()
+    view.move()
+    yield 1.0
+    empty = picture("empty")
+
+    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", 3)
+    ob = bpy.context.object
+    assert ob is not None and len(ob.data.splinewright.value) == 32, "the menu entry added no teapot"
+    yield from frame(view)
+    view.show_tab("Splinewright", click=(1044, 537))
+    yield 0.5
+    view.move(80, 96)               # open the redo panel
+    view.press('LEFTMOUSE')
+    yield 1.0
+    view.move(650, 550)
+    yield 0.5
+    shown = picture("teapot")
+    assert np.mean(np.any(shown != empty, axis=2)) > 0.05, "the teapot is not to be seen"
+
+    ob.data.splinewright.resolution_u = 3
+    assert len(ob.data.polygons) == 32 * 3 * 10
+    view.press('Z', ctrl=True)
+    yield 0.8
+    assert not bpy.data.objects, "Ctrl+Z leaves the teapot there"
+    view.press('Z', ctrl=True, shift=True)
+    yield 0.8
+    assert len(bpy.data.objects["Teapot"].data.splinewright.value) == 32, "Shift+Ctrl+Z does not bring it back"
+
+    bpy.data.objects["Teapot"].hide_set(True)
+    view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height // 2)
+    yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 2)
+    ob = bpy.context.object
+    assert ob.type == 'CURVE' and ob.data.splinewright.value.degree == 3
+    ob.data.bevel_depth = 0.02
+    yield from frame(view)
+    picture("curve")
+    print("the window did what it should:", bpy.app.version_string, flush=True)
+
+
+run(steps())

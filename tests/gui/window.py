@@ -1,0 +1,84 @@
+"""A real Blender window under Xvfb: events in, pictures out."""
+
+import os
+import struct
+import sys
+import traceback
+import zlib
+
+import bpy
+import numpy as np
+
+# Blender's own screenshot is black under software rendering in 4.3 and 5.2; Xvfb keeps its picture in a file.
+FRAME = os.path.join(os.environ['XVFB_FRAMES'], 'Xvfb_screen0')
+
+
+def save_picture(path):
+    """What the screen shows, as a PNG."""
+    with open(FRAME, 'rb') as file:
+        raw = file.read()
+    header = struct.unpack('>25I', raw[:100])
+    size, width, height, order, stride, colors = (header[i] for i in (0, 4, 5, 7, 12, 19))
+    pixels = np.frombuffer(raw, np.uint8, stride * height, size + 12 * colors)
+    pixels = pixels.reshape(height, stride)[:, :4 * width].reshape(height, width, 4)
+    rgb = pixels[..., 2::-1] if order == 0 else pixels[..., 1:4]
+    rows = np.concatenate([np.zeros((height, 1), np.uint8), rgb.reshape(height, -1)], 1).tobytes()
+    header = struct.pack('>2I5B', width, height, 8, 2, 0, 0, 0)
+    with open(path, 'wb') as file:
+        file.write(b'\x89PNG\r\n\x1a\n' + _chunk(b'IHDR', header) + _chunk(b'IDAT', zlib.compress(rows, 6)) + _chunk(b'IEND', b''))
+    return rgb
+
+
+def _chunk(kind, body):
+    return struct.pack('>I', len(body)) + kind + body + struct.pack('>I', zlib.crc32(kind + body))
+
+
+class View:
+    """The 3D viewport of the first window."""
+
+    def __init__(self):
+        self.window = bpy.context.window_manager.windows[0]
+        self.area = next(area for area in self.window.screen.areas if area.type == 'VIEW_3D')
+        self.region = self._region('WINDOW')
+        self.x, self.y = self.region.x + self.region.width // 2, self.region.y + self.region.height // 2
+
+    def _region(self, kind):
+        return next(region for region in self.area.regions if region.type == kind)
+
+    def override(self):
+        return bpy.context.temp_override(window=self.window, area=self.area, region=self.region)
+
+    def move(self, x=None, y=None):
+        self.x, self.y = self.x if x is None else x, self.y if y is None else y
+        self.window.event_simulate('MOUSEMOVE', 'NOTHING', x=self.x, y=self.y)
+
+    def press(self, key, **modifiers):
+        for value in ('PRESS', 'RELEASE'):
+            self.window.event_simulate(key, value, x=self.x, y=self.y, **modifiers)
+
+    def open_sidebar(self):
+        self.area.spaces.active.show_region_ui = True
+
+    def show_tab(self, name, click):
+        """Bring a tab of the sidebar up. Before 4.0 only a click can: `click` is its place."""
+        sidebar = self._region('UI')
+        if hasattr(sidebar, 'active_panel_category'):
+            sidebar.active_panel_category = name
+        else:
+            self.move(*click)
+            self.press('LEFTMOUSE')
+
+
+def run(steps):
+    """Run a generator of steps; each yields the seconds until the next. Ends Blender, with 1 on an error."""
+    def tick():
+        try:
+            return next(steps)
+        except StopIteration:
+            bpy.ops.wm.quit_blender()
+        except Exception:
+            traceback.print_exc()
+            sys.stdout.flush()
+            os._exit(1)
+    bpy.context.preferences.view.show_splash = False
+    bpy.app.timers.register(tick, first_interval=1.5)

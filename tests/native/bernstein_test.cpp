@@ -1,0 +1,93 @@
+#include "splinecore/basis/bernstein.hpp"
+
+#include <cstdint>
+#include <numeric>
+
+#include "reference.hpp"
+#include "support.hpp"
+
+namespace splinecore {
+namespace {
+
+using namespace testing;
+
+/// B_i^n(t) by the recursion B_i^n = (1 - t) B_i^{n-1} + t B_{i-1}^{n-1}.
+std::vector<Real> by_recursion(int degree, Real t) {
+  std::vector<Real> values{1.0L};
+  for (int n = 1; n <= degree; ++n) {
+    values.push_back(0.0L);
+    for (int i = n; i >= 0; --i) values[i] = (1.0L - t) * values[i] + (i > 0 ? t * values[i - 1] : 0.0L);
+  }
+  return values;
+}
+
+TEST(Binomial, ObeysPascalsRuleInIntegersWhileTheseFit) {
+  for (int n = 1; n <= 56; ++n) {
+    for (int k = 1; k < n; ++k) {
+      const auto sum = static_cast<std::int64_t>(binomial(n - 1, k - 1)) + static_cast<std::int64_t>(binomial(n - 1, k));
+      EXPECT_EQ(static_cast<std::int64_t>(binomial(n, k)), sum) << n << " " << k;
+    }
+  }
+}
+
+TEST(Binomial, RowsSumToAPowerOfTwoUpToTheHighestDegree) {
+  for (const int n : {1, 17, 33, 60, 128, kMaxDegree}) {
+    double sum = 0.0;
+    for (int k = 0; k <= n; ++k) sum += binomial(n, k);
+    EXPECT_NEAR(sum / std::exp2(n), 1.0, 1e-13) << n;
+    EXPECT_EQ(binomial(n, 0), 1.0);
+    EXPECT_EQ(binomial(n, n), 1.0);
+  }
+}
+
+TEST(Bernstein, HasSmallRelativeErrorUpToDegree60) {
+  Random random(6);
+  for (const int degree : {0, 1, 2, 3, 9, 17, 18, 33, 34, 60}) {
+    std::vector<double> values(degree + 1);
+    for (const double t : random_parameters(random, {0, 1}, 50)) {
+      bernstein(degree, t, 1.0 - t, values);
+      const std::vector<Real> expected = by_recursion(degree, t);
+      for (int i = 0; i <= degree; ++i) {
+        EXPECT_NEAR(values[i] / static_cast<double>(expected[i]), 1.0, 1e-13) << degree << " " << i << " " << t;
+      }
+    }
+  }
+}
+
+TEST(Bernstein, IsAPartitionOfUnityAtTheHighestDegree) {
+  std::vector<double> values(kMaxDegree + 1);
+  for (const double t : {0.0, 1e-300, 1e-3, 0.25, 0.5, 0.999, 1.0}) {
+    bernstein(kMaxDegree, t, 1.0 - t, values);
+    EXPECT_NEAR(std::accumulate(values.begin(), values.end(), 0.0), 1.0, 1e-13) << t;
+    EXPECT_TRUE(std::ranges::all_of(values, [](double value) { return value >= 0.0; })) << t;
+  }
+}
+
+TEST(BernsteinDerivatives, AreThoseOfMonomialsWrittenInBernsteinForm) {
+  // t^k has the Bernstein coefficients C(i, k) / C(n, k).
+  for (const int degree : {1, 2, 3, 5, 9}) {
+    std::vector<double> values(degree + 1);
+    for (int order = 0; order <= degree; ++order) {
+      for (const double t : {0.0, 0.25, 0.7, 1.0}) {
+        bernstein_derivatives(degree, order, t, 1.0 - t, values);
+        for (int k = 0; k <= degree; ++k) {
+          double sum = 0.0;
+          for (int i = k; i <= degree; ++i) sum += values[i] * binomial(i, k) / binomial(degree, k);
+          double expected = k < order ? 0.0 : std::pow(t, k - order);
+          for (int factor = 0; factor < order; ++factor) expected *= k - factor;
+          const double size = std::tgamma(degree + 1.0) * std::exp2(order);
+          EXPECT_NEAR(sum, expected, 1e-15 * size) << degree << " " << order << " " << k << " " << t;
+        }
+      }
+    }
+  }
+}
+
+TEST(BernsteinDerivatives, AboveTheDegreeAreZero) {
+  std::vector<double> values(4, 1.0);
+  bernstein_derivatives(3, 4, 0.3, 0.7, values);
+  EXPECT_EQ(values, std::vector<double>(4, 0.0));
+}
+
+}  // namespace
+}  // namespace splinecore

@@ -1,0 +1,168 @@
+#include "splinecore/basis/knot_vector.hpp"
+
+#include <limits>
+#include <numeric>
+
+#include "reference.hpp"
+#include "splinecore/basis/bernstein.hpp"
+#include "support.hpp"
+
+namespace splinecore {
+namespace {
+
+using namespace testing;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string refused(int degree, std::vector<double> knots, bool periodic = false) {
+  return refusal([&] { KnotVector::make(degree, knots, periodic); });
+}
+
+TEST(KnotVectorMake, NamesTheFirstKnotThatIsNotFinite) {
+  EXPECT_EQ(refused(1, {0, 0, kNan, kInfinity}), "knots[2] = nan is not finite");
+  EXPECT_EQ(refused(1, {0, -kInfinity, 1, 1}), "knots[1] = -inf is not finite");
+  EXPECT_EQ(refused(1, {0, 1, kInfinity}, true), "knots[2] = inf is not finite");
+}
+
+TEST(KnotVectorMake, NamesTheFirstKnotThatDecreases) {
+  EXPECT_EQ(refused(2, {0, 0, 0, 0.5, 0.25, 1, 1, 1}), "knots[4] = 0.25 is below knots[3] = 0.5");
+  EXPECT_EQ(refused(3, {0, 2, 1}, true), "knots[2] = 1 is below knots[1] = 2");
+}
+
+TEST(KnotVectorMake, AllowsMultiplicityDegreePlusOneAndNamesTheKnotThatPassesIt) {
+  EXPECT_EQ(KnotVector::make(2, {0, 0, 0, 1, 1, 1, 2, 2, 2}).spans().size(), 2u);
+  EXPECT_EQ(refused(2, {0, 0, 0, 1, 1, 1, 1, 2, 2, 2}), "knots[6] = 1 has multiplicity above degree + 1 = 3");
+  EXPECT_EQ(refused(0, {0, 0, 1}), "knots[1] = 0 has multiplicity above degree + 1 = 1");
+}
+
+TEST(KnotVectorMake, CountsTheSeamOfAPeriodOnce) {
+  EXPECT_EQ(multiplicity(KnotVector::make(2, {0, 0, 1, 3, 3}, true), 0), 3);
+  EXPECT_EQ(multiplicity(KnotVector::make(2, {0, 0, 1, 3, 3}, true), 3), 3);
+  EXPECT_EQ(refused(2, {0, 0, 0, 1, 3, 3}, true),
+            "knots[0] = 0 has multiplicity above degree + 1 = 3 together with the end of the period");
+  EXPECT_EQ(refused(2, {1, 1, 1}, true), "knots[2] = 1 equals knots[0]: the period has no length");
+}
+
+TEST(KnotVectorMake, RefusesAbsurdDegreesAndSizes) {
+  EXPECT_EQ(refused(-1, {0, 1}), "degree = -1 is outside [0, 255]");
+  EXPECT_EQ(refused(256, std::vector<double>(600, 0.0)), "degree = 256 is outside [0, 255]");
+  EXPECT_EQ(refusal([] { KnotVector::bezier(std::numeric_limits<int>::max()); }),
+            "degree = 2147483647 is outside [0, 255]");
+  EXPECT_NE(refused(3, {0, 0, 1, 1}).find("knots has 4 values, at least 5"), std::string::npos);
+  EXPECT_NE(refused(3, {0}, true).find("knots has 1 values, at least 2"), std::string::npos);
+  for (const auto make : {KnotVector::clamped, KnotVector::uniform, KnotVector::periodic_uniform}) {
+    EXPECT_EQ(refusal([&] { make(3, std::numeric_limits<int>::max()); }),
+              "count = 2147483647 is outside [1, 268435456]");
+    EXPECT_EQ(refusal([&] { make(3, -5); }), "count = -5 is outside [1, 268435456]");
+    EXPECT_EQ(refusal([&] { make(300, 5); }), "degree = 300 is outside [0, 255]");
+  }
+  EXPECT_EQ(refusal([] { KnotVector::clamped(3, 3); }), "count = 3 is below degree + 1 = 4");
+}
+
+TEST(KnotVectorMake, RefusesKnotsWhoseDistanceOverflows) {
+  EXPECT_EQ(refused(1, {-1e308, -1e308, 1e308, 1e308}),
+            "knots from -1e+308 to 1e+308 overflow: their distance is not a finite number");
+}
+
+TEST(KnotVector, ThatLeavesNoDomainExistsAndSaysSoWhenAskedForIt) {
+  const KnotVector lecture = KnotVector::make(2, {0, 1, 2, 3});
+  EXPECT_EQ(lecture.count(), 1);
+  EXPECT_FALSE(lecture.has_domain());
+  EXPECT_EQ(refusal([&] { static_cast<void>(lecture.domain()); }),
+            "knots leave no domain: for degree 2 the knots u_2 and u_1 must differ");
+}
+
+TEST(KnotVector, DomainOfAPlainVectorRunsFromKnotDegreeToKnotCount) {
+  EXPECT_EQ(KnotVector::uniform(3, 6).domain(), (Interval{3, 6}));
+  EXPECT_EQ(KnotVector::clamped(3, 6).domain(), (Interval{0, 3}));
+  EXPECT_EQ(KnotVector::bezier(7).domain(), (Interval{0, 1}));
+  EXPECT_EQ(KnotVector::clamped(2, 5), KnotVector::make(2, {0, 0, 0, 1, 2, 3, 3, 3}));
+}
+
+TEST(KnotVector, PeriodUnrollsByAddingItself) {
+  const KnotVector knots = KnotVector::make(3, {0, 1, 3}, true);
+  const std::vector<double> expected{-5, -3, -2, 0, 1, 3, 4, 6, 7};
+  EXPECT_TRUE(std::ranges::equal(knots.unrolled(), expected));
+  EXPECT_EQ(knots.count(), 2);
+  EXPECT_EQ(knots.unrolled_count(), 5);
+  EXPECT_EQ(knots.domain(), (Interval{0, 3}));
+  EXPECT_EQ(KnotVector::periodic_uniform(3, 4).domain(), (Interval{0, 4}));
+}
+
+TEST(KnotVectorAdmit, ClampsFourUlpAndRefusesMore) {
+  const KnotVector knots = KnotVector::make(1, {1, 1, 2, 2});
+  const double ulp = std::numeric_limits<double>::epsilon();
+  EXPECT_EQ(knots.admit(2 + 8 * ulp, Side::right), 2.0);
+  EXPECT_EQ(knots.admit(1 - 8 * ulp, Side::right), 1.0);
+  EXPECT_EQ(refusal([&] { knots.admit(2 + 10 * ulp, Side::right, 7, "v"); }),
+            "v[7] = 2.0000000000000022 is outside the domain [1, 2]");
+  EXPECT_EQ(refusal([&] { knots.admit(kNan, Side::right, 3); }), "u[3] = nan is outside the domain [1, 2]");
+}
+
+TEST(KnotVectorAdmit, TakesAPeriodicParameterModuloThePeriod) {
+  const KnotVector knots = KnotVector::make(1, {-1, 0, 2}, true);
+  EXPECT_EQ(knots.admit(2.5, Side::right), -0.5);
+  EXPECT_EQ(knots.admit(-1.5, Side::right), 1.5);
+  EXPECT_EQ(knots.admit(3e15 + 1, Side::right), 1.0);
+  EXPECT_EQ(knots.admit(5, Side::right), -1.0);
+  EXPECT_EQ(knots.admit(5, Side::left), 2.0);
+  EXPECT_EQ(refusal([&] { knots.admit(kInfinity, Side::right); }), "u[0] = inf is outside the domain [-1, 2]");
+}
+
+TEST(KnotVectorAdmit, GivesAParameterOfTheDomainForTheLargestDoubles) {
+  for (const KnotVector& knots : {KnotVector::make(1, {-1e308, 0, 5e307}, true), KnotVector::make(1, {-1, 0, 2}, true)}) {
+    for (const double u : {1.7e308, -1.7e308}) {
+      const double admitted = knots.admit(u, Side::right);
+      EXPECT_GE(admitted, knots.domain().start) << u;
+      EXPECT_LE(admitted, knots.domain().end) << u;
+    }
+  }
+}
+
+TEST(KnotVectorSpanOf, PutsAKnotIntoTheSpanOnTheSideAskedFor) {
+  const KnotVector knots = KnotVector::make(2, {0, 0, 0, 1, 1, 3, 3, 3});
+  const auto span = [&](double u, Side side) { return knots.span_of(u, side); };
+  EXPECT_EQ(knots.spans().size(), 2u);
+  EXPECT_EQ(knots.span_interval(0), (Interval{0, 1}));
+  EXPECT_EQ(knots.span_interval(1), (Interval{1, 3}));
+  EXPECT_EQ(span(1, Side::right), 1);
+  EXPECT_EQ(span(1, Side::left), 0);
+  EXPECT_EQ(span(0, Side::left), 0);
+  EXPECT_EQ(span(3, Side::right), 1);
+}
+
+TEST(KnotVectorBezierMatrix, HasRowsOfAConvexCombination) {
+  Random random(1);
+  for (const Kind& kind : all_kinds(Weights::one)) {
+    const KnotVector knots = random_knots(random, kind.degree, kind.spans, kind.ends);
+    for (std::size_t span = 0; span < knots.spans().size(); ++span) {
+      const auto matrix = knots.bezier_matrix(static_cast<int>(span));
+      const std::size_t order = kind.degree + 1;
+      ASSERT_EQ(matrix.size(), order * order);
+      for (std::size_t row = 0; row < order; ++row) {
+        const auto weights = matrix.subspan(row * order, order);
+        EXPECT_TRUE(std::ranges::all_of(weights, [](double w) { return w >= 0.0 && w <= 1.0; })) << text_of(kind);
+        EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1.0, 1e-14) << text_of(kind);
+      }
+    }
+  }
+}
+
+// Lecture row S13: the matrix 1/6 [1 4 1 0; 0 4 2 0; 0 2 4 0; 0 1 4 1].
+TEST(KnotVectorBezierMatrix, OfTheUniformCubicIsTheOneOfTheLectures) {
+  const auto matrix = KnotVector::uniform(3, 9).bezier_matrix(2);
+  const double expected[] = {1, 4, 1, 0, 0, 4, 2, 0, 0, 2, 4, 0, 0, 1, 4, 1};
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(6 * matrix[i], expected[i], 1e-15) << i;
+}
+
+TEST(KnotVectorEquality, ComparesDegreePeriodicityAndEveryKnot) {
+  const KnotVector knots = KnotVector::make(1, {0, 0, 1, 1});
+  EXPECT_EQ(knots, KnotVector::bezier(1));
+  EXPECT_FALSE(knots == KnotVector::make(2, {0, 0, 1, 1}));
+  EXPECT_FALSE(knots == KnotVector::make(1, {0, 0, 1, std::nextafter(1.0, 2.0)}));
+  EXPECT_FALSE(KnotVector::make(1, {0, 1, 2}, true) == KnotVector::make(1, {0, 1, 2}));
+}
+
+}  // namespace
+}  // namespace splinecore
