@@ -9,5 +9,5 @@ import stage
 stage.begin()
 stage.add('add_teapot', "Teapot", color='clay', resolution_u=16, resolution_v=16)
 stage.ground()
-stage.camera((2.9, -4.6, 2.6), (0.05, 0, 0.72), 50)
+stage.camera((2.4, -4.4, 2.7), (0.1, 0, 0.68), 50)
 stage.finish("teapot")

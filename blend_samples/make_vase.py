@@ -48,13 +48,13 @@ stage.begin()
 sc = stage.splinecore()
 moved = PROFILE.copy()
 moved[MOVED] += BY
-for x, operator, name, make, color in ((-3.2, 'add_bezier_curve', "Bezier of degree 11", bezier, 'clay'),
+for x, operator, name, make, color in ((-4.5, 'add_bezier_curve', "Bezier of degree 11", bezier, 'clay'),
                                        (0.0, 'add_bezier_curve', "Two joined Beziers", two_beziers, 'sea'),
-                                       (3.2, 'add_nurbs_curve', "Cubic B-spline", b_spline, 'moss')):
-    for y, points, suffix in ((1.6, PROFILE, ""), (-1.0, moved, ", moved")):
-        ob = stage.add(operator, name + suffix, (x, y, 0), color=color, resolution_u=48)
+                                       (4.5, 'add_nurbs_curve', "Cubic B-spline", b_spline, 'moss')):
+    for step, points, suffix in ((-1.05, PROFILE, ""), (1.05, moved, ", moved")):
+        ob = stage.add(operator, name + suffix, (x + step, 0, 0), color=color, resolution_u=48)
         ob.data.splinewright.value = make(sc, points)
         revolve(ob)
 stage.ground()
-stage.camera((0, -12.5, 5.2), (0, 0, 1.15), 46)
-stage.finish("vase")
+stage.camera((0, -16.0, 7.0), (0, 0, 1.2), 44)
+stage.finish("vase", size=(1100, 520))

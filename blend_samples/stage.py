@@ -1,7 +1,9 @@
 """What the sample scripts share: an empty scene with light and camera, a ground, saving and rendering."""
 
 import math
+import shutil
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -9,8 +11,8 @@ import bpy
 from mathutils import Vector
 
 PALETTE = {
-    'clay': (0.80, 0.32, 0.17), 'sea': (0.10, 0.36, 0.52), 'moss': (0.24, 0.42, 0.16),
-    'sand': (0.82, 0.66, 0.40), 'plum': (0.38, 0.15, 0.36), 'snow': (0.85, 0.85, 0.83),
+    'clay': (0.72, 0.22, 0.09), 'sea': (0.10, 0.36, 0.52), 'moss': (0.24, 0.42, 0.16),
+    'sand': (0.75, 0.50, 0.18), 'plum': (0.33, 0.10, 0.30), 'snow': (0.62, 0.62, 0.60),
 }
 _rows = []
 _started = time.perf_counter()
@@ -27,10 +29,10 @@ def begin():
     world = bpy.data.worlds.new("Sky")
     world.use_nodes = True
     world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.85, 0.9, 1.0, 1.0)
-    world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.55
+    world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.4
     scene.world = world
     light = bpy.data.lights.new("Sun", 'SUN')
-    light.energy, light.angle = 3.0, math.radians(12)
+    light.energy, light.angle = 1.9, math.radians(12)
     sun = bpy.data.objects.new("Sun", light)
     sun.rotation_euler = (math.radians(48), math.radians(8), math.radians(35))
     scene.collection.objects.link(sun)
@@ -65,7 +67,7 @@ def paint(color):
     return material
 
 
-def ground(height=0.0, size=60.0):
+def ground(height=0.0, size=400.0):
     bpy.ops.mesh.primitive_plane_add(size=size, location=(0, 0, height))
     bpy.context.object.name = "Ground"
     bpy.context.object.data.materials.append(paint('snow'))
@@ -81,34 +83,44 @@ def camera(place, target, lens=50):
     bpy.context.scene.camera = ob
 
 
-def finish(name, samples=48, size=(960, 600)):
+def finish(name, samples=40, size=(960, 600)):
     """Save NAME.blend, render NAME.png, print what was made."""
     output = Path(sys.argv[sys.argv.index('--') + 1])
     scene = bpy.context.scene
     scene.render.engine = 'CYCLES'
     scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = 'CPU', samples, False
     scene.render.resolution_x, scene.render.resolution_y = size
-    scene.render.filepath = str(output / f"{name}.png")
     scene.view_settings.view_transform = 'Standard'
+    for setting in dir(scene.render):       # pictures carry no dates and no paths
+        if setting.startswith('use_stamp_'):
+            setattr(scene.render, setting, False)
     for ob in bpy.context.selected_objects:
         ob.select_set(False)
-    bpy.context.preferences.filepaths.save_version = 0
-    scene.render.filepath = f"//{name}.png"
-    bpy.ops.wm.save_as_mainfile(filepath=str(output / f"{name}.blend"), compress=True, relative_remap=False)
+    _save(output / f"{name}.blend")
     made = time.perf_counter() - _started
     scene.render.filepath = str(output / f"{name}.png")
     bpy.ops.render.render(write_still=True)
     _print_table(name, made, time.perf_counter() - _started - made)
 
 
+def _save(path):
+    """Save by way of a temporary folder, since a file keeps the place it was saved at."""
+    bpy.context.preferences.filepaths.save_version = 0
+    bpy.context.scene.render.filepath = f"//{path.stem}.png"
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder) / path.name
+        bpy.ops.wm.save_as_mainfile(filepath=str(place), compress=True, relative_remap=False, copy=True)
+        shutil.move(place, path)
+
+
 def _print_table(name, made, rendered):
     print(f"\n{name}.blend: made in {made:.2f} s, rendered in {rendered:.1f} s")
-    print(f"  {'object':<26}{'operator':<20}{'pieces':>7}{'points':>8}{'vertices':>10}{'ms':>8}")
+    print(f"  {'object':<28}{'operator':<20}{'pieces':>7}{'points':>8}{'vertices':>10}{'ms':>8}")
     for ob, operator, ms in _rows:
         value = ob.data.splinewright.value
         pieces = len(value) if hasattr(value, '__len__') else 1
         points = sum(item.points.size // 3 for item in value) if isinstance(value, list) else value.points.size // 3
         count = (len(ob.data.vertices) if ob.type == 'MESH'
                  else sum(len(spline.points) for spline in ob.data.splines))
-        print(f"  {ob.name:<26}{operator:<20}{pieces:>7}{points:>8}{count:>10}{ms:>8.1f}")
+        print(f"  {ob.name:<28}{operator:<20}{pieces:>7}{points:>8}{count:>10}{ms:>8.1f}")
     sys.stdout.flush()

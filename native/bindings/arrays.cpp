@@ -31,6 +31,11 @@ std::string short_text(const py::handle& value) {
   return py::len(text) <= 60 ? std::string(text) : std::string(py::str(text[py::slice(0, 57, 1)])) + "...";
 }
 
+[[noreturn]] void refuse_type(const py::handle& value, const char* name, const char* wanted) {
+  throw py::type_error(std::string(name) + " = " + short_text(value) + " must be " + wanted + ", not " +
+                       type_name(value));
+}
+
 bool is_real_number(const py::handle& value) {
   if (PyFloat_Check(value.ptr())) return true;
   if (!PyLong_Check(value.ptr()) || PyBool_Check(value.ptr())) return false;
@@ -129,12 +134,12 @@ Doubles real_array(const py::handle& value, const char* name) {
 int integer(const py::handle& value, const char* name) {
   const bool is_index = PyIndex_Check(value.ptr()) != 0 && !PyBool_Check(value.ptr());
   if (!is_index) {
-    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be an integer, not " + type_name(value));
+    refuse_type(value, name, "an integer");
   }
   const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
   if (!number) {
     PyErr_Clear();
-    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be an integer, not " + type_name(value));
+    refuse_type(value, name, "an integer");
   }
   int overflow = 0;
   const long wide = PyLong_AsLongAndOverflow(number.ptr(), &overflow);
@@ -150,8 +155,8 @@ double real(const py::handle& value, const char* name) {
     throw py::type_error(std::string(name) + " must be one number, not an array of shape " + shape_text(array));
   }
   const double number = *array.data();
-  if (!std::isfinite(number)) throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not finite");
-  return number;
+  if (std::isfinite(number)) return number;
+  throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not finite");
 }
 
 double parameter(const py::handle& value, const splinecore::KnotVector& knots) {
@@ -163,7 +168,7 @@ double parameter(const py::handle& value, const splinecore::KnotVector& knots) {
 bool boolean(const py::handle& value, const char* name) {
   const bool numpy_bool = type_name(value) == "bool_" || type_name(value) == "bool";
   if (!numpy_bool) {
-    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be True or False, not " + type_name(value));
+    refuse_type(value, name, "True or False");
   }
   return py::bool_(py::reinterpret_borrow<py::object>(value));
 }

@@ -121,7 +121,7 @@ void bind_basis(py::module_& module) {
                          "Plain: n + degree + 1 knots for n control points. Periodic: n + 1 knots, one period.\n"
                          "Degree 0 is allowed here, though no curve has it. Raises InvalidShape if a knot\n"
                          "decreases, is not finite or has multiplicity above degree + 1. Lecture rows S14, S15.");
-  refuse_unmade(knot_vector);
+  seal(knot_vector);
   knot_vector
       .def(py::init([](const py::object& degree, const py::object& knots, const py::object& periodic) {
              return KnotVector::make(integer(degree, "degree"), numbers(knots, "knots"), boolean(periodic, "periodic"));
@@ -168,7 +168,7 @@ void bind_basis(py::module_& module) {
   py::class_<BoundSamples> bound_samples(basis, "Samples", py::module_local(),
                            "Where a batch of parameters falls, and with which weights.\n\n"
                            "Computed once, applied to any rows of numbers: points, weights, colours.");
-  refuse_unmade(bound_samples);
+  seal(bound_samples);
   bound_samples
       .def(py::init([](const py::object& knots, const py::object& u, const py::object& order, const py::object& side) {
              if (!py::isinstance<KnotVector>(knots)) {

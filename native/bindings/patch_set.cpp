@@ -186,6 +186,7 @@ void bind_set(py::module_& module) {
                      }
                      all.push_back(*patch);
                    }
+                   if (all.empty()) throw InvalidShape("patches is empty: a set has one or more");
                    return PatchSet::of(all, boolean(merge, "merge"));
                  },
                  py::arg("patches"), py::arg("merge") = true,
@@ -219,7 +220,8 @@ void bind_set(py::module_& module) {
               for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
             }
             return self.with_points(std::move(rows));
-          }, py::arg("points"), py::arg("weights") = py::none(), "The same patches on another pool. Weights are kept unless given; a pool of another size needs them.");
+          }, py::arg("points"), py::arg("weights") = py::none(),
+          "The same patches on another pool. Weights are kept unless given; a pool of another size needs them.");
   cls.def("flipped", [](const PatchSet& self) { return splinecore::flipped(self); },
           "All patches seen from the other side: u and v exchanged.");
   cls.def("edge_counts", &edge_counts,
@@ -252,7 +254,7 @@ void bind_tessellation(py::module_& module) {
       "The mesh of a patch set, resolution (an int or a pair) faces in every span, everything but\n"
       "positions: made once, evaluated for any position of the points. Vertices are shared along common\n"
       "edges, a pole is one vertex, faces are wound along S_u x S_v. Lecture row S22.");
-  refuse_unmade(cls);
+  seal(cls);
   cls.def(py::init([](const py::object& patch_set, const py::object& resolution) {
             const PatchSet& set = set_of(patch_set);
             const auto [u, v] = resolutions_of(resolution);

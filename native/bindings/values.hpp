@@ -32,18 +32,24 @@ py::object wrap(const std::variant<Kinds...>& value) {
   return std::visit([](const auto& shape) { return py::cast(shape); }, value);
 }
 
-/// An object that Shape.__new__ gave and no constructor filled is refused wherever it is used.
+/// Only objects that a constructor of this very module made are taken for a Shape.
+///
+/// Refused are those that Shape.__new__ gave and no constructor filled, and those of another copy of
+/// the module, which may be of another version: pybind11 would hand them over by these attributes.
 template <class Shape>
-void refuse_unmade(py::class_<Shape>& cls) {
+void seal(py::class_<Shape>& cls) {
   auto* type = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(cls.ptr()));
   type->operator_new = [](std::size_t) -> void* { throw py::type_error("the value was not made by its constructor"); };
+  for (const char* door : {PYBIND11_MODULE_LOCAL_ID, "_pybind11_conduit_v1_"}) {
+    if (py::hasattr(cls, door)) py::delattr(cls, door);
+  }
 }
 
 /// Comparison, hash, pickle, copy and text of an immutable value.
 template <class Shape>
 void bind_value(py::class_<Shape>& cls) {
   using splinecore::Value;
-  refuse_unmade(cls);
+  seal(cls);
   cls.def("__eq__", [](const Shape& self, const Shape& other) { return self == other; }, py::is_operator());
   cls.def("__hash__", [](const Shape& self) {
     // Zeros of both signs are equal, so they must have one hash.

@@ -19,12 +19,12 @@ def picture(name):
     return rgb
 
 
-def pick(view, menu, steps_down):
+def pick(view, menu, steps_down, name):
     """Open a menu, whose first entry comes up under the mouse, and choose one by keyboard."""
     with view.override():
         bpy.ops.wm.call_menu(name=menu)
     yield 0.6
-    picture(menu.lower())
+    picture(name)
     for _ in range(steps_down):
         view.press('DOWN_ARROW')
         yield 0.15
@@ -50,7 +50,7 @@ def steps():
     yield 1.0
     empty = picture("empty")
 
-    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", 3)
+    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", 3, "menu")
     ob = bpy.context.object
     assert ob is not None and len(ob.data.splinewright.value) == 32, "the menu entry added no teapot"
     yield from frame(view)
@@ -75,7 +75,7 @@ def steps():
 
     bpy.data.objects["Teapot"].hide_set(True)
     view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height // 2)
-    yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 2)
+    yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 2, "curve-menu")
     ob = bpy.context.object
     assert ob.type == 'CURVE' and ob.data.splinewright.value.degree == 3
     ob.data.bevel_depth = 0.02

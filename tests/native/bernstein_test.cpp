@@ -63,31 +63,5 @@ TEST(Bernstein, IsAPartitionOfUnityAtTheHighestDegree) {
   }
 }
 
-TEST(BernsteinDerivatives, AreThoseOfMonomialsWrittenInBernsteinForm) {
-  // t^k has the Bernstein coefficients C(i, k) / C(n, k).
-  for (const int degree : {1, 2, 3, 5, 9}) {
-    std::vector<double> values(degree + 1);
-    for (int order = 0; order <= degree; ++order) {
-      for (const double t : {0.0, 0.25, 0.7, 1.0}) {
-        bernstein_derivatives(degree, order, t, 1.0 - t, values);
-        for (int k = 0; k <= degree; ++k) {
-          double sum = 0.0;
-          for (int i = k; i <= degree; ++i) sum += values[i] * binomial(i, k) / binomial(degree, k);
-          double expected = k < order ? 0.0 : std::pow(t, k - order);
-          for (int factor = 0; factor < order; ++factor) expected *= k - factor;
-          const double size = std::tgamma(degree + 1.0) * std::exp2(order);
-          EXPECT_NEAR(sum, expected, 1e-15 * size) << degree << " " << order << " " << k << " " << t;
-        }
-      }
-    }
-  }
-}
-
-TEST(BernsteinDerivatives, AboveTheDegreeAreZero) {
-  std::vector<double> values(4, 1.0);
-  bernstein_derivatives(3, 4, 0.3, 0.7, values);
-  EXPECT_EQ(values, std::vector<double>(4, 0.0));
-}
-
 }  // namespace
 }  // namespace splinecore

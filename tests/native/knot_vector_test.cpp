@@ -96,7 +96,7 @@ TEST(KnotVectorAdmit, ClampsFourUlpAndRefusesMore) {
   EXPECT_EQ(knots.admit(2 + 8 * ulp, Side::right), 2.0);
   EXPECT_EQ(knots.admit(1 - 8 * ulp, Side::right), 1.0);
   EXPECT_EQ(refusal([&] { knots.admit(2 + 10 * ulp, Side::right, 7, "v"); }),
-            "v[7] = 2.0000000000000022 is outside the domain [1, 2]");
+            "v[7] = 2.000000000000002 is outside the domain [1, 2]");
   EXPECT_EQ(refusal([&] { knots.admit(kNan, Side::right, 3); }), "u[3] = nan is outside the domain [1, 2]");
 }
 

@@ -1,6 +1,7 @@
 #include "splinecore/basis/samples.hpp"
 
 #include "reference.hpp"
+#include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/functions.hpp"
 #include "support.hpp"
 
@@ -60,6 +61,39 @@ TEST(Samples, WeightsOfADerivativeSumToZero) {
         size += std::abs(weight);
       }
       EXPECT_NEAR(sum, 0.0, 1e-13 * size) << text_of(kind) << " order " << k;
+    }
+  }
+}
+
+TEST(Samples, DifferentiateMonomialsWrittenInBernsteinForm) {
+  // t^m has the Bernstein coefficients C(i, m) / C(n, m).
+  for (const int degree : {1, 2, 3, 5, 9}) {
+    for (const double t : {0.0, 0.25, 0.7, 1.0}) {
+      const Samples samples = Samples::make(KnotVector::bezier(degree), {&t, 1}, degree + 1);
+      for (int k = 0; k <= degree + 1; ++k) {
+        for (int m = 0; m <= degree; ++m) {
+          double sum = 0.0;
+          for (int i = m; i <= degree; ++i) sum += samples.weights(0, k)[i] * binomial(i, m) / binomial(degree, m);
+          double expected = m < k ? 0.0 : std::pow(t, m - k);
+          for (int factor = 0; factor < k; ++factor) expected *= m - factor;
+          const double size = std::tgamma(degree + 1.0) * std::exp2(k);
+          EXPECT_NEAR(sum, expected, 1e-15 * size) << degree << " " << k << " " << m << " " << t;
+        }
+      }
+    }
+  }
+}
+
+TEST(Samples, KeepTheDigitsOfDerivativesInAVeryShortSpan) {
+  const double tiny = 1e-7;
+  const KnotVector knots = KnotVector::make(3, {0, 0, 0, 0, 1, 1 + tiny, 2, 2, 2, 2});
+  const std::vector<Real> t = all_knots(knots);
+  const double u = 1 + 0.3 * tiny;
+  const Samples samples = Samples::make(knots, {&u, 1}, 2);
+  for (int k = 1; k <= 2; ++k) {
+    for (int j = 0; j <= 3; ++j) {
+      const Real expected = derivative(t, samples.first(0) + j, 3, k, u);
+      EXPECT_NEAR(samples.weights(0, k)[j], static_cast<double>(expected), 1e-14) << "order " << k << " " << j;
     }
   }
 }

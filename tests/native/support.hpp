@@ -110,11 +110,13 @@ inline double random_weight(Random& random, Weights weights) {
   return integer(random, 0, 1) == 0 ? 0.0 : -real(random, 0.1, 2.0);
 }
 
-/// The first weight is never zero, so that the points make a shape.
+/// Of two neighbours one has a weight, so that no part of a shape lies at infinity altogether.
 inline std::vector<glm::dvec4> random_points(Random& random, int count, Weights weights) {
   std::vector<glm::dvec4> points;
-  for (int i = 0; i < count; ++i) points.emplace_back(random_vector(random), random_weight(random, weights));
-  if (points[0].w == 0.0) points[0].w = 1.0;
+  for (int i = 0; i < count; ++i) {
+    points.emplace_back(random_vector(random), random_weight(random, weights));
+    if (points[i].w == 0.0 && (i == 0 || points[i - 1].w == 0.0)) points[i].w = 1.0;
+  }
   return points;
 }
 

@@ -95,18 +95,18 @@ def places(node, path=()):
         yield from places(child, (*path, key))
 
 
-def damaged(tree, path, junk):
-    copy = json.loads(json.dumps(tree))
+def changed(tree, path, junk):
+    """The tree with one place replaced, or without it."""
     if not path:
-        return junk
-    node = copy
+        return None if junk is KeyError else junk
+    node = tree = json.loads(json.dumps(tree))
     for key in path[:-1]:
         node = node[key]
     if junk is KeyError:
         del node[path[-1]]
     else:
         node[path[-1]] = junk
-    return copy
+    return tree
 
 
 SMALL = [semicircle(), hermite_chain(), cubic(), closed_cubic(), sc.BezierPatch(np.arange(18).reshape(2, 3, 3)),
@@ -119,6 +119,6 @@ def test_no_change_of_one_place_is_worse_than_invalid_shape(value):
     for path in list(places(tree))[::3]:
         for junk in (None, "x", -1, 1e300, 2**40, True, [], {}, [[]], KeyError):
             try:
-                sc.loads(json.dumps(damaged(tree, path, junk)))
+                sc.loads(json.dumps(changed(tree, path, junk)))
             except sc.InvalidShape as error:
                 assert str(error)

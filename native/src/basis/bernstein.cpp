@@ -1,6 +1,5 @@
 #include "splinecore/basis/bernstein.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace splinecore {
@@ -29,20 +28,6 @@ void bernstein(int degree, double t, double s, std::span<double> out) {
   for (int i = 0; i <= degree; ++i, power *= t) out[i] = choose[i] * power;
   power = s;
   for (int i = degree - 1; i >= 0; --i, power *= s) out[i] *= power;
-}
-
-void bernstein_derivatives(int degree, int order, double t, double s, std::span<double> out) {
-  if (order > degree) {
-    std::fill_n(out.begin(), degree + 1, 0.0);
-    return;
-  }
-  bernstein(degree - order, t, s, out);
-  for (int lower = degree - order; lower < degree; ++lower) {
-    const double factor = lower + 1;
-    out[lower + 1] = factor * out[lower];
-    for (int i = lower; i > 0; --i) out[i] = factor * (out[i - 1] - out[i]);
-    out[0] = -factor * out[0];
-  }
 }
 
 }  // namespace splinecore

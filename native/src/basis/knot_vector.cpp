@@ -171,7 +171,8 @@ double KnotVector::admit(double u, Side side, std::size_t index, const char* nam
   if (u > range.start && u < range.end) return u;
   if (periodic() && std::isfinite(u)) {
     const double period = range.length();
-    double rest = std::fmod(u - range.start, period);
+    // Halves, because the distance itself may overflow.
+    double rest = 2.0 * std::fmod(0.5 * u - 0.5 * range.start, 0.5 * period);
     if (rest < 0.0) rest += period;
     if (rest == 0.0) return side == Side::right ? range.start : range.end;
     return std::min(range.start + rest, range.end);

@@ -5,8 +5,31 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/bernstein.hpp"
+#include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
+
+namespace {
+
+/// From the functions of a lower degree at u up to weights.size() of them, differentiated at each
+/// step. *start is the knot at which the span of u begins. Only steps between knots that a function
+/// covers divide, so a short span costs no digits (The NURBS Book, A2.3).
+void derivative_weights(const double* start, double u, int lower, std::span<double> weights) {
+  const std::vector<double> arguments(lower, u);
+  blossom_weights(start - lower, lower, arguments, weights.data());
+  const int degree = static_cast<int>(weights.size()) - 1;
+  for (int p = lower + 1; p <= degree; ++p) {
+    double carried = 0.0;
+    for (int j = 0; j < p; ++j) {
+      const double slope = p * weights[j] / (start[j + 1] - start[j + 1 - p]);
+      weights[j] = carried - slope;
+      carried = slope;
+    }
+    weights[p] = carried;
+  }
+}
+
+}  // namespace
 
 Stencil::Stencil(const KnotVector& knots, int order)
     : knots_(knots), order_(order), size_(knots.degree() + 1), bernstein_(size_),
@@ -15,21 +38,18 @@ Stencil::Stencil(const KnotVector& knots, int order)
 void Stencil::move_to(double u, Side side) {
   const int degree = static_cast<int>(size_) - 1;
   const int span = knots_.span_of(u, side);
-  const Interval range = knots_.span_interval(span);
-  const double t = (u - range.start) / range.length();
-  const double s = (range.end - u) / range.length();
-  const double* matrix = knots_.bezier_matrix(span).data();
   first_ = knots_.spans()[span] - degree;
+  const Interval range = knots_.span_interval(span);
+  bernstein(degree, (u - range.start) / range.length(), (range.end - u) / range.length(), bernstein_);
+  const double* matrix = knots_.bezier_matrix(span).data();
   std::ranges::fill(weights_, 0.0);
-  double scale = 1.0;
-  for (int k = 0; k <= std::min(order_, degree); ++k, scale /= range.length()) {
-    bernstein_derivatives(degree, k, t, s, bernstein_);
-    double* out = weights_.data() + k * size_;
-    for (std::size_t j = 0; j < size_; ++j) {
-      const double value = bernstein_[j] * scale;
-      if (value == 0.0) continue;
-      for (std::size_t i = 0; i < size_; ++i) out[i] += value * matrix[j * size_ + i];
-    }
+  for (std::size_t j = 0; j < size_; ++j) {
+    if (bernstein_[j] == 0.0) continue;
+    for (std::size_t i = 0; i < size_; ++i) weights_[i] += bernstein_[j] * matrix[j * size_ + i];
+  }
+  const double* start = knots_.unrolled().data() + knots_.spans()[span];
+  for (int k = 1; k <= std::min(order_, degree); ++k) {
+    derivative_weights(start, u, degree - k, {weights_.data() + k * size_, size_});
   }
 }
 

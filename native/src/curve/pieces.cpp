@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
+#include <span>
 #include <vector>
 
 #include "splinecore/basis/samples.hpp"
@@ -48,27 +50,48 @@ void find_zeros(std::vector<double> coefficients, Interval range, double noise, 
   find_zeros(right, {middle, range.end}, noise, zeros);
 }
 
-std::vector<double> span_weights(const NurbsCurve& curve, int span) {
+/// The homogeneous points that the curve depends on in a span.
+std::span<const glm::dvec4> span_points(const NurbsCurve& curve, int span) {
   const KnotVector& knots = curve.knot_vector();
-  const auto matrix = knots.bezier_matrix(span);
-  const int order = knots.degree() + 1;
-  const glm::dvec4* points = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
-  std::vector<double> weights(order);
-  for (int j = 0; j < order; ++j) {
-    for (int i = 0; i < order; ++i) weights[j] += matrix[j * order + i] * points[i].w;
+  return curve.homogeneous_points().subspan(knots.spans()[span] - knots.degree(), knots.degree() + 1);
+}
+
+std::vector<double> span_weights(const NurbsCurve& curve, int span) {
+  const auto matrix = curve.knot_vector().bezier_matrix(span);
+  const auto points = span_points(curve, span);
+  std::vector<double> weights(points.size());
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    for (std::size_t i = 0; i < points.size(); ++i) weights[j] += matrix[j * points.size() + i] * points[i].w;
   }
   return weights;
+}
+
+/// What rounding may leave of a weight that is zero. Nothing where all weights have one sign:
+/// then no digits cancel.
+double weight_noise(const NurbsCurve& curve, int span) {
+  const auto points = span_points(curve, span);
+  const auto [low, high] = std::ranges::minmax(points | std::views::transform(&glm::dvec4::w));
+  if (low >= 0.0 || high <= 0.0) return 0.0;
+  return 4.0 * static_cast<double>(points.size()) * kEpsilon * std::max(-low, high);
+}
+
+/// Around a root the weight is noise on a short stretch: that is one point at infinity.
+Interval narrowed(Interval zero, Interval span) {
+  constexpr double kShort = 1e-6;
+  if (zero.length() >= kShort * span.length()) return zero;
+  const double root = zero.start == span.start ? span.start : zero.end == span.end ? span.end : zero.middle();
+  return {root, root};
 }
 
 Zeros zeros_of_weight(const NurbsCurve& curve) {
   Zeros zeros;
   if (!curve.rational()) return zeros;
-  double largest = 0.0;
-  for (const glm::dvec4& p : curve.points()) largest = std::max(largest, std::abs(p.w));
-  const double noise = 4.0 * (curve.degree() + 1) * kEpsilon * largest;
   const KnotVector& knots = curve.knot_vector();
   for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
-    find_zeros(span_weights(curve, i), knots.span_interval(i), noise, zeros);
+    const Interval span = knots.span_interval(i);
+    Zeros found;
+    find_zeros(span_weights(curve, i), span, weight_noise(curve, i), found);
+    for (const Interval& zero : found) zeros.push_back(narrowed(zero, span));
   }
   return zeros;
 }
@@ -85,21 +108,21 @@ std::vector<double> gaps(const KnotVector& knots) {
 
 }  // namespace
 
+bool is_at_infinity(const NurbsCurve& curve, double u, Side side) {
+  if (!curve.rational()) return false;
+  const Samples at = Samples::make(curve.knot_vector(), {&u, 1}, 0, side);
+  const double w = weighted_sum(at.weights(0), curve.homogeneous_points().data() + at.first(0)).w;
+  return std::abs(w) <= weight_noise(curve, curve.knot_vector().span_of(at.parameter(0), side));
+}
+
 std::vector<Interval> pieces(const NurbsCurve& curve) {
   Zeros cuts = zeros_of_weight(curve);
   for (const double u : gaps(curve.knot_vector())) cuts.push_back({u, u});
   std::ranges::sort(cuts, {}, &Interval::start);
   const Interval range = curve.domain();
-  // Around a root the weight is noise on a short stretch: that is one point at infinity.
-  constexpr double kShort = 1e-6;
   std::vector<Interval> found;
   double start = range.start;
-  for (Interval cut : cuts) {
-    if (cut.length() < kShort * range.length()) {
-      const bool at_start = cut.start == range.start;
-      const bool at_end = cut.end == range.end;
-      cut.start = cut.end = at_start ? range.start : at_end ? range.end : cut.middle();
-    }
+  for (const Interval& cut : cuts) {
     if (cut.start > start) found.push_back({start, cut.start});
     start = std::max(start, cut.end);
   }

@@ -1,6 +1,7 @@
 #include "splinecore/tessellate/polyline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "splinecore/base/errors.hpp"
@@ -24,32 +25,38 @@ std::vector<double> parameters_of(const KnotVector& knots, Interval piece, int r
   return parameters;
 }
 
-/// Whether a piece ends in a finite point. Ends inside the domain are poles or gaps.
-bool is_finite_at(const NurbsCurve& curve, double u, Side side) {
+/// Whether the end of a piece is a finite point. Ends inside the domain are poles or gaps.
+bool is_finite_end(const NurbsCurve& curve, double u) {
   const Interval range = curve.domain();
   const bool inside = u > range.start && u < range.end;
-  if (inside && multiplicity(curve.knot_vector(), u) <= curve.degree()) return false;
-  glm::dvec4 h;
-  evaluate_homogeneous(curve, {&u, 1}, {&h, 1}, side);
-  return h.w != 0.0;
+  return !inside || multiplicity(curve.knot_vector(), u) > curve.degree();
 }
 
-/// The samples of one piece, without an end that lies at infinity.
+void append_finite(const NurbsCurve& curve, const std::vector<double>& parameters, Side side,
+                   std::vector<double>& points) {
+  std::vector<double> all(3 * parameters.size());
+  evaluate(curve, parameters, std::span(all), {side, AtInfinity::nan});
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (std::isnan(all[3 * i]) || is_at_infinity(curve, parameters[i], side)) continue;
+    points.insert(points.end(), all.begin() + 3 * i, all.begin() + 3 * i + 3);
+  }
+}
+
+/// The samples of one piece that are finite.
 std::vector<double> piece_points(const NurbsCurve& curve, Interval piece, int resolution) {
   std::vector<double> parameters = parameters_of(curve.knot_vector(), piece, resolution);
-  if (!is_finite_at(curve, piece.start, Side::right)) parameters.erase(parameters.begin());
+  if (!is_finite_end(curve, piece.start)) parameters.erase(parameters.begin());
   parameters.pop_back();
-  const std::size_t inner = 3 * parameters.size();
-  const bool has_end = is_finite_at(curve, piece.end, Side::left);
-  std::vector<double> points(inner + (has_end ? 3 : 0));
-  evaluate(curve, parameters, std::span(points).first(inner));
-  if (has_end) evaluate(curve, {&piece.end, 1}, std::span(points).last(3), {.side = Side::left});
+  std::vector<double> points;
+  append_finite(curve, parameters, Side::right, points);
+  if (is_finite_end(curve, piece.end)) append_finite(curve, {piece.end}, Side::left, points);
   return points;
 }
 
 /// Whether a curve in one piece returns to where it began.
 bool is_closed(const NurbsCurve& curve, const std::vector<double>& points) {
   const double start = curve.domain().start;
+  if (is_at_infinity(curve, start, Side::right)) return false;
   if (curve.periodic()) return multiplicity(curve.knot_vector(), start) <= curve.degree();
   return points.size() > 6 && std::equal(points.begin(), points.begin() + 3, points.end() - 3);
 }

@@ -17,7 +17,4 @@ double binomial(int n, int k);
 /// times degree ulp, at any degree (lecture row S6).
 void bernstein(int degree, double t, double s, std::span<double> out);
 
-/// Their derivatives of the given order with respect to t; zero above the degree.
-void bernstein_derivatives(int degree, int order, double t, double s, std::span<double> out);
-
 }  // namespace splinecore

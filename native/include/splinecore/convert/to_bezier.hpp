@@ -8,6 +8,7 @@
 namespace splinecore {
 
 /// One Bezier curve for each span of positive length, in order (blossoms; The NURBS Book, A5.6).
+/// @throws InvalidShape if a span lies at infinity altogether.
 std::vector<BezierCurve> to_bezier(const NurbsCurve& curve);
 
 /// The Bezier patches of a NURBS patch, row after row of count_v.

@@ -61,7 +61,8 @@ NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted);
 NurbsCurve insert_knot(const NurbsCurve& curve, double u, int times = 1);
 
 /// The pieces before and after u, each on its part of the domain.
-/// @throws InvalidShape if u is not strictly inside the domain, or the curve is periodic.
+/// @throws InvalidShape if u is not strictly inside the domain, the curve is periodic, or a piece
+///         would lie at infinity altogether.
 std::pair<NurbsCurve, NurbsCurve> split(const NurbsCurve& curve, double u);
 
 /// A periodic curve cut at u: a plain one over one period, clamped at both ends.
@@ -77,5 +78,8 @@ NurbsCurve reversed(const NurbsCurve& curve);
 /// The intervals of the domain, in order, on which the curve is finite and in one piece: it is
 /// cut where the weight is zero and at knots of multiplicity degree + 1. Ends may be at infinity.
 std::vector<Interval> pieces(const NurbsCurve& curve);
+
+/// Whether the weight at u is zero, up to rounding.
+bool is_at_infinity(const NurbsCurve& curve, double u, Side side);
 
 }  // namespace splinecore

@@ -1,0 +1,118 @@
+"""The rooms, and the arrows allowed between them. Reads every include and import."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+PROJECT = Path(__file__).resolve().parents[2]
+NATIVE = PROJECT / "native"
+ADDON = PROJECT / "addon" / "splinewright"
+
+# A native room may use itself and these.
+NATIVE_ARROWS = {
+    'base': set(),
+    'basis': {'base'},
+    'curve': {'base', 'basis'},
+    'patch': {'base', 'basis'},
+    'convert': {'base', 'basis', 'curve', 'patch'},
+    'tessellate': {'base', 'basis', 'curve', 'patch'},
+    'exchange': {'base', 'basis', 'curve', 'patch'},
+}
+# A room of the add-on may import itself and these.
+ADDON_ARROWS = {'core': set(), 'bridge': {'core'}, 'ui': {'core', 'bridge'}}
+
+
+def native_files():
+    for folder in (NATIVE / "include" / "splinecore", NATIVE / "src"):
+        for path in sorted(folder.rglob("*.?pp")):
+            yield path.relative_to(folder).parts[0], path
+
+
+def addon_files():
+    for room in ADDON_ARROWS:
+        for path in sorted((ADDON / room).rglob("*.py")):
+            yield room, path
+
+
+def imports(path):
+    """(module, level) of every import in a file."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, 0) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            if node.module:
+                yield node.module, node.level
+            else:
+                yield from ((alias.name, node.level) for alias in node.names)
+
+
+def room_of_import(path, module, level):
+    """The room of the add-on that a relative import leads to, or None."""
+    folder = path.parent
+    for _ in range(level - 1):
+        folder = folder.parent
+    target = (folder / module.replace('.', '/')).relative_to(ADDON)
+    return target.parts[0] if target.parts and target.parts[0] in ADDON_ARROWS else None
+
+
+def test_every_native_room_is_known():
+    assert {room for room, _ in native_files()} == set(NATIVE_ARROWS)
+
+
+@pytest.mark.parametrize('room', NATIVE_ARROWS)
+def test_a_native_room_includes_only_rooms_above_it(room):
+    files = [path for name, path in native_files() if name == room]
+    assert files
+    for path in files:
+        for included in re.findall(r'#include "splinecore/(\w+)/', path.read_text()):
+            assert included == room or included in NATIVE_ARROWS[room], f"{path} includes {included}"
+
+
+def test_the_library_knows_neither_python_nor_blender():
+    for _, path in native_files():
+        assert not re.search(r'pybind11|Python\.h|numpy', path.read_text()), path
+
+
+def test_bindings_hold_no_geometry():
+    for path in (NATIVE / "bindings").glob("*.?pp"):
+        assert not re.search(r'glm::(cross|dot|normalize|length)', path.read_text()), path
+
+
+@pytest.mark.parametrize('room', ADDON_ARROWS)
+def test_a_room_of_the_addon_imports_only_rooms_below_it(room):
+    files = [path for name, path in addon_files() if name == room]
+    assert files
+    for path in files:
+        for module, level in imports(path):
+            if level:
+                target = room_of_import(path, module, level)
+                assert target in (None, room) or target in ADDON_ARROWS[room], f"{path} imports {target}"
+
+
+def test_core_knows_no_blender():
+    for room, path in addon_files():
+        if room == 'core':
+            assert not {'bpy', 'mathutils', 'bmesh'} & {module.split('.')[0] for module, _ in imports(path)}, path
+
+
+def test_the_addon_reaches_the_library_through_one_file_only():
+    for _, path in addon_files():
+        text = path.read_text()
+        if path.name != "library.py":
+            assert 'import splinecore' not in text and '.splinecore' not in text, path
+
+
+def test_the_addon_imports_itself_relatively_and_touches_no_search_path():
+    for _, path in addon_files():
+        text = path.read_text()
+        assert 'sys.path' not in text and 'sys.modules' not in text, path
+        assert not any(module.split('.')[0] == 'splinewright' for module, level in imports(path) if not level), path
+        assert not re.search(r'\b(eval|exec)\(', text), path
+
+
+def test_no_file_is_longer_than_500_lines():
+    for pattern in ("native/**/*.?pp", "addon/**/*.py", "tests/**/*.py", "tests/**/*.?pp", "blend_samples/*.py"):
+        for path in PROJECT.glob(pattern):
+            assert len(path.read_text().splitlines()) <= 500, path

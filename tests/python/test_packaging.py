@@ -1,0 +1,200 @@
+"""The library and its module, installed: a wheel, a CMake package, two copies in one process."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import textwrap
+
+import pytest
+
+import splinecore as sc
+
+NATIVE = pathlib.Path(__file__).resolve().parents[2] / "native"
+PACKAGE = pathlib.Path(sc.__file__).resolve().parent
+
+
+def run(*command, **more):
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"} | more.pop("env", {})
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, env=environment, timeout=600, **more)
+    return done.returncode, done.stdout + done.stderr
+
+
+def must(*command, **more):
+    code, output = run(*command, **more)
+    assert code == 0, output
+    return output
+
+
+def version_of_cmake():
+    return re.search(r"project\(splinecore VERSION ([0-9.]+)", (NATIVE / "CMakeLists.txt").read_text())[1]
+
+
+def test_the_version_is_the_one_of_cmake():
+    assert sc.__version__ == version_of_cmake()
+
+
+def test_the_module_exports_nothing_but_its_entry():
+    if not shutil.which("nm"):
+        pytest.skip("nm is not installed")
+    (library,) = PACKAGE.glob("_splinecore*.so")
+    symbols = must("nm", "-D", "--defined-only", "--extern-only", library).split("\n")
+    assert [line.split()[-1] for line in symbols if line] == ["PyInit__splinecore"]
+
+
+WHEEL_USE = """
+import importlib.metadata, pathlib, pickle, sys
+import splinecore as sc
+arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], [1, 0.5**0.5, 1])
+assert abs((arc.evaluate(0.3) ** 2).sum() - 1) < 1e-15
+assert pickle.loads(pickle.dumps(arc)) == sc.loads(arc.dumps()) == arc
+folder = pathlib.Path(sc.__file__).parent
+assert str(folder).startswith(sys.prefix), folder
+assert {"__init__.pyi", "basis.pyi", "py.typed"} <= {path.name for path in folder.iterdir()}
+meta = importlib.metadata.metadata("splinecore")
+assert sc.__version__ == meta["Version"], meta["Version"]
+assert "GPL-3.0-or-later" in (meta["License-Expression"], meta["License"])
+assert any(path.name == "LICENSE" for path in importlib.metadata.files("splinecore"))
+print(sc.__version__)
+"""
+
+
+def test_pip_install_gives_a_package_that_works_in_a_plain_python(tmp_path):
+    code, output = run(sys.executable, "-m", "venv", tmp_path / "venv")
+    if code:
+        pytest.skip(f"venv does not work here: {output[-200:]}")
+    python = tmp_path / "venv/bin/python"
+    code, output = run(python, "-m", "pip", "--retries", "1", "--timeout", "15", "download", "--no-deps", "-q",
+                       "-d", tmp_path / "download", "scikit-build-core")
+    if code:
+        pytest.skip(f"PyPI cannot be reached, so there is no scikit-build-core: {output[-200:]}")
+    must(python, "-m", "pip", "install", "-q", NATIVE)
+    assert must(python, "-c", WHEEL_USE, cwd=tmp_path).strip() == version_of_cmake()
+
+
+MAIN = """
+#include <cstdio>
+#include <splinecore/curve/bezier_curve.hpp>
+#include <splinecore/curve/evaluate.hpp>
+
+int main() {
+  const auto curve = splinecore::BezierCurve::make({{1, 0, 0, 1}, {0, 1, 0, 0}, {-1, 0, 0, 1}});
+  const double u = 0.5;
+  double point[3];
+  splinecore::evaluate(curve.nurbs(), {&u, 1}, point);
+  std::printf("%g %g %g", point[0], point[1], point[2]);
+}
+"""
+
+PROJECT = """
+cmake_minimum_required(VERSION 3.22)
+project(use LANGUAGES CXX)
+find_package(splinecore {version} REQUIRED)
+add_executable(use main.cpp)
+target_link_libraries(use PRIVATE splinecore::splinecore)
+"""
+
+
+def installed(prefix, scratch):
+    """The library, from the build that the module came from or else from one of its own."""
+    build = PACKAGE.parents[1]
+    if (build / "native/cmake_install.cmake").exists():
+        must("cmake", "--build", build, "--target", "splinecore")
+        build = build / "native"
+    else:
+        build = scratch
+        must("cmake", "-S", NATIVE, "-B", build, "-DSPLINECORE_PYTHON=OFF", "-DCMAKE_BUILD_TYPE=Debug")
+        must("cmake", "--build", build, "--parallel", os.cpu_count() or 1)
+    must("cmake", "--install", build, "--prefix", prefix)
+
+
+needs_cmake = pytest.mark.skipif(not shutil.which("cmake"), reason="cmake is not installed")
+
+
+@needs_cmake
+def test_find_package_gives_the_library_to_another_project(tmp_path):
+    installed(tmp_path / "prefix", tmp_path / "library")
+    use = tmp_path / "use"
+    use.mkdir()
+    (use / "CMakeLists.txt").write_text(PROJECT.format(version=version_of_cmake()))
+    (use / "main.cpp").write_text(MAIN)
+    must("cmake", "-S", use, "-B", use / "build", f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}")
+    must("cmake", "--build", use / "build")
+    assert must(use / "build/use").strip() == "0 1 0"
+
+
+@needs_cmake
+def test_the_library_is_configured_without_python(tmp_path):
+    must("cmake", "-S", NATIVE, "-B", tmp_path, "-DSPLINECORE_PYTHON=OFF")
+    cache = (tmp_path / "CMakeCache.txt").read_text()
+    assert "pybind11_DIR" not in cache and "Python_EXECUTABLE" not in cache
+
+
+TWO_COPIES = """
+import pickle, threading
+import numpy as np
+import splinecore as one
+from someaddon import splinecore as other
+
+assert one._splinecore.__file__ != other._splinecore.__file__
+assert other.NurbsCurve.__module__ == "someaddon.splinecore"
+assert other.basis.KnotVector.__module__ == "someaddon.splinecore.basis"
+for name in one.__all__:
+    assert getattr(one, name) is not getattr(other, name), name
+
+points = np.random.default_rng(0).random((4, 4, 3))
+pair = [copy.BezierPatch(points) for copy in (one, other)]
+u = np.linspace(0, 1, 200)
+assert np.array_equal(*(patch.evaluate_grid(u, u) for patch in pair))
+assert pair[0] != pair[1] and pair[0].dumps() == pair[1].dumps()
+
+for copy, stranger, value, foreign in [(one, other, *pair), (other, one, *pair[::-1])]:
+    assert isinstance(value, copy.BezierPatch) and not isinstance(value, stranger.BezierPatch)
+    again = pickle.loads(pickle.dumps(value))
+    assert again == value and type(again) is copy.BezierPatch
+    assert copy.loads(foreign.dumps()) == value
+    for call in (lambda: copy.dumps(foreign), lambda: copy.PatchSet.from_patches([foreign]),
+                 lambda: copy.BezierPatch.evaluate(foreign, 0, 0),
+                 lambda: copy.basis.Samples(foreign.to_nurbs().knot_vectors[0], [0])):
+        try:
+            call()
+        except TypeError:
+            pass
+        else:
+            raise AssertionError("a value of the other copy was taken")
+    cases = [("InvalidShape", lambda: value.evaluate(7, 7)),
+             ("PointAtInfinity", lambda: copy.BezierCurve([(0, 0), (1, 1)], [1, -1]).evaluate(0.5)),
+             ("Cancelled", lambda: value.evaluate(u, u, cancel=lambda: True))]
+    for name, call in cases:
+        try:
+            call()
+        except getattr(stranger, name):
+            raise AssertionError(name + " is the other copy's")
+        except getattr(copy, name):
+            pass
+
+wrong = []
+def work(patch):
+    expected = patch.evaluate_grid(u, u)
+    wrong.extend(i for i in range(20) if not np.array_equal(patch.evaluate_grid(u, u), expected))
+threads = [threading.Thread(target=work, args=(patch,)) for patch in pair * 2]
+[thread.start() for thread in threads], [thread.join() for thread in threads]
+assert not wrong
+print("both live")
+"""
+
+
+def test_two_copies_live_in_one_process(tmp_path):
+    addon = tmp_path / "someaddon"
+    shutil.copytree(PACKAGE, addon / "splinecore")
+    (addon / "__init__.py").write_text("")
+    script = tmp_path / "two_copies.py"
+    script.write_text(textwrap.dedent(TWO_COPIES))
+    path = os.pathsep.join([str(PACKAGE.parent), str(tmp_path)])
+    assert must(sys.executable, script, env={"PYTHONPATH": path}).strip() == "both live"
+    swapped = script.read_text().replace("import splinecore as one\nfrom someaddon import splinecore as other",
+                                         "from someaddon import splinecore as other\nimport splinecore as one")
+    script.write_text(swapped)
+    assert must(sys.executable, script, env={"PYTHONPATH": path}).strip() == "both live"
