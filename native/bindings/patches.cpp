@@ -92,10 +92,7 @@ py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::objec
   shape.push_back(3);
   const Output output(shape, out, dtype);
   const PatchOptions options = options_of(side, at_infinity);
-  const auto heeding = [&](auto work) {
-    in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, work);
-  };
-  heeding([&](std::size_t begin, std::size_t end) {
+  const auto work = [&](std::size_t begin, std::size_t end) {
     const std::size_t first = 3 * begin;
     const std::size_t count = 3 * (end - begin);
     if (output.single()) {
@@ -103,7 +100,8 @@ py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::objec
     } else {
       splinecore::evaluate(patch, pairs.us(begin, end), pairs.vs(begin, end), output.doubles(first, count), options);
     }
-  });
+  };
+  in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, work);
   return output.array();
 }
 
@@ -117,13 +115,11 @@ py::array derivatives(const NurbsPatch& patch, const py::object& u, const py::ob
   const Output output(shape, py::none(), py::none());
   const PatchOptions options = options_of(side, at_infinity);
   const std::size_t row = 3 * (highest + 1) * (highest + 1);
-  const auto heeding = [&](auto work) {
-    in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, work);
-  };
-  heeding([&](std::size_t begin, std::size_t end) {
+  const auto work = [&](std::size_t begin, std::size_t end) {
     splinecore::derivatives(patch, pairs.us(begin, end), pairs.vs(begin, end), highest,
                             output.doubles(row * begin, row * (end - begin)), options);
-  });
+  };
+  in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, work);
   return output.array();
 }
 

@@ -88,7 +88,6 @@ TEST(ToHermite, KeepsCurvesUpToDegreeThree) {
     const double weight = round % 2 == 0 ? 1.0 : 0.3;
     for (glm::dvec4& p : points) p.w = weight;
     const NurbsCurve curve = NurbsCurve::make(knots, points);
-    for(double k: knots.knots()) printf("%g ",k); printf(" deg %d per %d\n",degree,knots.periodic()); fflush(stdout);
     const HermiteCurve chain = to_hermite(curve);
     for (const double u : random_parameters(random, curve.domain(), 10)) {
       EXPECT_LE(largest(point_at(chain.nurbs(), u) - point_at(curve, u)), 1e-12 * size_of(curve) / weight);
@@ -133,6 +132,23 @@ TEST(ToHermite, KeepsPatchesUpToDegreeThreeThatAreSmooth) {
         EXPECT_LE(largest(point_at(grid.nurbs(), u, v) - point_at(patch, u, v)), 1e-12 * size_of(patch));
       }
     }
+  }
+}
+
+TEST(ToHermite, GivesAHermitePatchBackFromItsNurbsForm) {
+  Random random(98);
+  HermiteNet net;
+  for (auto* list : {&net.points, &net.tangents_u, &net.tangents_v, &net.twists}) {
+    for (int i = 0; i < 9; ++i) list->push_back(random_vector(random) + glm::dvec3(1e3, 0, 0));
+  }
+  const HermitePatch patch = HermitePatch::make(3, 3, net, {0, 0.001, 2}, {1, 1.5, 7});
+  const HermitePatch back = to_hermite(patch.nurbs());
+  EXPECT_TRUE(std::ranges::equal(back.parameters(Axis::u), patch.parameters(Axis::u)));
+  EXPECT_TRUE(std::ranges::equal(back.parameters(Axis::v), patch.parameters(Axis::v)));
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_EQ(back.net().points[i], net.points[i]);
+    EXPECT_LE(largest(back.net().tangents_u[i] - net.tangents_u[i]), 1e-8);
+    EXPECT_LE(largest(back.net().twists[i] - net.twists[i]), 1e-7);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "span_cursor.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -12,24 +13,20 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Calls visit(i, u, stencil) for every parameter.
+/// Calls visit(i, u, homogeneous point) for every parameter.
 template <class Visit>
-void for_each_stencil(const NurbsCurve& curve, std::span<const double> parameters, int order,
-                      Side side, Visit visit) {
-  Stencil stencil(curve.knot_vector(), order);
+void for_each_point(const NurbsCurve& curve, std::span<const double> parameters, Side side, Visit visit) {
+  SpanCursor cursor(curve);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double u = curve.knot_vector().admit(parameters[i], side, i);
-    stencil.move_to(u, side);
-    visit(i, u, stencil);
+    visit(i, u, cursor.at(u, side));
   }
 }
 
 template <class Real>
 void evaluate_into(const NurbsCurve& curve, std::span<const double> parameters, std::span<Real> out,
                    EvaluateOptions options) {
-  const glm::dvec4* points = curve.homogeneous_points().data();
-  for_each_stencil(curve, parameters, 0, options.side, [&](std::size_t i, double u, const Stencil& at) {
-    const glm::dvec4 h = weighted_sum(at.weights(0), points + at.first());
+  for_each_point(curve, parameters, options.side, [&](std::size_t i, double u, const glm::dvec4& h) {
     glm::dvec3 point = curve.rational() ? project(h) : glm::dvec3(h);
     if (!is_finite(point)) {
       if (options.at_infinity == AtInfinity::raise) throw PointAtInfinity(u);
@@ -57,7 +54,10 @@ void derivatives(const NurbsCurve& curve, std::span<const double> parameters, in
   const glm::dvec4* points = curve.homogeneous_points().data();
   std::vector<glm::dvec4> homogeneous(order + 1);
   std::vector<glm::dvec3> values(order + 1);
-  for_each_stencil(curve, parameters, order, options.side, [&](std::size_t i, double u, const Stencil& at) {
+  Stencil at(curve.knot_vector(), order);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double u = curve.knot_vector().admit(parameters[i], options.side, i);
+    at.move_to(u, options.side);
     for (int k = 0; k <= order; ++k) {
       homogeneous[k] = weighted_sum(at.weights(k), points + at.first());
     }
@@ -73,15 +73,12 @@ void derivatives(const NurbsCurve& curve, std::span<const double> parameters, in
       }
       for (int axis = 0; axis < 3; ++axis) out[3 * (i * (order + 1) + k) + axis] = values[k][axis];
     }
-  });
+  }
 }
 
 void evaluate_homogeneous(const NurbsCurve& curve, std::span<const double> parameters,
                           std::span<glm::dvec4> out, Side side) {
-  const glm::dvec4* points = curve.homogeneous_points().data();
-  for_each_stencil(curve, parameters, 0, side, [&](std::size_t i, double, const Stencil& at) {
-    out[i] = weighted_sum(at.weights(0), points + at.first());
-  });
+  for_each_point(curve, parameters, side, [&](std::size_t i, double, const glm::dvec4& h) { out[i] = h; });
 }
 
 }  // namespace splinecore

@@ -1,0 +1,153 @@
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "support.hpp"
+
+namespace splinecore {
+namespace {
+
+using namespace testing;
+
+constexpr double kHalfRoot = std::numbers::sqrt2 / 2;
+
+glm::dvec3 normal_at(const NurbsPatch& patch, double u, double v, PatchOptions options = {}) {
+  glm::dvec3 point, normal;
+  evaluate_grid_with_normals(patch, {&u, 1}, {&v, 1}, std::span(&point.x, 3), std::span(&normal.x, 3), options);
+  return normal;
+}
+
+NurbsPatch bezier(int degree_u, int degree_v, std::vector<glm::dvec4> points) {
+  return NurbsPatch::make(KnotVector::bezier(degree_u), KnotVector::bezier(degree_v), std::move(points));
+}
+
+/// A point (radius, height, weight) of a profile turned by a quarter about the z axis.
+std::vector<glm::dvec4> turned(const std::vector<glm::dvec3>& profile) {
+  std::vector<glm::dvec4> net;
+  for (const glm::dvec3& p : profile) {
+    net.insert(net.end(), {{p.x, 0, p.y, p.z}, {p.x, p.x, p.y, p.z * kHalfRoot}, {0, p.x, p.y, p.z}});
+  }
+  return net;
+}
+
+TEST(PatchNormals, OfRandomPatchesAreUnitVectorsAlongTheCrossProduct) {
+  Random random(110);
+  for (int round = 0; round < 200; ++round) {
+    const NurbsPatch patch = random_patch(random, Weights::positive);
+    const double u = random_parameters(random, patch.knot_vector(Axis::u).domain(), 1)[0];
+    const double v = random_parameters(random, patch.knot_vector(Axis::v).domain(), 1)[0];
+    glm::dvec3 values[4];
+    derivatives(patch, {&u, 1}, {&v, 1}, 1, {&values[0].x, 12});
+    const glm::dvec3 expected = glm::cross(values[2], values[1]);
+    if (glm::length(expected) < 1e-6 * glm::length(values[1]) * glm::length(values[2])) continue;
+    EXPECT_LE(largest(normal_at(patch, u, v) - glm::normalize(expected)), 1e-7) << round;
+    EXPECT_NEAR(glm::length(normal_at(patch, u, v)), 1.0, 1e-14);
+  }
+}
+
+TEST(PatchNormals, OfASphereOctantPointToItsCentreAlsoAtThePole) {
+  // u runs north and v runs east, so S_u x S_v points inwards.
+  const NurbsPatch octant = bezier(2, 2, turned({{1, 0, 1}, {1, 1, kHalfRoot}, {0, 1, 1}}));
+  for (int i = 0; i <= 16; ++i) {
+    for (int j = 0; j <= 16; ++j) {
+      const double u = i / 16.0, v = j / 16.0;
+      EXPECT_LE(largest(normal_at(octant, u, v) + point_at(octant, u, v)), 1e-12) << u << " " << v;
+    }
+  }
+}
+
+TEST(PatchNormals, NearAPoleAgreeWithThoseAtThePole) {
+  const NurbsPatch octant = bezier(2, 2, turned({{0, 1, 1}, {1, 1, kHalfRoot}, {1, 0, 1}}));
+  for (const double u : {0.0, 1e-300, 1e-20, 1e-14, 1e-12, 1e-10, 1e-8}) {
+    EXPECT_LE(largest(normal_at(octant, u, 0.3) - glm::dvec3(0, 0, 1)), 2e-8 + 2 * u) << u;
+  }
+}
+
+TEST(PatchNormals, AtTheKnobOfALidPointUp) {
+  // A bicubic Bezier patch whose first row is one point and whose second row lies level with it.
+  const double k = 4.0 / 3 * (std::numbers::sqrt2 - 1);
+  std::vector<glm::dvec4> net;
+  for (const auto& [radius, height] : {std::pair{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.7}, {0.2, 2.55}}) {
+    net.insert(net.end(), {{radius, 0, height, 1}, {radius, k * radius, height, 1}, {k * radius, radius, height, 1}, {0, radius, height, 1}});
+  }
+  const NurbsPatch lid = bezier(3, 3, net);
+  for (int j = 0; j <= 8; ++j) EXPECT_LE(largest(normal_at(lid, 0, j / 8.0) - glm::dvec3(0, 0, 1)), 1e-12) << j;
+  // The same edge at each of the other sides; the pole keeps the orientation of the faces.
+  const auto [u, v] = std::pair{Axis::u, Axis::v};
+  EXPECT_LE(largest(normal_at(reversed(lid, u), 1, 0.4) + glm::dvec3(0, 0, 1)), 1e-12);
+  EXPECT_LE(largest(normal_at(swapped(lid), 0.4, 0) + glm::dvec3(0, 0, 1)), 1e-12);
+  EXPECT_LE(largest(normal_at(reversed(swapped(lid), v), 0.4, 1) - glm::dvec3(0, 0, 1)), 1e-12);
+}
+
+TEST(PatchNormals, AtTheApexOfAConeAreThoseOfTheRuling) {
+  const NurbsPatch cone = bezier(1, 2, turned({{0, 1, 1}, {1, 0, 1}}));
+  for (int j = 0; j <= 8; ++j) {
+    const double v = j / 8.0;
+    EXPECT_LE(largest(normal_at(cone, 0, v) - normal_at(cone, 1, v)), 1e-12) << v;
+    EXPECT_LE(largest(normal_at(reversed(cone, Axis::u), 1, v) + normal_at(cone, 1, v)), 1e-12) << v;
+  }
+}
+
+TEST(PatchNormals, AtAnInnerApexAreTheLimitOfTheSideAskedFor) {
+  // Two cones that meet in their common apex at u = 1.
+  const NurbsPatch cones =
+      NurbsPatch::make(KnotVector::clamped(1, 3), KnotVector::bezier(2), turned({{1, -1, 1}, {0, 0, 1}, {1, 1, 1}}));
+  for (const double v : {0.0, 0.5, 1.0}) {
+    EXPECT_LE(largest(normal_at(cones, 1, v, {.side_u = Side::left}) - normal_at(cones, 0.5, v)), 1e-12) << v;
+    EXPECT_LE(largest(normal_at(cones, 1, v, {.side_u = Side::right}) - normal_at(cones, 1.5, v)), 1e-12) << v;
+  }
+}
+
+TEST(PatchNormals, WhereTwoAdjacentEdgesHaveCollapsedAreTheLimitFromInside) {
+  // S = (u v, u v^2, 0) has S_u x S_v = (0, 0, u v^2).
+  const NurbsPatch flat = bezier(1, 2, {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0.5, 0, 0, 1}, {1, 1, 0, 1}});
+  for (const auto& [u, v] : {std::pair{0.0, 0.0}, {0.0, 0.5}, {0.5, 0.0}, {0.0, 1.0}, {1.0, 0.0}}) {
+    EXPECT_LE(largest(normal_at(flat, u, v) - glm::dvec3(0, 0, 1)), 1e-12) << u << " " << v;
+  }
+}
+
+TEST(PatchNormals, OfRandomPatchesWithTwoCollapsedEdgesAreContinuousTowardsTheDiagonal) {
+  Random random(111);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<glm::dvec4> net = random_points(random, 16, Weights::positive);
+    for (int k = 1; k < 4; ++k) {
+      for (const int i : {k, 4 * k}) net[i] = glm::dvec4(glm::dvec3(net[0]), net[i].w);
+    }
+    const NurbsPatch patch = bezier(3, 3, net);
+    EXPECT_LE(largest(normal_at(patch, 0, 0) - normal_at(patch, 2e-5, 2e-5)), 1e-2) << round;
+    EXPECT_NEAR(glm::length(normal_at(patch, 0, 0)), 1.0, 1e-14);
+  }
+}
+
+TEST(PatchNormals, OfAPatchThatIsACurveAreZero) {
+  const NurbsPatch line = bezier(1, 1, {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1}});
+  EXPECT_EQ(normal_at(line, 0.5, 0.5), glm::dvec3(0.0));
+}
+
+TEST(PatchNormals, DoNotDependOnTheSizeOfThePatchOrItsPlace) {
+  const std::vector<glm::dvec4> points = turned({{1, 0, 1}, {1, 1, kHalfRoot}, {0, 1, 1}});
+  const NurbsPatch octant = bezier(2, 2, points);
+  for (const double scale : {1e-30, 1e-9, 1e9, 1e30}) {
+    std::vector<glm::dvec4> scaled = points;
+    for (glm::dvec4& p : scaled) p = glm::dvec4(scale * glm::dvec3(p), p.w);
+    for (const double u : {0.0, 0.5, 1.0}) {
+      EXPECT_LE(largest(normal_at(bezier(2, 2, scaled), u, 0.3) - normal_at(octant, u, 0.3)), 1e-12) << scale << " " << u;
+    }
+  }
+  std::vector<glm::dvec4> far = points;
+  for (glm::dvec4& p : far) p += glm::dvec4(1024, -4096, 512, 0);
+  for (const double u : {0.0, 0.5, 1.0}) {
+    EXPECT_LE(largest(normal_at(bezier(2, 2, far), u, 0.3) - normal_at(octant, u, 0.3)), 1e-10) << u;
+  }
+}
+
+TEST(PatchNormals, AtAPoleFarFromTheOriginAreNotMadeOfRounding) {
+  std::vector<glm::dvec4> points = turned({{1, 0, 1}, {1, 1, kHalfRoot}, {0, 1, 1}});
+  for (glm::dvec4& p : points) p += glm::dvec4(1e5, 3e5, -2e5, 0);
+  const NurbsPatch octant = bezier(2, 2, points);
+  for (int j = 0; j <= 16; ++j) {
+    EXPECT_LE(largest(normal_at(octant, 1, j / 16.0) + glm::dvec3(0, 0, 1)), 1e-6) << j;
+  }
+}
+
+}  // namespace
+}  // namespace splinecore
