@@ -85,6 +85,20 @@ def test_a_shape_is_added_at_the_cursor_and_at_a_given_place():
     assert tuple(ob.location) == (4, 5, 6) and ob.rotation_euler.z == pytest.approx(math.pi / 2)
 
 
+def test_a_shape_is_aligned_to_the_cursor_when_asked_or_preferred():
+    bpy.context.scene.cursor.rotation_euler = (0.1, 0.2, 0.3)
+    assert tuple(add('add_bezier_patch').rotation_euler) == (0, 0, 0)
+    assert np.allclose(add('add_bezier_patch', align='CURSOR').rotation_euler, (0.1, 0.2, 0.3), atol=1e-6)
+    edit = bpy.context.preferences.edit
+    try:
+        edit.object_align = 'CURSOR'
+        assert np.allclose(add('add_bezier_curve').rotation_euler, (0.1, 0.2, 0.3), atol=1e-6)
+        edit.object_align = 'VIEW'
+        assert tuple(add('add_bezier_curve').rotation_euler) == (0, 0, 0), "there is no view in background"
+    finally:
+        edit.object_align = 'WORLD'
+
+
 def test_the_enter_edit_mode_preference_is_followed():
     edit = bpy.context.preferences.edit
     before = edit.use_enter_edit_mode

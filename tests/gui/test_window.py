@@ -75,9 +75,13 @@ def steps():
 
     bpy.data.objects["Teapot"].hide_set(True)
     view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height // 2)
+    bpy.context.preferences.edit.object_align = 'VIEW'
     yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 2, "curve-menu")
     ob = bpy.context.object
     assert ob.type == 'CURVE' and ob.data.splinewright.value.degree == 3
+    facing = view.area.spaces.active.region_3d.view_rotation.to_matrix()
+    assert np.allclose(ob.matrix_world.to_3x3(), facing, atol=1e-5), "the curve is not aligned to the view"
+    ob.rotation_euler = (0, 0, 0)
     ob.data.bevel_depth = 0.02
     yield from frame(view)
     picture("curve")

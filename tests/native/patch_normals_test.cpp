@@ -38,7 +38,8 @@ TEST(PatchNormals, OfRandomPatchesAreUnitVectorsAlongTheCrossProduct) {
     glm::dvec3 values[4];
     derivatives(patch, {&u, 1}, {&v, 1}, 1, {&values[0].x, 12});
     const glm::dvec3 expected = glm::cross(values[2], values[1]);
-    if (glm::length(expected) < 1e-6 * glm::length(values[1]) * glm::length(values[2])) continue;
+    // A single point around a period makes a curve, not a surface.
+    if (glm::length(expected) < 1e-6) continue;
     EXPECT_LE(largest(normal_at(patch, u, v) - glm::normalize(expected)), 1e-7) << round;
     EXPECT_NEAR(glm::length(normal_at(patch, u, v)), 1.0, 1e-14);
   }
@@ -107,7 +108,7 @@ TEST(PatchNormals, WhereTwoAdjacentEdgesHaveCollapsedAreTheLimitFromInside) {
 
 TEST(PatchNormals, OfRandomPatchesWithTwoCollapsedEdgesAreContinuousTowardsTheDiagonal) {
   Random random(111);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     std::vector<glm::dvec4> net = random_points(random, 16, Weights::positive);
     for (int k = 1; k < 4; ++k) {
       for (const int i : {k, 4 * k}) net[i] = glm::dvec4(glm::dvec3(net[0]), net[i].w);

@@ -122,3 +122,17 @@ def test_no_change_of_one_place_is_worse_than_invalid_shape(value):
                 sc.loads(json.dumps(changed(tree, path, junk)))
             except sc.InvalidShape as error:
                 assert str(error)
+
+
+def test_a_text_nested_too_deeply_is_refused():
+    for text in ('{"format":' + '[' * 200_000 + ']' * 200_000 + '}', '[' * 200_000, '{"kind":' * 100_000):
+        with pytest.raises(sc.InvalidShape, match="nested more deeply|damaged"):
+            sc.loads(text)
+
+
+def test_a_net_that_is_turned_against_its_knots_is_refused():
+    patch = sc.NurbsPatch((1, 2), ([0, 0, 1, 1], [0, 0, 0, 1, 1, 1]), np.zeros((2, 3, 3)))
+    fields = json.loads(patch.dumps())
+    fields["points"] = np.array(fields["points"]).swapaxes(0, 1).tolist()
+    with pytest.raises(sc.InvalidShape, match="points is 3 x 2, but the knots belong to 2 x 3"):
+        sc.loads(json.dumps(fields))

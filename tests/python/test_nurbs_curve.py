@@ -150,3 +150,13 @@ def test_a_uniform_cubic_of_lectures_knots_becomes_a_hermite_chain():
     assert np.abs(chain.evaluate(u) - curve.evaluate(u)).max() <= 4e-15
     with pytest.raises(sc.InvalidShape, match="weights"):
         circle().to_hermite()
+
+
+def test_the_bezier_pieces_keep_the_points_that_they_share_with_the_curve_bit_for_bit():
+    rng = np.random.default_rng(8)
+    points, weights = rng.uniform(-1, 1, (7, 3)), rng.uniform(0.5, 2, 7)
+    first, last = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2], points, weights).to_bezier()
+    assert np.array_equal(first.points, points[:4]) and np.array_equal(last.points, points[3:])
+    net, net_weights = rng.uniform(-1, 1, (3, 4, 3)), rng.uniform(0.5, 2, (3, 4))
+    patch = sc.BezierPatch(net, net_weights)
+    assert patch.to_nurbs().to_bezier() == [[patch]]

@@ -52,6 +52,14 @@ double extent(std::span<const glm::dvec4> points) noexcept {
   return low.x > high.x ? 0.0 : std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
 }
 
+double largest_coordinate(std::span<const glm::dvec4> points) noexcept {
+  double size = 0.0;
+  for (const glm::dvec4& p : points) {
+    if (p.w != 0.0) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return size;
+}
+
 void require_points(std::span<const glm::dvec4> points, std::size_t row_length) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     require_coordinates(&points[i].x, "points", i, row_length);

@@ -1,11 +1,29 @@
 #include "splinecore/convert/to_bezier.hpp"
 
+#include <algorithm>
+
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
 
 namespace {
+
+/// Which old point a row of weights is a copy of, or -1.
+int copied_point(std::span<const double> row) {
+  const auto one = std::ranges::find(row, 1.0);
+  return one == row.end() ? -1 : static_cast<int>(one - row.begin());
+}
+
+/// Puts the given points, whose every digit counts, where a Bezier point is one of them.
+void keep_points(std::span<const glm::dvec4> given, std::span<const double> matrix, int first, int count,
+                 std::vector<glm::dvec4>& points) {
+  const std::size_t order = points.size();
+  for (std::size_t j = 0; j < order; ++j) {
+    const int copied = copied_point(matrix.subspan(j * order, order));
+    if (copied >= 0) points[j] = given[(first + copied) % count];
+  }
+}
 
 /// The control points of the tensor piece that starts at spans u and v, row after row.
 std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span_v) {
@@ -33,7 +51,19 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
       for (std::size_t j = 0; j < columns; ++j) net[i * columns + j] += weight * half[k * columns + j];
     }
   }
-  return as_given(net);
+  net = as_given(net);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const int row = copied_point(matrix_u.subspan(i * rows, rows));
+    if (row < 0) continue;
+    for (std::size_t j = 0; j < columns; ++j) {
+      const int column = copied_point(matrix_v.subspan(j * columns, columns));
+      if (column < 0) continue;
+      const int u = (knots_u.spans()[span_u] - knots_u.degree() + row) % knots_u.count();
+      const int v = (knots_v.spans()[span_v] - knots_v.degree() + column) % knots_v.count();
+      net[i * columns + j] = patch.points()[u * knots_v.count() + v];
+    }
+  }
+  return net;
 }
 
 }  // namespace
@@ -47,7 +77,9 @@ std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
     const auto matrix = knots.bezier_matrix(static_cast<int>(span));
     const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
     for (std::size_t j = 0; j < order; ++j) points[j] = weighted_sum(matrix.subspan(j * order, order), first);
-    beziers.push_back(BezierCurve::from_homogeneous(points));
+    std::vector<glm::dvec4> given = as_given(points);
+    keep_points(curve.points(), matrix, knots.spans()[span] - knots.degree(), knots.count(), given);
+    beziers.push_back(BezierCurve::make(std::move(given)));
   }
   return beziers;
 }

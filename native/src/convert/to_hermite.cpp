@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
 #include <string>
@@ -26,12 +25,6 @@ void require_cubic(const KnotVector& knots, std::span<const glm::dvec4> points) 
     throw InvalidShape("weights" + index_text(other - points.begin()) + " = " + text_of(other->w) +
                        " differs from weights[0]: a Hermite shape is not rational");
   }
-}
-
-double largest_coordinate(std::span<const glm::dvec4> points) {
-  double size = 0.0;
-  for (const glm::dvec4& p : points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return size;
 }
 
 /// Where the spans begin, and where the last one ends.

@@ -16,7 +16,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Calls visit(i, u, homogeneous point) for every parameter.
 template <class Visit>
 void for_each_point(const NurbsCurve& curve, std::span<const double> parameters, Side side, Visit visit) {
-  SpanCursor cursor(curve);
+  SpanCursor cursor(curve, parameters.size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double u = curve.knot_vector().admit(parameters[i], side, i);
     visit(i, u, cursor.at(u, side));

@@ -120,6 +120,17 @@ HermiteCurve hermite_curve(const Json& object) {
                             numbers(field(object, "parameters"), "parameters"));
 }
 
+NurbsPatch nurbs_patch(const Json& object) {
+  KnotVector u = knots_of(object, 0);
+  KnotVector v = knots_of(object, 1);
+  auto points = net<glm::dvec4>(object, "points");
+  if (points.count_u != u.count() || points.count_v != v.count()) {
+    refuse("points", "is " + std::to_string(points.count_u) + " x " + std::to_string(points.count_v) +
+                         ", but the knots belong to " + std::to_string(u.count()) + " x " + std::to_string(v.count()));
+  }
+  return NurbsPatch::make(std::move(u), std::move(v), std::move(points.points));
+}
+
 HermitePatch hermite_patch(const Json& object) {
   const auto points = net<glm::dvec3>(object, "points");
   HermiteNet all{points.points, net<glm::dvec3>(object, "tangents_u").points,
@@ -173,15 +184,21 @@ Value value_of(const Json& object) {
   }
   if (kind == "hermite_patch") return hermite_patch(object);
   if (kind == "nurbs_patch") {
-    return NurbsPatch::make(knots_of(object, 0), knots_of(object, 1), net<glm::dvec4>(object, "points").points);
+    return nurbs_patch(object);
   }
   if (kind == "patch_set") return patch_set(object);
   refuse("kind " + kind.dump(), "is not known");
 }
 
 Json parsed(std::string_view text) {
+  // No value is deeper; a text that is would exhaust the stack where it is copied or printed.
+  constexpr int kMaxDepth = 16;
+  const auto require_depth = [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kMaxDepth) refuse("the text", "is nested more deeply than any shape");
+    return true;
+  };
   try {
-    return Json::parse(text);
+    return Json::parse(text, require_depth);
   } catch (const Json::parse_error& error) {
     refuse("the text is damaged at byte " + std::to_string(error.byte) + ":", error.what());
   } catch (const Json::out_of_range& error) {

@@ -18,8 +18,6 @@ class NormalFinder {
   glm::dvec3 limit(double u, double v, PatchOptions options) const;
 
   const NurbsPatch& patch_;
-  Interval range_u_;
-  Interval range_v_;
   /// Size below which S_u x S_v of this patch is rounding.
   double negligible_;
 };

@@ -42,8 +42,26 @@ class AddShape(AddObjectHelper):
         except (ValueError, TypeError, ArithmeticError) as error:
             self.report({'ERROR'}, str(error))
             return {'CANCELLED'}
+        self._align(context)
         object_data_add(context, data, operator=self)
         return {'FINISHED'}
+
+    def _align(self, context):
+        """Settle the rotation. Blender's helper forgets an align that was given without one, and
+        fails on a view that is not there."""
+        space = context.space_data
+        in_view = space is not None and space.type == 'VIEW_3D'
+        given = self.properties
+        if not given.is_property_set("rotation"):
+            self.align = self.align if given.is_property_set("align") else context.preferences.edit.object_align
+            if self.align == 'VIEW' and in_view:
+                self.rotation = space.region_3d.view_matrix.to_3x3().inverted().to_euler()
+            elif self.align == 'CURSOR':
+                self.rotation = context.scene.cursor.matrix.to_euler()
+            else:
+                self.rotation = (0.0, 0.0, 0.0)
+        if self.align == 'VIEW' and not in_view:
+            self.align = 'WORLD'
 
     def draw(self, context):
         layout = self.layout

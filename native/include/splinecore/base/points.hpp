@@ -32,6 +32,9 @@ bool is_rational(std::span<const glm::dvec4> points) noexcept;
 /// Largest distance between two opposite corners of the box of the finite points (w != 0).
 double extent(std::span<const glm::dvec4> points) noexcept;
 
+/// Largest |x|, |y| or |z| of the finite points: what rounding is relative to.
+double largest_coordinate(std::span<const glm::dvec4> points) noexcept;
+
 /// @throws InvalidShape if a number is not finite, or every w is zero.
 /// @param row_length  0 for a row of points, otherwise the length of a net's rows
 void require_points(std::span<const glm::dvec4> points, std::size_t row_length = 0);
