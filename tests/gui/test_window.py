@@ -54,8 +54,7 @@ def steps():
     ob = bpy.context.object
     assert ob is not None and len(ob.data.splinewright.value) == 32, "the menu entry added no teapot"
     yield from frame(view)
-    view.show_tab("Splinewright", click=(1044, 537))
-    yield 0.5
+    yield from view.show_tab("Splinewright", click=(1044, 537))
     view.move(80, 96)               # open the redo panel
     view.press('LEFTMOUSE')
     yield 1.0

@@ -60,13 +60,20 @@ class View:
         self.area.spaces.active.show_region_ui = True
 
     def show_tab(self, name, click):
-        """Bring a tab of the sidebar up. Before 4.0 only a click can: `click` is its place."""
+        """Steps that bring a tab of the sidebar up. Before 4.0 only a click can: `click` is its place."""
         sidebar = self._region('UI')
-        if hasattr(sidebar, 'active_panel_category'):
-            sidebar.active_panel_category = name
-        else:
+        if not hasattr(sidebar, 'active_panel_category'):
             self.move(*click)
             self.press('LEFTMOUSE')
+            yield 0.5
+            return
+        for _ in range(20):             # a tab exists only once it was drawn
+            sidebar.active_panel_category = name
+            self.area.tag_redraw()
+            yield 0.5
+            if sidebar.active_panel_category == name:
+                return
+        raise AssertionError(f"the sidebar has no tab {name}")
 
 
 def run(steps):
