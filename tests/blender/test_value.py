@@ -165,6 +165,20 @@ def test_a_newer_definition_is_left_alone_and_said():
         mesh.splinewright.value
     mesh.splinewright.resolution_u = 3
     assert np.array_equal(vertices(mesh), before)
+    assert "newer Splinewright" in mesh.splinewright.problem
+    with pytest.raises(store.UnreadableDefinition, match="newer Splinewright"):
+        mesh.splinewright.value = VALUES['nurbs patch']()
+    assert mesh[store.KEY]['version'] == store.VERSION + 1 and np.array_equal(vertices(mesh), before)
+
+
+def test_a_resolution_that_cannot_be_shown_is_said_and_the_mesh_stays():
+    bpy.ops.splinewright.add_nurbs_patch(count_u=100, count_v=100, resolution_u=1, resolution_v=1)
+    mesh = bpy.context.object.data
+    count = len(mesh.vertices)
+    mesh.splinewright.set_resolution(4096, 4096)
+    assert "lower the resolution" in mesh.splinewright.problem and len(mesh.vertices) == count
+    mesh.splinewright.set_resolution(1, 1)
+    assert mesh.splinewright.problem == ""
 
 
 @pytest.mark.parametrize('key', ('pool', 'indices', 'structure', 'knots', 'form'))
@@ -177,6 +191,18 @@ def test_a_damaged_definition_is_left_alone_and_said(key):
         mesh.splinewright.value
     mesh.splinewright.resolution_u = 3
     assert np.array_equal(vertices(mesh), before)
+
+
+@pytest.mark.parametrize('old, new', (('"nurbs"', '"cube"'), ('"shape": [2, 3]', '"shape": [6]'), ('"degree": [1, 2]', '"degree": [1]'),
+                                      ('"shape": [2, 3]', '"shape": [200000, 300000]'), ('[{', '')))
+def test_a_damaged_structure_is_left_alone_and_said(old, new):
+    mesh = bpy.data.meshes.new("mesh")
+    mesh.splinewright.value = VALUES['nurbs patch']()
+    text = mesh[store.KEY]['structure']
+    assert old in text
+    mesh[store.KEY]['structure'] = text.replace(old, new)
+    with pytest.raises(store.UnreadableDefinition, match="damaged"):
+        mesh.splinewright.value
 
 
 def test_a_copy_of_the_data_has_a_definition_of_its_own():

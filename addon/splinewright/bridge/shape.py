@@ -78,6 +78,8 @@ def evaluated(data, definition):
 
 
 def require_writable(data):
+    """Raises ValueError where writing would be lost, or would lose something."""
+    store.require_known_version(data)
     if data.library:
         raise ValueError(f"{data.name} is linked from another file and cannot be changed here")
     if data.is_editmode:

@@ -10,7 +10,7 @@ KEY = "splinewright_definition"
 VERSION = 1
 
 
-class UnreadableDefinition(Exception):
+class UnreadableDefinition(ValueError):
     """The stored definition is damaged, or was made by a newer Splinewright. Nothing was changed."""
 
 
@@ -46,15 +46,19 @@ def read(data):
     """
     if KEY not in data.keys():
         return None
-    group = data[KEY]
+    require_known_version(data)
     try:
-        version = int(group['version'])
-        if version > VERSION:
-            raise UnreadableDefinition(f"This shape was made by a newer Splinewright (definition version {version}, "
-                                       f"this one reads {VERSION}): it is shown but cannot be changed here")
-        return _read_version_1(group)
-    except (KeyError, TypeError, ValueError, IndexError) as error:
+        return _read_version_1(data[KEY])
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
         raise UnreadableDefinition(f"The definition of this shape is damaged ({error}): its mesh is left alone") from error
+
+
+def require_known_version(data):
+    """Raises UnreadableDefinition where a newer Splinewright wrote what would be lost."""
+    version = data[KEY].get('version') if KEY in data.keys() and hasattr(data[KEY], 'get') else None
+    if isinstance(version, int) and version > VERSION:
+        raise UnreadableDefinition(f"This shape was made by a newer Splinewright (definition version {version}, "
+                                   f"this one reads {VERSION}): it is shown but cannot be changed here")
 
 
 def _read_version_1(group):
@@ -73,4 +77,6 @@ def _read_version_1(group):
         pieces.append(Piece(entry['kind'], indices, tuple(entry['degree']), tuple(entry['periodic']), tuple(knots)))
     if next_index != len(all_indices) or next_knot != len(all_knots):
         raise ValueError("its lengths disagree")
-    return Definition(str(group['form']), pool, tuple(pieces))
+    definition = Definition(str(group['form']), pool, tuple(pieces))
+    definition.require_consistent()
+    return definition

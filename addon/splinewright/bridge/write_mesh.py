@@ -2,6 +2,7 @@
 
 import hashlib
 
+import bpy
 import numpy as np
 
 TOPOLOGY_KEY = "splinewright_topology"
@@ -102,5 +103,4 @@ def _write_normals(mesh, normals):
 
 def _has_exact_normals(mesh):
     """From Blender 4.5 on custom normals may be stored as they are, not as 16-bit angles."""
-    import bpy
     return bpy.app.version >= (4, 5, 0)

@@ -37,6 +37,22 @@ class Definition:
     def has_curves(self):
         return self.form in ('curve', 'curves')
 
+    def require_consistent(self):
+        """Raises ValueError unless every piece is of a known kind and names rows of the pool."""
+        if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:
+            raise ValueError(f"its form is '{self.form}' with {len(self.pieces)} pieces")
+        axes = 1 if self.has_curves else 2
+        for piece in self.pieces:
+            if piece.kind not in ('bezier', 'hermite', 'nurbs'):
+                raise ValueError(f"'{piece.kind}' is no kind of piece")
+            if piece.indices.ndim != axes + (piece.kind == 'hermite'):
+                raise ValueError("a piece has the wrong number of directions")
+            if piece.indices.size == 0 or piece.indices.min() < 0 or piece.indices.max() >= len(self.pool):
+                raise ValueError("a piece names points that are not there")
+            counts = {'bezier': (0, 0), 'hermite': (0, axes), 'nurbs': (axes, axes)}[piece.kind]
+            if (len(piece.degree), len(piece.knots)) != counts or len(piece.periodic) != counts[0]:
+                raise ValueError("a piece has degrees or knots of the wrong number")
+
 
 def from_value(value):
     """The definition of a splinecore value: a curve, a list of curves, a patch or a PatchSet."""

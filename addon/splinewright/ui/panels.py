@@ -1,5 +1,7 @@
 """The sidebar panel, and the same in the object data properties."""
 
+import textwrap
+
 import bpy
 
 from ..bridge import shape, store
@@ -36,6 +38,8 @@ class _ShapePanel:
             column.prop(settings, "resolution_v", text="V")
             layout.prop(settings, "sharp_angle")
             layout.label(text=f"{len(data.vertices):,} vertices, {len(data.polygons):,} faces")
+        if settings.problem:
+            _wrapped(layout, settings.problem)
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
@@ -54,7 +58,6 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
 
 
 def _wrapped(layout, text, width=40):
-    import textwrap
     column = layout.column(align=True)
     for i, line in enumerate(textwrap.wrap(text, width)):
         column.label(text=line, icon='ERROR' if i == 0 else 'BLANK1')

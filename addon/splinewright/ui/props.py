@@ -3,7 +3,7 @@
 import math
 
 import bpy
-from bpy.props import FloatProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 from ..bridge import shape, store
 
@@ -16,8 +16,9 @@ def _resolution_changed(self, context):
         return
     try:
         shape.rewrite(self.id_data)
-    except (ValueError, ArithmeticError, store.UnreadableDefinition) as error:
-        print(f"Splinewright: {self.id_data.name} is left as it was: {error}")
+        self.problem = ""
+    except (ValueError, ArithmeticError) as error:
+        self.problem = str(error)
 
 
 class SplinewrightShape(bpy.types.PropertyGroup):
@@ -32,7 +33,10 @@ class SplinewrightShape(bpy.types.PropertyGroup):
     sharp_angle: FloatProperty(
         name="Sharp Angle", description="Edges across which the exact normals differ by more are marked sharp",
         default=math.radians(1.0), min=0.0, max=math.pi, subtype='ANGLE', update=_resolution_changed)
-    quiet: bpy.props.BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    problem: StringProperty(
+        name="Problem", description="Why the last change of a setting shows nothing new",
+        options={'HIDDEN', 'SKIP_SAVE'})
+    quiet: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     def set_resolution(self, resolution_u, resolution_v):
         """Both at once, with one evaluation at most."""

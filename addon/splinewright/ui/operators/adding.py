@@ -4,7 +4,7 @@ import bpy
 from bpy.props import FloatProperty, IntProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
-from ...bridge import shape, store
+from ...bridge import shape
 from ...core import starters
 
 

@@ -7,12 +7,12 @@ from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 from bpy_extras.object_utils import object_data_add
 
-from ...bridge import shape, store
+from ...bridge import shape
 from ...core import bpt
 from ...core.definition import CURVES
 from ...core.library import sc
 
-_FAILURES = (ValueError, TypeError, ArithmeticError, OSError, store.UnreadableDefinition)
+_FAILURES = (ValueError, TypeError, ArithmeticError, OSError)
 _RESOLUTION = (10, 10)
 
 
