@@ -24,7 +24,8 @@ std::vector<Real> by_recursion(int degree, Real t) {
 TEST(Binomial, ObeysPascalsRuleInIntegersWhileTheseFit) {
   for (int n = 1; n <= 56; ++n) {
     for (int k = 1; k < n; ++k) {
-      const auto sum = static_cast<std::int64_t>(binomial(n - 1, k - 1)) + static_cast<std::int64_t>(binomial(n - 1, k));
+      const auto sum =
+          static_cast<std::int64_t>(binomial(n - 1, k - 1)) + static_cast<std::int64_t>(binomial(n - 1, k));
       EXPECT_EQ(static_cast<std::int64_t>(binomial(n, k)), sum) << n << " " << k;
     }
   }

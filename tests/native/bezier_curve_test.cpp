@@ -24,11 +24,13 @@ TEST(BezierCurve, OfAnyDegreeUpTo60AgreesWithDeCasteljauInLongDouble) {
 TEST(BezierCurve, WithPositivePointsHasSmallRelativeErrorAtDegree60) {
   Random random(71);
   std::vector<glm::dvec4> points;
-  for (int i = 0; i <= 60; ++i) points.emplace_back(std::exp(real(random, -20, 20)), std::exp(real(random, -20, 20)), 1, 1);
+  for (int i = 0; i <= 60; ++i)
+    points.emplace_back(std::exp(real(random, -20, 20)), std::exp(real(random, -20, 20)), 1, 1);
   const BezierCurve curve = BezierCurve::make(points);
   for (const double t : random_parameters(random, {0, 1}, 200)) {
     const glm::dvec4 expected(de_casteljau(long_homogeneous(points), t).left.back());
-    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(point_at(curve.nurbs(), t)[axis] / expected[axis], 1.0, 1e-13) << t;
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(point_at(curve.nurbs(), t)[axis] / expected[axis], 1.0, 1e-13) << t;
   }
 }
 
@@ -86,7 +88,8 @@ TEST(BezierCurve, OfCollinearPointsIsALine) {
   Random random(75);
   std::vector<glm::dvec4> points;
   const glm::dvec3 direction = random_vector(random);
-  for (int i = 0; i <= 9; ++i) points.emplace_back(real(random, -1, 1) * direction, random_weight(random, Weights::positive));
+  for (int i = 0; i <= 9; ++i)
+    points.emplace_back(real(random, -1, 1) * direction, random_weight(random, Weights::positive));
   for (const double t : random_parameters(random, {0, 1}, 20)) {
     const glm::dvec3 p = point_at(BezierCurve::make(points).nurbs(), t);
     EXPECT_NEAR(p.x * direction.y - p.y * direction.x, 0.0, 1e-13);

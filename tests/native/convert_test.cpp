@@ -81,9 +81,14 @@ TEST(ToHermite, KeepsCurvesUpToDegreeThree) {
   Random random(94);
   for (int round = 0; round < 300; ++round) {
     const int degree = integer(random, 1, 3);
-    const KnotVector knots = random_knots(random, degree, integer(random, 1, 6), static_cast<Ends>(integer(random, 0, 2)));
-    const auto is_gap = [&](double u) { return multiplicity(knots, u) > degree && u > knots.domain().start && u < knots.domain().end; };
-    if (std::ranges::any_of(knots.knots(), is_gap) || (knots.periodic() && multiplicity(knots, knots.domain().start) > degree)) continue;
+    const KnotVector knots =
+        random_knots(random, degree, integer(random, 1, 6), static_cast<Ends>(integer(random, 0, 2)));
+    const auto is_gap = [&](double u) {
+      return multiplicity(knots, u) > degree && u > knots.domain().start && u < knots.domain().end;
+    };
+    if (std::ranges::any_of(knots.knots(), is_gap) ||
+        (knots.periodic() && multiplicity(knots, knots.domain().start) > degree))
+      continue;
     std::vector<glm::dvec4> points = random_points(random, knots.count(), Weights::one);
     const double weight = round % 2 == 0 ? 1.0 : 0.3;
     for (glm::dvec4& p : points) p.w = weight;
@@ -110,8 +115,9 @@ TEST(ToHermite, SaysWhyACurveIsNone) {
   const std::vector<glm::dvec4> points{{0, 0, 0, 1}, {1, 0, 0, 1}, {5, 0, 0, 1}, {6, 0, 0, 1}};
   EXPECT_EQ(refusal([&] { to_hermite(NurbsCurve::make(1, {0, 0, 1, 1, 2, 2}, points)); }),
             "the curve has a gap at u = 1: a Hermite chain is connected");
-  EXPECT_EQ(refusal([&] { to_hermite(NurbsCurve::make(KnotVector::bezier(4), std::vector<glm::dvec4>(5, glm::dvec4(1)))); }),
-            "degree = 4: a Hermite shape is cubic at most");
+  EXPECT_EQ(
+      refusal([&] { to_hermite(NurbsCurve::make(KnotVector::bezier(4), std::vector<glm::dvec4>(5, glm::dvec4(1)))); }),
+      "degree = 4: a Hermite shape is cubic at most");
   EXPECT_EQ(refusal([&] { to_hermite(NurbsCurve::make(KnotVector::bezier(1), {{0, 0, 0, 1}, {1, 0, 0, 2}})); }),
             "weights[1] = 2 differs from weights[0]: a Hermite shape is not rational");
 }
@@ -120,8 +126,9 @@ TEST(ToHermite, KeepsPatchesUpToDegreeThreeThatAreSmooth) {
   Random random(96);
   for (const bool far : {false, true}) {
     for (int degree = 2; degree <= 3; ++degree) {
-      const KnotVector knots = KnotVector::make(degree, degree == 2 ? std::vector<double>{0, 0, 0, 1, 1.001, 3, 3, 3}
-                                                                    : std::vector<double>{-1, 0, 0, 0, 1, 1.001, 3, 3, 3, 3.5});
+      const KnotVector knots =
+          KnotVector::make(degree, degree == 2 ? std::vector<double>{0, 0, 0, 1, 1.001, 3, 3, 3}
+                                               : std::vector<double>{-1, 0, 0, 0, 1, 1.001, 3, 3, 3, 3.5});
       std::vector<glm::dvec4> points = random_points(random, knots.count() * knots.count(), Weights::one);
       if (far) for (glm::dvec4& p : points) p += glm::dvec4(1e6, 2e6, 0, 0);
       const NurbsPatch patch = NurbsPatch::make(knots, knots, points);
@@ -154,7 +161,8 @@ TEST(ToHermite, GivesAHermitePatchBackFromItsNurbsForm) {
 
 TEST(ToHermite, RefusesAPatchWithACrease) {
   Random random(97);
-  const NurbsPatch patch = NurbsPatch::make(KnotVector::clamped(1, 3), KnotVector::bezier(1), random_points(random, 6, Weights::one));
+  const NurbsPatch patch =
+      NurbsPatch::make(KnotVector::clamped(1, 3), KnotVector::bezier(1), random_points(random, 6, Weights::one));
   EXPECT_EQ(refusal([&] { to_hermite(patch); }),
             "the patch is not C1 at u = 1, v = 0: a Hermite corner has one tangent in each direction");
 }

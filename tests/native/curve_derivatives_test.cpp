@@ -45,7 +45,8 @@ TEST(CurveDerivatives, OfRationalCurvesObeyTheProductRule) {
       glm::dvec3 sum(0.0);
       double size = 0.0;
       for (int i = 0; i <= k; ++i) {
-        const glm::dvec3 term = binomials[k][i] * static_cast<double>(homogeneous_derivative(curve, i, u).w) * values[k - i];
+        const glm::dvec3 term =
+            binomials[k][i] * static_cast<double>(homogeneous_derivative(curve, i, u).w) * values[k - i];
         sum += term;
         size += largest(term);
       }
@@ -57,7 +58,8 @@ TEST(CurveDerivatives, OfRationalCurvesObeyTheProductRule) {
 
 // x = 1 / (1 + t), whose derivative k is (-1)^k k! / (1 + t)^(k + 1).
 TEST(CurveDerivatives, OfAHyperbolaFollowTheClosedFormUpToTheHighestOrder) {
-  const NurbsCurve curve = NurbsCurve::from_homogeneous(KnotVector::bezier(1), std::vector<glm::dvec4>{{1, 0, 0, 1}, {1, 0, 0, 2}});
+  const NurbsCurve curve =
+      NurbsCurve::from_homogeneous(KnotVector::bezier(1), std::vector<glm::dvec4>{{1, 0, 0, 1}, {1, 0, 0, 2}});
   for (const double t : {0.0, 0.25, 1.0}) {
     const auto values = derivatives_at(curve, t, kMaxOrder);
     double expected = 1.0 / (1.0 + t);
@@ -116,12 +118,14 @@ TEST(CurveDerivatives, JumpAtAKnotExactlyFromTheOrderItsMultiplicityAllows) {
       std::vector<double> knots(degree + 1, 0.0);
       knots.insert(knots.end(), times, 1.0);
       knots.insert(knots.end(), degree + 1, 2.5);
-      const NurbsCurve curve = NurbsCurve::make(degree, knots, random_points(random, degree + 1 + times, Weights::positive));
+      const NurbsCurve curve =
+          NurbsCurve::make(degree, knots, random_points(random, degree + 1 + times, Weights::positive));
       const auto left = derivatives_at(curve, 1, degree, Side::left);
       const auto right = derivatives_at(curve, 1, degree, Side::right);
       const int smooth = degree - times;
       for (int k = 0; k <= smooth; ++k) {
-        EXPECT_LE(largest(left[k] - right[k]), 1e-9 * (largest(left[k]) + size_of(curve))) << degree << " " << times << " " << k;
+        EXPECT_LE(largest(left[k] - right[k]), 1e-9 * (largest(left[k]) + size_of(curve)))
+            << degree << " " << times << " " << k;
       }
       EXPECT_GT(largest(left[smooth + 1] - right[smooth + 1]), 1e-3) << degree << " " << times;
     }

@@ -22,7 +22,8 @@ double difference(const NurbsCurve& before, const NurbsCurve& after, std::span<c
 }
 
 NurbsCurve random_plain_curve(Random& random, Weights weights = Weights::any) {
-  return random_curve(random, {integer(random, 1, 9), integer(random, 1, 8), static_cast<Ends>(integer(random, 0, 1)), weights});
+  return random_curve(
+      random, {integer(random, 1, 9), integer(random, 1, 8), static_cast<Ends>(integer(random, 0, 1)), weights});
 }
 
 NurbsCurve random_periodic_curve(Random& random) {
@@ -50,7 +51,8 @@ TEST(Split, AtAKnotOfAnyMultiplicityKeepsBothLimits) {
       std::vector<double> knots(degree + 1, 0.0);
       knots.insert(knots.end(), times, 1.0);
       knots.insert(knots.end(), degree + 1, 2.0);
-      const NurbsCurve curve = NurbsCurve::make(degree, knots, random_points(random, degree + 1 + times, Weights::positive));
+      const NurbsCurve curve =
+          NurbsCurve::make(degree, knots, random_points(random, degree + 1 + times, Weights::positive));
       const auto [left, right] = split(curve, 1);
       EXPECT_LE(largest(point_at(left, 1) - point_at(curve, 1, Side::left)), 1e-12) << degree << " " << times;
       EXPECT_LE(largest(point_at(right, 1) - point_at(curve, 1, Side::right)), 1e-12) << degree << " " << times;
@@ -73,7 +75,8 @@ TEST(Split, RefusesParametersThatLeaveNothingAndPeriodicCurves) {
   EXPECT_EQ(refusal([&] { split(line, -3); }), "u = -3 is not inside the domain (0, 1)");
   EXPECT_EQ(refusal([&] { split(line, std::numeric_limits<double>::quiet_NaN()); }),
             "u = nan is not inside the domain (0, 1)");
-  const NurbsCurve ring = NurbsCurve::make(KnotVector::periodic_uniform(2, 3), std::vector<glm::dvec4>(3, glm::dvec4(1)));
+  const NurbsCurve ring =
+      NurbsCurve::make(KnotVector::periodic_uniform(2, 3), std::vector<glm::dvec4>(3, glm::dvec4(1)));
   EXPECT_EQ(refusal([&] { split(ring, 1.5); }),
             "a periodic shape does not fall in two at one parameter: open it there first");
 }
@@ -104,7 +107,8 @@ TEST(Opened, IsThePeriodicCurveFromThereOnForThousandCurves) {
 
 TEST(Opened, TakesItsParameterModuloThePeriodAndRefusesPlainCurves) {
   Random random(63);
-  const NurbsCurve ring = NurbsCurve::make(KnotVector::periodic_uniform(3, 4), random_points(random, 4, Weights::positive));
+  const NurbsCurve ring =
+      NurbsCurve::make(KnotVector::periodic_uniform(3, 4), random_points(random, 4, Weights::positive));
   EXPECT_EQ(opened(ring, 5.5), opened(ring, 1.5));
   EXPECT_EQ(opened(ring, 4), opened(ring, 0));
   EXPECT_EQ(refusal([&] { opened(unrolled(ring), 1); }), "only a periodic curve can be opened");
@@ -143,7 +147,8 @@ TEST(Reversed, RunsBackwardsOverTheSameDomainForThousandCurves) {
 TEST(Reversed, KeepsThePointsBitForBit) {
   Random random(67);
   const NurbsCurve plain = random_plain_curve(random);
-  EXPECT_TRUE(std::ranges::equal(reversed(plain).points(), std::vector(plain.points().rbegin(), plain.points().rend())));
+  EXPECT_TRUE(
+      std::ranges::equal(reversed(plain).points(), std::vector(plain.points().rbegin(), plain.points().rend())));
   for (int round = 0; round < 50; ++round) {
     const NurbsCurve ring = random_periodic_curve(random);
     EXPECT_TRUE(std::ranges::is_permutation(reversed(ring).points(), ring.points()));
@@ -163,7 +168,8 @@ TEST(NurbsCurveMake, NamesWhatIsWrong) {
   EXPECT_EQ(refused(1, knots, {{0, 0, 0, 1}, {0, nan, 0, 1}}), "points[1].y = nan is not finite");
   EXPECT_EQ(refused(1, knots, {{0, 0, -infinity, 1}, {0, 0, 0, 1}}), "points[0].z = -inf is not finite");
   EXPECT_EQ(refused(1, knots, {{0, 0, 0, 1}, {0, 0, 0, infinity}}), "weights[1] = inf is not finite");
-  EXPECT_EQ(refused(1, knots, {{1, 0, 0, 0}, {0, 1, 0, -0.0}}), "weights are all zero: no point of the shape is finite");
+  EXPECT_EQ(refused(1, knots, {{1, 0, 0, 0}, {0, 1, 0, -0.0}}),
+            "weights are all zero: no point of the shape is finite");
   EXPECT_EQ(refused(2, {0, 1, 2, 3}, {{0, 0, 0, 1}}),
             "knots leave no domain: for degree 2 the knots u_2 and u_1 must differ");
 }
@@ -173,7 +179,8 @@ TEST(NurbsCurve, GivesPointsAndWeightsBackBitForBit) {
   const NurbsCurve curve = NurbsCurve::make(KnotVector::bezier(2), points);
   EXPECT_TRUE(std::ranges::equal(curve.points(), points));
   EXPECT_TRUE(std::signbit(curve.points()[0].y));
-  EXPECT_EQ(NurbsCurve::from_homogeneous(KnotVector::bezier(2), std::vector<glm::dvec4>{{2, 4, 6, 2}, {1, 0, 0, 0}, {3, 0, 0, -1}}),
+  EXPECT_EQ(NurbsCurve::from_homogeneous(KnotVector::bezier(2),
+                                         std::vector<glm::dvec4>{{2, 4, 6, 2}, {1, 0, 0, 0}, {3, 0, 0, -1}}),
             NurbsCurve::make(KnotVector::bezier(2), {{1, 2, 3, 2}, {1, 0, 0, 0}, {-3, 0, 0, -1}}));
 }
 

@@ -46,7 +46,8 @@ TEST(EvaluateCurve, PassesThroughTheEndPointsOfAClampedCurveBitForBit) {
 }
 
 TEST(EvaluateCurve, HasBothValuesOfAGap) {
-  const NurbsCurve curve = NurbsCurve::make(1, {0, 0, 1, 1, 2, 2}, {{0, 0, 0, 1}, {1, 0, 0, 1}, {5, 0, 0, 1}, {6, 0, 0, 1}});
+  const NurbsCurve curve =
+      NurbsCurve::make(1, {0, 0, 1, 1, 2, 2}, {{0, 0, 0, 1}, {1, 0, 0, 1}, {5, 0, 0, 1}, {6, 0, 0, 1}});
   EXPECT_EQ(point_at(curve, 1, Side::left).x, 1.0);
   EXPECT_EQ(point_at(curve, 1, Side::right).x, 5.0);
 }

@@ -45,7 +45,8 @@ TEST(EvaluatePatch, AgreesWithTheRecursionInLongDouble) {
         const double u = random_parameters(random, patch.knot_vector(Axis::u).domain(), 1)[0];
         const double v = random_parameters(random, patch.knot_vector(Axis::v).domain(), 1)[0];
         const glm::dvec4 expected(tensor_derivative(patch, 0, 0, u, v));
-        EXPECT_LE(largest(homogeneous_at(patch, u, v) - expected), 1e-14 * size_of(patch)) << degree_u << " " << degree_v;
+        EXPECT_LE(largest(homogeneous_at(patch, u, v) - expected), 1e-14 * size_of(patch))
+            << degree_u << " " << degree_v;
       }
     }
   }
@@ -101,7 +102,8 @@ TEST(PatchDerivatives, OfPolynomialPatchesAgreeWithTheDerivedRecursion) {
             for (const double b : sv.weights(0, l)) size += std::abs(a * b) * size_of(patch);
           }
           const glm::dvec3 expected(tensor_derivative(patch, k, l, u, v));
-          EXPECT_LE(largest(values[3 * k + l] - expected), 1e-13 * size) << degree_u << " " << degree_v << " " << k << " " << l;
+          EXPECT_LE(largest(values[3 * k + l] - expected), 1e-13 * size)
+              << degree_u << " " << degree_v << " " << k << " " << l;
         }
       }
     }
@@ -110,8 +112,9 @@ TEST(PatchDerivatives, OfPolynomialPatchesAgreeWithTheDerivedRecursion) {
 
 // x = 1 / ((1 + u)(1 + v)), whose derivative k, l is (-1)^(k+l) k! l! / ((1 + u)^(k+1) (1 + v)^(l+1)).
 TEST(PatchDerivatives, OfARationalPatchFollowTheClosedForm) {
-  const NurbsPatch patch = NurbsPatch::from_homogeneous(
-      KnotVector::bezier(1), KnotVector::bezier(1), std::vector<glm::dvec4>{{1, 0, 0, 1}, {1, 0, 0, 2}, {1, 0, 0, 2}, {1, 0, 0, 4}});
+  const NurbsPatch patch =
+      NurbsPatch::from_homogeneous(KnotVector::bezier(1), KnotVector::bezier(1),
+                                   std::vector<glm::dvec4>{{1, 0, 0, 1}, {1, 0, 0, 2}, {1, 0, 0, 2}, {1, 0, 0, 4}});
   const double u = 0.25, v = 0.75;
   std::vector<double> values(3 * 49);
   derivatives(patch, {&u, 1}, {&v, 1}, 6, values);
@@ -127,7 +130,8 @@ TEST(PatchDerivatives, OfARationalPatchFollowTheClosedForm) {
 TEST(PatchDerivatives, OfARationalPatchAgreeWithDividedDifferences) {
   Random random(104);
   for (int round = 0; round < 100; ++round) {
-    const NurbsPatch patch = random_patch(random, {3, 1, Ends::clamped, Weights::positive}, {2, 1, Ends::unclamped, Weights::positive});
+    const NurbsPatch patch =
+        random_patch(random, {3, 1, Ends::clamped, Weights::positive}, {2, 1, Ends::unclamped, Weights::positive});
     const double u = patch.knot_vector(Axis::u).domain().middle();
     const double v = patch.knot_vector(Axis::v).domain().middle();
     const double h = 1e-5 * patch.knot_vector(Axis::u).domain().length();
@@ -161,10 +165,12 @@ TEST(EvaluatePatch, RefusesOrMarksAPointAtInfinity) {
 }
 
 TEST(EvaluatePatch, NamesTheParameterOutsideTheDomain) {
-  const NurbsPatch patch = NurbsPatch::make(KnotVector::bezier(1), KnotVector::bezier(1), std::vector<glm::dvec4>(4, glm::dvec4(1)));
+  const NurbsPatch patch =
+      NurbsPatch::make(KnotVector::bezier(1), KnotVector::bezier(1), std::vector<glm::dvec4>(4, glm::dvec4(1)));
   std::vector<double> points(12);
   const std::vector<double> good{0, 1}, bad{0, 7};
-  EXPECT_EQ(refusal([&] { evaluate_grid(patch, good, bad, std::span(points)); }), "v[1] = 7 is outside the domain [0, 1]");
+  EXPECT_EQ(refusal([&] { evaluate_grid(patch, good, bad, std::span(points)); }),
+            "v[1] = 7 is outside the domain [0, 1]");
   EXPECT_EQ(refusal([&] { evaluate(patch, bad, good, std::span(points)); }), "u[1] = 7 is outside the domain [0, 1]");
   EXPECT_EQ(refusal([&] { derivatives(patch, good, good, 65, points); }), "order = 65 is outside [0, 64]");
 }

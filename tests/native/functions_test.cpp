@@ -52,7 +52,8 @@ TEST(FunctionValue, AgreesWithTheRecursionInLongDouble) {
     for (const double u : random_parameters(random, line, 20)) {
       for (int i = 0; i < knots.count(); ++i) {
         const double expected = static_cast<double>(cox_de_boor(t, i, kind.degree, u));
-        EXPECT_NEAR(function_value(knots, i, u), expected, 1e-14 * expected) << text_of(kind) << " i " << i << " u " << u;
+        EXPECT_NEAR(function_value(knots, i, u), expected, 1e-14 * expected)
+            << text_of(kind) << " i " << i << " u " << u;
       }
     }
   }
@@ -81,7 +82,8 @@ TEST(FunctionValue, OfAPeriodicVectorIsTheSumOfItsImages) {
     const std::vector<Real> t = all_knots(knots);
     for (const double u : random_parameters(random, knots.domain(), 10)) {
       std::vector<Real> sums(knots.count());
-      for (int i = 0; i < knots.count() + kind.degree; ++i) sums[i % knots.count()] += cox_de_boor(t, i, kind.degree, u);
+      for (int i = 0; i < knots.count() + kind.degree; ++i)
+        sums[i % knots.count()] += cox_de_boor(t, i, kind.degree, u);
       for (int i = 0; i < knots.count(); ++i) {
         EXPECT_NEAR(function_value(knots, i, u), static_cast<double>(sums[i]), 1e-13) << text_of(kind);
       }

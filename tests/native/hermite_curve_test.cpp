@@ -90,7 +90,8 @@ TEST(HermiteCurveReversed, RunsBackwards) {
     EXPECT_EQ(back.tangents().front().outgoing, -curve.tangents().back().incoming);
     for (const double u : random_parameters(random, range, 5)) {
       const glm::dvec3 expected = point_at(curve.nurbs(), u);
-      EXPECT_LE(largest(point_at(back.nurbs(), range.start + (range.end - u)) - expected), 1e-12 * size_of(curve.nurbs()));
+      EXPECT_LE(largest(point_at(back.nurbs(), range.start + (range.end - u)) - expected),
+                1e-12 * size_of(curve.nurbs()));
     }
   }
 }

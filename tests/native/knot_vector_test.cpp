@@ -111,7 +111,8 @@ TEST(KnotVectorAdmit, TakesAPeriodicParameterModuloThePeriod) {
 }
 
 TEST(KnotVectorAdmit, GivesAParameterOfTheDomainForTheLargestDoubles) {
-  for (const KnotVector& knots : {KnotVector::make(1, {-1e308, 0, 5e307}, true), KnotVector::make(1, {-1, 0, 2}, true)}) {
+  for (const KnotVector& knots :
+       {KnotVector::make(1, {-1e308, 0, 5e307}, true), KnotVector::make(1, {-1, 0, 2}, true)}) {
     for (const double u : {1.7e308, -1.7e308}) {
       const double admitted = knots.admit(u, Side::right);
       EXPECT_GE(admitted, knots.domain().start) << u;
@@ -151,7 +152,8 @@ TEST(KnotVectorBezierMatrix, HasRowsOfAConvexCombination) {
 
 // Lecture row S13: the matrix 1/6 [1 4 1 0; 0 4 2 0; 0 2 4 0; 0 1 4 1].
 TEST(KnotVectorBezierMatrix, OfTheUniformCubicIsTheOneOfTheLectures) {
-  const auto matrix = KnotVector::uniform(3, 9).bezier_matrix(2);
+  const KnotVector knots = KnotVector::uniform(3, 9);
+  const auto matrix = knots.bezier_matrix(2);
   const double expected[] = {1, 4, 1, 0, 0, 4, 2, 0, 0, 2, 4, 0, 0, 1, 4, 1};
   for (int i = 0; i < 16; ++i) EXPECT_NEAR(6 * matrix[i], expected[i], 1e-15) << i;
 }

@@ -18,7 +18,8 @@ struct Pair {
 };
 
 glm::dvec4 at(const NurbsPatch& patch, Axis axis, Pair pair) {
-  return axis == Axis::u ? homogeneous_at(patch, pair.along, pair.across) : homogeneous_at(patch, pair.across, pair.along);
+  return axis == Axis::u ? homogeneous_at(patch, pair.along, pair.across)
+                         : homogeneous_at(patch, pair.across, pair.along);
 }
 
 Interval domain(const NurbsPatch& patch, Axis axis) { return patch.knot_vector(axis).domain(); }
@@ -46,7 +47,8 @@ TEST(RefinePatch, KeepsRandomPatchesInEitherDirection) {
 
 TEST(InsertKnotIntoPatch, CopiesUntouchedPointsBitForBit) {
   Random random(121);
-  const NurbsPatch patch = NurbsPatch::make(KnotVector::clamped(2, 6), KnotVector::clamped(3, 7), random_points(random, 42, Weights::positive));
+  const NurbsPatch patch = NurbsPatch::make(KnotVector::clamped(2, 6), KnotVector::clamped(3, 7),
+                                            random_points(random, 42, Weights::positive));
   const NurbsPatch refined = insert_knot(patch, Axis::v, 0.5);
   for (int i = 0; i < 6; ++i) {
     EXPECT_EQ(refined.points()[i * 8], patch.points()[i * 7]);
@@ -57,7 +59,10 @@ TEST(InsertKnotIntoPatch, CopiesUntouchedPointsBitForBit) {
 TEST(SplitPatch, GivesBothPartsInEitherDirection) {
   Random random(122);
   for (int round = 0; round < 500; ++round) {
-    const auto kind = [&] { return Kind{integer(random, 1, 5), integer(random, 1, 3), static_cast<Ends>(integer(random, 0, 1)), Weights::positive}; };
+    const auto kind = [&] {
+      return Kind{integer(random, 1, 5), integer(random, 1, 3), static_cast<Ends>(integer(random, 0, 1)),
+                  Weights::positive};
+    };
     const Kind u = kind();
     const NurbsPatch patch = random_patch(random, u, kind());
     for (const Axis axis : kAxes) {
@@ -139,8 +144,10 @@ TEST(NurbsPatchMake, NamesWhatIsWrong) {
   EXPECT_EQ(refused(line, flat, good), "degree in v = 0: a patch needs degree 1 or more");
   EXPECT_EQ(refused(flat, line, good), "degree in u = 0: a patch needs degree 1 or more");
   EXPECT_EQ(refused(line, KnotVector::bezier(2), good), "points has 4 entries, but the knots belong to 2 x 3");
-  EXPECT_EQ(refused(line, line, {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, nan, 0, 1}}), "points[1, 1].y = nan is not finite");
-  EXPECT_EQ(refused(line, line, {{0, 0, 0, 1}, {0, 0, 0, -nan}, {0, 0, 0, 1}, {0, 0, 0, 1}}).substr(0, 13), "weights[0, 1]");
+  EXPECT_EQ(refused(line, line, {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, nan, 0, 1}}),
+            "points[1, 1].y = nan is not finite");
+  EXPECT_EQ(refused(line, line, {{0, 0, 0, 1}, {0, 0, 0, -nan}, {0, 0, 0, 1}, {0, 0, 0, 1}}).substr(0, 13),
+            "weights[0, 1]");
   EXPECT_EQ(refused(line, line, std::vector<glm::dvec4>(4, glm::dvec4(1, 2, 3, 0))),
             "weights are all zero: no point of the shape is finite");
   EXPECT_EQ(refused(KnotVector::make(2, {0, 1, 2, 3}), line, {{0, 0, 0, 1}, {0, 0, 0, 1}}),
@@ -148,9 +155,11 @@ TEST(NurbsPatchMake, NamesWhatIsWrong) {
 }
 
 TEST(NurbsPatch, RefusesWhatItsDirectionDoesNotAllow) {
-  const NurbsPatch patch = NurbsPatch::make(KnotVector::periodic_uniform(1, 2), KnotVector::bezier(1), std::vector<glm::dvec4>(4, glm::dvec4(1)));
+  const NurbsPatch patch = NurbsPatch::make(KnotVector::periodic_uniform(1, 2), KnotVector::bezier(1),
+                                            std::vector<glm::dvec4>(4, glm::dvec4(1)));
   EXPECT_EQ(refusal([&] { opened(patch, Axis::v, 0.5); }), "only a periodic direction can be opened");
-  EXPECT_EQ(refusal([&] { split(patch, Axis::u, 0.5); }), "a periodic shape does not fall in two at one parameter: open it there first");
+  EXPECT_EQ(refusal([&] { split(patch, Axis::u, 0.5); }),
+            "a periodic shape does not fall in two at one parameter: open it there first");
   EXPECT_EQ(refusal([&] { split(patch, Axis::v, 1); }), "u = 1 is not inside the domain (0, 1)");
   EXPECT_EQ(refusal([&] { insert_knot(patch, Axis::v, 0.5, 3); }), "times = 3 is outside [1, 2]");
 }

@@ -68,7 +68,10 @@ TEST(PatchNormals, AtTheKnobOfALidPointUp) {
   const double k = 4.0 / 3 * (std::numbers::sqrt2 - 1);
   std::vector<glm::dvec4> net;
   for (const auto& [radius, height] : {std::pair{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.7}, {0.2, 2.55}}) {
-    net.insert(net.end(), {{radius, 0, height, 1}, {radius, k * radius, height, 1}, {k * radius, radius, height, 1}, {0, radius, height, 1}});
+    net.insert(net.end(), {{radius, 0, height, 1},
+                           {radius, k * radius, height, 1},
+                           {k * radius, radius, height, 1},
+                           {0, radius, height, 1}});
   }
   const NurbsPatch lid = bezier(3, 3, net);
   for (int j = 0; j <= 8; ++j) EXPECT_LE(largest(normal_at(lid, 0, j / 8.0) - glm::dvec3(0, 0, 1)), 1e-12) << j;
@@ -100,7 +103,8 @@ TEST(PatchNormals, AtAnInnerApexAreTheLimitOfTheSideAskedFor) {
 
 TEST(PatchNormals, WhereTwoAdjacentEdgesHaveCollapsedAreTheLimitFromInside) {
   // S = (u v, u v^2, 0) has S_u x S_v = (0, 0, u v^2).
-  const NurbsPatch flat = bezier(1, 2, {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0.5, 0, 0, 1}, {1, 1, 0, 1}});
+  const NurbsPatch flat =
+      bezier(1, 2, {{0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {0.5, 0, 0, 1}, {1, 1, 0, 1}});
   for (const auto& [u, v] : {std::pair{0.0, 0.0}, {0.0, 0.5}, {0.5, 0.0}, {0.0, 1.0}, {1.0, 0.0}}) {
     EXPECT_LE(largest(normal_at(flat, u, v) - glm::dvec3(0, 0, 1)), 1e-12) << u << " " << v;
   }
@@ -131,7 +135,8 @@ TEST(PatchNormals, DoNotDependOnTheSizeOfThePatchOrItsPlace) {
     std::vector<glm::dvec4> scaled = points;
     for (glm::dvec4& p : scaled) p = glm::dvec4(scale * glm::dvec3(p), p.w);
     for (const double u : {0.0, 0.5, 1.0}) {
-      EXPECT_LE(largest(normal_at(bezier(2, 2, scaled), u, 0.3) - normal_at(octant, u, 0.3)), 1e-12) << scale << " " << u;
+      EXPECT_LE(largest(normal_at(bezier(2, 2, scaled), u, 0.3) - normal_at(octant, u, 0.3)), 1e-12)
+          << scale << " " << u;
     }
   }
   std::vector<glm::dvec4> far = points;

@@ -63,7 +63,8 @@ TEST(Pieces, LeaveOutSpansThatLieAtInfinity) {
 }
 
 TEST(Pieces, OfPositiveWeightsAreTheDomainHoweverUnequalTheWeights) {
-  const NurbsCurve curve = NurbsCurve::make(1, {0, 0, 1, 2, 3, 3}, {{0, 0, 0, 1}, {1, 0, 0, 1e-20}, {2, 0, 0, 1e-20}, {3, 0, 0, 1}});
+  const NurbsCurve curve =
+      NurbsCurve::make(1, {0, 0, 1, 2, 3, 3}, {{0, 0, 0, 1}, {1, 0, 0, 1e-20}, {2, 0, 0, 1e-20}, {3, 0, 0, 1}});
   EXPECT_EQ(pieces(curve), (std::vector<Interval>{{0, 3}}));
 }
 
@@ -75,8 +76,8 @@ TEST(Pieces, FindRootsAmongSmallWeightsBesideLargeOnes) {
 
 TEST(Pieces, OfAPeriodicCurveEndAtTheRootsOfItsPeriod) {
   // Degree 1 through the weights 1, -1, 1, -1: a root in the middle of every span.
-  const NurbsCurve curve =
-      NurbsCurve::make(KnotVector::periodic_uniform(1, 4), {{1, 0, 0, 1}, {0, 1, 0, -1}, {-1, 0, 0, 1}, {0, -1, 0, -1}});
+  const NurbsCurve curve = NurbsCurve::make(KnotVector::periodic_uniform(1, 4),
+                                            {{1, 0, 0, 1}, {0, 1, 0, -1}, {-1, 0, 0, 1}, {0, -1, 0, -1}});
   expect_pieces(curve, {{0, 0.5}, {0.5, 1.5}, {1.5, 2.5}, {2.5, 3.5}, {3.5, 4}}, 1e-14);
 }
 

@@ -11,10 +11,13 @@ bool all_finite(const std::vector<double>& numbers) {
   return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
 
-glm::dvec3 point_of(const Polyline& line, std::size_t i) { return {line.points[3 * i], line.points[3 * i + 1], line.points[3 * i + 2]}; }
+glm::dvec3 point_of(const Polyline& line, std::size_t i) {
+  return {line.points[3 * i], line.points[3 * i + 1], line.points[3 * i + 2]};
+}
 
 TEST(Polylines, HaveTheAskedStepsInEverySpanAndLieOnTheCurve) {
-  const NurbsCurve curve = NurbsCurve::make(2, {0, 0, 0, 1, 3, 3, 3}, {{0, 0, 0, 1}, {1, 2, 0, 1}, {3, 1, 1, 1}, {4, 0, 0, 1}});
+  const NurbsCurve curve =
+      NurbsCurve::make(2, {0, 0, 0, 1, 3, 3, 3}, {{0, 0, 0, 1}, {1, 2, 0, 1}, {3, 1, 1, 1}, {4, 0, 0, 1}});
   const auto lines = polylines(curve, 4);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_FALSE(lines[0].closed);
@@ -25,7 +28,8 @@ TEST(Polylines, HaveTheAskedStepsInEverySpanAndLieOnTheCurve) {
 
 TEST(Polylines, OfAPeriodicCurveAreClosedWithoutARepeatedPoint) {
   Random random(50);
-  const NurbsCurve curve = NurbsCurve::make(KnotVector::periodic_uniform(3, 5), random_points(random, 5, Weights::positive));
+  const NurbsCurve curve =
+      NurbsCurve::make(KnotVector::periodic_uniform(3, 5), random_points(random, 5, Weights::positive));
   const auto lines = polylines(curve, 3);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].closed);
@@ -35,7 +39,8 @@ TEST(Polylines, OfAPeriodicCurveAreClosedWithoutARepeatedPoint) {
 }
 
 TEST(Polylines, OfAPlainCurveThatReturnsToItsStartAreClosed) {
-  const NurbsCurve triangle = NurbsCurve::make(KnotVector::clamped(1, 4), {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 0, 1}});
+  const NurbsCurve triangle =
+      NurbsCurve::make(KnotVector::clamped(1, 4), {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 0, 1}});
   const auto lines = polylines(triangle, 1);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].closed);
@@ -101,14 +106,16 @@ TEST(Polylines, OfAPeriodicCurveWithItsSeamAtInfinityAreOpen) {
 
 TEST(Polylines, EndBeforeAnEndThatIsAtInfinityUpToRounding) {
   // The weight at the start is 0 in exact arithmetic: (1 - a) w0 + a w1 with a = 1/3.
-  const NurbsCurve curve = NurbsCurve::make(2, {-0.2, 0, 0.1, 0.3, 1, 1.2, 1.5}, {{1, 0, 0, 0.1}, {0, 1, 0, -0.2}, {-1, 0, 0, -0.2}, {0, -1, 0, -0.2}});
+  const NurbsCurve curve = NurbsCurve::make(2, {-0.2, 0, 0.1, 0.3, 1, 1.2, 1.5},
+                                            {{1, 0, 0, 0.1}, {0, 1, 0, -0.2}, {-1, 0, 0, -0.2}, {0, -1, 0, -0.2}});
   for (const Polyline& line : polylines(curve, 4)) {
     for (const double x : line.points) EXPECT_LT(std::abs(x), 1e6);
   }
 }
 
 TEST(Polylines, OfPiecesWithAGapAreSeparate) {
-  const NurbsCurve curve = NurbsCurve::make(1, {0, 0, 1, 1, 2, 2}, {{0, 0, 0, 1}, {1, 0, 0, 1}, {5, 0, 0, 1}, {6, 0, 0, 1}});
+  const NurbsCurve curve =
+      NurbsCurve::make(1, {0, 0, 1, 1, 2, 2}, {{0, 0, 0, 1}, {1, 0, 0, 1}, {5, 0, 0, 1}, {6, 0, 0, 1}});
   const auto lines = polylines(curve, 1);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0].points, (std::vector<double>{0, 0, 0, 1, 0, 0}));

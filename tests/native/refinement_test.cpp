@@ -20,7 +20,9 @@ std::vector<double> insertable(Random& random, const KnotVector& knots) {
     const auto times = multiplicity(knots, u) + std::ranges::count(inserted, u);
     if (times <= knots.degree() && integer(random, 0, 1) == 0) inserted.push_back(u);
   }
-  std::erase_if(inserted, [&](double u) { return std::ranges::count(inserted, u) + multiplicity(knots, u) > knots.degree() + 1; });
+  std::erase_if(inserted, [&](double u) {
+    return std::ranges::count(inserted, u) + multiplicity(knots, u) > knots.degree() + 1;
+  });
   std::ranges::shuffle(inserted, random);
   return inserted;
 }
@@ -114,7 +116,8 @@ TEST(InsertKnot, UpToDegreeTimesPutsAPointOnTheCurve) {
     const NurbsCurve refined = insert_knot(curve, u, kind.degree);
     const glm::dvec3 expected = point_at(curve, u);
     const auto distance = [&](const glm::dvec4& p) { return largest(glm::dvec3(p) - expected); };
-    EXPECT_LE(std::ranges::min(refined.points() | std::views::transform(distance)), 1e-12 * size_of(curve)) << text_of(kind);
+    EXPECT_LE(std::ranges::min(refined.points() | std::views::transform(distance)), 1e-12 * size_of(curve))
+        << text_of(kind);
   }
 }
 
@@ -122,7 +125,8 @@ TEST(Refine, OfPointsWithOneWeightKeepsThemInTheHull) {
   Random random(16);
   for (int round = 0; round < 200; ++round) {
     const NurbsCurve curve = random_curve(random, Weights::one);
-    const auto [low, high] = std::ranges::minmax(curve.points() | std::views::transform([](const auto& p) { return p.x; }));
+    const auto [low, high] =
+        std::ranges::minmax(curve.points() | std::views::transform([](const auto& p) { return p.x; }));
     const NurbsCurve refined = refine(curve, insertable(random, curve.knot_vector()));
     for (const glm::dvec4& p : refined.points()) {
       EXPECT_GE(p.x, low - 1e-13 * size_of(curve));

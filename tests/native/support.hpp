@@ -127,7 +127,8 @@ inline NurbsCurve random_curve(Random& random, const Kind& kind) {
 }
 
 inline NurbsCurve random_curve(Random& random, Weights weights = Weights::any) {
-  return random_curve(random, {integer(random, 1, 9), integer(random, 1, 8), static_cast<Ends>(integer(random, 0, 2)), weights});
+  return random_curve(
+      random, {integer(random, 1, 9), integer(random, 1, 8), static_cast<Ends>(integer(random, 0, 2)), weights});
 }
 
 inline NurbsPatch random_patch(Random& random, const Kind& u, const Kind& v) {

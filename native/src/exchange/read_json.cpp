@@ -103,10 +103,18 @@ Net<Point> net(const Json& object, const char* name) {
 }
 
 KnotVector knots_of(const Json& object, std::size_t axis) {
-  const Json& knots = element(field(object, "knots"), axis, "knots");
-  return KnotVector::make(integer(element(field(object, "degree"), axis, "degree"), "degree"),
-                          numbers(knots, "knots" + index_text(axis)),
-                          boolean(element(field(object, "periodic"), axis, "periodic"), "periodic"));
+  const std::string place = index_text(axis);
+  const int degree = integer(element(field(object, "degree"), axis, "degree"), "degree" + place);
+  auto knots = numbers(element(field(object, "knots"), axis, "knots"), "knots" + place);
+  return KnotVector::make(degree, std::move(knots),
+                          boolean(element(field(object, "periodic"), axis, "periodic"), "periodic" + place));
+}
+
+NurbsCurve nurbs_curve(const Json& object) {
+  const int degree = integer(field(object, "degree"), "degree");
+  auto knots = numbers(field(object, "knots"), "knots");
+  auto points = list<glm::dvec4>(field(object, "points"), "points");
+  return NurbsCurve::make(degree, std::move(knots), std::move(points), boolean(field(object, "periodic"), "periodic"));
 }
 
 HermiteCurve hermite_curve(const Json& object) {
@@ -116,7 +124,8 @@ HermiteCurve hermite_curve(const Json& object) {
     if (pair.size() != 2) refuse("tangents" + index_text(tangents.size()), "is not [incoming, outgoing]");
     tangents.push_back({pair[0], pair[1]});
   }
-  return HermiteCurve::make(list<glm::dvec3>(field(object, "points"), "points"), std::move(tangents),
+  auto points = list<glm::dvec3>(field(object, "points"), "points");
+  return HermiteCurve::make(std::move(points), std::move(tangents),
                             numbers(field(object, "parameters"), "parameters"));
 }
 
@@ -131,12 +140,26 @@ NurbsPatch nurbs_patch(const Json& object) {
   return NurbsPatch::make(std::move(u), std::move(v), std::move(points.points));
 }
 
+/// A net of a Hermite patch, of the shape of its points.
+std::vector<glm::dvec3> hermite_net(const Json& object, const char* name, const Net<glm::dvec3>& points) {
+  auto values = net<glm::dvec3>(object, name);
+  const bool is_empty = values.count_u == 0;
+  if (!is_empty && (values.count_u != points.count_u || values.count_v != points.count_v)) {
+    refuse(name, "is " + std::to_string(values.count_u) + " x " + std::to_string(values.count_v) +
+                     " for points of " + std::to_string(points.count_u) + " x " + std::to_string(points.count_v));
+  }
+  return std::move(values.points);
+}
+
 HermitePatch hermite_patch(const Json& object) {
-  const auto points = net<glm::dvec3>(object, "points");
-  HermiteNet all{points.points, net<glm::dvec3>(object, "tangents_u").points,
-                 net<glm::dvec3>(object, "tangents_v").points, net<glm::dvec3>(object, "twists").points};
-  return HermitePatch::make(points.count_u, points.count_v, std::move(all),
-                            numbers(field(object, "parameters_u"), "parameters_u"),
+  auto points = net<glm::dvec3>(object, "points");
+  HermiteNet all;
+  all.tangents_u = hermite_net(object, "tangents_u", points);
+  all.tangents_v = hermite_net(object, "tangents_v", points);
+  all.twists = hermite_net(object, "twists", points);
+  all.points = std::move(points.points);
+  auto parameters_u = numbers(field(object, "parameters_u"), "parameters_u");
+  return HermitePatch::make(points.count_u, points.count_v, std::move(all), std::move(parameters_u),
                             numbers(field(object, "parameters_v"), "parameters_v"));
 }
 
@@ -150,12 +173,12 @@ IndexedPatch indexed_patch(const Json& object) {
     patch.indices.push_back(integer(item, "indices" + index_text(patch.indices.size())));
   }
   if (kind == "bezier") return patch;
+  if (kind != "hermite" && kind != "nurbs") refuse("kind " + kind.dump(), "is not known");
   const char* name = kind == "hermite" ? "parameters" : "knots";
   patch.kind = kind == "hermite" ? PatchKind::hermite : PatchKind::nurbs;
   patch.knots_u = numbers(element(field(object, name), 0, name), std::string(name) + "[0]");
   patch.knots_v = numbers(element(field(object, name), 1, name), std::string(name) + "[1]");
   if (kind == "hermite") return patch;
-  if (kind != "nurbs") refuse("kind " + kind.dump(), "is not known");
   patch.degree_u = integer(element(field(object, "degree"), 0, "degree"), "degree[0]");
   patch.degree_v = integer(element(field(object, "degree"), 1, "degree"), "degree[1]");
   patch.periodic_u = boolean(element(field(object, "periodic"), 0, "periodic"), "periodic[0]");
@@ -173,11 +196,7 @@ Value value_of(const Json& object) {
   const Json& kind = field(object, "kind");
   if (kind == "bezier_curve") return BezierCurve::make(list<glm::dvec4>(field(object, "points"), "points"));
   if (kind == "hermite_curve") return hermite_curve(object);
-  if (kind == "nurbs_curve") {
-    return NurbsCurve::make(integer(field(object, "degree"), "degree"), numbers(field(object, "knots"), "knots"),
-                            list<glm::dvec4>(field(object, "points"), "points"),
-                            boolean(field(object, "periodic"), "periodic"));
-  }
+  if (kind == "nurbs_curve") return nurbs_curve(object);
   if (kind == "bezier_patch") {
     auto points = net<glm::dvec4>(object, "points");
     return BezierPatch::make(points.count_u, points.count_v, std::move(points.points));

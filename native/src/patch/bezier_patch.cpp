@@ -24,7 +24,8 @@ BezierPatch as_bezier(const NurbsPatch& patch) {
 }  // namespace
 
 BezierPatch BezierPatch::make(int count_u, int count_v, std::vector<glm::dvec4> points) {
-  return BezierPatch(NurbsPatch::make(bezier_axis(count_u, "u"), bezier_axis(count_v, "v"), std::move(points)));
+  KnotVector knots_u = bezier_axis(count_u, "u");
+  return BezierPatch(NurbsPatch::make(std::move(knots_u), bezier_axis(count_v, "v"), std::move(points)));
 }
 
 std::pair<BezierPatch, BezierPatch> split(const BezierPatch& patch, Axis axis, double u) {

@@ -25,7 +25,8 @@ std::vector<std::int64_t> scaled(const KnotVector& knots) {
   const Interval range = knots.domain();
   std::vector<std::int64_t> values;
   for (const double u : knots.knots()) {
-    values.push_back(std::llround((u - range.start) / range.length() * 1e12));
+    // Halves go to the even neighbour, so that mirrored knots stay mirrored.
+    values.push_back(std::llrint((u - range.start) / range.length() * 1e12));
   }
   return values;
 }

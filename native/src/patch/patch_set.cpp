@@ -59,8 +59,14 @@ AnyPatch value_of(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch
   points.reserve(patch.indices.size());
   for (const int i : patch.indices) points.push_back(pool[i]);
   if (patch.kind == PatchKind::bezier) return BezierPatch::make(patch.count_u, patch.count_v, std::move(points));
-  return NurbsPatch::make(KnotVector::make(patch.degree_u, patch.knots_u, patch.periodic_u),
-                          KnotVector::make(patch.degree_v, patch.knots_v, patch.periodic_v), std::move(points));
+  KnotVector knots_u = KnotVector::make(patch.degree_u, patch.knots_u, patch.periodic_u);
+  KnotVector knots_v = KnotVector::make(patch.degree_v, patch.knots_v, patch.periodic_v);
+  if (knots_u.count() != patch.count_u || knots_v.count() != patch.count_v) {
+    throw InvalidShape("count is " + std::to_string(patch.count_u) + " x " + std::to_string(patch.count_v) +
+                       ", but the knots belong to " + std::to_string(knots_u.count()) + " x " +
+                       std::to_string(knots_v.count()));
+  }
+  return NurbsPatch::make(std::move(knots_u), std::move(knots_v), std::move(points));
 }
 
 /// Collects points, each once where merging.

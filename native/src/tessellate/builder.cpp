@@ -33,14 +33,17 @@ class TessellationBuilder {
   std::int32_t new_vertex(const Grid& grid, int row, int column);
   void number_corners(std::size_t patch, const Grid& grid, Lines& lines);
   void number_side(std::size_t patch, int side, const Grid& grid, Lines& lines);
-  void add_faces(std::size_t patch, const Grid& grid, Lines& lines);
+  std::int32_t add_corner(std::size_t patch, int i, int j, std::int32_t vertex);
+  void add_face(std::size_t patch, Lines& lines, int i, int j);
+  void add_faces(std::size_t patch, Lines& lines);
   void add_seam(std::int32_t corner_a, std::int32_t corner_b);
 
   const PatchSet& set_;
   Tessellation& mesh_;
   const std::vector<std::array<PatchSide, 4>>& sides_;
   std::map<int, std::int32_t> corner_vertices_;
-  std::map<int, std::vector<std::int32_t>> edge_vertices_;
+  /// By edge and number of vertices: an edge that has two resolutions has its corners in common.
+  std::map<std::pair<int, int>, std::vector<std::int32_t>> edge_vertices_;
 };
 
 /// The pool row that a corner of the patch lies on, if it lies on one.
@@ -97,7 +100,7 @@ void TessellationBuilder::number_side(std::size_t patch, int side, const Grid& g
     for (int k = 0; k < count; ++k) vertex(k) = number_new(0);
     return;
   }
-  std::vector<std::int32_t>& known = edge_vertices_[description.edge];
+  std::vector<std::int32_t>& known = edge_vertices_[{description.edge, count}];
   const auto on_edge = [&](int k) { return description.reversed ? count - 1 - k : k; };
   if (known.empty()) {
     known.resize(count);
@@ -114,42 +117,64 @@ void TessellationBuilder::add_seam(std::int32_t corner_a, std::int32_t corner_b)
   mesh_.seams_.push_back({mesh_.corner_vertices_[corner_a], mesh_.corner_vertices_[corner_b], corner_a, corner_b});
 }
 
-void TessellationBuilder::add_faces(std::size_t patch, const Grid& grid, Lines& lines) {
-  const Interval range_u = nurbs_of(set_.patch(patch)).knot_vector(Axis::u).domain();
-  const Interval range_v = nurbs_of(set_.patch(patch)).knot_vector(Axis::v).domain();
-  const int samples_u = static_cast<int>(grid.u.samples.size());
-  const int samples_v = static_cast<int>(grid.v.samples.size());
-  for (int i = 0; i < samples_u; ++i) {
-    for (int j = 0; j < samples_v; ++j) {
-      if (!grid.u.face_follows[i] || !grid.v.face_follows[j]) continue;
-      // Counter-clockwise seen from where S_u x S_v points.
-      const std::array<std::pair<int, int>, 4> around{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
-      std::array<std::int32_t, 4> corners{-1, -1, -1, -1};
-      std::vector<std::pair<std::int32_t, int>> kept;
-      for (int k = 0; k < 4; ++k) {
-        const std::int32_t vertex = lines.at(grid.u.line[around[k].first], grid.v.line[around[k].second]);
-        const bool repeated = (!kept.empty() && kept.back().first == vertex) ||
-                              (k == 3 && !kept.empty() && kept.front().first == vertex);
-        if (!repeated) kept.emplace_back(vertex, k);
-      }
-      if (kept.size() < 3) continue;
-      mesh_.face_starts_.push_back(static_cast<std::int32_t>(mesh_.corner_vertices_.size()));
-      mesh_.face_patches_.push_back(static_cast<std::int32_t>(patch));
-      for (const auto& [vertex, k] : kept) {
-        const auto [a, b] = around[k];
-        corners[k] = static_cast<std::int32_t>(mesh_.corner_vertices_.size());
-        mesh_.corner_vertices_.push_back(vertex);
-        mesh_.corner_samples_.push_back(grid.first_sample + static_cast<std::size_t>(a) * samples_v + b);
-        mesh_.corner_uvs_.push_back(static_cast<float>((grid.u.samples.parameter(a) - range_u.start) / range_u.length()));
-        mesh_.corner_uvs_.push_back(static_cast<float>((grid.v.samples.parameter(b) - range_v.start) / range_v.length()));
-      }
-      const auto seam_if = [&](bool border, int k, int l) {
-        if (border && corners[k] >= 0 && corners[l] >= 0) add_seam(corners[k], corners[l]);
-      };
-      seam_if(i == 0 || !grid.u.face_follows[i - 1], 0, 3);
-      seam_if(!grid.u.face_follows[i + 1], 1, 2);
-      seam_if(j == 0 || !grid.v.face_follows[j - 1], 0, 1);
-      seam_if(!grid.v.face_follows[j + 1], 3, 2);
+namespace {
+
+/// Which corner of a quad stands for each one: on a pole two are one.
+std::array<int, 4> distinct_corners(const std::array<std::int32_t, 4>& vertices) {
+  std::array<int, 4> same{0, 1, 2, 3};
+  for (int k = 1; k < 4; ++k) {
+    if (vertices[k] == vertices[k - 1]) same[k] = same[k - 1];
+  }
+  if (same[3] == 3 && vertices[3] == vertices[0]) same[3] = 0;
+  return same;
+}
+
+}  // namespace
+
+std::int32_t TessellationBuilder::add_corner(std::size_t patch, int i, int j, std::int32_t vertex) {
+  const Grid& grid = mesh_.grids_[patch];
+  const NurbsPatch& form = nurbs_of(set_.patch(patch));
+  const auto scaled = [&](Axis axis, double u) {
+    const Interval range = form.knot_vector(axis).domain();
+    return static_cast<float>((u - range.start) / range.length());
+  };
+  mesh_.corner_vertices_.push_back(vertex);
+  mesh_.corner_samples_.push_back(grid.first_sample + i * grid.v.samples.size() + j);
+  mesh_.corner_uvs_.push_back(scaled(Axis::u, grid.u.samples.parameter(i)));
+  mesh_.corner_uvs_.push_back(scaled(Axis::v, grid.v.samples.parameter(j)));
+  return static_cast<std::int32_t>(mesh_.corner_vertices_.size()) - 1;
+}
+
+/// The face from sample (i, j) to the next ones, unless it has shrunk to an edge.
+void TessellationBuilder::add_face(std::size_t patch, Lines& lines, int i, int j) {
+  const Grid& grid = mesh_.grids_[patch];
+  // Counter-clockwise seen from where S_u x S_v points.
+  const std::array<std::pair<int, int>, 4> around{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
+  std::array<std::int32_t, 4> vertices;
+  for (int k = 0; k < 4; ++k) vertices[k] = lines.at(grid.u.line[around[k].first], grid.v.line[around[k].second]);
+  const std::array<int, 4> same = distinct_corners(vertices);
+  const auto merged = (same[1] != 1) + (same[2] != 2) + (same[3] != 3);
+  if (merged > 1) return;
+  mesh_.face_starts_.push_back(static_cast<std::int32_t>(mesh_.corner_vertices_.size()));
+  mesh_.face_patches_.push_back(static_cast<std::int32_t>(patch));
+  std::array<std::int32_t, 4> corners;
+  for (int k = 0; k < 4; ++k) {
+    corners[k] = same[k] == k ? add_corner(patch, around[k].first, around[k].second, vertices[k]) : corners[same[k]];
+  }
+  const auto seam_if = [&](bool border, int k, int l) {
+    if (border && same[k] != same[l]) add_seam(corners[k], corners[l]);
+  };
+  seam_if(i == 0 || !grid.u.face_follows[i - 1], 0, 3);
+  seam_if(!grid.u.face_follows[i + 1], 1, 2);
+  seam_if(j == 0 || !grid.v.face_follows[j - 1], 0, 1);
+  seam_if(!grid.v.face_follows[j + 1], 3, 2);
+}
+
+void TessellationBuilder::add_faces(std::size_t patch, Lines& lines) {
+  const Grid& grid = mesh_.grids_[patch];
+  for (int i = 0; i < static_cast<int>(grid.u.samples.size()); ++i) {
+    for (int j = 0; j < static_cast<int>(grid.v.samples.size()); ++j) {
+      if (grid.u.face_follows[i] && grid.v.face_follows[j]) add_face(patch, lines, i, j);
     }
   }
 }
@@ -165,7 +190,7 @@ void TessellationBuilder::add_patch(std::size_t patch) {
       if (lines.at(row, column) < 0) lines.at(row, column) = new_vertex(grid, row, column);
     }
   }
-  add_faces(patch, grid, lines);
+  add_faces(patch, lines);
 }
 
 Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resolution_v) {

@@ -13,7 +13,8 @@ namespace splinecore {
 
 /// The mesh of a patch set with a fixed number of faces per span: everything but positions.
 ///
-/// Vertices are shared along common edges and at common corners; a collapsed edge is one
+/// Vertices are shared along common edges and at common corners (where an edge lies along u of one
+/// patch and along v of another and the resolutions differ, at its corners only); a collapsed edge is one
 /// vertex with triangles around it; faces are wound so that their normals are S_u x S_v
 /// (lecture row S22, by count). It depends on indices, knots and which points are equal, so it is
 /// made once and evaluated for as many positions of the points as come.
