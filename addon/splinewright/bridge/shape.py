@@ -1,6 +1,7 @@
 """A shape as a whole: its definition, and the mesh or curve that is written from it."""
 
 import bpy
+import numpy as np
 
 from ..core import definition as definitions
 from ..core.library import sc
@@ -28,6 +29,11 @@ def new_data(name, value, resolution):
     return data
 
 
+def remove_data(data):
+    """Take a Mesh or Curve that no object uses out of the file."""
+    (bpy.data.curves if isinstance(data, bpy.types.Curve) else bpy.data.meshes).remove(data)
+
+
 def value_of(data):
     """The splinecore value of a data-block, or None where it has no definition."""
     definition = store.read(data)
@@ -43,17 +49,17 @@ def set_value(data, value):
 
 
 def set_definition(data, definition):
+    """set_value() with a definition."""
     require_writable(data)
-    if definition.has_curves != isinstance(data, bpy.types.Curve):
-        holds, wants = ("a Curve", "patches") if isinstance(data, bpy.types.Curve) else ("a Mesh", "curves")
-        raise TypeError(f"{data.name} is {holds}, which cannot show {wants}")
+    store.require_fitting(data, definition)
     show = evaluated(data, definition)
     store.write(data, definition)
     show()
+    data.splinewright.problem = ""
 
 
 def rewrite(data):
-    """Evaluate the stored definition again, after its settings changed."""
+    """Evaluate the stored definition again, after its settings changed. Raises as set_value() does."""
     definition = store.read(data)
     if definition is not None:
         require_writable(data)
@@ -61,7 +67,10 @@ def rewrite(data):
 
 
 def evaluated(data, definition):
-    """Evaluate now, write later: what is returned writes the result, and can no longer be refused."""
+    """Evaluate now, write later: what is returned writes the result.
+
+    Raises ValueError or ArithmeticError where there is nothing finite to show.
+    """
     settings = data.splinewright
     if definition.has_curves:
         value = definitions.to_value(definition)
@@ -69,12 +78,23 @@ def evaluated(data, definition):
         lines = [line for curve in curves for line in curve.polylines(settings.resolution_u)]
         if not lines:
             raise sc.InvalidShape("no piece of the curve is finite")
+        lines = [(_single(points), closed) for points, closed in lines]
         return lambda: write_curve.write(data, lines)
     patch_set = definitions.to_patch_set(definition)
     tessellation = sc.Tessellation(patch_set, (settings.resolution_u, settings.resolution_v))
     positions, normals = tessellation.evaluate(patch_set)
+    _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.sharp_angle)
     return lambda: write_mesh.write(data, tessellation, positions, normals, sharp)
+
+
+def _single(points):
+    """The points as Blender holds them, in float32. Raises InvalidShape if one is too far away."""
+    with np.errstate(over='ignore'):
+        points = points.astype(np.float32)
+    if not np.isfinite(points).all():
+        raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
+    return points
 
 
 def require_writable(data):
@@ -82,6 +102,7 @@ def require_writable(data):
     store.require_known_version(data)
     if data.library:
         raise ValueError(f"{data.name} is linked from another file and cannot be changed here")
+    if data.override_library or data.is_evaluated:
+        raise ValueError(f"{data.name} is a copy that Blender makes anew: change the original")
     if data.is_editmode:
         raise ValueError(f"{data.name} is in Edit Mode: leave it first")
-

@@ -2,6 +2,7 @@
 
 import json
 
+import bpy
 import numpy as np
 
 from ..core.definition import Definition, Piece
@@ -48,9 +49,11 @@ def read(data):
         return None
     require_known_version(data)
     try:
-        return _read_version_1(data[KEY])
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
-        raise UnreadableDefinition(f"The definition of this shape is damaged ({error}): its mesh is left alone") from error
+        definition = _read_version_1(data[KEY])
+        require_fitting(data, definition)
+        return definition
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError) as error:
+        raise UnreadableDefinition(f"The definition of this shape is damaged ({error}): what it shows is left alone") from error
 
 
 def require_known_version(data):
@@ -61,7 +64,18 @@ def require_known_version(data):
                                    f"this one reads {VERSION}): it is shown but cannot be changed here")
 
 
+def require_fitting(data, definition):
+    """Raises TypeError unless the data-block can show the definition. Texts and surfaces are Curves, too."""
+    shows_curves, shows_patches = type(data) is bpy.types.Curve, type(data) is bpy.types.Mesh
+    if definition.has_curves and not shows_curves:
+        raise TypeError(f"{data.name} is a {type(data).__name__}, which cannot show curves")
+    if not definition.has_curves and not shows_patches:
+        raise TypeError(f"{data.name} is a {type(data).__name__}, which cannot show patches")
+
+
 def _read_version_1(group):
+    if group['version'] != VERSION or not isinstance(group['version'], int):
+        raise ValueError(f"its version is {group['version']!r}")
     pool = np.array(group['pool'], dtype=np.float64).reshape(-1, 4)
     all_indices = np.array(group['indices'], dtype=np.int32)
     all_knots = np.array(group['knots'], dtype=np.float64)

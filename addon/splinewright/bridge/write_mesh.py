@@ -1,40 +1,38 @@
 """A tessellation into a Mesh: faces, UVs, smooth shading, exact normals, sharp edges."""
 
-import hashlib
-
 import bpy
 import numpy as np
 
-TOPOLOGY_KEY = "splinewright_topology"
 UV_NAME = "UVMap"
 
 
 def write(mesh, tessellation, positions, normals, sharp):
     """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
     sharp edges (k, 2). Where the faces are the same as before only positions and normals change."""
-    topology = _digest(tessellation)
-    if mesh.get(TOPOLOGY_KEY) == topology and _has_counts(mesh, tessellation):
+    if _has_faces(mesh, tessellation):
         _write_positions(mesh, positions)
     else:
         mesh.clear_geometry()
         _write_faces(mesh, tessellation, positions)
-        _write_uvs(mesh, tessellation)
-        mesh[TOPOLOGY_KEY] = topology
+    _write_uvs(mesh, tessellation)
+    mesh.polygons.foreach_set('use_smooth', np.ones(len(mesh.polygons), bool))
     _write_sharp_edges(mesh, sharp)
+    # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
+    mesh.update()
     _write_normals(mesh, normals)
     mesh.update()
 
 
-def _digest(tessellation):
-    digest = hashlib.sha1(tessellation.face_starts)
-    digest.update(tessellation.corner_vertices)
-    return digest.hexdigest()
-
-
-def _has_counts(mesh, tessellation):
-    return (len(mesh.vertices) == tessellation.vertex_count
-            and len(mesh.loops) == len(tessellation.corner_vertices)
-            and len(mesh.polygons) == len(tessellation.face_starts))
+def _has_faces(mesh, tessellation):
+    """Whether the mesh has these very faces; a user may have changed them."""
+    corners = tessellation.corner_vertices
+    if (len(mesh.vertices), len(mesh.loops), len(mesh.polygons)) != (
+            tessellation.vertex_count, len(corners), len(tessellation.face_starts)):
+        return False
+    vertices, starts = np.empty(len(corners), np.int32), np.empty(len(mesh.polygons), np.int32)
+    mesh.loops.foreach_get('vertex_index', vertices)
+    mesh.polygons.foreach_get('loop_start', starts)
+    return np.array_equal(vertices, corners) and np.array_equal(starts, tessellation.face_starts)
 
 
 def _write_positions(mesh, positions):
@@ -55,7 +53,6 @@ def _write_faces(mesh, tessellation, positions):
     mesh.polygons.foreach_set('loop_start', starts)
     if not hasattr(mesh, 'shade_smooth'):       # Blender 3.4 derives no totals
         mesh.polygons.foreach_set('loop_total', np.diff(np.append(starts, len(corners))).astype(np.int32))
-    mesh.polygons.foreach_set('use_smooth', np.ones(len(starts), bool))
     mesh.update(calc_edges=True)
 
 

@@ -3,12 +3,18 @@
 A count of patches; for each the degrees in u and v, then its points, row after row.
 """
 
+import re
+
 import numpy as np
 
 from .library import sc
 
 #: More points than this in one file are taken for a damaged count.
 LIMIT = 10_000_000
+
+
+#: What Python takes for a number is wider: digits of other scripts, underscores.
+_NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?|nan|[+-]?inf")
 
 
 class _Words:
@@ -24,6 +30,8 @@ class _Words:
         word, line = self._words[self._next]
         self._next += 1
         try:
+            if not _NUMBER.fullmatch(word):
+                raise ValueError(word)
             return kind(word)
         except ValueError:
             raise sc.InvalidShape(f"BPT line {line}: '{word[:40]}' is not {what}") from None

@@ -24,6 +24,29 @@ class Piece:
     periodic: tuple = ()            # NURBS: of each axis
     knots: tuple = ()               # NURBS: knots, Hermite: parameters, of each axis
 
+    def require_consistent(self, axes, pool_size):
+        """Raises ValueError unless the counts of a piece with so many axes fit each other and the pool."""
+        if self.kind not in ('bezier', 'hermite', 'nurbs'):
+            raise ValueError(f"'{self.kind}' is no kind of piece")
+        nets = () if self.kind != 'hermite' else (3,) if axes == 1 else (4,)
+        counts = self.indices.shape[len(nets):]
+        if self.indices.shape[:len(nets)] != nets or len(counts) != axes:
+            raise ValueError(f"a piece has points of shape {self.indices.shape}")
+        if self.indices.size == 0 or self.indices.min() < 0 or self.indices.max() >= pool_size:
+            raise ValueError("a piece names points that are not there")
+        if self.kind == 'nurbs':
+            self._require_knots(counts)
+        elif self.degree or self.periodic or [len(k) for k in self.knots] != (list(counts) if nets else []):
+            raise ValueError("a piece has degrees or knots that its kind has not")
+
+    def _require_knots(self, counts):
+        if not all(type(p) is bool for p in self.periodic) or not all(type(d) is int and d > 0 for d in self.degree):
+            raise ValueError("a piece has a degree or a period that is none")
+        expected = [count + 1 if periodic else count + degree + 1
+                    for count, degree, periodic in zip(counts, self.degree, self.periodic)]
+        if len(self.degree) != len(counts) or [len(k) for k in self.knots] != expected:
+            raise ValueError("the knots of a piece do not fit its points")
+
 
 @dataclass(frozen=True)
 class Definition:
@@ -38,20 +61,15 @@ class Definition:
         return self.form in ('curve', 'curves')
 
     def require_consistent(self):
-        """Raises ValueError unless every piece is of a known kind and names rows of the pool."""
+        """Raises ValueError or TypeError unless this could have come from a value."""
         if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:
             raise ValueError(f"its form is '{self.form}' with {len(self.pieces)} pieces")
-        axes = 1 if self.has_curves else 2
+        if self.form in ('curve', 'patch') and len(self.pieces) != 1:
+            raise ValueError(f"it is one {self.form} with {len(self.pieces)} pieces")
+        if not np.isfinite(self.pool).all() or not self.pool[:, 3].any():
+            raise ValueError("its points are not finite")
         for piece in self.pieces:
-            if piece.kind not in ('bezier', 'hermite', 'nurbs'):
-                raise ValueError(f"'{piece.kind}' is no kind of piece")
-            if piece.indices.ndim != axes + (piece.kind == 'hermite'):
-                raise ValueError("a piece has the wrong number of directions")
-            if piece.indices.size == 0 or piece.indices.min() < 0 or piece.indices.max() >= len(self.pool):
-                raise ValueError("a piece names points that are not there")
-            counts = {'bezier': (0, 0), 'hermite': (0, axes), 'nurbs': (axes, axes)}[piece.kind]
-            if (len(piece.degree), len(piece.knots)) != counts or len(piece.periodic) != counts[0]:
-                raise ValueError("a piece has degrees or knots of the wrong number")
+            piece.require_consistent(1 if self.has_curves else 2, len(self.pool))
 
 
 def from_value(value):
@@ -69,7 +87,7 @@ def from_value(value):
         if not value:
             raise ValueError("value is an empty list: a shape needs one curve or more")
         return _from_curves('curves', value)
-    raise TypeError(f"value is a {type(value).__name__}, a curve, a list of curves, a patch "
+    raise TypeError(f"value is of type {type(value).__name__}: a curve, a list of curves, a patch "
                     "or a PatchSet is expected")
 
 

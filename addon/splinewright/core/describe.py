@@ -29,7 +29,7 @@ def _summary(definition, noun):
     kinds = sorted({KINDS[piece.kind] for piece in definition.pieces})
     degrees = sorted({_degrees(piece, noun) for piece in definition.pieces})
     plural = "curves" if noun == "curve" else "patches"
-    found = [("Kind", f"{len(definition.pieces)} {' and '.join(kinds)} {plural}"),
+    found = [("Kind", f"{len(definition.pieces)} {', '.join(kinds)} {plural}"),
              ("Degrees", ", ".join(_times(d) for d in degrees)),
              ("Points", f"{len(definition.pool)} in the pool")]
     if _is_rational(definition):

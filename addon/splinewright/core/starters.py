@@ -10,6 +10,15 @@ from .library import sc
 KNOTS = ('CLAMPED', 'UNCLAMPED', 'PERIODIC')
 
 
+#: More control points than this in one patch are refused.
+MOST_POINTS = 1_000_000
+
+
+def _require_count(count_u, count_v):
+    if count_u * count_v > MOST_POINTS:
+        raise sc.InvalidShape(f"{count_u} × {count_v} points are too many, {MOST_POINTS:,} are the most")
+
+
 def knot_vector(degree, count, knots):
     """Uniform knots for `count` points: clamped, unclamped, or periodic."""
     if knots == 'PERIODIC':
@@ -51,6 +60,7 @@ def bezier_patch(degree_u, degree_v):
 
 def nurbs_patch(degree, count, knots):
     """A sheet, a tube where one direction is periodic, a torus where both are."""
+    _require_count(*count)
     closed = tuple(kind == 'PERIODIC' for kind in knots)
     vectors = tuple(knot_vector(*axis) for axis in zip(degree, count, knots))
     if closed == (True, True):
@@ -66,6 +76,7 @@ def nurbs_patch(degree, count, knots):
 
 def hermite_patch(count_u, count_v):
     """Ferguson's patch: twists are zero."""
+    _require_count(count_u, count_v)
     points = _hill(count_u, count_v)
     tangents_u = np.gradient(points, axis=0)
     tangents_v = np.gradient(points, axis=1)

@@ -72,6 +72,14 @@ std::vector<int> positive_spans(std::span<const double> knots, int degree) {
   return spans;
 }
 
+/// The matrices of all spans may take 1 GB.
+void require_size(int degree, std::size_t spans) {
+  const std::size_t order = degree + 1;
+  if (order * order * spans <= std::size_t{1} << 27) return;
+  throw InvalidShape("knots of degree " + std::to_string(degree) + " with " + std::to_string(spans) +
+                     " spans are too many to be evaluated");
+}
+
 std::vector<double> repeated(double low, double high, int times) {
   std::vector<double> knots(times, low);
   knots.insert(knots.end(), times, high);
@@ -112,6 +120,7 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
   state->unrolled = periodic ? unroll(knots, degree) : knots;
   state->knots = std::move(knots);
   state->spans = positive_spans(state->unrolled, degree);
+  require_size(degree, state->spans.size());
   state->matrices = std::make_shared<Matrices>();
   return KnotVector(std::move(state));
 }

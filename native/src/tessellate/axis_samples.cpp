@@ -1,5 +1,7 @@
 #include "splinecore/tessellate/axis_samples.hpp"
 
+#include <algorithm>
+
 namespace splinecore {
 
 AxisSamples sample_axis(const KnotVector& knots, int resolution) {
@@ -14,6 +16,8 @@ AxisSamples sample_axis(const KnotVector& knots, int resolution) {
     axis.face_follows.push_back(face_follows);
   };
   const int span_count = static_cast<int>(knots.spans().size());
+  // A closed direction of fewer than three strips would fold onto itself.
+  if (knots.periodic()) resolution = std::max(resolution, (2 + span_count) / span_count);
   for (int i = 0; i < span_count; ++i) {
     const Interval span = knots.span_interval(i);
     const int times = multiplicity(knots, span.start);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,9 @@ class TessellationBuilder {
       : set_(set), mesh_(mesh), sides_(mesh.sides_) {}
 
   void add_patch(std::size_t patch);
+
+  /// Where faces fell away, coarse meshes have vertices that no face needs.
+  void drop_unused_vertices();
 
  private:
   using Grid = Tessellation::Grid;
@@ -34,6 +38,7 @@ class TessellationBuilder {
   void number_corners(std::size_t patch, const Grid& grid, Lines& lines);
   void number_side(std::size_t patch, int side, const Grid& grid, Lines& lines);
   std::int32_t add_corner(std::size_t patch, int i, int j, std::int32_t vertex);
+  bool is_new_face(const Lines& lines, std::array<std::int32_t, 4> vertices);
   void add_face(std::size_t patch, Lines& lines, int i, int j);
   void add_faces(std::size_t patch, Lines& lines);
   void add_seam(std::int32_t corner_a, std::int32_t corner_b);
@@ -42,6 +47,7 @@ class TessellationBuilder {
   Tessellation& mesh_;
   const std::vector<std::array<PatchSide, 4>>& sides_;
   std::map<int, std::int32_t> corner_vertices_;
+  std::set<std::array<std::int32_t, 4>> coarse_faces_;
   /// By edge and number of vertices: an edge that has two resolutions has its corners in common.
   std::map<std::pair<int, int>, std::vector<std::int32_t>> edge_vertices_;
 };
@@ -52,8 +58,9 @@ std::optional<int> TessellationBuilder::corner_row(std::size_t patch, bool end_u
   const PatchSide& side_v = sides_[patch][end_v ? 3 : 2];
   if (side_u.kind == EdgeKind::open || side_v.kind == EdgeKind::open) return std::nullopt;
   const IndexedPatch& indexed = set_.patches()[patch];
-  const int i = end_u ? indexed.count_u - 1 : 0;
-  const int j = end_v ? indexed.count_v - 1 : 0;
+  // A pole is one vertex: its first point stands for both of its corners.
+  const int i = end_u && side_v.kind != EdgeKind::pole ? indexed.count_u - 1 : 0;
+  const int j = end_v && side_u.kind != EdgeKind::pole ? indexed.count_v - 1 : 0;
   return mesh_.first_equal_[indexed.indices[i * indexed.count_v + j]];
 }
 
@@ -145,6 +152,15 @@ std::int32_t TessellationBuilder::add_corner(std::size_t patch, int i, int j, st
   return static_cast<std::int32_t>(mesh_.corner_vertices_.size()) - 1;
 }
 
+/// Whether no face with these vertices is there, and none of them is met twice. Only in a patch of
+/// one strip, or of two, can a face have no vertex of its own.
+bool TessellationBuilder::is_new_face(const Lines& lines, std::array<std::int32_t, 4> vertices) {
+  if (vertices[0] == vertices[2] || vertices[1] == vertices[3]) return false;
+  if (std::min(lines.rows, lines.columns) > 3) return true;
+  std::ranges::sort(vertices);
+  return coarse_faces_.insert(vertices).second;
+}
+
 /// The face from sample (i, j) to the next ones, unless it has shrunk to an edge.
 void TessellationBuilder::add_face(std::size_t patch, Lines& lines, int i, int j) {
   const Grid& grid = mesh_.grids_[patch];
@@ -154,7 +170,7 @@ void TessellationBuilder::add_face(std::size_t patch, Lines& lines, int i, int j
   for (int k = 0; k < 4; ++k) vertices[k] = lines.at(grid.u.line[around[k].first], grid.v.line[around[k].second]);
   const std::array<int, 4> same = distinct_corners(vertices);
   const auto merged = (same[1] != 1) + (same[2] != 2) + (same[3] != 3);
-  if (merged > 1) return;
+  if (merged > 1 || !is_new_face(lines, vertices)) return;
   mesh_.face_starts_.push_back(static_cast<std::int32_t>(mesh_.corner_vertices_.size()));
   mesh_.face_patches_.push_back(static_cast<std::int32_t>(patch));
   std::array<std::int32_t, 4> corners;
@@ -193,9 +209,27 @@ void TessellationBuilder::add_patch(std::size_t patch) {
   add_faces(patch, lines);
 }
 
+void TessellationBuilder::drop_unused_vertices() {
+  std::vector<std::int32_t> new_index(mesh_.vertex_samples_.size(), -1);
+  for (const std::int32_t vertex : mesh_.corner_vertices_) new_index[vertex] = 0;
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    if (new_index[i] < 0) continue;
+    new_index[i] = static_cast<std::int32_t>(kept.size());
+    kept.push_back(mesh_.vertex_samples_[i]);
+  }
+  if (kept.size() == new_index.size()) return;
+  mesh_.vertex_samples_ = std::move(kept);
+  for (std::int32_t& vertex : mesh_.corner_vertices_) vertex = new_index[vertex];
+  for (Tessellation::Seam& seam : mesh_.seams_) {
+    seam.low_vertex = new_index[seam.low_vertex];
+    seam.high_vertex = new_index[seam.high_vertex];
+  }
+}
+
 Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resolution_v) {
   constexpr int kMaxResolution = 4096;
-  constexpr double kMaxSamples = 1 << 28;
+  constexpr double kMaxSamples = 1 << 23;
   for (const auto& [value, name] : {std::pair{resolution_u, "resolution_u"}, std::pair{resolution_v, "resolution_v"}}) {
     if (value < 1 || value > kMaxResolution) {
       throw InvalidShape(std::string(name) + " = " + std::to_string(value) + " is outside [1, " +
@@ -212,7 +246,7 @@ Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resol
     expected += (1.0 + resolution_u * static_cast<double>(form.knot_vector(Axis::u).spans().size())) *
                 (1.0 + resolution_v * static_cast<double>(form.knot_vector(Axis::v).spans().size()));
   }
-  if (expected > kMaxSamples) throw InvalidShape("the mesh would have more than 2^28 vertices: lower the resolution");
+  if (expected > kMaxSamples) throw InvalidShape("the mesh would have more than 2^23 vertices: lower the resolution");
   for (std::size_t i = 0; i < set.patches().size(); ++i) {
     const NurbsPatch& form = nurbs_of(set.patch(i));
     Grid grid{sample_axis(form.knot_vector(Axis::u), resolution_u),
@@ -222,7 +256,11 @@ Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resol
   }
   TessellationBuilder builder(set, mesh);
   for (std::size_t i = 0; i < mesh.grids_.size(); ++i) builder.add_patch(i);
+  builder.drop_unused_vertices();
   std::ranges::sort(mesh.seams_, {}, [](const Seam& seam) { return std::pair{seam.low_vertex, seam.high_vertex}; });
+  if (mesh.face_starts_.empty()) {
+    throw InvalidShape("the mesh would have no face: raise the resolution, or move points apart");
+  }
   return mesh;
 }
 

@@ -11,14 +11,15 @@ namespace splinecore {
 
 namespace {
 
-/// The ends of the piece and the steps of every span inside it.
+/// The ends of the piece, and `resolution` steps in what it holds of every span.
 std::vector<double> parameters_of(const KnotVector& knots, Interval piece, int resolution) {
-  std::vector<double> parameters{piece.start};
+  std::vector<double> parameters;
   for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
     const Interval span = knots.span_interval(i);
+    const Interval part{std::max(span.start, piece.start), std::min(span.end, piece.end)};
+    if (!(part.start < part.end)) continue;
     for (int k = 0; k < resolution; ++k) {
-      const double u = span.start + span.length() * (static_cast<double>(k) / resolution);
-      if (u > piece.start && u < piece.end) parameters.push_back(u);
+      parameters.push_back(part.start + part.length() * (static_cast<double>(k) / resolution));
     }
   }
   parameters.push_back(piece.end);
@@ -44,6 +45,12 @@ void append_finite(const NurbsCurve& curve, const std::vector<double>& parameter
 
 /// The samples of one piece that are finite.
 std::vector<double> piece_points(const NurbsCurve& curve, Interval piece, int resolution) {
+  // Samples next to infinity are left out, so a piece that runs there needs some more.
+  constexpr int kFewest = 4;
+  const bool is_finite = is_finite_end(curve, piece.start) && is_finite_end(curve, piece.end) &&
+                         !is_at_infinity(curve, piece.start, Side::right) &&
+                         !is_at_infinity(curve, piece.end, Side::left);
+  if (!is_finite) resolution = std::max(resolution, kFewest);
   std::vector<double> parameters = parameters_of(curve.knot_vector(), piece, resolution);
   if (!is_finite_end(curve, piece.start)) parameters.erase(parameters.begin());
   parameters.pop_back();

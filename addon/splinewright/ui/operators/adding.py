@@ -8,6 +8,17 @@ from ...bridge import shape
 from ...core import starters
 
 
+def can_add(cls, context):
+    """poll() of operators that add shapes."""
+    if context.mode != 'OBJECT':
+        cls.poll_message_set("Leave Edit Mode first: a shape is an object of its own")
+        return False
+    if context.scene.library or (context.collection and context.collection.library):
+        cls.poll_message_set("The active collection is linked from another file")
+        return False
+    return True
+
+
 class AddShape(AddObjectHelper):
     """Adds the object of value(), at the 3D cursor or where align, location and rotation say."""
 
@@ -21,13 +32,7 @@ class AddShape(AddObjectHelper):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT':
-            cls.poll_message_set("Leave Edit Mode first: a shape is an object of its own")
-            return False
-        if context.scene.library or (context.collection and context.collection.library):
-            cls.poll_message_set("The active collection is linked from another file")
-            return False
-        return True
+        return can_add(cls, context)
 
     def value(self):
         raise NotImplementedError("value: each operator says what it adds")
@@ -39,8 +44,8 @@ class AddShape(AddObjectHelper):
         try:
             value = starters.scaled(self.value(), self.size)
             data = shape.new_data(self.shape_name, value, self.resolution())
-        except (ValueError, TypeError, ArithmeticError) as error:
-            self.report({'ERROR'}, str(error))
+        except (ValueError, TypeError, ArithmeticError, MemoryError) as error:
+            self.report({'ERROR'}, str(error) or "There is not enough memory for this shape")
             return {'CANCELLED'}
         self._align(context)
         object_data_add(context, data, operator=self)

@@ -5,44 +5,65 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
-from bpy_extras.object_utils import object_data_add
 
 from ...bridge import shape
 from ...core import bpt
 from ...core.definition import CURVES
 from ...core.library import sc
+from .adding import can_add
 
-_FAILURES = (ValueError, TypeError, ArithmeticError, OSError)
+_FAILURES = (ValueError, TypeError, ArithmeticError, OSError, MemoryError)
+#: Steps in every span of what is imported.
 _RESOLUTION = (10, 10)
 
 
+def _path(operator):
+    return Path(bpy.path.abspath(operator.filepath))
+
+
+def _printable(text):
+    """Names of files may hold bytes that are no text."""
+    return str(text).encode('utf-8', 'replace').decode('utf-8')
+
+
 class _Import(ImportHelper):
+    """Adds the shapes of a file where their coordinates say, at the origin of the world."""
+
     bl_options = {'REGISTER', 'UNDO'}
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT':
-            cls.poll_message_set("Leave Edit Mode first: a shape is an object of its own")
-            return False
-        return True
+        return can_add(cls, context)
+
+    def values(self, text):
+        """The value of each object that the text of a file makes."""
+        raise NotImplementedError
 
     def execute(self, context):
-        path = Path(self.filepath)
+        path = _path(self)
+        name = _printable(path.stem)
         made = []
         try:
-            text = path.read_text(encoding='utf-8')
-            for value in self.values(text):
-                made.append(shape.new_data(path.stem, value, _RESOLUTION))
+            for value in self.values(path.read_text(encoding='utf-8-sig')):
+                made.append(shape.new_data(name, value, _RESOLUTION))
         except _FAILURES as error:
             for data in made:
-                (bpy.data.curves if isinstance(data, bpy.types.Curve) else bpy.data.meshes).remove(data)
-            self.report({'ERROR'}, f"{path.name}: {error}")
+                shape.remove_data(data)
+            self.report({'ERROR'}, f"{_printable(path.name)}: {_printable(error)}")
             return {'CANCELLED'}
-        objects = [object_data_add(context, data, name=path.stem) for data in made]
-        for ob in objects:
-            ob.select_set(True)
-        self.report({'INFO'}, f"Imported {path.name}")
+        self._link(context, name, made)
+        self.report({'INFO'}, f"Imported {name}")
         return {'FINISHED'}
+
+    @staticmethod
+    def _link(context, name, made):
+        for ob in context.selected_objects:
+            ob.select_set(False)
+        for data in made:
+            ob = bpy.data.objects.new(name, data)
+            context.collection.objects.link(ob)
+            ob.select_set(True)
+            context.view_layer.objects.active = ob
 
 
 class _Export(ExportHelper):
@@ -55,15 +76,22 @@ class _Export(ExportHelper):
             return False
         return True
 
+    def text(self, value):
+        """What is written of the active shape."""
+        raise NotImplementedError
+
     def execute(self, context):
-        path = Path(self.filepath)
+        path = _path(self)
         try:
             text = self.text(shape.value_of(context.object.data))
-            path.write_text(text, encoding='utf-8')
+            # A file that is there stays whole until the new one is.
+            partial = path.with_name(path.name + ".part")
+            partial.write_text(text, encoding='utf-8')
+            partial.replace(path)
         except _FAILURES as error:
-            self.report({'ERROR'}, f"{context.object.name}: {error}")
+            self.report({'ERROR'}, f"{context.object.name}: {_printable(error)}")
             return {'CANCELLED'}
-        self.report({'INFO'}, f"Exported {path.name}")
+        self.report({'INFO'}, f"Exported {_printable(path.name)}")
         return {'FINISHED'}
 
 

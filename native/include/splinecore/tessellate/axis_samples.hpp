@@ -18,7 +18,7 @@ struct AxisSamples {
   int line_count = 0;
 };
 
-/// `resolution` strips of equal width in every span.
+/// `resolution` strips of equal width in every span; a periodic direction has three at least.
 AxisSamples sample_axis(const KnotVector& knots, int resolution);
 
 }  // namespace splinecore
