@@ -1,7 +1,6 @@
 #include "splinecore/basis/samples.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/bernstein.hpp"

@@ -1,6 +1,5 @@
 #include "splinecore/curve/nurbs_curve.hpp"
 
-#include <algorithm>
 #include <string>
 
 #include "splinecore/base/errors.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "splinecore/basis/knot_vector.hpp"
 
 namespace splinecore {

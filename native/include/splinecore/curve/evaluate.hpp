@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "splinecore/base/interval.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"

@@ -12,8 +12,8 @@ struct Polyline {
   bool closed = false;  ///< the last point is joined to the first, which is not repeated
 };
 
-/// One polyline for each of pieces(), with `resolution` steps in every span. A piece that runs to
-/// infinity ends at its last sample before it. A whole curve whose end points are equal in every
+/// One polyline for each of pieces(), with `resolution` steps in what it holds of every span. A piece
+/// that runs to infinity has four steps at least and ends at the last before it. A whole curve whose end points are equal in every
 /// bit is closed.
 /// @throws InvalidShape if the resolution is outside [1, 4096].
 std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution);

@@ -1,0 +1,38 @@
+"""What the README shows must run, and what it names must be there."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+README = (PROJECT / "README.md").read_text()
+
+
+def test_the_ten_lines_of_the_module_run():
+    blocks = [block for block in re.findall(r"```python\n(.*?)```", README, re.S) if "splinecore as sc" in block]
+    assert len(blocks) == 1
+    run = subprocess.run([sys.executable, "-c", blocks[0]], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+
+
+def test_every_picture_and_file_it_links_is_there():
+    links = [link for link in re.findall(r"\]\(([^)]+)\)", README) if "://" not in link]
+    assert len(links) >= 5
+    for link in links:
+        assert (PROJECT / link).exists(), link
+
+
+def test_every_command_it_names_is_one_of_run():
+    commands = set(re.findall(r"\./run ([a-z-]+)", README))
+    script = (PROJECT / "run").read_text()
+    assert {"demo", "test", "zip", "matrix"} <= commands
+    for command in commands - {"help"}:
+        assert re.search(rf"^  {command}\)", script, re.M), command
+
+
+def test_the_map_of_rooms_names_every_folder():
+    for folder in (PROJECT / "native/src", PROJECT / "addon/splinewright"):
+        for room in folder.iterdir():
+            if room.is_dir() and not room.name.startswith("_"):
+                assert re.search(rf"\b{room.name}\b", README), room.name
