@@ -113,6 +113,13 @@ def test_resolution_evaluates_again_and_keeps_the_definition():
     assert len(curve.splines[0].points) == 8
 
 
+def test_progress_is_told_after_evaluating_and_after_writing():
+    shape, told = part('bridge.shape'), []
+    data = shape.new_data("mesh", VALUES['bezier patch'](), (4, 4), told.append)
+    shape.rewrite(data, told.append)
+    assert told == [1, 2, 1, 2] and shape.STEPS == 2
+
+
 WRONG = {
     'a number': (3.5, TypeError, "float"),
     'text': ("curve", TypeError, "str"),

@@ -205,7 +205,7 @@ TEST(Tessellation, RefusesAbsurdResolutions) {
   const PatchSet large = PatchSet::of(
       std::vector<AnyPatch>{NurbsPatch::make(knots, knots, std::vector<glm::dvec4>(400, glm::dvec4(1)))}, false);
   EXPECT_EQ(refusal([&] { Tessellation::make(large, 4096, 4096); }),
-            "the mesh would have more than 2^23 vertices: lower the resolution");
+            "the mesh would have more than 2^22 vertices: lower the resolution");
 }
 
 }  // namespace

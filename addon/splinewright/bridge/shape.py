@@ -13,7 +13,15 @@ def has_shape(ob):
     return ob is not None and ob.type in ('MESH', 'CURVE') and store.has_definition(ob.data)
 
 
-def new_data(name, value, resolution):
+#: Steps that set_definition() and rewrite() report to `progress`.
+STEPS = 2
+
+
+def no_progress(step):
+    """For callers that show none."""
+
+
+def new_data(name, value, resolution, progress=no_progress):
     """A new Mesh or Curve that shows the value. resolution is a pair; a curve uses the first."""
     definition = definitions.from_value(value)
     collection = bpy.data.curves if definition.has_curves else bpy.data.meshes
@@ -22,7 +30,7 @@ def new_data(name, value, resolution):
         data.use_path = True        # Follow Path finds no path otherwise
     try:
         data.splinewright.set_resolution(*resolution)
-        set_definition(data, definition)
+        set_definition(data, definition, progress)
     except Exception:
         collection.remove(data)
         raise
@@ -48,22 +56,27 @@ def set_value(data, value):
     set_definition(data, definitions.from_value(value))
 
 
-def set_definition(data, definition):
+def set_definition(data, definition, progress=no_progress):
     """set_value() with a definition."""
     require_writable(data)
     store.require_fitting(data, definition)
     show = evaluated(data, definition)
+    progress(1)
     store.write(data, definition)
     show()
+    progress(2)
     data.splinewright.problem = ""
 
 
-def rewrite(data):
+def rewrite(data, progress=no_progress):
     """Evaluate the stored definition again, after its settings changed. Raises as set_value() does."""
     definition = store.read(data)
     if definition is not None:
         require_writable(data)
-        evaluated(data, definition)()
+        show = evaluated(data, definition)
+        progress(1)
+        show()
+        progress(2)
 
 
 def evaluated(data, definition):

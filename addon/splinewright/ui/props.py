@@ -6,6 +6,7 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 from ..bridge import shape, store
+from . import progress
 
 #: Types of data-blocks that can hold a shape.
 OWNERS = (bpy.types.Mesh, bpy.types.Curve)
@@ -15,7 +16,8 @@ def _resolution_changed(self, context):
     if self.quiet or not store.has_definition(self.id_data):
         return
     try:
-        shape.rewrite(self.id_data)
+        with progress.shown(context, shape.STEPS) as step:
+            shape.rewrite(self.id_data, step)
         self.problem = ""
     except (ValueError, ArithmeticError) as error:
         self.problem = str(error)

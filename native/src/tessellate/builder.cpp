@@ -229,7 +229,7 @@ void TessellationBuilder::drop_unused_vertices() {
 
 Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resolution_v) {
   constexpr int kMaxResolution = 4096;
-  constexpr double kMaxSamples = 1 << 23;
+  constexpr double kMaxSamples = 1 << 22;
   for (const auto& [value, name] : {std::pair{resolution_u, "resolution_u"}, std::pair{resolution_v, "resolution_v"}}) {
     if (value < 1 || value > kMaxResolution) {
       throw InvalidShape(std::string(name) + " = " + std::to_string(value) + " is outside [1, " +
@@ -246,7 +246,7 @@ Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resol
     expected += (1.0 + resolution_u * static_cast<double>(form.knot_vector(Axis::u).spans().size())) *
                 (1.0 + resolution_v * static_cast<double>(form.knot_vector(Axis::v).spans().size()));
   }
-  if (expected > kMaxSamples) throw InvalidShape("the mesh would have more than 2^23 vertices: lower the resolution");
+  if (expected > kMaxSamples) throw InvalidShape("the mesh would have more than 2^22 vertices: lower the resolution");
   for (std::size_t i = 0; i < set.patches().size(); ++i) {
     const NurbsPatch& form = nurbs_of(set.patch(i));
     Grid grid{sample_axis(form.knot_vector(Axis::u), resolution_u),

@@ -6,6 +6,7 @@ from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
 from ...core import starters
+from .. import progress
 
 
 def can_add(cls, context):
@@ -43,7 +44,8 @@ class AddShape(AddObjectHelper):
     def execute(self, context):
         try:
             value = starters.scaled(self.value(), self.size)
-            data = shape.new_data(self.shape_name, value, self.resolution())
+            with progress.shown(context, shape.STEPS) as step:
+                data = shape.new_data(self.shape_name, value, self.resolution(), step)
         except (ValueError, TypeError, ArithmeticError, MemoryError) as error:
             self.report({'ERROR'}, str(error) or "There is not enough memory for this shape")
             return {'CANCELLED'}

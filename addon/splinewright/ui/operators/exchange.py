@@ -10,6 +10,7 @@ from ...bridge import shape
 from ...core import bpt
 from ...core.definition import CURVES
 from ...core.library import sc
+from .. import progress
 from .adding import can_add
 
 _FAILURES = (ValueError, TypeError, ArithmeticError, OSError, MemoryError)
@@ -44,8 +45,11 @@ class _Import(ImportHelper):
         name = _printable(path.stem)
         made = []
         try:
-            for value in self.values(path.read_text(encoding='utf-8-sig')):
-                made.append(shape.new_data(name, value, _RESOLUTION))
+            values = self.values(path.read_text(encoding='utf-8-sig'))
+            with progress.shown(context, len(values)) as step:
+                for value in values:
+                    made.append(shape.new_data(name, value, _RESOLUTION))
+                    step(len(made))
         except _FAILURES as error:
             for data in made:
                 shape.remove_data(data)

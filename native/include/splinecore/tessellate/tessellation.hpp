@@ -20,7 +20,7 @@ namespace splinecore {
 /// made once and evaluated for as many positions of the points as come.
 class Tessellation {
  public:
-  /// @throws InvalidShape if a resolution is outside [1, 4096] or there would be more than 2^23 samples.
+  /// @throws InvalidShape if a resolution is outside [1, 4096] or there would be more than 2^22 samples.
   static Tessellation make(const PatchSet& set, int resolution_u, int resolution_v);
 
   /// Whether the set has the patches, on the same knots and with the same points on one another,
