@@ -45,7 +45,8 @@ suites+=(trixie)
 if make_root sid; then
   suites+=(sid)
 else
-  unstable="Debian unstable cannot install its Blender today: $(grep -E '^E:' "$build/root-sid.log" | tail -n 1)"
+  reason=$(grep -E '^E:' "$build/root-sid.log" | tail -n 1 || true)
+  unstable="Debian unstable cannot install its Blender today: ${reason:-$(tail -n 1 "$build/root-sid.log")}"
 fi
 
 mkdir -p "$build/modules"

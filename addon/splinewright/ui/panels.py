@@ -1,11 +1,13 @@
 """The sidebar panel, and the same in the object data properties."""
 
-import textwrap
-
 import bpy
 
 from ..bridge import shape, store
 from ..core import describe
+from . import texts
+
+#: Characters that fit a line of the sidebar.
+_WIDTH = 40
 
 
 class _ShapePanel:
@@ -21,7 +23,7 @@ class _ShapePanel:
         try:
             definition = store.read(data)
         except store.UnreadableDefinition as error:
-            _wrapped(layout, str(error))
+            texts.draw_problem(layout, str(error), _WIDTH)
             return
         column = layout.column(align=True)
         for label, text in describe.lines(definition):
@@ -39,7 +41,7 @@ class _ShapePanel:
             layout.prop(settings, "sharp_angle")
             layout.label(text=f"{len(data.vertices):,} vertices, {len(data.polygons):,} faces")
         if settings.problem:
-            _wrapped(layout, settings.problem)
+            texts.draw_problem(layout, settings.problem, _WIDTH)
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
@@ -55,12 +57,6 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
     bl_region_type = 'WINDOW'
     bl_context = "data"
     bl_options = {'DEFAULT_CLOSED'}
-
-
-def _wrapped(layout, text, width=40):
-    column = layout.column(align=True)
-    for i, line in enumerate(textwrap.wrap(text, width)):
-        column.label(text=line, icon='ERROR' if i == 0 else 'BLANK1')
 
 
 CLASSES = (SPLINEWRIGHT_PT_shape, SPLINEWRIGHT_PT_data)

@@ -21,12 +21,15 @@ bool ends_in_point(const KnotVector& knots, bool at_end) {
   return at_end ? all[knots.count()] == all[knots.count() + degree - 1] : all[1] == all[degree];
 }
 
+/// Knots are compared in steps of this fraction of the domain: scaling them rounds.
+constexpr std::int64_t kKnotSteps = 1'000'000'000'000;
+
 std::vector<std::int64_t> scaled(const KnotVector& knots) {
   const Interval range = knots.domain();
   std::vector<std::int64_t> values;
   for (const double u : knots.knots()) {
     // Halves go to the even neighbour, so that mirrored knots stay mirrored.
-    values.push_back(std::llrint((u - range.start) / range.length() * 1e12));
+    values.push_back(std::llrint((u - range.start) / range.length() * static_cast<double>(kKnotSteps)));
   }
   return values;
 }
@@ -87,7 +90,7 @@ KeyedSide keyed_side(const PatchSet& set, std::size_t i, const std::vector<int>&
   }
   const Key forward = joined(periodic * along.degree(), knots, rows);
   std::ranges::reverse(knots);
-  for (std::int64_t& u : knots) u = std::int64_t{1000000000000} - u;
+  for (std::int64_t& u : knots) u = kKnotSteps - u;
   const Key backward = joined(periodic * along.degree(), knots, {rows.rbegin(), rows.rend()});
   const bool reversed = !along.periodic() && backward < forward;
   return {{EdgeKind::free, -1, reversed}, reversed ? backward : forward};

@@ -86,40 +86,44 @@ class _Export(ExportHelper):
 
     def execute(self, context):
         path = _path(self)
+        # A file that is there stays whole until the new one is.
+        partial = path.with_name(path.name + ".part")
         try:
-            text = self.text(shape.value_of(context.object.data))
-            # A file that is there stays whole until the new one is.
-            partial = path.with_name(path.name + ".part")
-            partial.write_text(text, encoding='utf-8')
+            partial.write_text(self.text(shape.value_of(context.object.data)), encoding='utf-8')
             partial.replace(path)
         except _FAILURES as error:
+            if partial.is_file():
+                partial.unlink()
             self.report({'ERROR'}, f"{context.object.name}: {_printable(error)}")
             return {'CANCELLED'}
         self.report({'INFO'}, f"Exported {_printable(path.name)}")
         return {'FINISHED'}
 
 
-class SPLINEWRIGHT_OT_import_bpt(_Import, bpy.types.Operator):
-    bl_idname = "splinewright.import_bpt"
-    bl_label = "Import BPT"
-    bl_description = "Import a file of Bezier patches as one object; equal points become one"
-
+class _Bpt:
     filename_ext = ".bpt"
     filter_glob: StringProperty(default="*.bpt", options={'HIDDEN'})
     flip: BoolProperty(name="Flip", description="Exchange u and v of every patch, which turns the normals over")
+
+
+class _Json:
+    filename_ext = ".json"
+    filter_glob: StringProperty(default="*.json", options={'HIDDEN'})
+
+
+class SPLINEWRIGHT_OT_import_bpt(_Bpt, _Import, bpy.types.Operator):
+    bl_idname = "splinewright.import_bpt"
+    bl_label = "Import BPT"
+    bl_description = "Import a file of Bezier patches as one object; equal points become one"
 
     def values(self, text):
         return [bpt.loads(text, self.flip)]
 
 
-class SPLINEWRIGHT_OT_export_bpt(_Export, bpy.types.Operator):
+class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
     bl_idname = "splinewright.export_bpt"
     bl_label = "Export BPT"
     bl_description = "Export the patches of the active shape as Bezier patches, exactly"
-
-    filename_ext = ".bpt"
-    filter_glob: StringProperty(default="*.bpt", options={'HIDDEN'})
-    flip: BoolProperty(name="Flip", description="Exchange u and v of every patch, which turns the normals over")
 
     def text(self, value):
         if isinstance(value, (*CURVES, list)):
@@ -129,13 +133,10 @@ class SPLINEWRIGHT_OT_export_bpt(_Export, bpy.types.Operator):
         return bpt.dumps(value)
 
 
-class SPLINEWRIGHT_OT_import_json(_Import, bpy.types.Operator):
+class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
     bl_idname = "splinewright.import_json"
     bl_label = "Import Exact JSON"
     bl_description = "Import curves and patches with every digit; all curves of a list become one object"
-
-    filename_ext = ".json"
-    filter_glob: StringProperty(default="*.json", options={'HIDDEN'})
 
     def values(self, text):
         value = sc.loads(text)
@@ -148,13 +149,10 @@ class SPLINEWRIGHT_OT_import_json(_Import, bpy.types.Operator):
         return ([curves] if curves else []) + patches
 
 
-class SPLINEWRIGHT_OT_export_json(_Export, bpy.types.Operator):
+class SPLINEWRIGHT_OT_export_json(_Json, _Export, bpy.types.Operator):
     bl_idname = "splinewright.export_json"
     bl_label = "Export Exact JSON"
     bl_description = "Export the definition of the active shape with every digit"
-
-    filename_ext = ".json"
-    filter_glob: StringProperty(default="*.json", options={'HIDDEN'})
 
     def text(self, value):
         return sc.dumps(value)

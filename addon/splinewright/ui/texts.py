@@ -1,0 +1,11 @@
+"""Sentences in a layout, broken into lines."""
+
+import textwrap
+
+
+def draw_problem(layout, text, width):
+    """A sentence about something that went wrong, `width` characters to a line."""
+    column = layout.column(align=True)
+    column.alert = True
+    for i, line in enumerate(textwrap.wrap(text, width)):
+        column.label(text=line, icon='ERROR' if i == 0 else 'BLANK1')
