@@ -247,6 +247,12 @@ std::pair<int, int> resolutions_of(const py::object& value) {
   return {integer(u, "resolution"), integer(v, "resolution")};
 }
 
+const PatchSet& fitting_set(const Tessellation& tessellation, const py::object& value) {
+  const PatchSet& set = set_of(value);
+  if (tessellation.fits(set)) return set;
+  throw InvalidShape("patch_set does not fit: its patches, or which of its points are equal, differ");
+}
+
 void bind_tessellation(py::module_& module) {
   py::class_<Tessellation> cls(
       module, "Tessellation", py::module_local(),
@@ -281,8 +287,7 @@ void bind_tessellation(py::module_& module) {
           py::arg("patch_set"),
           "Whether evaluate() takes the set: it has the same patches, and the same of its points are equal.");
   cls.def("evaluate", [](const Tessellation& self, const py::object& patch_set) {
-            const PatchSet& set = set_of(patch_set);
-            if (!self.fits(set)) throw InvalidShape("patch_set does not fit: its patches, or which of its points are equal, differ");
+            const PatchSet& set = fitting_set(self, patch_set);
             py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
             py::array_t<float> normals({static_cast<py::ssize_t>(self.corner_vertices().size()), py::ssize_t{3}});
             const std::span to_positions(positions.mutable_data(), positions.size());
@@ -290,6 +295,13 @@ void bind_tessellation(py::module_& module) {
             unlocked([&] { self.evaluate(set, to_positions, to_normals); });
             return py::make_tuple(positions, normals);
           }, py::arg("patch_set"), "(positions (vertex_count, 3), corner normals (c, 3)), float32.");
+  cls.def("evaluate_positions", [](const Tessellation& self, const py::object& patch_set) {
+            const PatchSet& set = fitting_set(self, patch_set);
+            py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
+            const std::span to(positions.mutable_data(), positions.size());
+            unlocked([&] { self.evaluate_positions(set, to); });
+            return positions;
+          }, py::arg("patch_set"), "The positions alone, (vertex_count, 3) float32: what a drag needs.");
   cls.def("sharp_edges", [](const Tessellation& self, const py::object& normals, const py::object& angle) {
             const py::array_t<float, py::array::c_style | py::array::forcecast> given(real_array(normals, "normals"));
             const auto corners = static_cast<py::ssize_t>(self.corner_vertices().size());

@@ -66,7 +66,7 @@ def test_normals_uvs_and_winding_are_right_after_a_second_assignment():
         assert np.allclose(polygon.normal, turn @ (0, 0, 1), atol=1e-5)
 
 
-def test_what_a_user_did_to_the_faces_is_put_right_by_assigning():
+def test_what_a_user_did_to_the_faces_is_put_right_by_restoring():
     bpy.ops.splinewright.add_bezier_patch()
     ob = bpy.context.object
     bpy.ops.object.mode_set(mode='EDIT')
@@ -76,7 +76,9 @@ def test_what_a_user_did_to_the_faces_is_put_right_by_assigning():
     mesh = ob.data
     mesh.uv_layers.remove(mesh.uv_layers[0])
     mesh.polygons[0].use_smooth = False
-    mesh.splinewright.value = mesh.splinewright.value
+    with pytest.raises(ValueError, match="changed by hand"):
+        mesh.splinewright.value = mesh.splinewright.value
+    bpy.ops.splinewright.restore()
     assert all(polygon.normal.z > 0 for polygon in mesh.polygons)
     assert len(mesh.uv_layers) == 1 and mesh.polygons[0].use_smooth
 

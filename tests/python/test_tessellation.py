@@ -41,6 +41,19 @@ def test_resolution_may_differ_along_u_and_v():
     assert sc.Tessellation(one, np.int32(3)).vertex_count == 16
 
 
+@pytest.mark.parametrize("make", [torus, cylinder, wavy_patch, sphere_octant])
+def test_positions_alone_are_those_of_evaluate_in_every_bit(make):
+    one = sc.PatchSet.from_patches([make()])
+    mesh = sc.Tessellation(one, 5)
+    moved = one.with_points(one.points * 1.5 + 0.25)
+    positions = mesh.evaluate_positions(moved)
+    assert positions.dtype == np.float32 and np.array_equal(positions, mesh.evaluate(moved)[0])
+    with pytest.raises(sc.InvalidShape, match="does not fit"):
+        mesh.evaluate_positions(cube())
+    with pytest.raises(TypeError, match="PatchSet"):
+        mesh.evaluate_positions(make())
+
+
 @pytest.mark.parametrize("patch, euler", [(torus(), 0), (cylinder(), 0)])
 def test_closed_directions_close_the_mesh(patch, euler):
     mesh = sc.Tessellation(sc.PatchSet.from_patches([patch]), 3)

@@ -1,11 +1,13 @@
 """A shape as a whole: its definition, and the mesh or curve that is written from it."""
 
+from typing import Callable, NamedTuple
+
 import bpy
 import numpy as np
 
 from ..core import definition as definitions
 from ..core.library import sc
-from . import store, write_curve, write_mesh
+from . import recipes, stamp, store, write_curve, write_mesh
 
 
 def has_shape(ob):
@@ -59,28 +61,62 @@ def set_value(data, value):
 def set_definition(data, definition, progress=no_progress):
     """set_value() with a definition."""
     require_writable(data)
+    require_untouched(data)
     store.require_fitting(data, definition)
-    show = evaluated(data, definition)
+    picture = evaluated(data, definition)
     progress(1)
     store.write(data, definition)
-    show()
-    progress(2)
-    data.splinewright.problem = ""
+    _finish(data, picture, progress)
 
 
 def rewrite(data, progress=no_progress):
     """Evaluate the stored definition again, after its settings changed. Raises as set_value() does."""
+    require_untouched(data)
+    restore(data, progress)
+
+
+def restore(data, progress=no_progress):
+    """rewrite(), also where the geometry was changed by others: their changes are lost."""
     definition = store.read(data)
     if definition is not None:
         require_writable(data)
-        show = evaluated(data, definition)
+        picture = evaluated(data, definition)
         progress(1)
-        show()
-        progress(2)
+        _finish(data, picture, progress)
+
+
+def _finish(data, picture, progress):
+    picture.write()
+    store.write_stamp(data, stamp.of(data))
+    progress(2)
+    data.splinewright.problem = ""
+
+
+def detach(data):
+    """Leave a plain Mesh or Curve: what it shows stays, the definition goes."""
+    if data.library or data.override_library:
+        raise ValueError(f"{data.name} is linked from another file and cannot be changed here")
+    store.remove(data)
+    recipes.remove(data)
+
+
+def is_touched(data):
+    """Whether the geometry is not what was written: edited by hand, joined, remeshed, moved by Apply Transform."""
+    if not store.has_definition(data) or not hasattr(data[store.KEY], 'get'):
+        return False
+    known = store.read_stamp(data)
+    return known is not None and known != stamp.of(data)
+
+
+class Picture(NamedTuple):
+    """What a definition shows at the settings of a data-block."""
+
+    points: np.ndarray                  # (n, 3) float32, all of them
+    write: Callable                     # puts it into the data-block
 
 
 def evaluated(data, definition):
-    """Evaluate now, write later: what is returned writes the result.
+    """The Picture of a definition, evaluated now and written when its write() is called.
 
     Raises ValueError or ArithmeticError where there is nothing finite to show.
     """
@@ -92,13 +128,27 @@ def evaluated(data, definition):
         if not lines:
             raise sc.InvalidShape("no piece of the curve is finite")
         lines = [(_single(points), closed) for points, closed in lines]
-        return lambda: write_curve.write(data, lines)
+        return Picture(np.concatenate([points for points, _ in lines]), lambda: write_curve.write(data, lines))
     patch_set = definitions.to_patch_set(definition)
     tessellation = sc.Tessellation(patch_set, (settings.resolution_u, settings.resolution_v))
     positions, normals = tessellation.evaluate(patch_set)
     _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.sharp_angle)
-    return lambda: write_mesh.write(data, tessellation, positions, normals, sharp)
+    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp))
+
+
+def points_of(data):
+    """(n, 3) float64: the points that the data-block holds."""
+    if isinstance(data, bpy.types.Mesh):
+        flat = np.empty(3 * len(data.vertices), np.float32)
+        data.vertices.foreach_get('co', flat)
+        return flat.reshape(-1, 3).astype(np.float64)
+    found = [np.empty((0, 3))]
+    for spline in data.splines:
+        flat = np.empty(4 * len(spline.points), np.float32)
+        spline.points.foreach_get('co', flat)
+        found.append(flat.reshape(-1, 4)[:, :3])
+    return np.concatenate(found).astype(np.float64)
 
 
 def _single(points):
@@ -119,3 +169,12 @@ def require_writable(data):
         raise ValueError(f"{data.name} is a copy that Blender makes anew: change the original")
     if data.is_editmode:
         raise ValueError(f"{data.name} is in Edit Mode: leave it first")
+    if data.shape_keys:
+        raise ValueError(f"{data.name} has shape keys, which hold positions of their own: remove them first")
+
+
+def require_untouched(data):
+    """Raises ValueError where writing would throw away what others made of the geometry."""
+    if is_touched(data):
+        raise ValueError(f"{data.name} was changed by hand since Splinewright wrote it: "
+                         "Restore throws the changes away, Detach keeps them and ends the shape")

@@ -1,4 +1,7 @@
-"""A definition as ID properties of a Mesh or Curve, float64 and versioned."""
+"""A definition as ID properties of a Mesh or Curve, float64 and versioned.
+
+Version 1 had no stamp of what was written; a shape of that version is taken as it is.
+"""
 
 import json
 
@@ -8,7 +11,8 @@ import numpy as np
 from ..core.definition import Definition, Piece
 
 KEY = "splinewright_definition"
-VERSION = 1
+STAMP = "stamp"
+VERSION = 2
 
 
 class UnreadableDefinition(ValueError):
@@ -19,14 +23,54 @@ def has_definition(data):
     return KEY in data.keys()
 
 
+def assign(owner, key, value):
+    """owner[key] = value for ID properties. Blender 4.3 and 5.2 overrun memory when an array is
+    assigned over one of another length, so what was there goes first."""
+    if key in owner.keys():
+        del owner[key]
+    owner[key] = value
+
+
 def write(data, definition):
-    """Keep the definition with the data-block, in place of any before."""
+    """Keep the definition with the data-block, in place of any before. The stamp goes with the old one."""
+    assign(data, KEY, encoded(definition))
+
+
+def write_pool(data, pool):
+    """write() where nothing but the points has changed since, without a stamp."""
+    group = data[KEY]
+    assign(group, 'pool', np.ascontiguousarray(pool, dtype=np.float64).ravel())
+    group['version'] = VERSION
+    if STAMP in group.keys():
+        del group[STAMP]
+
+
+def remove(data):
+    """Forget the definition of a data-block."""
+    if KEY in data.keys():
+        del data[KEY]
+
+
+def write_stamp(data, stamp):
+    """Keep what identifies the geometry that was written: a few whole numbers below 2^53."""
+    data[KEY]['version'] = VERSION
+    assign(data[KEY], STAMP, np.array(stamp, dtype=np.float64))
+
+
+def read_stamp(data):
+    """The stamp as a list, or None."""
+    group = data[KEY]
+    return [int(number) for number in group[STAMP]] if STAMP in group.keys() else None
+
+
+def encoded(definition):
+    """The definition as an ID property group."""
     structure = [{'kind': piece.kind, 'shape': list(piece.indices.shape), 'degree': list(piece.degree),
                   'periodic': [bool(p) for p in piece.periodic], 'knots': [len(k) for k in piece.knots]}
                  for piece in definition.pieces]
     indices = [piece.indices.ravel() for piece in definition.pieces]
     knots = [knots for piece in definition.pieces for knots in piece.knots]
-    group = {
+    return {
         'version': VERSION,
         'form': definition.form,
         'structure': json.dumps(structure),
@@ -34,10 +78,6 @@ def write(data, definition):
         'indices': np.concatenate(indices).astype(np.int32),
         'knots': np.concatenate(knots).astype(np.float64) if knots else [],
     }
-    # Blender 4.3 and 5.2 overrun memory when an array is assigned over one of another length.
-    if KEY in data.keys():
-        del data[KEY]
-    data[KEY] = group
 
 
 def read(data):
@@ -49,7 +89,7 @@ def read(data):
         return None
     require_known_version(data)
     try:
-        definition = _read_version_1(data[KEY])
+        definition = decoded(data[KEY])
         require_fitting(data, definition)
         return definition
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError) as error:
@@ -73,8 +113,12 @@ def require_fitting(data, definition):
         raise TypeError(f"{data.name} is a {type(data).__name__}, which cannot show patches")
 
 
-def _read_version_1(group):
-    if group['version'] != VERSION or not isinstance(group['version'], int):
+def decoded(group):
+    """The definition of what encoded() made, of this version or one before.
+
+    Raises ValueError, KeyError and the like where it is damaged.
+    """
+    if not isinstance(group['version'], int) or not 1 <= group['version'] <= VERSION:
         raise ValueError(f"its version is {group['version']!r}")
     pool = np.array(group['pool'], dtype=np.float64).reshape(-1, 4)
     all_indices = np.array(group['indices'], dtype=np.int32)

@@ -23,6 +23,14 @@ def write(mesh, tessellation, positions, normals, sharp):
     mesh.update()
 
 
+def move(mesh, positions):
+    """Give the vertices other positions; normals are Blender's own until the next write()."""
+    if _has_exact_normals(mesh) and 'custom_normal' in mesh.attributes:
+        mesh.attributes.remove(mesh.attributes['custom_normal'])
+    _write_positions(mesh, positions)
+    mesh.update()
+
+
 def _has_faces(mesh, tessellation):
     """Whether the mesh has these very faces; a user may have changed them."""
     corners = tessellation.corner_vertices

@@ -133,28 +133,56 @@ def _from_curves(form, curves):
 
 
 def _from_curve(curve, first):
-    """The rows that a curve adds to the pool, and its piece, whose indices start at `first`."""
+    """The rows that a curve adds to the pool, and its piece, whose indices start at `first`.
+
+    What must stay equal when it is edited is one row: the ends of a closed curve, and both
+    tangents of a smooth joint.
+    """
     if isinstance(curve, sc.HermiteCurve):
         return _from_hermite(curve, first)
     rows = np.column_stack([curve.points, curve.weights])
-    indices = np.arange(first, first + len(rows), dtype=np.int32)
+    rows, indices = _shared(rows, np.arange(len(rows)), [(-1, 0)] if _touches_ends(curve) else [])
+    indices = (first + indices).astype(np.int32)
     if isinstance(curve, sc.BezierCurve):
         return rows, Piece('bezier', indices)
     return rows, Piece('nurbs', indices, (curve.degree,), (curve.periodic,), (np.array(curve.knots),))
 
 
+def _touches_ends(curve):
+    """Whether a Bezier or NURBS curve begins and ends in its outer points."""
+    if isinstance(curve, sc.BezierCurve):
+        return True
+    knots, degree = curve.knots, curve.degree
+    return not curve.periodic and knots[0] == knots[degree] and knots[-1] == knots[-1 - degree]
+
+
 def _from_hermite(curve, first):
-    """Points, then tangents; an incoming tangent equal to the outgoing one is the same row."""
     count = len(curve.points)
     incoming, outgoing = curve.tangents[:, 0], curve.tangents[:, 1]
-    smooth = (incoming == outgoing).all(1) & (np.signbit(incoming) == np.signbit(outgoing)).all(1)
+    none = np.zeros(count)
     rows = np.concatenate([np.column_stack([curve.points, np.ones(count)]),
-                           np.column_stack([outgoing, np.zeros(count)]),
-                           np.column_stack([incoming, np.zeros(count)])[~smooth]])
-    in_rows = np.arange(count, 2 * count)
-    in_rows[~smooth] = 2 * count + np.arange(np.count_nonzero(~smooth))
-    indices = first + np.stack([np.arange(count), in_rows, np.arange(count, 2 * count)])
-    return rows, Piece('hermite', indices.astype(np.int32), knots=(np.array(curve.parameters),))
+                           np.column_stack([incoming, none]), np.column_stack([outgoing, none])])
+    indices = np.arange(3 * count)
+    pairs = [(count + i, 2 * count + i) for i in range(count)]
+    if _equal(rows[0], rows[count - 1]):
+        pairs += [(count - 1, 0), (2 * count - 1, count), (3 * count - 1, 2 * count)]
+    rows, indices = _shared(rows, indices, pairs)
+    indices = (first + indices.reshape(3, count)).astype(np.int32)
+    return rows, Piece('hermite', indices, knots=(np.array(curve.parameters),))
+
+
+def _shared(rows, indices, pairs):
+    """The rows in use, and the indices, where the rows of each pair became one if they are equal."""
+    for later, earlier in pairs:
+        if _equal(rows[indices[later]], rows[indices[earlier]]):
+            indices[indices == indices[later]] = indices[earlier]
+    used, indices = np.unique(indices, return_inverse=True)
+    return rows[used], indices
+
+
+def _equal(a, b):
+    """In every bit: zeros of both signs differ."""
+    return a.tobytes() == b.tobytes()
 
 
 def _curve(pool, piece):

@@ -8,9 +8,10 @@ from . import preferences
 
 def _rooms():
     """Modules with CLASSES and, some, register() and unregister(); imported only with the library."""
-    from . import menus, panels, props
-    from .operators import add_curve, add_patch, exchange
-    return (props, add_curve, add_patch, exchange, panels, menus)
+    from . import handlers, keymaps, menus, net_props, overlay, panels, props
+    from .operators import add_curve, add_patch, edit, exchange, follow, life
+    return (props, net_props, add_curve, add_patch, exchange, edit, life, follow, panels, menus,
+            keymaps, overlay, handlers)
 
 
 def register():

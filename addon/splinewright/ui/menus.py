@@ -1,6 +1,8 @@
-"""Entries in Blender's Add, Import and Export menus."""
+"""Entries in Blender's menus."""
 
 import bpy
+
+from ..bridge import net
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
@@ -49,11 +51,53 @@ def _draw_export(self, context):
     self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.json)")
 
 
-CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add)
+def _draw_apply(self, context):
+    self.layout.separator()
+    self.layout.operator("splinewright.apply_transform", text="Splinewright: Transform into Definition")
+
+
+class SPLINEWRIGHT_MT_object(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_object"
+    bl_label = "Splinewright"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
+        layout.operator("splinewright.set_knots")
+        layout.separator()
+        layout.operator("splinewright.follow_object", icon='LINKED')
+        layout.operator("splinewright.make_editable")
+        layout.separator()
+        layout.operator("splinewright.join")
+        layout.operator("splinewright.apply_transform")
+        layout.operator("splinewright.adopt_transform")
+        layout.separator()
+        layout.operator("splinewright.restore")
+        layout.operator("splinewright.detach")
+
+
+def _draw_object(self, context):
+    self.layout.separator()
+    self.layout.menu(SPLINEWRIGHT_MT_object.bl_idname, icon='SURFACE_DATA')
+
+
+def _draw_net(self, context):
+    if any(net.is_net(ob) for ob in context.objects_in_mode):
+        self.layout.operator("splinewright.leave_net")
+        self.layout.separator()
+
+
+CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object)
 
 _ENTRIES = (
     ("VIEW3D_MT_curve_add", _draw_curve_add),
     ("VIEW3D_MT_surface_add", _draw_surface_add),
+    ("VIEW3D_MT_object", _draw_object),
+    ("VIEW3D_MT_object_context_menu", _draw_object),
+    ("VIEW3D_MT_object_apply", _draw_apply),
+    ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
+    ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
     ("TOPBAR_MT_file_import", _draw_import),
     ("TOPBAR_MT_file_export", _draw_export),
 )

@@ -2,9 +2,9 @@
 
 import bpy
 
-from ..bridge import shape, store
+from ..bridge import follow, net, recipes, shape, store
 from ..core import describe
-from . import texts
+from . import net_panel, texts
 
 #: Characters that fit a line of the sidebar.
 _WIDTH = 40
@@ -15,33 +15,77 @@ class _ShapePanel:
 
     @classmethod
     def poll(cls, context):
-        return shape.has_shape(context.object)
+        return shape.has_shape(context.object) or net.is_net(context.object)
 
     def draw(self, context):
-        data = context.object.data
-        layout = self.layout
-        try:
-            definition = store.read(data)
-        except store.UnreadableDefinition as error:
-            texts.draw_problem(layout, str(error), _WIDTH)
+        ob = context.object
+        if net.is_net(ob):
+            net_panel.draw(self.layout, ob)
             return
+        try:
+            definition = store.read(ob.data)
+        except store.UnreadableDefinition as error:
+            texts.draw_problem(self.layout, str(error), _WIDTH)
+            return
+        _draw_state(self.layout, ob)
+        _draw_definition(self.layout, definition)
+        _draw_settings(self.layout, ob.data, definition)
+
+
+def _draw_state(layout, ob):
+    """The way into the net, or why there is none."""
+    data = ob.data
+    if ob.mode == 'EDIT':
+        texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net", _WIDTH)
+    elif recipes.has(data):
+        _draw_recipe(layout, data)
+    elif shape.is_touched(data):
+        texts.draw_problem(layout, "Changed by hand since Splinewright wrote it", _WIDTH)
         column = layout.column(align=True)
-        for label, text in describe.lines(definition):
-            row = column.split(factor=0.3)
-            row.label(text=label)
-            row.label(text=text)
-        layout.separator()
-        settings = data.splinewright
-        column = layout.column(align=True)
-        if definition.has_curves:
-            column.prop(settings, "resolution_u", text="Resolution")
-        else:
-            column.prop(settings, "resolution_u")
-            column.prop(settings, "resolution_v", text="V")
-            layout.prop(settings, "sharp_angle")
-            layout.label(text=f"{len(data.vertices):,} vertices, {len(data.polygons):,} faces")
-        if settings.problem:
-            texts.draw_problem(layout, settings.problem, _WIDTH)
+        column.operator("splinewright.restore", text="Restore: throw the changes away")
+        column.operator("splinewright.adopt_transform", text="Adopt: it was moved as a whole")
+        column.operator("splinewright.detach", text="Detach: keep them, end the shape")
+    else:
+        layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
+
+
+def _draw_recipe(layout, data):
+    try:
+        source = recipes.read_input(data)
+    except store.UnreadableDefinition as error:
+        texts.draw_problem(layout, str(error), _WIDTH)
+        return
+    layout.label(text=f"Follows {source.name if source else 'nothing any more'}", icon='LINKED')
+    problem = follow.problem(data)
+    if problem:
+        texts.draw_problem(layout, problem, _WIDTH)
+    elif source is not None:
+        for text in follow.not_followed(source):
+            texts.draw_note(layout, f"Not followed: {text}", _WIDTH)
+    layout.operator("splinewright.make_editable")
+
+
+def _draw_definition(layout, definition):
+    column = layout.column(align=True)
+    for label, text in describe.lines(definition):
+        row = column.split(factor=0.3)
+        row.label(text=label)
+        row.label(text=text)
+    layout.separator()
+
+
+def _draw_settings(layout, data, definition):
+    settings = data.splinewright
+    column = layout.column(align=True)
+    if definition.has_curves:
+        column.prop(settings, "resolution_u", text="Resolution")
+    else:
+        column.prop(settings, "resolution_u")
+        column.prop(settings, "resolution_v", text="V")
+        layout.prop(settings, "sharp_angle")
+        layout.label(text=f"{len(data.vertices):,} vertices, {len(data.polygons):,} faces")
+    if settings.problem:
+        texts.draw_problem(layout, settings.problem, _WIDTH)
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):

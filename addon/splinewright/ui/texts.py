@@ -9,3 +9,10 @@ def draw_problem(layout, text, width):
     column.alert = True
     for i, line in enumerate(textwrap.wrap(text, width)):
         column.label(text=line, icon='ERROR' if i == 0 else 'BLANK1')
+
+
+def draw_note(layout, text, width):
+    """A sentence that is no trouble."""
+    column = layout.column(align=True)
+    for i, line in enumerate(textwrap.wrap(text, width)):
+        column.label(text=line, icon='INFO' if i == 0 else 'BLANK1')

@@ -40,6 +40,9 @@ class Tessellation {
   /// x, y, z of each vertex and of the normal at each corner, of a set with the same patches.
   void evaluate(const PatchSet& set, std::span<float> positions, std::span<float> corner_normals) const;
 
+  /// The positions only, for a shape that is being dragged.
+  void evaluate_positions(const PatchSet& set, std::span<float> positions) const;
+
   /// Pairs of vertices between which the surface has an angle above `angle` (radians), of the
   /// corner normals that evaluate() gave. Only edges of patches and knots without C1 can be sharp.
   std::vector<std::int32_t> sharp_edges(std::span<const float> corner_normals, double angle) const;

@@ -1,0 +1,116 @@
+"""A shape follows its net: read the net, write what moved, at every step of a drag.
+
+What the net says is worked out anew each time from the net and its baseline alone, so that undo,
+redo and reopening need no care.
+"""
+
+import numpy as np
+
+from ..core import definition as definitions
+from ..core import net as nets
+from ..core.library import sc
+from . import net as bridge
+from . import shape, store, write_mesh
+
+
+class Session:
+    """What is worked out once for a net. Rebuilt at will: it holds no truth of its own."""
+
+    def __init__(self, data):
+        self.net = bridge.numbers(bridge.source(data))
+        self.problem = ""
+        self.positions = self.net.single
+        self.state = nets.exact(self.net, self.net.single, self.net.single_weights)
+        self.written = None             # the tessellation whose faces the shape has
+        self._tessellation = None
+        self._patch_sets = {}
+
+    def patch_set(self, definition):
+        """The PatchSet of a definition with the net's patches, or those of its source."""
+        kind = definition is self.net.source
+        if kind not in self._patch_sets:
+            self._patch_sets[kind] = definitions.to_patch_set(definition)
+        return self._patch_sets[kind].with_points(definition.pool[:, :3], definition.pool[:, 3])
+
+    def tessellation(self, patch_set, resolution):
+        """One that fits, the last if it does."""
+        known = self._tessellation
+        if known is None or known[0] != resolution or not known[1].fits(patch_set):
+            self._tessellation = resolution, sc.Tessellation(patch_set, resolution)
+        return self._tessellation[1]
+
+
+_sessions = {}
+
+
+def session(data):
+    """The session of a net's data-block."""
+    token = bridge.token(data)
+    if token not in _sessions:
+        if len(_sessions) > 32:
+            _sessions.clear()
+        _sessions[token] = Session(data)
+    return _sessions[token]
+
+
+def forget():
+    """Drop all sessions: another file was opened."""
+    _sessions.clear()
+
+
+def pull(ob):
+    """Bring the shape of a net up to date. Returns its data-block if it changed, else None.
+
+    Where the net cannot be read or shown, shape and definition stay as they were last; problem() says why.
+    """
+    owner = bridge.shape_of(ob)
+    if owner is None:
+        return None
+    current = session(ob.data)
+    try:
+        current.positions, weights = bridge.read(ob, current.net)
+        current.state = nets.exact(current.net, current.positions, weights, bridge.typed(ob.data))
+        definition = nets.read(current.net, current.state)
+        current.problem = ""
+        return owner.data if _show(owner.data, definition, current) else None
+    except (ValueError, ArithmeticError) as error:
+        current.problem = str(error)
+        return None
+
+
+def problem(ob):
+    """Why the shape does not follow its net, or ""."""
+    return session(ob.data).problem
+
+
+def settle(data):
+    """Write what a drag leaves out: exact normals and sharp edges."""
+    if store.has_definition(data) and store.read_stamp(data) is None:
+        shape.rewrite(data)
+
+
+def _show(data, definition, current):
+    """Whether anything was to be written."""
+    pool = np.array(data[store.KEY]['pool']).reshape(-1, 4)
+    if pool.shape == definition.pool.shape and np.array_equal(pool, definition.pool):
+        return False
+    shape.require_writable(data)
+    if definition.has_curves:
+        shape.set_definition(data, definition)
+        return True
+    settings = data.splinewright
+    patch_set = current.patch_set(definition)
+    tessellation = current.tessellation(patch_set, (settings.resolution_u, settings.resolution_v))
+    positions = tessellation.evaluate_positions(patch_set)
+    if not np.isfinite(positions).all():
+        raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
+    if current.written is not tessellation or tessellation.vertex_count != len(data.vertices):
+        shape.set_definition(data, definition)
+        current.written = tessellation
+        return True
+    if pool.shape == definition.pool.shape:
+        store.write_pool(data, definition.pool)
+    else:
+        store.write(data, definition)
+    write_mesh.move(data, positions)
+    return True

@@ -1,0 +1,92 @@
+"""Single vertices of a net in Edit Mode: which are selected, and how one is moved by a number."""
+
+import bmesh
+import numpy as np
+from mathutils import Vector
+
+from . import net as bridge
+
+
+def selected(ob, net):
+    """Numbers of the selected vertices, ascending. The feet of arrows and idle handles are left out."""
+    chosen = _selected_of_curve(ob.data, net) if ob.type == 'CURVE' else _selected_of_cage(ob.data)
+    return [vertex for vertex in chosen if vertex < len(net.rows) and net.rows[vertex] >= 0]
+
+
+def select(ob, net, vertices):
+    """Make these the selected vertices."""
+    chosen = set(vertices)
+    if ob.type == 'CURVE':
+        for spline, handle, i, vertex in _curve_vertices(ob.data, net):
+            setattr(_point(spline, i), f"select{handle}", vertex in chosen)
+        return
+    mesh = bmesh.from_edit_mesh(ob.data)
+    number = mesh.verts.layers.int[bridge.NUMBER]
+    for vertex in mesh.verts:
+        vertex.select = vertex[number] in chosen
+    mesh.select_flush_mode()
+    bmesh.update_edit_mesh(ob.data)
+
+
+def place(ob, net, vertex, position, weight):
+    """Give one vertex a position and a weight; both are kept in float64 beside the net."""
+    bridge.add_typed(ob.data, np.array([[vertex, *position, weight]]))
+    if ob.type == 'CURVE':
+        _place_on_curve(ob.data, net, vertex, position, weight)
+    else:
+        _place_on_cage(ob.data, vertex, position, weight)
+
+
+def _selected_of_cage(mesh):
+    vertices = bmesh.from_edit_mesh(mesh).verts
+    number = vertices.layers.int.get(bridge.NUMBER)
+    return sorted(v[number] for v in vertices if v.select) if number else []
+
+
+def _place_on_cage(data, vertex, position, weight):
+    mesh = bmesh.from_edit_mesh(data)
+    number, weights = mesh.verts.layers.int[bridge.NUMBER], mesh.verts.layers.float[bridge.WEIGHT]
+    for candidate in mesh.verts:
+        if candidate[number] == vertex:
+            candidate.co = position
+            candidate[weights] = weight
+    bmesh.update_edit_mesh(data, loop_triangles=False, destructive=False)
+
+
+def _curve_vertices(curve, net):
+    """(spline, end of the names of its handle's properties, index of the point, vertex)."""
+    vertex = 0
+    for spline, part in zip(curve.splines, net.splines):
+        handles = ('_left_handle', '_control_point', '_right_handle') if part.kind == 'BEZIER' else ('',)
+        for i in range(part.count):
+            for handle in handles:
+                yield spline, handle, i, vertex
+                vertex += 1
+
+
+def _point(spline, i):
+    return spline.bezier_points[i] if spline.type == 'BEZIER' else spline.points[i]
+
+
+def _selected_of_curve(curve, net):
+    for spline, handle, i, vertex in _curve_vertices(curve, net):
+        if i < len(spline.bezier_points or spline.points) and getattr(_point(spline, i), f"select{handle}"):
+            yield vertex
+
+
+_PLACES = {'_left_handle': 'handle_left', '_right_handle': 'handle_right'}
+
+
+def _place_on_curve(curve, net, vertex, position, weight):
+    spline, handle, i, _ = next(entry for entry in _curve_vertices(curve, net) if entry[3] == vertex)
+    point = _point(spline, i)
+    if handle == '_control_point':
+        moved = Vector(position) - point.co
+        ends = point.handle_left + moved, point.handle_right + moved
+        point.co = position
+        point.handle_left, point.handle_right = ends
+    elif handle:
+        setattr(point, _PLACES[handle], position)
+    else:
+        point.co = (*position, weight)
+    curve.update_tag()

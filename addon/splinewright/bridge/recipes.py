@@ -1,0 +1,33 @@
+"""How a definition comes about where it follows another object: kept beside it, on the Mesh or Curve."""
+
+from . import store
+
+KEY = "splinewright_recipe"
+VERSION = 1
+
+
+def read_input(data):
+    """The object that the shape follows, None where it follows none.
+
+    Raises UnreadableDefinition for a recipe of a newer Splinewright.
+    """
+    if KEY not in data.keys():
+        return None
+    recipe = data[KEY]
+    if recipe.get('version', 0) > VERSION:
+        raise store.UnreadableDefinition(f"{data.name} has a recipe of a newer Splinewright: it is shown as it was last")
+    return recipe.get('input')
+
+
+def has(data):
+    return KEY in data.keys()
+
+
+def write(data, source):
+    """Make the shape follow an object from now on."""
+    store.assign(data, KEY, {'version': VERSION, 'kind': 'follow', 'input': source})
+
+
+def remove(data):
+    if has(data):
+        del data[KEY]

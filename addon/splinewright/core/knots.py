@@ -1,0 +1,53 @@
+"""Knots as text."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from . import definition as definitions
+
+#: More numbers than this in one text are refused.
+_MOST = 1_000_000
+
+
+def text_of(definition, piece, axis):
+    """The knots of a piece, every digit. Raises ValueError where it has none."""
+    return " ".join(repr(float(knot)) for knot in _knots(definition, piece)[axis])
+
+
+def replaced(definition, piece, axis, text):
+    """The definition with other knots for a piece along an axis.
+
+    Raises ValueError, naming the word or the knot, where the text is not a knot vector that fits.
+    """
+    old = _knots(definition, piece)
+    new = _numbers(text)
+    if len(new) != len(old[axis]):
+        raise ValueError(f"{len(new)} knots were given, {len(old[axis])} are needed for these points and this degree")
+    knots = tuple(new if i == axis else vector for i, vector in enumerate(old))
+    pieces = list(definition.pieces)
+    pieces[piece] = replace(pieces[piece], knots=knots)
+    changed = replace(definition, pieces=tuple(pieces))
+    definitions.to_value(changed)       # the library refuses what is not a knot vector
+    return changed
+
+
+def _knots(definition, piece):
+    if not 0 <= piece < len(definition.pieces):
+        raise ValueError(f"the shape has {len(definition.pieces)} pieces, there is none of number {piece}")
+    if not definition.pieces[piece].knots:
+        raise ValueError("a Bezier piece has no knots")
+    return definition.pieces[piece].knots
+
+
+def _numbers(text):
+    words = text.replace(",", " ").split()
+    if len(words) > _MOST:
+        raise ValueError(f"{len(words)} knots are too many")
+    numbers = []
+    for i, word in enumerate(words, 1):
+        try:
+            numbers.append(float(word))
+        except ValueError:
+            raise ValueError(f"'{word[:40]}', word {i} of the knots, is not a number") from None
+    return np.array(numbers, dtype=np.float64)

@@ -1,0 +1,132 @@
+"""Putting nets out and away. None of these functions pushes an undo step: operators do."""
+
+import bpy
+
+from ..bridge import live, net, recipes, shape, store
+
+#: Names of the objects that are nets. Only a hint: undo and loading make it anew.
+known = set()
+
+
+def why_not(ob):
+    """Why an object's net cannot be edited, as a sentence, or ""."""
+    if not shape.has_shape(ob):
+        return "Select a Splinewright shape"
+    if ob.library or ob.data.library or ob.data.override_library:
+        return "The shape is linked from another file: make it local first"
+    if recipes.has(ob.data):
+        return "The shape follows another object: edit that, or use Make Editable first"
+    return ""
+
+
+def nets():
+    """All net objects of the file that the last scan or an operator told of."""
+    found = [bpy.data.objects.get(name) for name in sorted(known)]
+    if not all(net.is_net(ob) for ob in found):
+        find_nets()                     # one was renamed or removed
+        found = [bpy.data.objects[name] for name in sorted(known)]
+    return found
+
+
+def find_nets():
+    """Scan the file."""
+    known.clear()
+    known.update(ob.name for ob in bpy.data.objects if net.is_net(ob))
+
+
+def nets_in_edit_mode(context):
+    return [ob for ob in context.objects_in_mode if net.is_net(ob)] if context.mode.startswith('EDIT') else []
+
+
+def enter(context, active):
+    """Put the nets of the active shape, and of selected ones of its kind, into Edit Mode.
+
+    Raises ValueError, and nothing has changed, if the net of the active shape cannot be made.
+    """
+    chosen = [active] + [ob for ob in context.selected_objects
+                         if ob is not active and ob.type == active.type and not why_not(ob)]
+    made, seen = [], set()
+    try:
+        for ob in chosen:
+            if ob.data.name not in seen:
+                seen.add(ob.data.name)
+                made.append(_made(context, ob))
+    except Exception:
+        for ob in made:
+            net.remove(ob)
+        raise
+    for ob in context.selected_objects:
+        ob.select_set(False)
+    for ob in made:
+        ob.select_set(True)
+        known.add(ob.name)
+    context.view_layer.objects.active = made[0]
+    bpy.ops.object.mode_set(mode='EDIT')
+    return made
+
+
+def _made(context, ob):
+    data = ob.data
+    shape.require_writable(data)
+    shape.require_untouched(data)
+    made = net.make(ob, store.read(data), context.scene)
+    space = context.space_data
+    if space is not None and space.type == 'VIEW_3D' and space.local_view:
+        made.local_view_set(space, True)
+    return made
+
+
+def leave(context):
+    """Put the nets in Edit Mode away; the shapes are selected. Returns the last problem, or ""."""
+    editing = nets_in_edit_mode(context)
+    problem = ""
+    for ob in editing:
+        live.pull(ob)
+        problem = problem or live.problem(ob)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    for ob in editing:
+        put_away(context, ob)
+    return problem
+
+
+def put_away(context, ob):
+    """Remove a net in Object Mode; its shape is exact, and selected and active where the net was."""
+    owner = net.shape_of(ob)
+    layer = context.view_layer
+    was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
+    known.discard(ob.name)
+    net.remove(ob)
+    if owner is None:
+        return
+    try:
+        live.settle(owner.data)
+    except (ValueError, ArithmeticError) as error:
+        owner.data.splinewright.problem = str(error)
+    if _is_in(layer, owner) and (was_active or was_selected):
+        owner.select_set(True)
+        if was_active:
+            layer.objects.active = owner
+
+
+def sweep():
+    """Put away the nets that were left by another way than leave()."""
+    for ob in nets():
+        if ob.mode != 'EDIT':
+            if ob.users_scene:
+                live.pull(ob)
+            put_away(bpy.context, ob)
+
+
+def settle():
+    """Exact normals for the shapes of all nets."""
+    for ob in nets():
+        owner = net.shape_of(ob)
+        if owner is not None:
+            try:
+                live.settle(owner.data)
+            except (ValueError, ArithmeticError) as error:
+                owner.data.splinewright.problem = str(error)
+
+
+def _is_in(layer, ob):
+    return layer.objects.get(ob.name) == ob

@@ -1,0 +1,95 @@
+"""What Blender tells of changes, passed on to the shapes they concern."""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..bridge import follow, live, net
+from . import editing, saving, watch
+
+#: Seconds after the last move until a shape gets its exact normals.
+_SETTLE = 0.3
+
+
+@persistent
+def updated(scene, depsgraph):
+    """Shapes follow their nets and their inputs. Cheap where nothing changed."""
+    changed = watch.changed_blocks(depsgraph.updates)
+    if changed:
+        follow.refresh(changed, depsgraph)
+    if not editing.known:
+        return
+    for ob in editing.nets():
+        if ob.mode != 'EDIT':
+            _soon(editing.sweep, 0.0)
+        elif ob.data in changed and live.pull(ob):
+            _later(editing.settle)
+
+
+@persistent
+def undone(*_):
+    """After undo and redo every object is another."""
+    editing.find_nets()
+    follow.scan()
+    _pull_all()
+
+
+@persistent
+def loaded(*_):
+    live.forget()
+    undone()
+
+
+@persistent
+def frame_changed(scene, depsgraph=None):
+    follow.refresh_all(depsgraph or bpy.context.evaluated_depsgraph_get())
+
+
+def _pull_all():
+    for ob in editing.nets():
+        if ob.mode == 'EDIT':
+            live.pull(ob)
+        else:
+            _soon(editing.sweep, 0.0)
+
+
+def _soon(function, seconds):
+    """Call a function once, outside this handler. Timers never run in background."""
+    if not bpy.app.timers.is_registered(function):
+        bpy.app.timers.register(function, first_interval=seconds)
+
+
+def _later(function):
+    """Call a function when nothing has happened for a while."""
+    if bpy.app.timers.is_registered(function):
+        bpy.app.timers.unregister(function)
+    bpy.app.timers.register(function, first_interval=_SETTLE)
+
+
+CLASSES = ()
+
+_HANDLERS = {
+    'depsgraph_update_post': updated,
+    'undo_post': undone,
+    'redo_post': undone,
+    'load_post': loaded,
+    'frame_change_post': frame_changed,
+    'save_pre': saving.before,
+    'save_post': saving.after,
+    'save_post_fail': saving.after,     # from Blender 3.6 on
+}
+
+
+def register():
+    for name, handler in _HANDLERS.items():
+        if hasattr(bpy.app.handlers, name):
+            getattr(bpy.app.handlers, name).append(handler)
+    _soon(loaded, 0.0)                  # a file is open already; bpy.data may be out of reach now
+
+
+def unregister():
+    for name, handler in _HANDLERS.items():
+        if hasattr(bpy.app.handlers, name):
+            getattr(bpy.app.handlers, name).remove(handler)
+    for function in (loaded, editing.sweep, editing.settle):
+        if bpy.app.timers.is_registered(function):
+            bpy.app.timers.unregister(function)

@@ -1,0 +1,68 @@
+"""What the panel shows while a net is edited."""
+
+from ..bridge import live, net, store
+from ..core import describe
+from . import net_props, texts
+
+#: Characters that fit a line of the sidebar.
+_WIDTH = 40
+
+
+def draw(layout, ob):
+    """For a net object in Edit Mode."""
+    owner = net.shape_of(ob)
+    if owner is None:
+        texts.draw_problem(layout, "The shape of this net was deleted", _WIDTH)
+        return
+    layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
+    problem = live.problem(ob)
+    if problem:
+        texts.draw_problem(layout, problem, _WIDTH)
+    _draw_points(layout, ob)
+    _draw_knots(layout, store.read(owner.data))
+
+
+def _draw_points(layout, ob):
+    data = ob.data
+    session = live.session(data)
+    _, vertices = net_props.chosen(data)
+    box = layout.column(align=True)
+    if not vertices:
+        box.label(text="Select points to see their numbers")
+        return
+    box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
+    numbers = data.splinewright_points
+    for i, vertex in enumerate(vertices[:net_props.SHOWN]):
+        column = box.column(align=True)
+        column.label(text=_name(session.net, vertex))
+        row = column.row(align=True)
+        for axis in range(3):
+            row.prop(numbers, "numbers", index=4 * i + axis, text="")
+        if session.net.weighted[vertex]:
+            column.prop(numbers, "numbers", index=4 * i + 3, text="Weight")
+    hidden = len(vertices) - net_props.SHOWN
+    if hidden > 0:
+        box.label(text=f"and {hidden} more")
+    if len(vertices) > 1 and session.net.weighted[vertices].any():
+        box.prop(numbers, "weight", text="All Weights")
+
+
+def _name(numbers, vertex):
+    if numbers.origins[vertex, 0] < 0:
+        return f"Point {vertex}"
+    if any(head == vertex for _, head in numbers.arrows):
+        return f"Direction at infinity {vertex}"
+    return f"Handle {vertex}"
+
+
+def _draw_knots(layout, definition):
+    """The knots of each axis of the first pieces, each with a button to edit them."""
+    for number, piece in enumerate(definition.pieces[:4]):
+        label = "Parameters" if piece.kind == 'hermite' else "Knots"
+        axes = ("",) if definition.has_curves else ("U", "V")
+        for axis, knots in zip(axes, piece.knots):
+            name = " ".join(filter(None, (label, axis, str(number) if len(definition.pieces) > 1 else "")))
+            row = layout.row(align=True)
+            row.label(text=f"{name}: {describe.knots_text(knots, 8)}")
+            button = row.operator("splinewright.set_knots", text="", icon='GREASEPENCIL')
+            button.piece, button.axis = number, axis or 'U'

@@ -1,0 +1,101 @@
+"""The numbers of the selected points while a net is edited. Reading and writing them is all they do."""
+
+import bpy
+import numpy as np
+from bpy.props import FloatProperty, FloatVectorProperty, PointerProperty
+
+from ..bridge import live, net_points
+from . import editing
+
+#: Points whose numbers are shown at once: Blender's vectors hold 32 numbers.
+SHOWN = 8
+
+
+def net_of(data):
+    """The net object in Edit Mode of a net's data-block, or None."""
+    return next((ob for ob in editing.nets() if ob.data == data and ob.mode == 'EDIT'), None)
+
+
+def chosen(data):
+    """(net object, numbers of its selected vertices), or (None, [])."""
+    ob = net_of(data)
+    return (ob, net_points.selected(ob, live.session(data).net)) if ob else (None, [])
+
+
+def _exact_rows(data, vertices):
+    """(k, 4) float64: x, y, z, w of vertices."""
+    state = live.session(data).state
+    return np.column_stack([state.positions[vertices], state.weights[vertices]])
+
+
+def _shortest(value):
+    """The shortest decimal that is this float32: what was typed."""
+    return float(str(np.float32(value)))
+
+
+def _get_numbers(self):
+    ob, vertices = chosen(self.id_data)
+    numbers = np.zeros((SHOWN, 4))
+    if ob:
+        rows = _exact_rows(self.id_data, vertices[:SHOWN])
+        numbers[:len(rows)] = rows
+    return numbers.ravel()
+
+
+def _set_numbers(self, numbers):
+    data = self.id_data
+    ob, vertices = chosen(data)
+    if not ob:
+        return
+    vertices = vertices[:SHOWN]
+    rows = _exact_rows(data, vertices)
+    wanted = np.array(numbers, np.float32).reshape(SHOWN, 4)[:len(rows)]
+    for vertex, row, new in zip(vertices, rows, wanted):
+        different = new != row.astype(np.float32)
+        if different.any():
+            row[different] = [_shortest(value) for value in new[different]]
+            net_points.place(ob, live.session(data).net, vertex, row[:3], row[3])
+
+
+def _get_weight(self):
+    ob, vertices = chosen(self.id_data)
+    points = _with_weight(self.id_data, vertices)
+    return float(_exact_rows(self.id_data, points)[:, 3].mean()) if ob and len(points) else 1.0
+
+
+def _set_weight(self, weight):
+    data = self.id_data
+    ob, vertices = chosen(data)
+    for vertex in _with_weight(data, vertices):
+        row = _exact_rows(data, [vertex])[0]
+        net_points.place(ob, live.session(data).net, vertex, row[:3], _shortest(weight))
+
+
+def _with_weight(data, vertices):
+    """Those of the vertices that are points and may be given a weight."""
+    weighted = live.session(data).net.weighted
+    return [vertex for vertex in vertices if weighted[vertex]]
+
+
+class SplinewrightNet(bpy.types.PropertyGroup):
+    """x, y, z and w of the first selected points of a net, and the weight of all of them."""
+
+    numbers: FloatVectorProperty(
+        name="Coordinates", description="Coordinates and weights of the selected points, in the shape's own space",
+        size=4 * SHOWN, get=_get_numbers, set=_set_numbers, precision=5)
+    weight: FloatProperty(
+        name="Weight", description="Weight of all selected points: above 1 pulls the shape nearer",
+        get=_get_weight, set=_set_weight, precision=5, step=10)
+
+
+CLASSES = (SplinewrightNet,)
+
+
+def register():
+    for owner in (bpy.types.Mesh, bpy.types.Curve):
+        owner.splinewright_points = PointerProperty(type=SplinewrightNet)
+
+
+def unregister():
+    for owner in (bpy.types.Mesh, bpy.types.Curve):
+        del owner.splinewright_points

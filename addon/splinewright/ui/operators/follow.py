@@ -1,0 +1,67 @@
+"""Make shapes follow objects."""
+
+import bpy
+from bpy.props import StringProperty
+
+from ...bridge import follow, shape
+from .adding import resolution_property
+
+
+def followable(ob):
+    """Whether an object can be followed."""
+    return ob is not None and (ob.type in ('CURVE', 'SURFACE') or shape.has_shape(ob))
+
+
+class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
+    bl_idname = "splinewright.follow_object"
+    bl_label = "Follow Object"
+    bl_description = ("Add a shape that follows the active curve, surface or shape live; "
+                      "with a shape active and another object selected, make that shape follow the other")
+    bl_options = {'REGISTER', 'UNDO'}
+
+    source: StringProperty(name="Object", description="Name of the object to follow; empty: what is selected")
+    resolution_u: resolution_property("U")
+    resolution_v: resolution_property("V")
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode != 'OBJECT':
+            cls.poll_message_set("Leave the present mode first")
+            return False
+        if not followable(context.object):
+            cls.poll_message_set("Select a curve, a surface or a Splinewright shape")
+            return False
+        return True
+
+    def execute(self, context):
+        depsgraph = context.evaluated_depsgraph_get()
+        try:
+            target, source = self._chosen(context)
+            if target is None:
+                target = follow.new_follower(source, (self.resolution_u, self.resolution_v), depsgraph)
+                context.scene.collection.objects.link(target)
+                target.select_set(True)
+                source.select_set(False)
+                context.view_layer.objects.active = target
+            else:
+                follow.attach(target, source, depsgraph)
+        except (ValueError, TypeError, ArithmeticError) as error:
+            self.report({'ERROR'}, str(error))
+            return {'CANCELLED'}
+        self.report({'INFO'}, f"{target.name} follows {source.name}")
+        return {'FINISHED'}
+
+    def _chosen(self, context):
+        """(the shape that will follow or None for a new one, the object it follows)."""
+        if self.source:
+            source = context.scene.objects.get(self.source)
+            if source is None:
+                raise ValueError(f"there is no object named {self.source} in this scene")
+            return (context.object if source != context.object else None), source
+        others = [ob for ob in context.selected_objects if ob != context.object and followable(ob)]
+        if shape.has_shape(context.object) and len(others) == 1:
+            return context.object, others[0]
+        return None, context.object
+
+
+CLASSES = (SPLINEWRIGHT_OT_follow_object,)

@@ -1,0 +1,146 @@
+"""Restore, Detach, Apply Transform, Join: what becomes of a shape as a whole."""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty
+
+from ...bridge import joining, recipes, shape, store, transforming
+from .. import progress
+
+_FAILURES = (ValueError, TypeError, ArithmeticError, MemoryError)
+
+
+def selected_shapes(context):
+    """Selected shapes, the active one first, one for each data-block."""
+    found = {}
+    for ob in [context.object, *context.selected_objects]:
+        if shape.has_shape(ob) and ob.select_get():
+            found.setdefault(ob.data.name_full, ob)
+    return list(found.values())
+
+
+class _OnShapes:
+    """Does its work on every selected shape; what cannot be done is reported and the rest is done."""
+
+    bl_options = {'REGISTER', 'UNDO'}
+    #: What was done, for the report.
+    verb = ""
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode != 'OBJECT':
+            cls.poll_message_set("Leave the present mode first")
+            return False
+        if not any(shape.has_shape(ob) for ob in context.selected_objects):
+            cls.poll_message_set("Select a Splinewright shape")
+            return False
+        return True
+
+    def work(self, context, ob):
+        """What is done with one shape. Raises ValueError and has changed nothing if it cannot be."""
+        raise NotImplementedError
+
+    def execute(self, context):
+        shapes, done, failed = selected_shapes(context), [], []
+        with progress.shown(context, len(shapes)) as step:
+            for ob in shapes:
+                try:
+                    self.work(context, ob)
+                    done.append(ob.name)
+                except _FAILURES as error:
+                    failed.append(f"{ob.name}: {error}")
+                step(len(done) + len(failed))
+        for reason in failed:
+            self.report({'ERROR' if not done else 'WARNING'}, reason)
+        if done:
+            names = done[0] if len(done) == 1 else f"{len(done)} shapes"
+            self.report({'INFO'}, f"{self.verb} {names}")
+        return {'FINISHED'} if done else {'CANCELLED'}
+
+
+class SPLINEWRIGHT_OT_restore(_OnShapes, bpy.types.Operator):
+    bl_idname = "splinewright.restore"
+    bl_label = "Restore"
+    bl_description = "Make the mesh or curve anew from the definition; changes made by hand are lost"
+    verb = "Restored"
+
+    def work(self, context, ob):
+        shape.restore(ob.data)
+
+
+class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
+    bl_idname = "splinewright.detach"
+    bl_label = "Detach"
+    bl_description = "Keep what is shown as a plain mesh or curve and drop the definition"
+    verb = "Detached"
+
+    def work(self, context, ob):
+        shape.detach(ob.data)
+
+
+class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
+    bl_idname = "splinewright.make_editable"
+    bl_label = "Make Editable"
+    bl_description = "Stop following another object; the definition stays as it is and can be edited"
+    verb = "Made editable:"
+
+    def work(self, context, ob):
+        if not recipes.has(ob.data):
+            raise ValueError("it follows nothing and is editable already")
+        shape.require_writable(ob.data)
+        recipes.remove(ob.data)
+
+
+class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
+    bl_idname = "splinewright.apply_transform"
+    bl_label = "Apply Transform"
+    bl_description = "Move location, rotation and scale of the object into the definition; nothing moves on the screen"
+    verb = "Applied the transform of"
+
+    location: BoolProperty(name="Location", default=True, description="Apply the location")
+    rotation: BoolProperty(name="Rotation", default=True, description="Apply the rotation")
+    scale: BoolProperty(name="Scale", default=True, description="Apply the scale")
+
+    def work(self, context, ob):
+        transforming.apply(ob, self.location, self.rotation, self.scale)
+
+
+class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
+    bl_idname = "splinewright.adopt_transform"
+    bl_label = "Adopt Transform"
+    bl_description = "The mesh or curve was moved as a whole, by Blender's Apply say: move the definition, too"
+    verb = "Adopted the transform of"
+
+    def work(self, context, ob):
+        transforming.adopt(ob.data)
+
+
+class SPLINEWRIGHT_OT_join(bpy.types.Operator):
+    bl_idname = "splinewright.join"
+    bl_label = "Join Shapes"
+    bl_description = "Make the selected shapes one shape of all their pieces, in the place of the active one"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    @classmethod
+    def poll(cls, context):
+        chosen = context.selected_objects
+        if context.mode != 'OBJECT' or not shape.has_shape(context.object) or not context.object.select_get():
+            cls.poll_message_set("Select shapes, the one to keep last")
+            return False
+        if len(chosen) < 2 or not all(shape.has_shape(ob) and ob.type == context.object.type for ob in chosen):
+            cls.poll_message_set("Select two or more shapes, all of curves or all of patches")
+            return False
+        return True
+
+    def execute(self, context):
+        others = [ob for ob in context.selected_objects if ob != context.object]
+        try:
+            joining.join(context.object, others)
+        except _FAILURES as error:
+            self.report({'ERROR'}, str(error))
+            return {'CANCELLED'}
+        return {'FINISHED'}
+
+
+CLASSES = (SPLINEWRIGHT_OT_restore, SPLINEWRIGHT_OT_detach, SPLINEWRIGHT_OT_make_editable,
+           SPLINEWRIGHT_OT_apply_transform, SPLINEWRIGHT_OT_adopt_transform, SPLINEWRIGHT_OT_join)

@@ -1,0 +1,48 @@
+"""Files are saved without nets, so that they open as they should where Splinewright is missing."""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..bridge import live
+from . import editing
+
+#: (name of a net, name of its scene) of nets that are out of the file while it is written; the active first.
+_suspended = []
+
+
+@persistent
+def before(*_):
+    """Take the nets in Edit Mode out of their scene."""
+    context = bpy.context
+    editing.settle()
+    nets = editing.nets_in_edit_mode(context)
+    if not nets:
+        return
+    nets.sort(key=lambda ob: ob != context.view_layer.objects.active)
+    for ob in nets:
+        live.pull(ob)
+    editing.settle()
+    bpy.ops.object.mode_set(mode='OBJECT')
+    for ob in nets:
+        _suspended.append((ob.name, context.scene.name))
+        context.scene.collection.objects.unlink(ob)
+    if not bpy.app.background:
+        bpy.app.timers.register(after)  # Blender 3.4 does not tell of a save that failed
+
+
+@persistent
+def after(*_):
+    """Put them back, in Edit Mode."""
+    if not _suspended:
+        return
+    layer = bpy.context.view_layer
+    back = [bpy.data.objects[name] for name, _ in _suspended if name in bpy.data.objects]
+    for ob, (_, scene) in zip(back, _suspended):
+        bpy.data.scenes[scene].collection.objects.link(ob)
+    _suspended.clear()
+    for ob in bpy.context.selected_objects:
+        ob.select_set(False)
+    for ob in back:
+        ob.select_set(True)
+    layer.objects.active = back[0]
+    bpy.ops.object.mode_set(mode='EDIT')

@@ -1,0 +1,374 @@
+"""The net: Blender's own Edit Mode moves it, the shape follows, no digit is lost."""
+
+import bmesh
+import bpy
+import numpy as np
+import pytest
+
+from support import curve_points, part, splinecore as sc, vertices
+
+definitions, editing, live = part('core.definition'), part('ui.editing'), part('bridge.live')
+net, net_points, shape, store = part('bridge.net'), part('bridge.net_points'), part('bridge.shape'), part('bridge.store')
+
+RANDOM = np.random.default_rng(12)
+
+
+def points(*size):
+    """Numbers that float32 does not hold."""
+    return RANDOM.uniform(-1, 1, (*size, 3))
+
+
+def hermite_set():
+    u = sc.HermitePatch(*[points(2, 3) for _ in range(4)], parameters=([0, 0.3], [0, 1, 4]))
+    return sc.PatchSet.from_patches([u, sc.BezierPatch(points(3, 2))])
+
+
+CLAMPED = [0, 0, 0, 0, 0.1, 1 / 3, 1, 1, 1, 1]
+VALUES = {
+    'cubic': lambda: sc.BezierCurve(points(4)),
+    'rational cubic': lambda: sc.BezierCurve(points(4), [1, 1 / 3, 0.1, 2]),
+    'quintic': lambda: sc.BezierCurve(points(6)),
+    'semicircle': lambda: sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, 0, 1]),
+    'hermite': lambda: sc.HermiteCurve(points(4), points(4), [0, 0.1, 1 / 3, 2]),
+    'hermite with corners': lambda: sc.HermiteCurve(points(3), points(3, 2)),
+    'closed hermite': lambda: part('core.starters').hermite_chain(5, True),
+    'nurbs': lambda: sc.NurbsCurve(3, CLAMPED, points(6), RANDOM.uniform(0.5, 2, 6)),
+    'periodic': lambda: sc.NurbsCurve(3, np.cumsum(np.full(8, 1 / 3)), points(7), periodic=True),
+    'many curves': lambda: [sc.BezierCurve(points(4)), sc.NurbsCurve(2, range(8), points(5)),
+                            sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, 0, 1]), sc.HermiteCurve(points(2), points(2))],
+    'bezier patch': lambda: sc.BezierPatch(points(3, 4), RANDOM.uniform(0.5, 2, (3, 4))),
+    'hermite patch': lambda: sc.HermitePatch(*[points(3, 2) for _ in range(4)], parameters=([0, 0.3, 1], [0, 3])),
+    'ferguson': lambda: part('core.starters').hermite_patch(3, 3),
+    'nurbs patch': lambda: sc.NurbsPatch((3, 2), (CLAMPED, [0, 1, 2, 3, 4]), points(6, 4), periodic=(False, True)),
+    'patch with a point at infinity': lambda: sc.BezierPatch(points(3, 2), [[1, 1], [0, 0], [1, 1]]),
+    'teapot': lambda: part('core.starters').teapot(),
+    'mixed set': hermite_set,
+}
+
+
+def add(value, name="shape"):
+    """A selected, active shape, after an undo step."""
+    ob = bpy.data.objects.new(name, shape.new_data(name, value, (4, 4)))
+    bpy.context.scene.collection.objects.link(ob)
+    bpy.context.view_layer.update()     # objects that were removed are None until then
+    for other in bpy.context.view_layer.objects:
+        other.select_set(other == ob)
+    bpy.context.view_layer.objects.active = ob
+    bpy.ops.ed.undo_push(message="add")
+    return ob
+
+
+def shown(ob):
+    if ob.type == 'CURVE':
+        return np.concatenate([curve_points(spline) for spline in ob.data.splines])
+    return vertices(ob.data)
+
+
+def require_exact(ob, tolerance=0.0):
+    """The mesh or curve is what its definition evaluates to."""
+    fresh = shape.new_data("fresh", ob.data.splinewright.value, (ob.data.splinewright.resolution_u,
+                                                                 ob.data.splinewright.resolution_v))
+    other = bpy.data.objects.new("fresh", fresh)
+    assert np.array_equal(shown(ob), shown(other))
+    bpy.data.objects.remove(other)
+    shape.remove_data(fresh)
+
+
+def enter():
+    assert bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True) == {'FINISHED'}
+    return bpy.context.object
+
+
+def leave():
+    assert bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True) == {'FINISHED'}
+    return bpy.context.object
+
+
+def numbers_of(ob):
+    return live.session(ob.data).net
+
+
+def select(ob, *chosen):
+    net_points.select(ob, numbers_of(ob), chosen)
+    bpy.ops.ed.undo_push(message="select")
+
+
+def move(x, y, z):
+    assert bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(x, y, z)) == {'FINISHED'}
+
+
+def first_point(ob):
+    return int(np.flatnonzero(numbers_of(ob).are_points)[0])
+
+
+@pytest.mark.parametrize('make', VALUES.values(), ids=VALUES)
+def test_entering_and_leaving_changes_no_digit(make):
+    value = make()
+    ob = add(value)
+    before = shown(ob).copy()
+    assert net.is_net(enter()) and bpy.context.mode.startswith('EDIT')
+    assert leave() == ob and bpy.context.mode == 'OBJECT'
+    assert ob.data.splinewright.value == value and np.array_equal(shown(ob), before)
+    assert not [ob for ob in bpy.data.objects if net.is_net(ob)]
+
+
+POINTS_ONLY = [name for name in VALUES if 'hermite' not in name and name not in ('cubic', 'many curves', 'ferguson', 'mixed set')]
+
+
+@pytest.mark.parametrize('name', POINTS_ONLY)
+def test_a_moved_point_is_one_row_of_the_pool_and_all_others_keep_their_digits(name):
+    ob = add(VALUES[name]())
+    before = store.read(ob.data)
+    held = enter()
+    vertex = first_point(held)
+    row = numbers_of(held).rows[vertex]
+    select(held, vertex)
+    move(0, 0, 1.5)
+    leave()
+    ob = bpy.data.objects["shape"]
+    after = store.read(ob.data)
+    assert np.flatnonzero((before.pool != after.pool).any(1)).tolist() == [row]
+    assert np.isclose(after.pool[row, 2], before.pool[row, 2] + 1.5, atol=1e-6)
+    require_exact(ob)
+
+
+@pytest.mark.parametrize('name', VALUES)
+def test_moving_the_whole_net_moves_points_and_leaves_directions(name):
+    ob = add(VALUES[name]())
+    before = store.read(ob.data)
+    held = enter()
+    select(held, *range(len(numbers_of(held).rows)))
+    move(0.5, 0.25, -2)
+    leave()
+    ob = bpy.data.objects["shape"]
+    after = part('core.transform').transformed(before, [[1, 0, 0, 0.5], [0, 1, 0, 0.25], [0, 0, 1, -2], [0, 0, 0, 1]])
+    ours, expected = store.read(ob.data), shape.evaluated(ob.data, after).points
+    assert np.allclose(shown(ob), expected, atol=2e-5)
+    assert len(ours.pieces) == len(before.pieces)
+    require_exact(ob)
+
+
+def test_a_drag_is_followed_while_it_lasts_and_undone_step_by_step():
+    value = VALUES['nurbs patch']()
+    ob = add(value)
+    held = enter()
+    vertex = first_point(held)
+    select(held, vertex)
+    heights = [store.read(ob.data).pool[0, 2]]
+    for _ in range(3):
+        move(0, 0, 0.5)
+        heights.append(store.read(bpy.data.objects["shape"].data).pool[0, 2])
+    assert np.allclose(np.diff(heights), 0.5, atol=1e-6)
+    for expected in heights[-2::-1]:
+        bpy.ops.ed.undo()
+        ob = bpy.data.objects["shape"]
+        assert store.read(ob.data).pool[0, 2] == expected and bpy.context.mode == 'EDIT_MESH'
+        assert np.array_equal(vertices(ob.data), shape.evaluated(ob.data, store.read(ob.data)).points)
+    assert ob.data.splinewright.value == value
+    for expected in heights[1:]:
+        bpy.ops.ed.redo()
+        assert store.read(bpy.data.objects["shape"].data).pool[0, 2] == expected
+    leave()
+    require_exact(bpy.data.objects["shape"])
+    assert not shape.is_touched(bpy.data.objects["shape"].data)
+
+
+@pytest.mark.parametrize('name', ('nurbs patch', 'nurbs', 'hermite', 'cubic', 'teapot'))
+def test_undo_and_redo_cross_the_border_of_edit_mode(name):
+    value = VALUES[name]()
+    add(value)
+    held = enter()
+    select(held, first_point(held))
+    move(1, 0, 0)
+    leave()
+    moved = bpy.data.objects["shape"].data.splinewright.value
+    assert moved != value
+
+    def state():
+        editing.sweep()
+        nets = [ob for ob in bpy.data.objects if net.is_net(ob)]
+        ob = bpy.data.objects["shape"]
+        require_exact(ob)
+        return bool(nets), ob.data.splinewright.value == moved, ob.data.splinewright.value == value
+
+    ladder = [(True, True, False), (True, False, True), (True, False, True), (False, False, True)]
+    assert state() == (False, True, False)
+    for expected in ladder:
+        bpy.ops.ed.undo()
+        assert state() == expected
+    for expected in [*ladder[-2::-1], (False, True, False)]:
+        bpy.ops.ed.redo()
+        assert state() == expected
+
+
+def test_leaving_by_blenders_own_tab_is_swept():
+    value = VALUES['bezier patch']()
+    add(value)
+    held = enter()
+    select(held, first_point(held))
+    move(1, 0, 0)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    editing.sweep()
+    ob = bpy.data.objects["shape"]
+    assert bpy.context.object == ob and len(bpy.data.objects) == 1 and len(bpy.data.meshes) == 1
+    assert ob.data.splinewright.value != value
+    require_exact(ob)
+
+
+def test_weights_are_an_attribute_of_the_cage_and_the_w_of_a_curve():
+    for name in ('nurbs patch', 'nurbs'):
+        value = VALUES[name]()
+        ob = add(value)
+        held = enter()
+        if held.type == 'CURVE':
+            point = held.data.splines[0].points[2]
+            point.co = (*point.co[:3], 3.0)
+        else:
+            mesh = bmesh.from_edit_mesh(held.data)
+            mesh.verts.ensure_lookup_table()
+            mesh.verts[2][mesh.verts.layers.float['weight']] = 3.0
+            bmesh.update_edit_mesh(held.data)
+        held.data.update_tag()
+        bpy.context.view_layer.update()
+        ob = bpy.data.objects[ob.name]
+        pool = store.read(ob.data).pool
+        assert pool[2, 3] == 3.0 and np.array_equal(np.delete(pool, 2, 0), np.delete(
+            definitions.from_value(value).pool, 2, 0))
+        leave()
+        require_exact(bpy.data.objects[ob.name])
+        bpy.data.objects.remove(bpy.data.objects[ob.name])
+
+
+@pytest.mark.parametrize('name', ('nurbs patch', 'nurbs', 'hermite', 'hermite patch', 'cubic'))
+def test_typed_numbers_are_kept_in_double_precision(name):
+    add(VALUES[name]())
+    held = enter()
+    vertex = first_point(held)
+    select(held, vertex)
+    numbers = list(held.data.splinewright_points.numbers)
+    numbers[0], numbers[1] = 0.1, 1.7
+    held.data.splinewright_points.numbers = numbers
+    bpy.context.view_layer.update()
+    leave()
+    ob = bpy.data.objects["shape"]
+    row = store.read(ob.data).pool[0]
+    assert row[0] == 0.1 and row[1] == 1.7
+    require_exact(ob)
+
+
+def test_the_weight_of_all_selected_points_is_one_number():
+    add(VALUES['nurbs patch']())
+    held = enter()
+    select(held, 0, 1, 5)
+    assert held.data.splinewright_points.weight == 1.0
+    held.data.splinewright_points.weight = 0.3
+    bpy.context.view_layer.update()
+    leave()
+    assert (store.read(bpy.data.objects["shape"].data).pool[[0, 1, 5], 3] == 0.3).all()
+
+
+def test_a_weight_of_zero_is_refused_with_a_word_and_the_shape_waits():
+    value = VALUES['nurbs patch']()
+    add(value)
+    held = enter()
+    select(held, 3)
+    held.data.splinewright_points.weight = 0.0
+    bpy.context.view_layer.update()
+    assert "weight of 0" in live.problem(held)
+    assert bpy.data.objects["shape"].data.splinewright.value == value
+
+
+@pytest.mark.parametrize('harm', (
+    lambda: bpy.ops.mesh.delete('EXEC_DEFAULT', True, type='VERT'),
+    lambda: bpy.ops.mesh.subdivide('EXEC_DEFAULT', True),
+    lambda: bpy.ops.mesh.duplicate('EXEC_DEFAULT', True),
+), ids=('delete', 'subdivide', 'duplicate'))
+def test_a_net_with_other_points_leaves_the_last_good_shape_and_says_so(harm):
+    value = VALUES['nurbs patch']()
+    add(value)
+    held = enter()
+    select(held, 0, 1, 4, 5)
+    harm()
+    bpy.context.view_layer.update()
+    assert "points" in live.problem(held)
+    assert bpy.data.objects["shape"].data.splinewright.value == value
+    bpy.ops.ed.undo()
+    held = bpy.context.object
+    assert live.problem(held) == ""
+    select(held, 0)
+    move(1, 0, 0)
+    assert bpy.data.objects["shape"].data.splinewright.value != value
+
+
+def test_points_are_told_by_their_number_not_by_their_order():
+    value = VALUES['nurbs patch']()
+    add(value)
+    held = enter()
+    select(held, *range(len(numbers_of(held).rows)))
+    bpy.ops.mesh.sort_elements('EXEC_DEFAULT', True, type='REVERSE', elements={'VERT'})
+    bpy.context.view_layer.update()
+    assert live.problem(held) == "" and bpy.data.objects["shape"].data.splinewright.value == value
+
+
+def test_several_shapes_are_edited_at_once():
+    obs = [add(VALUES['nurbs patch'](), "a"), add(VALUES['teapot'](), "b"), add(VALUES['nurbs'](), "c")]
+    for ob in obs:
+        ob.select_set(True)
+    bpy.context.view_layer.objects.active = obs[0]
+    before = [ob.data.splinewright.value for ob in obs]
+    enter()
+    held = bpy.context.objects_in_mode
+    assert sorted(net.shape_of(ob).name for ob in held) == ["a", "b"], "only shapes of one kind"
+    for ob in held:
+        select(ob, 0)
+    move(0, 0, 1)
+    bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
+    assert bpy.context.object.name == "a" and {ob.name for ob in bpy.context.selected_objects} == {"a", "b"}
+    after = [bpy.data.objects[name].data.splinewright.value for name in "abc"]
+    assert after[0] != before[0] and after[1] != before[1] and after[2] == before[2]
+    for name in "ab":
+        require_exact(bpy.data.objects[name])
+
+
+def test_tab_lets_other_objects_alone():
+    cube = bpy.data.objects.new("cube", bpy.data.meshes.new("cube"))
+    bpy.context.scene.collection.objects.link(cube)
+    bpy.context.view_layer.objects.active = cube
+    assert not bpy.ops.splinewright.edit_net.poll() and not bpy.ops.splinewright.leave_net.poll()
+
+
+KNOTS = "0 0 0 0 0.125 0.75 1 1 1 1"
+
+
+def test_knots_are_edited_as_text_in_the_net_and_undone():
+    value = VALUES['nurbs']()
+    add(value)
+    held = enter()
+    select(held, 2)
+    move(0, 0, 1)
+    assert bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=KNOTS) == {'FINISHED'}
+    assert bpy.context.mode == 'EDIT_CURVE' and net.is_net(bpy.context.object)
+    assert net_points.selected(bpy.context.object, numbers_of(bpy.context.object)) == [2]
+    changed = bpy.data.objects["shape"].data.splinewright.value
+    assert " ".join(f"{knot:g}" for knot in changed.knots) == KNOTS
+    require_exact(bpy.data.objects["shape"])
+    bpy.ops.ed.undo()
+    editing.sweep()
+    ob = bpy.data.objects["shape"]
+    assert np.array_equal(ob.data.splinewright.value.knots, value.knots)
+    assert np.array_equal(ob.data.splinewright.value.points, changed.points)
+    assert bpy.context.mode == 'EDIT_CURVE'
+    bpy.ops.ed.redo()
+    assert bpy.data.objects["shape"].data.splinewright.value == changed
+
+
+@pytest.mark.parametrize('text,word', (
+    ("0 0 0 0 1 2 2 2 2", "9 knots were given, 10 are needed"), ("0 0 0 0 x 1 2 2 2 2", "'x', word 5"),
+    ("0 0 0 0 3 2 4 4 4 4", "is below"), ("0 0 0 0 nan 2 4 4 4 4", "nan"), ("", "0 knots")))
+def test_wrong_knots_are_refused_with_a_word_and_nothing_changes(text, word):
+    value = VALUES['nurbs']()
+    add(value)
+    enter()
+    with pytest.raises(RuntimeError, match=word):
+        bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=text)
+    assert bpy.data.objects["shape"].data.splinewright.value == value and bpy.context.mode == 'EDIT_CURVE'
