@@ -41,13 +41,14 @@ def numbers(definition):
 
 
 def make(shape, definition, scene):
-    """A net object for a shape, its child, linked to the scene."""
+    """A net object for a shape, always where that is, linked to the scene."""
     net = numbers(definition)
     data = _curve(shape.name, net) if definition.has_curves else _cage(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
     ob = bpy.data.objects.new(data.name, data)
     ob[SHAPE] = shape
-    ob.parent = shape
+    ob.matrix_world = shape.matrix_world
+    ob.constraints.new('COPY_TRANSFORMS').target = shape        # children of a path would run along it
     ob.show_in_front = True
     ob.hide_render = True
     if not definition.has_curves:
@@ -97,6 +98,9 @@ def _cage(name, net):
     mesh.attributes.new(WEIGHT, 'FLOAT', 'POINT').data.foreach_set('value', net.single_weights)
     count = np.arange(len(net.rows), dtype=np.int32)
     mesh.attributes.new(NUMBER, 'INT', 'POINT').data.foreach_set('value', count)
+    mesh.vertices.foreach_set('select', np.zeros(len(count), bool))
+    mesh.edges.foreach_set('select', np.zeros(len(mesh.edges), bool))
+    mesh.polygons.foreach_set('select', np.zeros(len(mesh.polygons), bool))
     mesh.update()
     return mesh
 

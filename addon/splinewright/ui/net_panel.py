@@ -15,6 +15,7 @@ def draw(layout, ob):
         texts.draw_problem(layout, "The shape of this net was deleted", _WIDTH)
         return
     layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
+    layout.prop(ob, "show_in_front", text="Show Points Behind")
     problem = live.problem(ob)
     if problem:
         texts.draw_problem(layout, problem, _WIDTH)

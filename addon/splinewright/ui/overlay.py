@@ -1,17 +1,17 @@
 """The rows of a cage in two colours, and arrows for directions at infinity, over the 3D view."""
 
+import bmesh
 import bpy
 import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import live
+from ..bridge import live, net
 from . import editing
 
 #: As Blender colours the two directions of its own surfaces: u yellow, v magenta.
 COLORS = ((0.95, 0.78, 0.1, 1.0), (0.9, 0.25, 0.75, 1.0))
 ARROW_COLOR = (0.2, 0.9, 0.95, 1.0)
-_WIDTH = 2.5
 
 _handle = None
 
@@ -20,40 +20,83 @@ def draw():
     """Called by Blender for each 3D view."""
     if not editing.known or not bpy.context.space_data.overlay.show_overlays:
         return
-    shader = gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')
-    shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
-    shader.uniform_float('lineWidth', _WIDTH * bpy.context.preferences.system.ui_scale)
     for ob in editing.nets():
         if ob.mode == 'EDIT' and ob.visible_get():
-            _draw_net(shader, ob)
+            gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
+            with gpu.matrix.push_pop():
+                gpu.matrix.multiply_matrix(ob.matrix_world)
+                _draw_net(ob, live.session(ob.data))
+            gpu.state.depth_test_set('NONE')
 
 
-def _draw_net(shader, ob):
-    current = live.session(ob.data)
-    with gpu.matrix.push_pop():
-        gpu.matrix.multiply_matrix(ob.matrix_world)
-        for color, pairs in zip(COLORS, current.net.lines):
-            _draw_lines(shader, color, current.positions[pairs].reshape(-1, 3))
-        for foot, head in current.net.arrows:
-            _draw_lines(shader, ARROW_COLOR, arrow(current.positions[foot], current.positions[head]))
+def _draw_net(ob, current):
+    numbers, positions = current.net, current.positions
+    scale = bpy.context.preferences.system.ui_scale
+    for color, pairs in zip(COLORS, numbers.lines):
+        _draw_lines(color, 1.5 * scale, positions[pairs])
+    for foot, head in numbers.arrows:
+        _draw_lines(ARROW_COLOR, 2.5 * scale, arrow(positions[foot], positions[head]))
+    if ob.type == 'MESH':
+        _draw_selection(ob, current, scale)
+
+
+def _draw_selection(ob, current, scale):
+    """What Blender drew below our lines: vertices, and edges between selected ones."""
+    selected = _selected(ob, len(current.positions))
+    if selected is None:
+        return
+    theme = bpy.context.preferences.themes[0].view_3d
+    for pairs in current.net.lines:
+        _draw_lines((*theme.edge_select, 1.0), 2.0 * scale, current.positions[pairs[selected[pairs].all(1)]])
+    size = (theme.vertex_size + 2) * scale
+    _draw_points((*theme.vertex, 1.0), size, current.positions[~selected])
+    _draw_points((*theme.vertex_select, 1.0), size + 1, current.positions[selected])
+
+
+def _selected(ob, count):
+    """(count,) bool in the order of the net's numbers, or None while the net is not whole."""
+    vertices = bmesh.from_edit_mesh(ob.data).verts
+    number = vertices.layers.int.get(net.NUMBER)
+    if len(vertices) != count or number is None:
+        return None
+    selected = np.zeros(count, bool)
+    selected[[vertex[number] for vertex in vertices if vertex.select]] = True
+    return selected
 
 
 def arrow(foot, head):
-    """(6, 3): ends of the lines of an arrow."""
+    """(3, 2, 3): the ends of the lines of an arrow."""
     along = head - foot
     length = np.linalg.norm(along)
     if length == 0.0:
-        return np.repeat(head[None], 6, 0)
+        return np.broadcast_to(head, (3, 2, 3))
     across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
     across *= 0.06 * length / np.linalg.norm(across)
     back = head - 0.15 * along
-    return np.array([foot, head, head, back + across, head, back - across], np.float32)
+    return np.array([(foot, head), (head, back + across), (head, back - across)])
 
 
-def _draw_lines(shader, color, ends):
-    if len(ends):
-        shader.uniform_float('color', color)
-        batch_for_shader(shader, 'LINES', {'pos': np.ascontiguousarray(ends, np.float32)}).draw(shader)
+def _draw_lines(color, width, pairs):
+    """pairs: (n, 2, 3) ends."""
+    if len(pairs):
+        shader = gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')
+        shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
+        shader.uniform_float('lineWidth', width)
+        _draw(shader, 'LINES', color, pairs)
+
+
+def _draw_points(color, size, positions):
+    if len(positions):
+        gpu.state.point_size_set(size)
+        # Blender 5 has a shader of its own for points.
+        name = 'POINT_UNIFORM_COLOR' if bpy.app.version >= (5, 0, 0) else 'UNIFORM_COLOR'
+        _draw(gpu.shader.from_builtin(name), 'POINTS', color, positions)
+        gpu.state.point_size_set(1.0)
+
+
+def _draw(shader, kind, color, positions):
+    shader.uniform_float('color', color)
+    batch_for_shader(shader, kind, {'pos': np.ascontiguousarray(positions, np.float32).reshape(-1, 3)}).draw(shader)
 
 
 CLASSES = ()
