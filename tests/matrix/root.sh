@@ -61,6 +61,8 @@ make_root() {
 
 run_in_root() {
   local root=$1 project=$2; shift 2
+  exec 9>"$root/.lock"
+  flock 9                       # whoever leaves unmounts the project
   trap "leave '$root'" EXIT
   mkdir -p "$root/project"
   mounted "$root/project" || mount --bind "$project" "$root/project"

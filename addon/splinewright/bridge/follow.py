@@ -5,7 +5,7 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core import transform
-from . import recipes, shape, store
+from . import read_native, recipes, shape, store
 
 #: (is it a curve, name) of data-blocks that follow something. Only a hint: scan() makes it anew.
 known = set()
@@ -25,13 +25,6 @@ def scan():
     _owners.clear()
     for blocks in (bpy.data.meshes, bpy.data.curves):
         known.update(_key(data) for data in blocks if recipes.has(data))
-
-
-def note(blocks):
-    """Add the followers among data-blocks, which may be new to the file."""
-    for block in blocks:
-        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and recipes.has(block):
-            known.add(_key(block))
 
 
 def new_follower(source, resolution, depsgraph):
@@ -84,6 +77,7 @@ def require_no_cycle(data, source):
 
 def refresh(changed, depsgraph):
     """Bring the followers of changed blocks up to date, inputs before what follows them."""
+    _note(changed)
     if not known:
         return
     changed = set(changed)
@@ -95,6 +89,14 @@ def refresh(changed, depsgraph):
         if not changed.isdisjoint((source, source.data, owner, getattr(source.data, 'shape_keys', None))):
             if _update(data, owner, source, depsgraph):
                 changed.add(data)
+
+
+def _note(blocks):
+    """Add the followers among changed blocks, which may be new to the file."""
+    for block in blocks:
+        data = block.data if isinstance(block, bpy.types.Object) else block
+        if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)) and recipes.has(data):
+            known.add(_key(data))
 
 
 def refresh_all(depsgraph):
@@ -117,7 +119,6 @@ def problem(data):
 
 def not_followed(source):
     """What of an object has no effect on what follows it: short sentences."""
-    from . import read_native
     return [] if shape.has_shape(source) else read_native.not_followed(source)
 
 
@@ -146,7 +147,6 @@ def _definition_of(source, depsgraph):
     """What an object is now, in its own space. Raises ValueError if it shows nothing."""
     if shape.has_shape(source):
         return store.read(source.data)
-    from . import read_native
     reading = read_native.read(source, depsgraph)
     if reading.value is None:
         raise ValueError(f"{source.name} shows nothing that could be followed")

@@ -24,7 +24,10 @@ def has(data):
 
 
 def write(data, source):
-    """Make the shape follow an object from now on."""
+    """Make the shape follow an object from now on.
+
+    The pointer also tells Blender's depsgraph to evaluate what is followed where it is hidden, in renders, too.
+    """
     store.assign(data, KEY, {'version': VERSION, 'kind': 'follow', 'input': source})
 
 

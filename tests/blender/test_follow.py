@@ -1,0 +1,296 @@
+"""Shapes that follow curves, surfaces and other shapes, live."""
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import activate, require_exact
+from support import part, vertices
+
+follow, recipes, shape, starters, store = (part(name) for name in (
+    'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.starters', 'bridge.store'))
+
+
+def native_curve(kind='NURBS'):
+    data = bpy.data.curves.new("source", 'CURVE')
+    data.dimensions = '3D'
+    spline = data.splines.new(kind)
+    if kind == 'BEZIER':
+        spline.bezier_points.add(2)
+        for i, point in enumerate(spline.bezier_points):
+            point.co, point.handle_left, point.handle_right = (i, 0, 0), (i - 0.3, 1, 0), (i + 0.3, -1, 0)
+    else:
+        spline.points.add(4)
+        for i, point in enumerate(spline.points):
+            point.co = (i, i % 2, 0, 1)
+        spline.use_endpoint_u = True
+    return linked("source", data)
+
+
+def native_surface():
+    bpy.ops.surface.primitive_nurbs_surface_torus_add()
+    return bpy.context.object
+
+
+def linked(name, data):
+    ob = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(ob)
+    bpy.context.view_layer.update()
+    activate(ob)
+    return ob
+
+
+def follow_object(ob, **settings):
+    activate(ob)
+    assert bpy.ops.splinewright.follow_object('EXEC_DEFAULT', True, **settings) == {'FINISHED'}
+    return bpy.context.object
+
+
+def pool(ob):
+    return store.read(ob.data).pool
+
+
+@pytest.mark.parametrize('make', (native_curve, lambda: native_curve('BEZIER'), native_surface))
+def test_a_follower_lies_on_what_it_follows(make):
+    source = make()
+    ob = follow_object(source)
+    assert ob != source and follow.problem(ob.data) == ""
+    require_exact(ob)
+    source.location.z = 2
+    bpy.context.view_layer.update()
+    weighted = pool(ob)[:, 3] != 0
+    assert np.allclose(pool(ob)[weighted, 2].mean(), 2, atol=0.3)
+    require_exact(ob)
+
+
+def test_both_transforms_count():
+    source = native_curve()
+    ob = follow_object(source)
+    before = pool(ob).copy()
+    ob.location, ob.rotation_euler, ob.scale = (1, 2, 3), (0.1, 0.2, 0.3), (-1, 2, 0.5)
+    bpy.context.view_layer.update()
+    world = np.array(ob.matrix_world)
+    assert np.allclose(np.c_[pool(ob)[:, :3], np.ones(len(before))] @ world.T[:, :3], before[:, :3], atol=1e-5)
+    require_exact(ob)
+
+
+def test_edits_of_the_source_are_followed_in_its_edit_mode_and_undone():
+    source = native_curve()
+    ob = follow_object(source)
+    bpy.ops.ed.undo_push(message="follow")
+    activate(source)
+    bpy.ops.object.mode_set(mode='EDIT')
+    bpy.ops.curve.select_all('EXEC_DEFAULT', True, action='SELECT')
+    bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0, 1))
+    assert np.allclose(pool(bpy.data.objects[ob.name])[:, 2], 1)
+    bpy.ops.ed.undo()
+    assert np.allclose(pool(bpy.data.objects["source Exact"])[:, 2], 0)
+    bpy.ops.ed.redo()
+    assert np.allclose(pool(bpy.data.objects["source Exact"])[:, 2], 1)
+    require_exact(bpy.data.objects["source Exact"])
+
+
+def animate_keys(source):
+    source.shape_key_add(name="Basis")
+    key = source.shape_key_add(name="Up")
+    for point in key.data:
+        point.co.z += 2
+    for frame, value in ((1, 0.0), (11, 1.0)):
+        key.value = value
+        key.keyframe_insert('value', frame=frame)
+    for curve in curves_of(source.data.shape_keys.animation_data.action):
+        for point in curve.keyframe_points:
+            point.interpolation = 'LINEAR'
+
+
+def curves_of(action):
+    if hasattr(action, 'fcurves'):
+        return action.fcurves
+    return action.layers[0].strips[0].channelbags[0].fcurves
+
+
+@pytest.mark.parametrize('make', (native_curve, native_surface))
+def test_keyframed_shape_keys_are_followed_at_every_frame(make):
+    source = make()
+    animate_keys(source)
+    bpy.context.scene.frame_set(1)
+    ob = follow_object(source)
+    start = pool(ob)[0, 2]
+    for frame in (1, 6, 11, 3):
+        bpy.context.scene.frame_set(frame)
+        assert np.isclose(pool(ob)[0, 2], start + (frame - 1) / 5, atol=1e-5), frame
+        require_exact(ob)
+
+
+def test_hooks_on_curves_are_followed():
+    source = native_curve()
+    handle = bpy.data.objects.new("handle", None)
+    bpy.context.scene.collection.objects.link(handle)
+    hook = source.modifiers.new("hook", 'HOOK')
+    hook.object = handle
+    hook.vertex_indices_set([2])
+    ob = follow_object(source)
+    handle.location.z = 3
+    bpy.context.view_layer.update()
+    # The source itself is updated by the hook.
+    assert np.isclose(pool(ob)[2, 2], 3, atol=1e-5) and np.isclose(pool(ob)[1, 2], 0)
+
+
+def test_drivers_on_the_source_are_followed():
+    source = native_curve()
+    ob = follow_object(source)
+    driver = source.driver_add('location', 2).driver
+    driver.expression = "frame * 0.5"
+    bpy.context.scene.frame_set(8)
+    assert np.allclose(pool(ob)[:, 2], 4)
+
+
+def camera_above():
+    """A camera that sees the square from -1 to 1."""
+    camera = linked("camera", bpy.data.cameras.new("camera"))
+    camera.data.type, camera.data.ortho_scale, camera.location.z = 'ORTHO', 2, 50
+    return camera
+
+
+def rendered_coverage(path, frames):
+    """The share of each frame's picture that is not transparent."""
+    scene = bpy.context.scene
+    scene.camera, scene.render.film_transparent = camera_above(), True
+    scene.render.resolution_x = scene.render.resolution_y = 16
+    scene.render.image_settings.color_mode = 'RGBA'
+    scene.frame_start, scene.frame_end, scene.frame_step = frames[0], frames[-1], frames[1] - frames[0]
+    scene.render.filepath = str(path / "frame")
+    bpy.ops.render.render(animation=True)
+    shares = []
+    for frame in frames:
+        image = bpy.data.images.load(str(path / f"frame{frame:04}.png"))
+        shares.append(np.array(image.pixels).reshape(-1, 4)[:, 3].mean())
+    return shares
+
+
+@pytest.mark.parametrize('engine', ('CYCLES', 'BLENDER_WORKBENCH'))
+@pytest.mark.parametrize('disabled', (False, True), ids=('hidden in renders', 'hidden everywhere'))
+def test_every_frame_of_a_render_is_right(engine, disabled, tmp_path):
+    bpy.ops.surface.primitive_nurbs_surface_surface_add(radius=8)
+    source = bpy.context.object
+    animate_keys(source)
+    for point in source.data.shape_keys.key_blocks["Up"].data:
+        point.co.x += 40                # it is out of the picture at frames 6 and 11
+    bpy.context.scene.frame_set(1)
+    follow_object(source)
+    source.hide_render, source.hide_viewport = True, disabled
+    scene = bpy.context.scene
+    scene.render.engine = engine
+    if engine == 'CYCLES':
+        scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = 'CPU', 1, False
+    assert np.allclose(rendered_coverage(tmp_path, (1, 6, 11)), (1, 0, 0), atol=0.05)
+
+
+def test_a_shape_may_follow_a_shape_and_chains_are_followed_in_order():
+    first = linked("first", shape.new_data("first", starters.nurbs_curve(3, 6, 'CLAMPED'), (8, 8)))
+    second = follow_object(first)
+    third = follow_object(second)
+    first.data.splinewright.value = starters.nurbs_curve(2, 5, 'PERIODIC')
+    first.data.update_tag()
+    bpy.context.view_layer.update()
+    assert third.data.splinewright.value == second.data.splinewright.value == first.data.splinewright.value
+    require_exact(third)
+
+
+def test_a_cycle_is_refused_with_a_word():
+    first = linked("first", shape.new_data("first", starters.nurbs_curve(3, 6, 'CLAMPED'), (8, 8)))
+    second = follow_object(first)
+    third = follow_object(second)
+    before = first.data.splinewright.value
+    for source in (third, second):
+        activate(first, source)
+        with pytest.raises(RuntimeError, match="would follow itself"):
+            bpy.ops.splinewright.follow_object('EXEC_DEFAULT', True)
+    assert not recipes.has(first.data) and first.data.splinewright.value == before
+
+
+def test_a_cycle_made_by_other_means_hangs_nothing_and_is_said():
+    first = linked("first", shape.new_data("first", starters.nurbs_curve(3, 6, 'CLAMPED'), (8, 8)))
+    second = follow_object(first)
+    recipes.write(first.data, second)
+    follow.scan()
+    first.location.x = 1
+    bpy.context.view_layer.update()
+    assert "in a circle" in follow.problem(first.data) and "in a circle" in follow.problem(second.data)
+
+
+def test_deleting_what_is_followed_leaves_the_last_shape_and_a_word():
+    source = native_curve()
+    ob = follow_object(source)
+    value = ob.data.splinewright.value
+    bpy.ops.ed.undo_push(message="follow")
+    activate(source)
+    bpy.ops.object.delete('EXEC_DEFAULT', True)
+    bpy.context.view_layer.update()
+    ob = bpy.data.objects[ob.name]
+    assert ob.data.splinewright.value == value and "deleted" in follow.problem(ob.data)
+    bpy.ops.ed.undo()
+    ob = bpy.data.objects["source Exact"]
+    assert follow.problem(ob.data) == ""
+    bpy.data.objects["source"].location.z = 1
+    bpy.context.view_layer.update()
+    assert np.allclose(pool(ob)[:, 2], 1)
+
+
+def test_a_follower_cannot_be_edited_until_it_is_made_editable():
+    source = native_curve()
+    ob = follow_object(source)
+    assert not bpy.ops.splinewright.edit_net.poll()
+    assert bpy.ops.splinewright.make_editable('EXEC_DEFAULT', True) == {'FINISHED'}
+    assert not recipes.has(ob.data)
+    assert bpy.ops.splinewright.edit_net.poll()
+    source.location.z = 5
+    bpy.context.view_layer.update()
+    assert np.allclose(pool(ob)[:, 2], 0)
+
+
+def test_a_follower_goes_on_after_saving_and_opening(tmp_path):
+    source = native_curve()
+    ob = follow_object(source)
+    name, path = ob.name, str(tmp_path / "follow.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    bpy.data.objects["source"].location.z = 1
+    bpy.context.view_layer.update()
+    assert np.allclose(pool(bpy.data.objects[name])[:, 2], 1)
+
+
+def test_a_renamed_follower_and_a_renamed_source_go_on():
+    source = native_curve()
+    ob = follow_object(source)
+    ob.name, ob.data.name, source.name = "other", "other data", "other source"
+    source.location.z = 1
+    bpy.context.view_layer.update()
+    assert np.allclose(pool(ob)[:, 2], 1)
+
+
+def test_a_duplicate_follows_too():
+    source = native_curve()
+    ob = follow_object(source)
+    activate(ob)
+    bpy.ops.object.duplicate('EXEC_DEFAULT', True)
+    copy = bpy.context.object
+    source.location.z = 1
+    bpy.context.view_layer.update()
+    assert copy.data != ob.data and np.allclose(pool(ob)[:, 2], 1) and np.allclose(pool(copy)[:, 2], 1)
+
+
+def test_a_follower_changed_by_hand_is_not_overwritten():
+    source = native_surface()
+    ob = follow_object(source)
+    ob.data.vertices[0].co.z += 1
+    before = vertices(ob.data).copy()
+    source.location.z = 1
+    bpy.context.view_layer.update()
+    assert np.array_equal(vertices(ob.data), before) and "changed by hand" in follow.problem(ob.data)
+
+
+@pytest.mark.parametrize('make', (lambda: linked("cube", bpy.data.meshes.new("cube")), lambda: linked("empty", None)))
+def test_what_cannot_be_followed_is_refused(make):
+    activate(make())
+    assert not bpy.ops.splinewright.follow_object.poll()
