@@ -10,7 +10,7 @@ from ..core import definition as definitions
 from ..core import net as nets
 from ..core.library import sc
 from . import net as bridge
-from . import shape, store, write_mesh
+from . import shape, stamp, store, write_mesh
 
 
 class Session:
@@ -85,7 +85,7 @@ def problem(ob):
 
 def settle(data):
     """Write what a drag leaves out: exact normals and sharp edges."""
-    if store.has_definition(data) and store.read_stamp(data) is None:
+    if store.is_draft(data):
         shape.rewrite(data)
 
 
@@ -108,9 +108,6 @@ def _show(data, definition, current):
         shape.set_definition(data, definition)
         current.written = tessellation
         return True
-    if pool.shape == definition.pool.shape:
-        store.write_pool(data, definition.pool)
-    else:
-        store.write(data, definition)
     write_mesh.move(data, positions)
+    store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
     return True

@@ -87,7 +87,7 @@ def restore(data, progress=no_progress):
 
 def _finish(data, picture, progress):
     picture.write()
-    store.write_stamp(data, stamp.of(data))
+    store.write_final(data, stamp.of(data))
     progress(2)
     data.splinewright.problem = ""
 

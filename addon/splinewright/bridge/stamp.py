@@ -1,5 +1,6 @@
 """What identifies the geometry that Splinewright wrote, to notice what others changed since."""
 
+import functools
 import zlib
 
 import bpy
@@ -11,6 +12,23 @@ def of(data):
     return _of_curve(data) if isinstance(data, bpy.types.Curve) else _of_mesh(data)
 
 
+def moved(before, positions):
+    """The stamp of a Mesh whose vertices were given other positions (n, 3) float32 since that of `before`."""
+    vertices, edges, faces, _, corners = before
+    return [vertices, edges, faces, _checksum(positions.ravel()), corners]
+
+
+def _checksum(numbers):
+    """Of float32 numbers in their order; a third of the time of a CRC."""
+    return int(np.dot(numbers.view(np.uint32), _factors(len(numbers))))
+
+
+@functools.lru_cache(8)
+def _factors(count):
+    """Odd factors, so that no change of one number is lost; sums wrap around at 2^32."""
+    return np.arange(count, dtype=np.uint32) * np.uint32(2654435762) + np.uint32(1)
+
+
 def _of_mesh(mesh):
     positions = np.empty(3 * len(mesh.vertices), np.float32)
     if 'position' in mesh.attributes:
@@ -19,7 +37,7 @@ def _of_mesh(mesh):
         mesh.vertices.foreach_get('co', positions)
     corners = np.empty(len(mesh.loops), np.int32)
     mesh.loops.foreach_get('vertex_index', corners)
-    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), zlib.crc32(positions), zlib.crc32(corners)]
+    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), _checksum(positions), zlib.crc32(corners)]
 
 
 def _of_curve(curve):

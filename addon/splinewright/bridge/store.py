@@ -11,7 +11,8 @@ import numpy as np
 from ..core.definition import Definition, Piece
 
 KEY = "splinewright_definition"
-STAMP = "stamp"
+_STAMP = "stamp"
+_DRAFT = "draft"
 VERSION = 2
 
 
@@ -36,13 +37,21 @@ def write(data, definition):
     assign(data, KEY, encoded(definition))
 
 
-def write_pool(data, pool):
-    """write() where nothing but the points has changed since, without a stamp."""
+def write_draft(data, definition, stamp):
+    """write() for what is shown in a hurry, without exact normals."""
     group = data[KEY]
-    assign(group, 'pool', np.ascontiguousarray(pool, dtype=np.float64).ravel())
-    group['version'] = VERSION
-    if STAMP in group.keys():
-        del group[STAMP]
+    if len(group['pool']) == definition.pool.size and group['structure'] == _structure(definition):
+        assign(group, 'pool', np.ascontiguousarray(definition.pool, dtype=np.float64).ravel())
+    else:
+        write(data, definition)
+        group = data[KEY]
+    group[_DRAFT] = True
+    write_stamp(data, stamp)
+
+
+def is_draft(data):
+    """Whether what is shown lacks its exact normals."""
+    return KEY in data.keys() and _DRAFT in data[KEY].keys()
 
 
 def remove(data):
@@ -54,30 +63,40 @@ def remove(data):
 def write_stamp(data, stamp):
     """Keep what identifies the geometry that was written: a few whole numbers below 2^53."""
     data[KEY]['version'] = VERSION
-    assign(data[KEY], STAMP, np.array(stamp, dtype=np.float64))
+    assign(data[KEY], _STAMP, np.array(stamp, dtype=np.float64))
+
+
+def write_final(data, stamp):
+    """write_stamp() where everything is shown as it should be."""
+    write_stamp(data, stamp)
+    if is_draft(data):
+        del data[KEY][_DRAFT]
 
 
 def read_stamp(data):
     """The stamp as a list, or None."""
     group = data[KEY]
-    return [int(number) for number in group[STAMP]] if STAMP in group.keys() else None
+    return [int(number) for number in group[_STAMP]] if _STAMP in group.keys() else None
 
 
 def encoded(definition):
     """The definition as an ID property group."""
-    structure = [{'kind': piece.kind, 'shape': list(piece.indices.shape), 'degree': list(piece.degree),
-                  'periodic': [bool(p) for p in piece.periodic], 'knots': [len(k) for k in piece.knots]}
-                 for piece in definition.pieces]
     indices = [piece.indices.ravel() for piece in definition.pieces]
     knots = [knots for piece in definition.pieces for knots in piece.knots]
     return {
         'version': VERSION,
         'form': definition.form,
-        'structure': json.dumps(structure),
+        'structure': _structure(definition),
         'pool': np.ascontiguousarray(definition.pool, dtype=np.float64).ravel(),
         'indices': np.concatenate(indices).astype(np.int32),
         'knots': np.concatenate(knots).astype(np.float64) if knots else [],
     }
+
+
+def _structure(definition):
+    return json.dumps([{'kind': piece.kind, 'shape': list(piece.indices.shape), 'degree': list(piece.degree),
+                        'periodic': [bool(p) for p in piece.periodic], 'knots': [len(k) for k in piece.knots]}
+                       for piece in definition.pieces])
 
 
 def read(data):

@@ -1,4 +1,4 @@
-"""Putting nets out and away. None of these functions pushes an undo step: operators do."""
+"""Putting nets out and away. Undo steps are the operators' affair, but for end()."""
 
 import bpy
 
@@ -35,7 +35,9 @@ def find_nets():
 
 
 def nets_in_edit_mode(context):
-    return [ob for ob in context.objects_in_mode if net.is_net(ob)] if context.mode.startswith('EDIT') else []
+    if not context.mode.startswith('EDIT'):
+        return []
+    return [ob for ob in context.objects_in_mode if net.is_net(ob)]
 
 
 def enter(context, active):
@@ -115,6 +117,18 @@ def sweep():
             if ob.users_scene:
                 live.pull(ob)
             put_away(bpy.context, ob)
+
+
+def end():
+    """Put all nets away: the add-on goes."""
+    context = bpy.context
+    if nets_in_edit_mode(context):
+        leave(context)
+        # Without a step of its own undo would look for the net's points, and Blender 3.4 crash.
+        bpy.ops.ed.undo_push(message="Leave Net")
+    for ob in nets():
+        live.pull(ob)
+        put_away(context, ob)
 
 
 def settle():

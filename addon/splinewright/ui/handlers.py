@@ -87,6 +87,7 @@ def register():
 
 
 def unregister():
+    editing.end()
     for name, handler in _HANDLERS.items():
         if hasattr(bpy.app.handlers, name):
             getattr(bpy.app.handlers, name).remove(handler)

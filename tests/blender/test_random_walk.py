@@ -1,0 +1,354 @@
+"""Ten thousand random steps of a careless user: nothing breaks, and every shape is what its definition says."""
+
+import collections
+import os
+import sys
+
+import bpy
+import numpy as np
+
+from shapes import VALUES, activate, add, numbers_of, require_exact
+from support import part, splinecore as sc
+
+editing, follow, handlers, live, net, recipes, shape, store = (part(name) for name in (
+    'ui.editing', 'bridge.follow', 'ui.handlers', 'bridge.live', 'bridge.net', 'bridge.recipes', 'bridge.shape', 'bridge.store'))
+
+STEPS = int(os.environ.get('SPLINEWRIGHT_STEPS', 10_000))
+SEED = int(os.environ.get('SPLINEWRIGHT_SEED', 20261121))
+MOST_OBJECTS = 9
+KINDS = [name for name in VALUES if name != 'teapot']
+
+
+class Walk:
+    """A user who chooses each step by lot."""
+
+    def __init__(self, seed, folder):
+        self.random = np.random.default_rng(seed)
+        self.path = str(folder / "walk.blend")
+        self.saved = False
+        self.log = []
+        self.done = collections.Counter()
+        self.checked = 0
+        self.choices = {mode: self._choices(f"{mode}_", "any_") for mode in ('object', 'edit')}
+
+    def _choices(self, *prefixes):
+        """Steps whose names begin so, and their odds."""
+        names = [name for name in dir(self) if name.startswith(prefixes)]
+        odds = np.array([self.RARE.get(name.partition('_')[2], 1.0) for name in names])
+        return [getattr(self, name) for name in names], odds / odds.sum()
+
+    RARE = {'save': 0.1, 'reopen': 0.05, 'toggle_the_add_on': 0.05, 'move_points': 8, 'edit': 6, 'undo': 3, 'redo': 2,
+            'leave': 0.6, 'leave_otherwise': 0.4, 'new_file': 0.01, 'delete': 0.5, 'by_hand': 0.4, 'detach': 0.3,
+            'remesh': 0.1, 'harm_the_net': 0.3, 'delete_the_net': 0.1, 'delete_a_shape_whatever_the_mode': 0.3, 'add': 2}
+
+    def walk(self, count):
+        for _ in range(count):
+            steps, odds = self.choices['object' if bpy.context.mode == 'OBJECT' else 'edit']
+            step = self.random.choice(steps, p=odds)
+            self.log.append(step.__name__)
+            self.done[step.__name__] += 1
+            try:
+                step()
+            except RuntimeError as error:
+                # A refusal in words is what a user may get; a traceback is not.
+                assert "Traceback" not in str(error), str(error)
+            bpy.context.view_layer.update()
+            # Timers never run in background.
+            if self.random.random() < 0.7:
+                editing.sweep()
+            assert not Failures.seen, Failures.seen
+            if len(self.log) % 20 == 0:
+                self.check()
+
+    def check(self):
+        """Every shape that no hand has changed is what its definition evaluates to, in Edit Mode, too."""
+        for ob in self.shapes():
+            if ob.mode == 'OBJECT' and not shape.is_touched(ob.data) and not ob.data.shape_keys:
+                require_exact(ob)
+                self.checked += 1
+
+    # What is at hand
+
+    def any(self, things):
+        things = list(things)
+        return things[self.random.integers(len(things))] if things else None
+
+    def shapes(self):
+        layer = bpy.context.view_layer
+        return [ob for ob in bpy.data.objects if shape.has_shape(ob) and layer.objects.get(ob.name) == ob]
+
+    def choose(self, most=1):
+        """Make some shapes selected, in Object Mode; the active one, or None."""
+        shapes = self.shapes()
+        if not shapes:
+            return None
+        chosen = [self.any(shapes) for _ in range(self.random.integers(1, most + 1))]
+        activate(*dict.fromkeys(chosen))
+        return chosen[0]
+
+    def op(self, operator, **settings):
+        return operator('EXEC_DEFAULT', True, **settings)
+
+    def push(self, what):
+        bpy.ops.ed.undo_push(message=what)
+
+    # Steps
+
+    def object_add(self):
+        if len(bpy.data.objects) < MOST_OBJECTS:
+            add(VALUES[self.any(KINDS)](), "shape")
+
+    def object_add_by_operator(self):
+        if len(bpy.data.objects) < MOST_OBJECTS:
+            self.op(self.any((bpy.ops.splinewright.add_nurbs_patch, bpy.ops.splinewright.add_hermite_curve,
+                              bpy.ops.splinewright.add_bezier_patch)))
+
+    def object_delete(self):
+        if self.choose(2):
+            self.op(bpy.ops.object.delete)
+
+    def object_edit(self):
+        if self.choose(3) and bpy.ops.splinewright.edit_net.poll():
+            self.op(bpy.ops.splinewright.edit_net)
+
+    def edit_move_points(self):
+        for ob in editing.nets_in_edit_mode(bpy.context):
+            count = len(numbers_of(ob).rows)
+            try:
+                part('bridge.net_points').select(ob, numbers_of(ob), self.random.integers(0, count, 3).tolist())
+            except (KeyError, IndexError):
+                return                  # the net has lost its points
+        self.op(self.any((bpy.ops.transform.translate, bpy.ops.transform.resize)),
+                value=tuple(self.random.uniform(-0.5, 0.7, 3)))
+
+    def edit_type_numbers(self):
+        for ob in editing.nets_in_edit_mode(bpy.context)[:1]:
+            if live.problem(ob) == "":
+                numbers = np.array(ob.data.splinewright_points.numbers)
+                numbers[self.random.integers(0, 4)] = self.random.uniform(0.5, 2)
+                ob.data.splinewright_points.numbers = numbers
+                self.push("type")
+
+    def edit_leave(self):
+        if bpy.ops.splinewright.leave_net.poll():
+            self.op(bpy.ops.splinewright.leave_net)
+
+    def edit_leave_otherwise(self):
+        self.op(bpy.ops.object.mode_set, mode='OBJECT')
+
+    def edit_harm_the_net(self):
+        if bpy.context.mode == 'EDIT_MESH':
+            self.op(bpy.ops.mesh.delete, type='VERT')
+        elif bpy.context.mode == 'EDIT_CURVE':
+            self.op(bpy.ops.curve.subdivide)
+
+    def edit_delete_the_net(self):
+        for ob in list(editing.nets())[:1]:
+            bpy.data.objects.remove(ob)
+            self.push("delete net")
+
+    def any_delete_a_shape_whatever_the_mode(self):
+        shapes = self.shapes()
+        if len(shapes) > 4:
+            bpy.data.objects.remove(self.any(shapes))
+            self.push("delete shape")
+
+    def any_undo(self):
+        for _ in range(self.random.integers(1, 4)):
+            if bpy.ops.ed.undo.poll():
+                bpy.ops.ed.undo()
+
+    def any_redo(self):
+        for _ in range(self.random.integers(1, 4)):
+            if bpy.ops.ed.redo.poll():
+                bpy.ops.ed.redo()
+
+    def any_set_knots(self):
+        owner = self.choose() if bpy.context.mode == 'OBJECT' else next(
+            (net.shape_of(ob) for ob in editing.nets_in_edit_mode(bpy.context) if ob == bpy.context.object), None)
+        if owner and bpy.ops.splinewright.set_knots.poll():
+            piece = store.read(owner.data).pieces[0]
+            if piece.knots:
+                knots = np.sort(piece.knots[0] + self.random.choice([0, 0.125], len(piece.knots[0])))
+                self.op(bpy.ops.splinewright.set_knots, knots=" ".join(map(repr, knots.tolist())))
+
+    def object_duplicate(self):
+        if len(bpy.data.objects) < MOST_OBJECTS and self.choose():
+            self.op(bpy.ops.object.duplicate, linked=bool(self.random.integers(2)))
+
+    def object_single_user(self):
+        if self.choose():
+            self.op(bpy.ops.object.make_single_user, object=True, obdata=True)
+
+    def object_transform(self):
+        ob = self.choose()
+        if ob:
+            ob.location, ob.rotation_euler = self.random.uniform(-1, 1, 3), self.random.uniform(-1, 1, 3)
+            ob.scale = self.random.uniform(0.5, 1.5, 3) * self.random.choice([-1, 1], 3)
+            self.push("transform")
+
+    def object_parent(self):
+        ob, parent = self.choose(), self.any(self.shapes())
+        if ob and parent and parent != ob and parent.type == 'MESH' and ob not in parent.children_recursive:
+            above = parent
+            while above is not None and above != ob:
+                above = above.parent
+            ob.parent = parent if above is None else None
+            self.push("parent")
+
+    def object_apply_transform(self):
+        if self.choose():
+            self.op(bpy.ops.splinewright.apply_transform, location=bool(self.random.integers(2)))
+
+    def object_blenders_own_apply(self):
+        ob = self.choose()
+        if ob and ob.data.users == 1:
+            self.op(bpy.ops.object.transform_apply)
+            if self.random.random() < 0.8:
+                self.op(bpy.ops.splinewright.adopt_transform)
+
+    def object_resolution(self):
+        ob = self.choose()
+        if ob:
+            ob.data.splinewright.resolution_u = int(self.random.integers(1, 6))
+            self.push("resolution")
+
+    def object_value(self):
+        ob = self.choose()
+        if ob and not recipes.has(ob.data):
+            try:
+                value = ob.data.splinewright.value
+                ob.data.splinewright.value = value[0] if isinstance(value, (list, sc.PatchSet)) else value
+            except ValueError:
+                pass                    # changed by hand
+            self.push("value")
+
+    def object_by_hand(self):
+        ob = self.choose()
+        if ob:
+            self.op(bpy.ops.object.mode_set, mode='EDIT')
+            select = bpy.ops.mesh if ob.type == 'MESH' else bpy.ops.curve
+            select.select_all(action='SELECT')
+            self.op(bpy.ops.transform.resize, value=(1, 1, 1.1))
+            if self.random.random() < 0.7:
+                self.op(bpy.ops.object.mode_set, mode='OBJECT')
+
+    def object_remesh(self):
+        ob = self.choose()
+        if ob and ob.type == 'MESH' and ob.data.users == 1:
+            ob.modifiers.new("displace", 'DISPLACE')
+            self.op(bpy.ops.object.modifier_apply, modifier="displace")
+
+    def object_restore(self):
+        if self.choose(2):
+            self.op(bpy.ops.splinewright.restore)
+
+    def object_detach(self):
+        if self.choose():
+            self.op(bpy.ops.splinewright.detach)
+
+    def object_join(self):
+        if self.choose(3) and bpy.ops.splinewright.join.poll():
+            if len(store.read(bpy.context.object.data).pieces) < 12:
+                self.op(bpy.ops.splinewright.join)
+
+    def object_follow(self):
+        if self.choose(2) and len(bpy.data.objects) < MOST_OBJECTS:
+            self.op(bpy.ops.splinewright.follow_object)
+
+    def object_make_editable(self):
+        if self.choose(2):
+            self.op(bpy.ops.splinewright.make_editable)
+
+    def any_frame(self):
+        bpy.context.scene.frame_set(int(self.random.integers(1, 100)))
+
+    def any_rename(self):
+        ob = self.any(self.shapes() + list(editing.nets()))
+        if ob:
+            ob.name, ob.data.name = f"name {self.random.integers(20)}", f"data {self.random.integers(20)}"
+            self.push("rename")
+
+    def any_hide(self):
+        ob = self.any(self.shapes())
+        if ob and bpy.context.mode == 'OBJECT':
+            ob.hide_set(not ob.hide_get())
+            self.push("hide")
+
+    def any_save(self):
+        bpy.ops.wm.save_as_mainfile(filepath=self.path)
+        self.saved = True
+
+    def any_reopen(self):
+        if self.saved:
+            bpy.ops.wm.open_mainfile(filepath=self.path)
+            handlers.loaded()
+            self.push("open")
+
+    def any_new_file(self):
+        bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+        self.push("new")
+
+    def any_toggle_the_add_on(self):
+        part('ui').unregister()
+        part('ui').register()
+        handlers.loaded()
+
+
+class Failures:
+    """Tracebacks that Blender would only print."""
+
+    seen = []
+
+    def __enter__(self):
+        self.before, sys.excepthook = sys.excepthook, lambda kind, error, trace: self.seen.append(_text(kind, error, trace))
+
+    def __exit__(self, *_):
+        sys.excepthook = self.before
+        self.seen.clear()
+
+
+def _text(kind, error, trace):
+    import traceback
+    return "".join(traceback.format_exception(kind, error, trace))
+
+
+def test_the_hook_would_notice_a_traceback_of_a_handler():
+    def broken(*_):
+        raise KeyError("on purpose")
+    bpy.app.handlers.depsgraph_update_post.append(broken)
+    try:
+        with Failures():
+            bpy.data.objects.new("any", None)
+            add(VALUES['cubic']())
+            bpy.context.view_layer.update()
+            assert any("on purpose" in text for text in Failures.seen)
+    finally:
+        bpy.app.handlers.depsgraph_update_post.remove(broken)
+
+
+def test_ten_thousand_random_steps(tmp_path):
+    bpy.ops.ed.undo_push(message="start")
+    walk = Walk(SEED, tmp_path)
+    with Failures():
+        try:
+            walk.walk(STEPS)
+        except BaseException:
+            print(f"seed {SEED}, after {len(walk.log)} steps, the last: {' '.join(walk.log[-40:])}")
+            raise
+        if bpy.context.mode != 'OBJECT':
+            bpy.ops.object.mode_set(mode='OBJECT')
+        editing.sweep()
+        assert not Failures.seen, Failures.seen
+    assert not list(editing.nets()) and not [ob for ob in bpy.data.objects if net.is_net(ob)]
+    shapes = [ob for ob in bpy.data.objects if shape.has_shape(ob)]
+    touched = [ob for ob in shapes if shape.is_touched(ob.data)]
+    for ob in shapes:
+        if ob not in touched:
+            require_exact(ob)
+        elif not ob.data.shape_keys:
+            shape.restore(ob.data)
+            require_exact(ob)
+    print(f"{STEPS} steps of seed {SEED}, {walk.done['edit_move_points']} of them moves of a net, {walk.checked} shapes compared on the way; "
+          f"{len(shapes)} shapes at the end, {len(touched)} of them changed by hand")
+    assert STEPS < 10_000 or walk.done['edit_move_points'] > 1000 and walk.checked > 1000
