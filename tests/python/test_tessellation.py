@@ -41,7 +41,11 @@ def test_resolution_may_differ_along_u_and_v():
     assert sc.Tessellation(one, np.int32(3)).vertex_count == 16
 
 
-@pytest.mark.parametrize("make", [torus, cylinder, wavy_patch, sphere_octant])
+def plain_patch():
+    return sc.BezierPatch(np.random.default_rng(5).uniform(-1, 1, (5, 4, 3)))
+
+
+@pytest.mark.parametrize("make", [torus, cylinder, wavy_patch, sphere_octant, plain_patch])
 def test_positions_alone_are_those_of_evaluate_in_every_bit(make):
     one = sc.PatchSet.from_patches([make()])
     mesh = sc.Tessellation(one, 5)

@@ -94,9 +94,8 @@ def refresh(changed, depsgraph):
 def _note(blocks):
     """Add the followers among changed blocks, which may be new to the file."""
     for block in blocks:
-        data = block.data if isinstance(block, bpy.types.Object) else block
-        if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)) and recipes.has(data):
-            known.add(_key(data))
+        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and recipes.has(block):
+            known.add(_key(block))
 
 
 def refresh_all(depsgraph):

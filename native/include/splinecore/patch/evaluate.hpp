@@ -40,7 +40,7 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double>
                                 std::span<float> normals, PatchOptions options = {});
 
 /// The grid's points on samples computed before.
-void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<double> points,
+void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<float> points,
                    AtInfinity at_infinity = AtInfinity::raise);
 
 /// The same with normals; the samples must hold first derivatives.

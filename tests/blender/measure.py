@@ -1,0 +1,128 @@
+"""What following costs, in milliseconds, beside Blender's own NURBS surface in the same run.
+
+    blender --background ... --python measure.py        (./run bench-live)
+"""
+
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import bmesh
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from blender_objects import set_net, set_surface, surface_object
+from shapes import add, enter
+from support import part, splinecore as sc
+
+handlers, live, native, shape = (part(name) for name in ('ui.handlers', 'bridge.live', 'core.native', 'bridge.shape'))
+
+COUNT, RESOLUTION = 32, 11
+
+
+def milliseconds(action, repeats=30):
+    """Median and least of an action's times."""
+    action()
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        action()
+        times.append(1e3 * (time.perf_counter() - start))
+    return statistics.median(times), min(times)
+
+
+def report(what, times):
+    print(f"{what:68} {times[0]:8.3f}  {times[1]:8.3f}", flush=True)
+
+
+def net():
+    x, y = np.meshgrid(np.linspace(-2, 2, COUNT), np.linspace(-2, 2, COUNT), indexing='ij')
+    return np.stack([x, y, 0.3 * np.cos(2 * x * y)], -1)
+
+
+def clamped():
+    return np.concatenate([np.zeros(3), np.arange(COUNT - 2.0), np.full(3, COUNT - 3.0)])
+
+
+def patch():
+    return sc.NurbsPatch((3, 3), (clamped(), clamped()), net())
+
+
+def idle():
+    for i in range(1000):
+        data = shape.new_data("shape", sc.BezierPatch(net()[:4, :4]), (2, 2))
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new("shape", data))
+    cube = bpy.data.objects.new("cube", None)
+    bpy.context.scene.collection.objects.link(cube)
+    bpy.context.view_layer.update()
+    graph = bpy.context.evaluated_depsgraph_get()
+    calls = 1000
+
+    def often():
+        for _ in range(calls):
+            handlers.updated(bpy.context.scene, graph)
+    times = milliseconds(often, 5)
+    report("handler, nothing changed, 1000 shapes in the file (µs)", [1e3 * t / calls for t in times])
+
+    def nudge():
+        cube.location.x += 0.1
+        bpy.context.view_layer.update()
+    with_handler = milliseconds(nudge, 200)
+    bpy.app.handlers.depsgraph_update_post.remove(handlers.updated)
+    without = milliseconds(nudge, 200)
+    bpy.app.handlers.depsgraph_update_post.append(handlers.updated)
+    report("moving one object of 1001: with the handler", with_handler)
+    report("moving one object of 1001: without it", without)
+    print(f"{'so the handler costs (µs)':68} {1e3 * (with_handler[0] - without[0]):8.1f}  "
+          f"{1e3 * (with_handler[1] - without[1]):8.1f}")
+
+
+def drag():
+    ob = add(patch())
+    ob.data.splinewright.set_resolution(RESOLUTION, RESOLUTION)
+    held = enter()
+    mesh = bmesh.from_edit_mesh(held.data)
+    mesh.verts.ensure_lookup_table()
+
+    def move():
+        mesh.verts[500].co.z += 0.001
+        live.pull(held)
+    print(f"a net of {COUNT} x {COUNT} points, {len(ob.data.vertices)} vertices:")
+    report("  our share: read the net, evaluate, write the mesh", milliseconds(move, 60))
+
+    def whole():
+        mesh.verts[500].co.z += 0.001
+        bmesh.update_edit_mesh(held.data, loop_triangles=False, destructive=False)
+        bpy.context.view_layer.update()
+    times = milliseconds(whole)
+    report("  a whole step: handler, and Blender's evaluation of net and mesh", times)
+    bpy.ops.splinewright.leave_net()
+    return times
+
+
+def rival():
+    """The same drag of Blender's own surface."""
+    ob = surface_object(COUNT, COUNT)
+    points = np.concatenate([net(), np.ones((COUNT, COUNT, 1))], -1)
+    direction = native.Direction(COUNT, 3, native.Flags(endpoint=True))
+    set_surface(ob, points, (direction, direction), (10, 10))
+
+    def whole():
+        points[16, 16, 2] += 0.001
+        set_net(ob, points)
+        bpy.context.view_layer.update()
+    times = milliseconds(whole)
+    report(f"  Blender's own surface with {(10 * COUNT) ** 2} vertices: a whole step", times)
+    return times
+
+
+print("median and least of each, milliseconds", bpy.app.version_string)
+bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+idle()
+bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+ours = drag()
+bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+theirs = rival()
+print(f"  ours takes {ours[0] / theirs[0]:.2f} of the time of Blender's own")
