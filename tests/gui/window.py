@@ -1,5 +1,6 @@
 """A real Blender window under Xvfb: events in, pictures out."""
 
+import importlib
 import os
 import struct
 import sys
@@ -14,7 +15,8 @@ FRAME = os.path.join(os.environ['XVFB_FRAMES'], 'Xvfb_screen0')
 
 
 def save_picture(path):
-    """What the screen shows, as a PNG."""
+    """What the screen shows, drawn anew, as a PNG."""
+    bpy.ops.wm.redraw_timer(type='DRAW_WIN_SWAP', iterations=1)
     with open(FRAME, 'rb') as file:
         raw = file.read()
     header = struct.unpack('>25I', raw[:100])
@@ -52,9 +54,10 @@ class View:
         self.x, self.y = self.x if x is None else x, self.y if y is None else y
         self.window.event_simulate('MOUSEMOVE', 'NOTHING', x=self.x, y=self.y)
 
-    def press(self, key, **modifiers):
-        for value in ('PRESS', 'RELEASE'):
-            self.window.event_simulate(key, value, x=self.x, y=self.y, **modifiers)
+    def press(self, key, text="", **modifiers):
+        """A key or button; `text` is the character it types."""
+        self.window.event_simulate(key, 'PRESS', x=self.x, y=self.y, **({'unicode': text} if text else {}), **modifiers)
+        self.window.event_simulate(key, 'RELEASE', x=self.x, y=self.y, **modifiers)
 
     def open_sidebar(self):
         self.area.spaces.active.show_region_ui = True
@@ -74,6 +77,38 @@ class View:
             if sidebar.active_panel_category == name:
                 return
         raise AssertionError(f"the sidebar has no tab {name}")
+
+
+def part(name):
+    """A module of the add-on, by its dotted name below the add-on."""
+    addon = next(key for key in bpy.context.preferences.addons.keys() if key.split('.')[-1] == 'splinewright')
+    return importlib.import_module(f"{addon}.{name}")
+
+
+def empty_file():
+    """Remove the objects of the factory scene, as an undo step."""
+    for ob in list(bpy.data.objects):
+        bpy.data.objects.remove(ob)
+    bpy.ops.ed.undo_push(message="empty")
+
+
+def pick_by_keys(view, keys):
+    """Steps through an open menu."""
+    for key in keys:
+        view.press(key)
+        yield 0.3
+
+
+def select_points(*numbers):
+    """Select points of the net in Edit Mode, as an undo step."""
+    ob = bpy.context.object
+    part('bridge.net_points').select(ob, part('bridge.live').session(ob.data).net, numbers)
+    bpy.ops.ed.undo_push(message="select")
+
+
+def mean_difference(a, b):
+    """Of two pictures, 0 to 255."""
+    return float(np.abs(a.astype(int) - b).mean())
 
 
 def run(steps):
