@@ -13,11 +13,11 @@ import bpy
 import numpy as np
 import pytest
 
-import blender_nurbs
 import blender_objects
-from blender_nurbs import ALL_FLAGS, Direction, Flags
-from support import splinecore as sc
+from support import part, splinecore as sc
 
+native = part('core.native')
+ALL_FLAGS, Direction, Flags = native.ALL_FLAGS, native.Direction, native.Flags
 VERSION = bpy.app.version
 CURVE_TOLERANCE = 2e-5
 SURFACE_TOLERANCE = 1e-4
@@ -94,20 +94,20 @@ def size_of(net):
 
 
 def plain_curve(net, direction):
-    points = blender_nurbs.wrapped(net, direction)
-    return sc.NurbsCurve(direction.degree, blender_nurbs.plain_knots(direction), points[:, :3], points[:, 3])
+    points = native.wrapped(net, direction)
+    return sc.NurbsCurve(direction.degree, native.plain_knots(direction), points[:, :3], points[:, 3])
 
 
 def periodic_curve(net, direction):
-    return sc.NurbsCurve(direction.degree, blender_nurbs.periodic_knots(direction), net[:, :3], net[:, 3],
+    return sc.NurbsCurve(direction.degree, native.periodic_knots(direction), net[:, :3], net[:, 3],
                          periodic=True)
 
 
 def plain_patch(net, directions):
     for axis, direction in enumerate(directions):
-        net = blender_nurbs.wrapped(net, direction, axis)
+        net = native.wrapped(net, direction, axis)
     return sc.NurbsPatch([direction.degree for direction in directions],
-                         [blender_nurbs.plain_knots(direction) for direction in directions],
+                         [native.plain_knots(direction) for direction in directions],
                          net[..., :3], net[..., 3])
 
 
@@ -116,10 +116,10 @@ def periodic_patch(net, directions):
     knots = []
     for axis, direction in enumerate(directions):
         if direction.flags.cyclic:
-            knots.append(blender_nurbs.periodic_knots(direction))
+            knots.append(native.periodic_knots(direction))
         else:
-            knots.append(blender_nurbs.plain_knots(direction))
-            net = blender_nurbs.wrapped(net, direction, axis)
+            knots.append(native.plain_knots(direction))
+            net = native.wrapped(net, direction, axis)
     return sc.NurbsPatch([direction.degree for direction in directions], knots, net[..., :3], net[..., 3],
                          periodic=[direction.flags.cyclic for direction in directions])
 
@@ -150,8 +150,8 @@ def patch_forms(net, directions, parameters):
 
 
 def is_odd(direction, resolution):
-    return (blender_nurbs.gives_origin(direction, resolution, VERSION)
-            or blender_nurbs.gives_polygon(direction, resolution, VERSION))
+    return (native.gives_origin(direction, resolution, VERSION)
+            or native.gives_polygon(direction, resolution, VERSION))
 
 
 def every_degree_and_flags(test):
@@ -164,10 +164,10 @@ def test_valid_curve_is_ours(curve, degree, flags):
     rng = np.random.default_rng((1, degree, *flags))
     for direction, resolution in curves_to_try(degree, flags):
         net = random_net(rng, direction.count)      # drawn for all, so that versions get the same nets
-        if not blender_nurbs.is_valid_curve(direction) or is_odd(direction, resolution):
+        if not native.is_valid_curve(direction) or is_odd(direction, resolution):
             continue
         blender_objects.set_nurbs_spline(curve, net, direction, resolution)
-        parameters = blender_nurbs.curve_parameters(direction, resolution, VERSION)
+        parameters = native.curve_parameters(direction, resolution, VERSION)
         TALLY.compare(f"curves, {flags}", curve_forms(net, direction, parameters),
                       blender_objects.evaluated_vertices(curve), size_of(net), CURVE_TOLERANCE)
 
@@ -176,7 +176,7 @@ def test_valid_curve_is_ours(curve, degree, flags):
 def test_invalid_curve_is_its_control_polygon(curve, degree, flags):
     rng = np.random.default_rng((2, degree, *flags))
     for direction, resolution in curves_to_try(degree, flags):
-        if blender_nurbs.is_valid_curve(direction):
+        if native.is_valid_curve(direction):
             continue
         net = random_net(rng, direction.count)
         blender_objects.set_nurbs_spline(curve, net, direction, resolution)
@@ -196,7 +196,7 @@ def test_validity_is_what_blender_says_of_it(curve, degree, flags):
     for direction in directions_to_try(degree, flags):
         spline = blender_objects.set_nurbs_spline(curve, np.ones((direction.count, 4)), direction, 1)
         # Curves are refused in one case that Blender does not own up to: see the next test.
-        assert (not spline.valid_message(0)) is blender_nurbs.is_valid_surface(direction)
+        assert (not spline.valid_message(0)) is native.is_valid_surface(direction)
 
 
 def test_cyclic_bezier_curve_of_two_points_is_its_control_polygon_though_called_valid(curve):
@@ -219,11 +219,11 @@ def test_two_points_at_resolution_1_are_the_origin_before_blender_5(curve, flags
 @pytest.mark.parametrize("degree", DEGREES[1:])
 def test_cyclic_curve_at_resolution_1_is_its_control_polygon_in_blender_4_3_only(curve, degree, flags):
     rng = np.random.default_rng((6, degree, *flags))
-    for direction in filter(blender_nurbs.is_valid_curve, directions_to_try(degree, flags)):
+    for direction in filter(native.is_valid_curve, directions_to_try(degree, flags)):
         net = random_net(rng, direction.count)
         blender_objects.set_nurbs_spline(curve, net, direction, 1)
         is_polygon = np.array_equal(blender_objects.evaluated_vertices(curve), net[:, :3])
-        assert is_polygon is blender_nurbs.gives_polygon(direction, 1, VERSION)
+        assert is_polygon is native.gives_polygon(direction, 1, VERSION)
 
 
 def every_pair_of_flags(test):
@@ -234,7 +234,7 @@ def every_pair_of_flags(test):
 def random_direction(rng, degree, flags):
     """One of the smaller valid ones."""
     valid = [direction for direction in directions_to_try(degree, flags)
-             if blender_nurbs.is_valid_surface(direction)]
+             if native.is_valid_surface(direction)]
     return valid[rng.integers(min(3, len(valid)))]
 
 
@@ -247,7 +247,7 @@ def test_valid_surface_is_ours(surfaces, flags_u, flags_v):
         net = random_net(rng, *(direction.count for direction in directions))
         surface = surfaces(*net.shape[:2])
         blender_objects.set_surface(surface, net, directions, resolution)
-        parameters = list(map(blender_nurbs.surface_parameters, directions, resolution))
+        parameters = list(map(native.surface_parameters, directions, resolution))
         kind = "surfaces, cyclic" if flags_u.cyclic or flags_v.cyclic else "surfaces, open"
         TALLY.compare(kind, patch_forms(net, directions, parameters),
                       blender_objects.evaluated_vertices(surface), size_of(net), SURFACE_TOLERANCE)
@@ -257,7 +257,7 @@ def test_valid_surface_is_ours(surfaces, flags_u, flags_v):
 @pytest.mark.parametrize("degree", DEGREES)
 def test_surface_invalid_in_one_direction_is_empty(surfaces, degree, axis):
     invalid = [direction for flags in ALL_FLAGS for direction in directions_to_try(degree, flags)
-               if not blender_nurbs.is_valid_surface(direction)]
+               if not native.is_valid_surface(direction)]
     assert invalid
     for direction in invalid:
         directions = [Direction(4, 3), Direction(4, 3)]

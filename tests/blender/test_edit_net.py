@@ -283,3 +283,62 @@ def test_wrong_knots_are_refused_with_a_word_and_nothing_changes(text, word):
     with pytest.raises(RuntimeError, match=word):
         bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=text)
     assert bpy.data.objects["shape"].data.splinewright.value == value and bpy.context.mode == 'EDIT_CURVE'
+
+
+def test_a_direction_at_infinity_is_the_head_of_an_arrow():
+    ob = add(VALUES['semicircle']())
+    held = enter()
+    numbers = numbers_of(held)
+    (foot, head), = numbers.arrows
+    assert np.array_equal(numbers.positions[foot], (0, 0, 0)) and np.array_equal(numbers.positions[head], (0, 1, 0))
+    select(held, head)
+    move(0, 1, 0)
+    assert store.read(ob.data).pool.tolist() == [[1, 0, 0, 1], [0, 2, 0, 0], [-1, 0, 0, 1]]
+    half_ellipse = bpy.data.objects["shape"].data.splinewright.value
+    assert np.allclose(half_ellipse.evaluate(0.5), (0, 2, 0), atol=1e-12)
+    select(held, foot, head)
+    move(5, 5, 5)
+    assert bpy.data.objects["shape"].data.splinewright.value == half_ellipse, "an arrow may stand anywhere"
+    require_exact(leave())
+
+
+def test_symmetry_moves_the_other_half_too():
+    x, y = np.meshgrid([-1, -0.5, 0.5, 1], [-1, 0, 1], indexing='ij')
+    ob = add(part('core.library').sc.BezierPatch(np.stack([x, y, 0 * x], -1)))
+    held = enter()
+    held.data.use_mirror_x = True
+    select(held, 0)
+    bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0.25, 0, 1), mirror=True)
+    pool = store.read(ob.data).pool
+    assert np.allclose(pool[0], (-0.75, -1, 1, 1)) and np.allclose(pool[9], (0.75, -1, 1, 1))
+    assert np.array_equal(np.delete(pool, (0, 9), 0)[:, 2], np.zeros(10))
+    require_exact(leave())
+
+
+def test_smooth_joints_of_a_chain_stay_smooth_when_a_handle_is_turned():
+    ob = add(VALUES['hermite']())
+    held = enter()
+    point = held.data.splines[0].bezier_points[1]
+    assert point.handle_left_type == 'ALIGNED'
+    right = int(np.flatnonzero(numbers_of(held).rows == store.read(ob.data).pieces[0].indices[2][1])[0])
+    select(held, right)
+    move(0.1, 0.2, 0.3)
+    leave()
+    incoming, outgoing = bpy.data.objects["shape"].data.splinewright.value.tangents[1]
+    directions = incoming / np.linalg.norm(incoming), outgoing / np.linalg.norm(outgoing)
+    assert np.allclose(*directions, atol=1e-5)
+
+
+def test_the_preference_takes_tab_away():
+    preferences = part('ui.preferences').get()
+    items = [item for _, item in part('ui.keymaps')._made]
+    if not items:                       # keymaps come late in background
+        part('ui.keymaps').register()
+        items = [item for _, item in part('ui.keymaps')._made]
+    assert len(items) == 3 and all(item.active for item in items)
+    preferences.use_keys = False
+    try:
+        assert not any(item.active for item in items)
+    finally:
+        preferences.use_keys = True
+    assert all(item.active for item in items)

@@ -56,6 +56,12 @@ def _draw_apply(self, context):
     self.layout.operator("splinewright.apply_transform", text="Splinewright: Transform into Definition")
 
 
+def _draw_convert(self, context):
+    self.layout.separator()
+    self.layout.operator("splinewright.make_exact", text="Splinewright: Make Exact")
+    self.layout.operator("splinewright.to_native", text="Splinewright: To Blender's Own")
+
+
 class SPLINEWRIGHT_MT_object(bpy.types.Menu):
     bl_idname = "SPLINEWRIGHT_MT_object"
     bl_label = "Splinewright"
@@ -96,6 +102,7 @@ _ENTRIES = (
     ("VIEW3D_MT_object", _draw_object),
     ("VIEW3D_MT_object_context_menu", _draw_object),
     ("VIEW3D_MT_object_apply", _draw_apply),
+    ("VIEW3D_MT_object_convert", _draw_convert),
     ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
     ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
     ("TOPBAR_MT_file_import", _draw_import),

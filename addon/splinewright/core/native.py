@@ -1,9 +1,10 @@
 """What Blender makes of a NURBS spline: its knots, where it is valid, where it samples.
 
-Measured on 3.4.1, 4.3.2 and 5.2.2. Blender calls degree + 1 the order. Needs no bpy.
+Measured on 3.4.1, 4.3.2 and 5.2.2. Blender calls degree + 1 the order.
 """
 
 import itertools
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +30,16 @@ class Direction(NamedTuple):
     count: int
     degree: int
     flags: Flags = Flags()
+
+
+@dataclass(frozen=True)
+class NativeSpline:
+    """The numbers of one of Blender's splines, in float64."""
+
+    kind: str                       # 'BEZIER', 'NURBS' or 'POLY'
+    points: np.ndarray              # (n, 4): x, y, z, weight; surfaces (nu, nv, 4);
+                                    # 'BEZIER' (n, 3, 3): left handle, point, right handle
+    directions: tuple               # of Direction: one of a curve, two of a surface
 
 
 def is_valid_curve(direction):
@@ -110,6 +121,23 @@ def periodic_knots(direction):
     return _all_knots(direction)[direction.degree:direction.count + direction.degree + 1]
 
 
+def curve_samples(spline, resolution, version):
+    """Where that version of Blender samples a NURBS curve or a polygon, in its parameter: those of
+    a polygon are the numbers of its points, also where Blender takes an invalid curve for one."""
+    direction, = spline.directions
+    if spline.kind == 'NURBS' and is_valid_curve(direction):
+        return curve_parameters(direction, resolution, version)
+    return np.arange(float(direction.count))
+
+
+def bezier_samples(straight, is_cyclic, resolution):
+    """The same for a Bezier spline: `resolution` steps to a segment, one where it is straight because
+    both its handles are vectors. `straight` says of every segment whether it is."""
+    steps = [np.arange(1) if is_straight else np.arange(resolution) / resolution for is_straight in straight]
+    inner = np.concatenate([i + at for i, at in enumerate(steps)])
+    return inner if is_cyclic else np.append(inner, len(straight))
+
+
 def curve_parameters(direction, resolution, version):
     """Where that version of Blender samples a curve. The two oddities of Blender 3 and 4 are not in it."""
     if version >= (5, 0, 0):
@@ -135,6 +163,13 @@ def _parameters_by_span(direction, resolution):
     steps = np.arange(resolution) / resolution
     parameters = (joints[:-1, None] + np.diff(joints)[:, None] * steps).ravel()
     return parameters if direction.flags.cyclic else np.append(parameters, end)
+
+
+def span_count(direction):
+    """Non-empty spans of the domain."""
+    start, end = domain(direction)
+    joints = np.unique(_all_knots(direction))
+    return np.count_nonzero((joints >= start) & (joints <= end)) - 1
 
 
 def gives_origin(direction, resolution, version):

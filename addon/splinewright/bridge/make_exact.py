@@ -1,0 +1,91 @@
+"""Blender's own curves and surfaces become shapes, in their place."""
+
+from typing import NamedTuple
+
+import bpy
+import numpy as np
+
+from ..core import native_density
+from ..core.library import sc
+from . import measure_native, native_dress, native_links, read_native, retype, shape, store
+
+
+class Outcome(NamedTuple):
+    """What was done."""
+
+    deviation: object               # the largest distance from what Blender drew, or None if not measured
+    dropped: list                   # what could not be kept: nouns
+
+
+def make_exact(context, ob):
+    """Make the data-block of a CURVE or SURFACE object a shape, and so of all objects that share it.
+
+    A curve keeps its data-block. A surface becomes a mesh, and the objects stay the same objects.
+    Raises ValueError, ArithmeticError or RuntimeError with a sentence, and has changed nothing, if it cannot be.
+    """
+    users = native_links.users_of(ob.data)
+    _require_native(ob, users)
+    reading = read_native.read(ob)
+    if reading.value is None:
+        raise ValueError("; ".join(["nothing to make exact", *reading.dropped]))
+    deviation = measure_native.of_reading(ob, reading)
+    dropped = reading.dropped + native_links.parented_points(users)
+    if ob.data.shape_keys:
+        dropped.append("the shape keys")
+    lost = (_surface if ob.type == 'SURFACE' else _curve)(context, ob, reading, users)
+    return Outcome(deviation, dropped + lost)
+
+
+def _require_native(ob, users):
+    if ob.type not in ('CURVE', 'SURFACE'):
+        raise ValueError("it is no curve or surface")
+    if store.has_definition(ob.data):
+        raise ValueError("it is exact already")
+    for block in [ob.data, *(users if ob.type == 'SURFACE' else [])]:
+        if block.library or block.override_library:
+            raise ValueError(f"{block.name} is linked from another file and cannot be changed here")
+    if ob.data.is_editmode:
+        raise ValueError("leave Edit Mode first")
+
+
+def _curve(context, ob, reading, users):
+    data = ob.data
+    steps = max(native_density.steps_of_curve(spline, data.splines[i].resolution_u, bpy.app.version)
+                for spline, i in zip(reading.splines, reading.indices))
+    rehearsal = shape.new_data(data.name, reading.value, (steps, steps))    # raises before anything is changed
+    shape.remove_data(rehearsal)
+    dress, lost = native_dress.of(data, reading.indices)
+    lost += native_links.hooked_points(users)
+    if data.shape_keys:
+        ob.shape_key_clear()
+    if native_links.drop_point_animation(data):
+        lost.append("the animation of single points")
+    data.splinewright.set_resolution(steps, steps)
+    shape.set_value(data, reading.value)
+    native_dress.put_on(data, dress, [len(curve.polylines(steps)) for curve in reading.pieces])
+    return lost
+
+
+def _surface(context, ob, reading, users):
+    data = ob.data
+    steps = [max(native_density.steps_of_surface(spline.directions[axis], getattr(data.splines[i], f"resolution_{name}"))
+                 for spline, i in zip(reading.splines, reading.indices)) for axis, name in ((1, 'v'), (0, 'u'))]
+    mesh = shape.new_data(data.name, reading.value, steps)
+    for material in data.materials:
+        mesh.materials.append(material)
+    _give_materials(mesh, reading.value, reading.materials)
+    lost = ["the animation of the surface data"] if data.animation_data else []
+    return lost + retype.all_become(context, users, mesh, retype.become_mesh, retype.become_surface)
+
+
+def _give_materials(mesh, value, indices):
+    """Each face the material index of its patch."""
+    if any(indices):
+        mesh.polygons.foreach_set('material_index', np.array(indices, np.int32)[faces_of_patches(mesh, value)])
+
+
+def faces_of_patches(mesh, value):
+    """For each face of a shape that shows patches the number of its patch."""
+    settings = mesh.splinewright
+    patch_set = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value], merge=False)
+    return sc.Tessellation(patch_set, (settings.resolution_u, settings.resolution_v)).face_patches

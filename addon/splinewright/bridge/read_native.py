@@ -1,0 +1,126 @@
+"""Blender's own curve and surface objects as splinecore values of what Blender draws."""
+
+from typing import NamedTuple
+
+import bpy
+
+from ..core import native_values
+from ..core.library import sc
+from . import native_keys, native_splines
+
+#: Modifiers that move the control points of a curve before Blender evaluates it.
+_ON_POINTS = {'HOOK', 'SOFT_BODY', 'MESH_DEFORM'}
+#: Modifiers after which no other moves control points.
+_CONSTRUCTIVE = {'ARRAY', 'BEVEL', 'EDGE_SPLIT', 'MIRROR', 'SCREW', 'SOLIDIFY', 'SUBSURF', 'TRIANGULATE', 'WELD'}
+
+
+class Reading(NamedTuple):
+    """What a native object is. The pieces of the value come from `splines`, one each."""
+
+    value: object                   # a curve, a list of curves, a patch, a PatchSet, or None
+    splines: tuple                  # of NativeSpline
+    indices: tuple                  # of the splines among those of the data-block
+    materials: tuple                # material index of each
+    dropped: list                   # what could not be made ours: fragments for "without ..."
+
+    @property
+    def pieces(self):
+        """The value as a list of curves or patches."""
+        if isinstance(self.value, (list, sc.PatchSet)):
+            return [self.value[i] for i in range(len(self.value))]
+        return [] if self.value is None else [self.value]
+
+
+def read(ob, depsgraph=None):
+    """What a CURVE or SURFACE object is, with its shape keys.
+
+    With a depsgraph the points are those evaluated there: animated shape keys, and on curves hooks and
+    other modifiers that move control points. Without one modifiers have no effect. In Edit Mode it is
+    what is being edited. Raises ValueError with a sentence where it cannot be told what Blender draws.
+    """
+    if ob.type not in ('CURVE', 'SURFACE'):
+        raise ValueError(f"{ob.name} is no curve or surface")
+    is_surface = ob.type == 'SURFACE'
+    splines, materials = _splines(ob, is_surface, depsgraph)
+    make = native_values.surface_value if is_surface else native_values.curve_value
+    pieces, kept, dropped = [], [], []
+    for i, spline in enumerate(splines):
+        try:
+            piece, words = make(spline, f"spline {i + 1}")
+        except ValueError as error:
+            piece, words = None, [f"spline {i + 1} ({error})"]
+        dropped += words
+        if piece is not None:
+            pieces.append(piece)
+            kept.append(i)
+    return Reading(_joined(pieces, is_surface), tuple(splines[i] for i in kept), tuple(kept),
+                   tuple(materials[i] for i in kept), dropped)
+
+
+def _joined(pieces, is_surface):
+    if len(pieces) < 2:
+        return pieces[0] if pieces else None
+    return sc.PatchSet.from_patches(pieces) if is_surface else pieces
+
+
+def _splines(ob, is_surface, depsgraph):
+    """The NativeSplines of the points that are drawn, and their material indices."""
+    data = ob.data
+    if data.is_editmode or not (data.shape_keys or depsgraph):
+        return _of_data(data, is_surface)
+    if is_surface:
+        splines, materials = _of_data(data, True)
+        keys = data.shape_keys if depsgraph is None else ob.evaluated_get(depsgraph).data.shape_keys
+        return native_keys.mixed(splines, ob, keys) if keys else splines, materials
+    if depsgraph is not None:
+        return _of_evaluated(ob.evaluated_get(depsgraph), depsgraph)
+    # Not by hand: Blender places handles that are not free anew.
+    with native_splines.holder_of(data, ob) as holder:
+        return _of_evaluated(holder, bpy.context.evaluated_depsgraph_get())
+
+
+def _of_evaluated(ob, depsgraph):
+    try:
+        return _of_data(ob.to_curve(depsgraph, apply_modifiers=True), False)
+    except RuntimeError as error:
+        raise ValueError(f"{ob.name} has no evaluated points ({error})") from error
+    finally:
+        ob.to_curve_clear()
+
+
+def _of_data(data, is_surface):
+    return ([native_splines.read(spline, is_surface) for spline in data.splines],
+            [spline.material_index for spline in data.splines])
+
+
+def not_followed(ob):
+    """What of a native object read() does not read even with a depsgraph: nouns for the user."""
+    found = [] if ob.type == 'SURFACE' else _dress(ob.data)
+    followed = 0 if ob.type == 'SURFACE' or ob.data.is_editmode else _modifiers_on_points(ob)
+    return found + [f"the modifier {modifier.name}" for modifier in ob.modifiers[followed:] if modifier.show_viewport]
+
+
+def _modifiers_on_points(ob):
+    """How many modifiers, from the first, act on control points."""
+    count = 0
+    for i, modifier in enumerate(ob.modifiers):
+        if modifier.show_viewport and modifier.type in _CONSTRUCTIVE:
+            break
+        if modifier.show_viewport and (modifier.type in _ON_POINTS or modifier.use_apply_on_spline):
+            count = i + 1
+    return count
+
+
+def _dress(curve):
+    """What is put round a bare curve."""
+    points = [point for spline in curve.splines for point in spline.bezier_points or spline.points]
+    has = {
+        "the bevel": curve.bevel_depth != 0 or curve.bevel_object is not None,
+        "the extrusion": curve.extrude != 0,
+        "the offset": curve.offset != 0,
+        "the taper": curve.taper_object is not None,
+        "the start and end of the bevel": (curve.bevel_factor_start, curve.bevel_factor_end) != (0, 1),
+        "the tilt": any(point.tilt != 0 for point in points),
+        "the radius": any(point.radius != 1 for point in points),
+    }
+    return [noun for noun, is_there in has.items() if is_there]

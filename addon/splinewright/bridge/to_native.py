@@ -1,0 +1,74 @@
+"""Shapes become Blender's own curves and surfaces, in their place."""
+
+import numpy as np
+
+from ..core.definition import CURVES
+from . import native_dress, native_links, retype, shape, write_native
+from .make_exact import Outcome, faces_of_patches
+
+
+def to_native(context, ob):
+    """Make the data-block of a shape Blender's own, and so of all objects that share it.
+
+    A curve keeps its data-block. A mesh of patches becomes a surface, and the objects stay the same
+    objects. Raises ValueError or RuntimeError with a sentence, and has changed nothing, if it cannot be.
+    """
+    if not shape.has_shape(ob):
+        raise ValueError("it is no Splinewright shape")
+    data, users = ob.data, native_links.users_of(ob.data)
+    shape.require_writable(data)
+    shape.require_untouched(data)
+    for user in users:
+        if ob.type == 'MESH' and (user.library or user.override_library):
+            raise ValueError(f"{user.name} is linked from another file and cannot be changed here")
+    value = shape.value_of(data)
+    planned = write_native.plan(value)
+    parented = native_links.parented_points(users)
+    deviation, lost = (_surface if ob.type == 'MESH' else _curve)(context, ob, value, planned, users)
+    return Outcome(deviation, parented + lost), planned.notes
+
+
+def _curve(context, ob, value, planned, users):
+    data, lost = ob.data, native_links.hooked_points(users)
+    steps = data.splinewright.resolution_u
+    curves = [value] if isinstance(value, CURVES) else value
+    dress, undressed = _dress(data, [len(curve.polylines(steps)) for curve in curves])
+    if native_links.drop_point_animation(data):
+        lost.append("the animation of single points")
+    shape.detach(data)
+    deviation = write_native.write_curves(data, planned, steps)
+    native_dress.put_on(data, dress, np.bincount(planned.numbers, minlength=len(curves)))
+    return deviation, lost + undressed
+
+
+def _dress(data, counts):
+    """The Dress of a shape that shows so many polylines of each curve, and what is lost."""
+    if len(data.splines) != sum(counts):
+        return native_dress.plain(len(counts)), []
+    return native_dress.of(data, np.cumsum([0, *counts[:-1]]).tolist())
+
+
+def _surface(context, ob, value, planned, users):
+    mesh, lost = ob.data, []
+    settings = mesh.splinewright
+    surface, deviation = write_native.new_surface(
+        context, mesh.name, planned, (settings.resolution_u, settings.resolution_v))
+    for material in mesh.materials:
+        surface.materials.append(material)
+    materials = _materials_of_patches(mesh, value)
+    for spline, number in zip(surface.splines, planned.numbers):
+        spline.material_index = materials.get(number, 0)
+    if mesh.animation_data:
+        lost.append("the animation of the mesh data")
+    return deviation, lost + retype.all_become(context, users, surface, retype.become_surface, retype.become_mesh)
+
+
+def _materials_of_patches(mesh, value):
+    """For each patch the material index of its first face, by its number."""
+    faces = faces_of_patches(mesh, value)
+    if len(faces) != len(mesh.polygons):
+        return {}
+    patches, first_faces = np.unique(faces, return_index=True)
+    indices = np.empty(len(faces), np.int32)
+    mesh.polygons.foreach_get('material_index', indices)
+    return dict(zip(patches.tolist(), indices[first_faces].tolist()))

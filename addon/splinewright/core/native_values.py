@@ -1,0 +1,101 @@
+"""Blender's splines as values of the very geometry that Blender draws, at Blender's parameters.
+
+What cannot be held is named in words that follow "without": pairs of a value, or None, and such words.
+"""
+
+import numpy as np
+
+from . import native
+from .library import sc
+from .native_refine import Axis, bezier_rows, homogeneous
+
+
+def curve_value(spline, name):
+    """The curve of a spline, or None, and what of it is left out, as fragments that name it by `name`."""
+    direction, = spline.directions
+    if not np.isfinite(spline.points).all():
+        return None, [f"{name}, which has a point that is not finite"]
+    if direction.count < 2:
+        return None, [f"{name}, which is a single point"]
+    if spline.kind == 'BEZIER':
+        return _chain(spline.points, direction.flags.cyclic), []
+    if spline.kind != 'NURBS' or not native.is_valid_curve(direction):
+        return _polygon(spline.points[:, :3], direction.flags.cyclic), []
+    axis, net, words = _axis_and_net(spline.points, direction, 0, name)
+    net, lost = _without_weightless_places(net, name)
+    if _has_gap([axis], net):
+        return None, [f"{name}, whose weights of 0 leave a part without points"]
+    return sc.NurbsCurve(axis.degree, axis.knots, net[:, :3], net[:, 3], periodic=axis.periodic), words + lost
+
+
+def surface_value(spline, name):
+    """curve_value() of a spline of a surface. Its faces look where Blender's do, so u is Blender's v."""
+    if not np.isfinite(spline.points).all():
+        return None, [f"{name}, which has a point that is not finite"]
+    if spline.kind != 'NURBS' or min(spline.points.shape[:2]) < 2:
+        return None, [f"{name}, which is a row of points and no surface"]
+    if not all(map(native.is_valid_surface, spline.directions)):
+        return None, [f"{name}, of which Blender draws nothing: its points do not fit its orders"]
+    axes, net, words = [], spline.points, []
+    for i, direction in enumerate(spline.directions):
+        axis, net, dropped = _axis_and_net(net, direction, i, name)
+        axes.append(axis)
+        words += dropped
+    net, lost = _without_weightless_places(net, name)
+    if _has_gap(axes, net):
+        return None, [f"{name}, whose weights of 0 leave a part without points"]
+    patch = sc.NurbsPatch([axis.degree for axis in axes], [axis.knots for axis in axes], net[..., :3], net[..., 3],
+                          periodic=[axis.periodic for axis in axes])
+    return patch.swapped(), words + lost
+
+
+def _chain(points, is_cyclic):
+    """The cubics of a Bezier spline: a span is 1 long, so tangents are three times the handles."""
+    tangents = np.stack([3 * (points[:, 1] - points[:, 0]), 3 * (points[:, 2] - points[:, 1])], axis=1)
+    places = points[:, 1]
+    if is_cyclic:
+        places, tangents = np.concatenate([places, places[:1]]), np.concatenate([tangents, tangents[:1]])
+    return sc.HermiteCurve(places, tangents)
+
+
+def _polygon(points, is_cyclic):
+    numbers = np.arange(float(len(points)))
+    if is_cyclic:
+        return sc.NurbsCurve(1, [*numbers, len(points)], points, periodic=True)
+    return sc.NurbsCurve(1, [0, *numbers, numbers[-1]], points)
+
+
+def _axis_and_net(net, direction, i, name):
+    """The axis i of a net, the net without the points that Blender ignores, and a word about those."""
+    used = native.used_count(direction)
+    if direction.flags.cyclic:
+        return Axis(direction.degree, native.periodic_knots(direction), True), net, []
+    axis = Axis(direction.degree, native.plain_knots(direction))
+    if used == direction.count:
+        return axis, net, []
+    what = "points" if net.ndim == 2 else f"rows along {'uv'[i]}"
+    words = f"{direction.count - used} {what} at the end of {name}, which Blender ignores"
+    return axis, np.take(net, range(used), axis=i), [words]
+
+
+def _without_weightless_places(net, name):
+    """A weight of 0 takes a point out of Blender's sums; to us it would be a point at infinity."""
+    weightless = net[..., 3] == 0
+    if not weightless.any():
+        return net, []
+    net = net.copy()
+    net[weightless] = 0
+    return net, [f"the places of points of weight 0 in {name}, which draw nothing"]
+
+
+def _has_gap(axes, net):
+    """Whether all weights that count are 0 somewhere: Blender draws the origin there."""
+    if (net[..., 3] != 0).all():
+        return False
+    rows = homogeneous(net[..., :3], net[..., 3])
+    for i, axis in enumerate(axes):
+        rows = np.moveaxis(rows, i, 0)
+        made = bezier_rows(axis, rows.reshape(len(rows), -1), axis.joints)
+        rows = np.moveaxis(made.reshape(-1, *rows.shape[1:]), 0, i)
+    corners = rows[tuple(np.ix_(*(range(0, rows.shape[i], axis.degree) for i, axis in enumerate(axes))))]
+    return bool((corners == 0).all(-1).any())

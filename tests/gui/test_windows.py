@@ -1,0 +1,228 @@
+"""What only a real window has: saving while a net is edited, other ways out, two windows, local view,
+snapping, the redo panel, timers."""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, empty_file, part, run, save_picture, select_points
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+FOLDER = Path(tempfile.mkdtemp())
+
+
+def nets():
+    return [ob for ob in bpy.data.objects if part('bridge.net').is_net(ob)]
+
+
+def in_net():
+    return bpy.context.mode == 'EDIT_MESH' and len(nets()) == 1 and nets()[0].mode == 'EDIT'
+
+
+def is_out():
+    return bpy.context.mode == 'OBJECT' and not nets()
+
+
+def require_exact(name):
+    shape, store, ob = part('bridge.shape'), part('bridge.store'), bpy.data.objects[name]
+    assert np.array_equal(shape.points_of(ob.data), shape.evaluated(ob.data, store.read(ob.data)).points)
+    assert not shape.is_touched(ob.data)
+    return ob
+
+
+def drag(view, up, **modifiers):
+    view.press('G')
+    yield 0.3
+    for _ in range(3):
+        view.y += up // 3
+        view.window.event_simulate('MOUSEMOVE', 'NOTHING', x=view.x, y=view.y, **modifiers)
+        yield 0.3
+
+
+def add_patch(view):
+    with view.override():
+        bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True)
+        bpy.ops.view3d.view_selected()
+    view.move(420, 420)
+    yield 0.6
+
+
+def saving(view):
+    view.press('TAB')
+    yield 0.8
+    select_points(14)
+    yield from drag(view, 60)
+    view.press('LEFTMOUSE')
+    yield 0.8
+    store = part('bridge.store')
+    assert not store.is_draft(require_exact("NURBS Patch").data), "the exact normals did not come"
+    moved = bpy.data.objects["NURBS Patch"].data.splinewright.value
+    path = str(FOLDER / "saved.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    yield 0.6
+    assert in_net()
+    view.press('S', ctrl=True)
+    yield 1.0
+    assert in_net(), "Ctrl+S left the net"
+    with bpy.data.libraries.load(path) as (inside, _):
+        assert inside.objects == ["NURBS Patch"], inside.objects
+    yield from drag(view, 30)
+    view.press('LEFTMOUSE')
+    yield 0.6
+    view.press('Z', ctrl=True)
+    yield 0.8
+    assert in_net() and require_exact("NURBS Patch").data.splinewright.value == moved
+    print("saving", flush=True)
+
+
+def other_ways_out(view):
+    with view.override():
+        bpy.ops.object.mode_set('EXEC_DEFAULT', True, mode='OBJECT')
+    yield 0.8
+    assert is_out() and bpy.context.object.name == "NURBS Patch", "the net was not swept"
+    after = require_exact("NURBS Patch").data.splinewright.value
+    view.press('Z', ctrl=True)
+    yield 0.8
+    assert in_net(), "undo does not lead back into the net"
+    view.press('Z', ctrl=True)
+    yield 0.8
+    view.press('Z', ctrl=True, shift=True)
+    yield 0.8
+    view.press('Z', ctrl=True, shift=True)
+    yield 0.8
+    assert is_out() and require_exact("NURBS Patch").data.splinewright.value == after
+    view.press('TAB')
+    yield 0.8
+    assert in_net()
+    view.press('TAB')
+    yield 0.8
+    assert is_out()
+    print("other ways out", flush=True)
+
+
+def snapping(view):
+    """Ctrl while dragging moves by whole steps."""
+    value = bpy.data.objects["NURBS Patch"].data.splinewright.value
+    view.press('TAB')
+    yield 0.8
+    select_points(0)
+    bpy.context.scene.tool_settings.snap_elements = {'INCREMENT'}
+    view.press('G')
+    yield 0.3
+    view.press('Z')
+    yield 0.3
+    view.window.event_simulate('LEFT_CTRL', 'PRESS', x=view.x, y=view.y, ctrl=True)
+    yield 0.2
+    for _ in range(3):
+        view.y += 30
+        view.window.event_simulate('MOUSEMOVE', 'NOTHING', x=view.x, y=view.y, ctrl=True)
+        yield 0.3
+    view.press('LEFTMOUSE', ctrl=True)
+    view.window.event_simulate('LEFT_CTRL', 'RELEASE', x=view.x, y=view.y)
+    yield 0.6
+    ob = require_exact("NURBS Patch")
+    step = (ob.data.splinewright.value.points - value.points)[0, 0, 2]
+    assert step != 0 and abs(10 * step - round(10 * step)) < 1e-4, step
+    view.press('TAB')
+    yield 0.8
+    assert is_out()
+    print(f"snapping: {step:.6f}", flush=True)
+
+
+def redo_panel(view):
+    """Changing a setting of the last operator, as the panel at the lower left does."""
+    with view.override():
+        bpy.context.object.scale = (2, 2, 2)
+        bpy.ops.ed.undo_push(message="scale")
+        bpy.ops.splinewright.apply_transform('EXEC_DEFAULT', True)
+    yield 0.5
+    applied = require_exact("NURBS Patch").data.splinewright.value
+    last = bpy.context.window_manager.operators[-1]
+    assert last.bl_idname == 'SPLINEWRIGHT_OT_apply_transform'
+    last.properties['scale'] = False
+    with view.override():
+        bpy.ops.ed.undo_redo()
+    yield 0.8
+    ob = require_exact("NURBS Patch")
+    assert ob.data.splinewright.value != applied and tuple(ob.scale) == (2, 2, 2), "the redo panel changed nothing"
+    view.press('TAB')
+    yield 0.8
+    assert in_net()
+    with view.override():
+        bpy.ops.ed.undo_redo()          # of Tab itself
+    yield 0.8
+    assert in_net() and require_exact("NURBS Patch")
+    view.press('TAB')
+    yield 0.8
+    assert is_out()
+    print("redo panel", flush=True)
+
+
+def local_view(view):
+    with view.override():
+        bpy.ops.view3d.localview()
+    yield 0.8
+    view.press('TAB')
+    yield 0.8
+    assert in_net() and nets()[0].local_view_get(view.area.spaces.active), "the net is not to be seen in local view"
+    save_picture(OUTPUT / "windows-local-view.png")
+    view.press('TAB')
+    yield 0.8
+    assert is_out()
+    with view.override():
+        bpy.ops.view3d.localview()
+    yield 0.6
+    print("local view", flush=True)
+
+
+def two_windows(view):
+    """Another window shows another scene; a shape in both is edited in one."""
+    first = view.window.scene
+    other = bpy.data.scenes.new("other")
+    ob = bpy.data.objects["NURBS Patch"]
+    other.collection.objects.link(ob)
+    with view.override():
+        bpy.ops.wm.window_new_main()
+    yield 1.0
+    second = next(window for window in bpy.context.window_manager.windows if window != view.window)
+    second.scene = other
+    yield 0.8
+    with view.override():
+        bpy.context.view_layer.objects.active = ob
+        ob.select_set(True)
+        bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True)
+    yield 0.6
+    held = nets()[0]
+    assert held.name in first.objects and held.name not in other.objects
+    with view.override():
+        select_points(14)
+        bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0, 1))
+    yield 0.6
+    require_exact("NURBS Patch")
+    with bpy.context.temp_override(window=second):
+        bpy.context.view_layer.update()
+        bpy.ops.wm.window_close()
+    yield 0.8
+    with view.override():
+        bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
+    yield 0.6
+    assert not nets()
+    require_exact("NURBS Patch")
+    print("two windows", flush=True)
+
+
+def steps():
+    view = View()
+    empty_file()
+    yield from add_patch(view)
+    for part_of_it in (saving, other_ways_out, snapping, redo_panel, local_view, two_windows):
+        yield from part_of_it(view)
+    print("windows did what they should:", bpy.app.version_string, flush=True)
+
+
+run(steps())
