@@ -24,7 +24,7 @@ class Walk:
 
     def __init__(self, seed, folder):
         self.random = np.random.default_rng(seed)
-        self.path = str(folder / "walk.blend")
+        self.path, self.library = str(folder / "walk.blend"), str(folder / "library.blend")
         self.saved = False
         self.log = []
         self.done = collections.Counter()
@@ -39,7 +39,7 @@ class Walk:
 
     RARE = {'save': 0.1, 'reopen': 0.05, 'toggle_the_add_on': 0.05, 'move_points': 8, 'edit': 6, 'undo': 3, 'redo': 2,
             'leave': 0.6, 'leave_otherwise': 0.4, 'new_file': 0.01, 'delete': 0.5, 'by_hand': 0.4, 'detach': 0.3,
-            'remesh': 0.1, 'harm_the_net': 0.3, 'delete_the_net': 0.1, 'delete_a_shape_whatever_the_mode': 0.3, 'add': 2}
+            'remesh': 0.1, 'bring_from_a_file': 0.1, 'paste': 0.3, 'to_native': 0.5, 'exclude_a_collection': 0.2, 'add_native': 1.5, 'harm_the_net': 0.3, 'delete_the_net': 0.1, 'delete_a_shape_whatever_the_mode': 0.3, 'add': 2}
 
     def walk(self, count):
         for _ in range(count):
@@ -63,7 +63,7 @@ class Walk:
     def check(self):
         """Every shape that no hand has changed is what its definition evaluates to, in Edit Mode, too."""
         for ob in self.shapes():
-            if ob.mode == 'OBJECT' and not shape.is_touched(ob.data) and not ob.data.shape_keys:
+            if not ob.library and not ob.data.library and ob.mode == 'OBJECT' and not shape.is_touched(ob.data) and not ob.data.shape_keys:
                 require_exact(ob)
                 self.checked += 1
 
@@ -256,6 +256,75 @@ class Walk:
         if self.choose(2) and len(bpy.data.objects) < MOST_OBJECTS:
             self.op(bpy.ops.splinewright.follow_object)
 
+    def object_add_native(self):
+        if len(bpy.data.objects) < MOST_OBJECTS:
+            self.op(self.any((bpy.ops.curve.primitive_bezier_curve_add, bpy.ops.curve.primitive_nurbs_circle_add,
+                              bpy.ops.surface.primitive_nurbs_surface_torus_add,
+                              bpy.ops.surface.primitive_nurbs_surface_surface_add)))
+
+    def natives(self):
+        layer = bpy.context.view_layer
+        return [ob for ob in bpy.data.objects if ob.type in ('CURVE', 'SURFACE') and not shape.has_shape(ob)
+                and not net.is_net(ob) and layer.objects.get(ob.name) == ob]
+
+    def object_make_exact(self):
+        natives = self.natives()
+        if natives:
+            activate(self.any(natives))
+            self.op(bpy.ops.splinewright.make_exact)
+
+    def object_to_native(self):
+        if self.choose():
+            self.op(bpy.ops.splinewright.to_native)
+
+    def object_follow_native(self):
+        natives = self.natives()
+        if natives and len(bpy.data.objects) < MOST_OBJECTS:
+            activate(self.any(natives))
+            self.op(bpy.ops.splinewright.follow_object)
+
+    def object_move_native(self):
+        natives = self.natives()
+        if natives:
+            self.any(natives).location = self.random.uniform(-1, 1, 3)
+            self.push("move native")
+
+    def object_edit_native(self):
+        natives = self.natives()
+        if natives:
+            activate(self.any(natives))
+            self.op(bpy.ops.object.mode_set, mode='EDIT')
+            bpy.ops.curve.select_all(action='SELECT')
+            self.op(bpy.ops.transform.resize, value=(1.1, 1, 1))
+            self.op(bpy.ops.object.mode_set, mode='OBJECT')
+
+    def object_paste(self):
+        if self.choose(2) and len(bpy.data.objects) < MOST_OBJECTS:
+            bpy.ops.view3d.copybuffer()
+            self.op(bpy.ops.view3d.pastebuffer)
+
+    def object_bring_from_a_file(self):
+        if self.saved and len(bpy.data.objects) < MOST_OBJECTS:
+            with bpy.data.libraries.load(self.library, link=bool(self.random.integers(2))) as (inside, target):
+                target.objects = inside.objects[:1]
+            for ob in target.objects:
+                if ob is not None and ob.name not in bpy.context.scene.collection.objects:
+                    bpy.context.scene.collection.objects.link(ob)
+                    if ob.library and self.random.random() < 0.5:
+                        ob.override_create(remap_local_usages=True)
+            self.push("bring")
+
+    def object_exclude_a_collection(self):
+        collection = bpy.data.collections.get("own")
+        if collection is None:
+            collection = bpy.data.collections.new("own")
+            bpy.context.scene.collection.children.link(collection)
+            if self.choose():
+                collection.objects.link(bpy.context.object)
+        for layer in bpy.context.view_layer.layer_collection.children:
+            layer.exclude = not layer.exclude
+        self.push("exclude")
+
     def object_make_editable(self):
         if self.choose(2):
             self.op(bpy.ops.splinewright.make_editable)
@@ -277,6 +346,9 @@ class Walk:
 
     def any_save(self):
         bpy.ops.wm.save_as_mainfile(filepath=self.path)
+        # A library must be another file than the one that is open, and stay as it is once linked.
+        if not self.saved:
+            bpy.ops.wm.save_as_mainfile(filepath=self.library, copy=True)
         self.saved = True
 
     def any_reopen(self):
@@ -344,6 +416,8 @@ def test_ten_thousand_random_steps(tmp_path):
     shapes = [ob for ob in bpy.data.objects if shape.has_shape(ob)]
     touched = [ob for ob in shapes if shape.is_touched(ob.data)]
     for ob in shapes:
+        if ob.data.library:
+            continue
         if ob not in touched:
             require_exact(ob)
         elif not ob.data.shape_keys:

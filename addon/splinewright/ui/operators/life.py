@@ -15,7 +15,7 @@ def selected_shapes(context):
     found = {}
     for ob in [context.object, *context.selected_objects]:
         if shape.has_shape(ob) and ob.select_get():
-            found.setdefault(ob.data.name_full, ob)
+            found.setdefault((ob.type, ob.data.name_full), ob)
     return list(found.values())
 
 
