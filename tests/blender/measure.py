@@ -17,7 +17,7 @@ from blender_objects import set_net, set_surface, surface_object
 from shapes import add, enter
 from support import part, splinecore as sc
 
-handlers, live, native, shape = (part(name) for name in ('ui.handlers', 'bridge.live', 'core.native', 'bridge.shape'))
+handlers, live, native, shape = (part(name) for name in ('ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape'))
 
 COUNT, RESOLUTION = 32, 11
 

@@ -6,7 +6,7 @@ import numpy as np
 from support import curve_points, part, splinecore as sc, vertices
 
 live, net_points, shape, starters = (part(name) for name in (
-    'bridge.live', 'bridge.net_points', 'bridge.shape', 'core.starters'))
+    'bridge.net.live', 'bridge.net.net_points', 'bridge.shape', 'core.starters'))
 
 RANDOM = np.random.default_rng(12)
 

@@ -16,7 +16,7 @@ import pytest
 import blender_objects
 from support import part, splinecore as sc
 
-native = part('core.native')
+native = part('core.native.native')
 ALL_FLAGS, Direction, Flags = native.ALL_FLAGS, native.Direction, native.Flags
 VERSION = bpy.app.version
 CURVE_TOLERANCE = 2e-5

@@ -13,7 +13,7 @@ from shapes import VALUES, activate, add, enter, first_point, leave, move, numbe
 from support import ADDON, part, vertices
 
 editing, live, net, shape, store = (part(name) for name in (
-    'ui.editing', 'bridge.live', 'bridge.net', 'bridge.shape', 'bridge.store'))
+    'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.shape', 'bridge.store'))
 
 DATA = Path(__file__).resolve().parent.parent / "data"
 KINDS = ('nurbs patch', 'teapot', 'nurbs', 'hermite')

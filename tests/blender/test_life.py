@@ -7,7 +7,7 @@ import pytest
 from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select, shown
 from support import part, vertices
 
-editing, net, shape, store = (part(name) for name in ('ui.editing', 'bridge.net', 'bridge.shape', 'bridge.store'))
+editing, net, shape, store = (part(name) for name in ('ui.editing', 'bridge.net.net', 'bridge.shape', 'bridge.store'))
 
 KINDS = ('nurbs patch', 'teapot', 'mixed set', 'nurbs', 'hermite', 'many curves')
 

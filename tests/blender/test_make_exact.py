@@ -8,9 +8,9 @@ from geometry import farthest, mesh_points, signed_volume
 from natives import CURVES, SURFACES, all_natives, drawn, exact, material, native, native_curve, native_surface
 from support import part
 
-make_exact = part('bridge.make_exact')
-to_native = part('bridge.to_native')
-read_native = part('bridge.read_native')
+make_exact = part('bridge.native.make_exact')
+to_native = part('bridge.native.to_native')
+read_native = part('bridge.native.read_native')
 
 
 @pytest.mark.parametrize('name', CURVES)
@@ -227,7 +227,7 @@ def test_shape_keys_are_read_as_drawn_then_dropped_with_a_word(make):
 
 def point_curves(data):
     animation = data.animation_data
-    lists = part('bridge.native_links')._curve_lists(animation) if animation and animation.action else []
+    lists = part('bridge.native.native_links')._curve_lists(animation) if animation and animation.action else []
     return sorted(curve.data_path for curves in lists for curve in curves)
 
 

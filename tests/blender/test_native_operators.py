@@ -7,8 +7,8 @@ import pytest
 from natives import exact, native, native_curve, native_surface, select
 from support import part, scene_state, splinecore as sc
 
-make_exact = part('bridge.make_exact')
-read_native = part('bridge.read_native')
+make_exact = part('bridge.native.make_exact')
+read_native = part('bridge.native.read_native')
 
 
 @pytest.mark.parametrize('make', (native_curve, native_surface), ids=('curve', 'surface'))
@@ -142,7 +142,7 @@ def test_where_one_of_several_users_cannot_be_changed_none_is(monkeypatch):
     ob = native_surface()
     twin = bpy.data.objects.new("twin", ob.data)
     ob.modifiers.new("Array", 'ARRAY')
-    retype, data = part('bridge.retype'), ob.data
+    retype, data = part('bridge.native.retype'), ob.data
     become = retype.become_mesh
 
     def fail_on_the_second(context, user, mesh):

@@ -11,7 +11,7 @@ from shapes import VALUES, activate, add, numbers_of, require_exact
 from support import part, splinecore as sc
 
 editing, follow, handlers, live, net, recipes, shape, store = (part(name) for name in (
-    'ui.editing', 'bridge.follow', 'ui.handlers', 'bridge.live', 'bridge.net', 'bridge.recipes', 'bridge.shape', 'bridge.store'))
+    'ui.editing', 'bridge.follow', 'ui.handlers', 'bridge.net.live', 'bridge.net.net', 'bridge.recipes', 'bridge.shape', 'bridge.store'))
 
 STEPS = int(os.environ.get('SPLINEWRIGHT_STEPS', 10_000))
 SEED = int(os.environ.get('SPLINEWRIGHT_SEED', 20261121))
@@ -115,7 +115,7 @@ class Walk:
         for ob in editing.nets_in_edit_mode(bpy.context):
             count = len(numbers_of(ob).rows)
             try:
-                part('bridge.net_points').select(ob, numbers_of(ob), self.random.integers(0, count, 3).tolist())
+                part('bridge.net.net_points').select(ob, numbers_of(ob), self.random.integers(0, count, 3).tolist())
             except (KeyError, IndexError):
                 return                  # the net has lost its points
         self.op(self.any((bpy.ops.transform.translate, bpy.ops.transform.resize)),

@@ -8,9 +8,9 @@ import blender_objects
 from geometry import farthest, signed_volume
 from support import part, splinecore as sc
 
-native = part('core.native')
-read_native = part('bridge.read_native')
-measure = part('bridge.measure_native')
+native = part('core.native.native')
+read_native = part('bridge.native.read_native')
+measure = part('bridge.native.measure_native')
 Direction, Flags = native.Direction, native.Flags
 VERSION = bpy.app.version
 #: Blender's rounding, relative to the size: see test_against_blender.py.
@@ -202,7 +202,7 @@ def test_weights_that_leave_nothing_somewhere_are_told(curve, weights):
 
 def blenders_parameters(spline, theirs):
     if spline.kind == 'BEZIER':
-        straight = part('bridge.native_splines').straight_segments(theirs)
+        straight = part('bridge.native.native_splines').straight_segments(theirs)
         return [native.bezier_samples(straight, theirs.use_cyclic_u, theirs.resolution_u)]
     if len(spline.directions) == 1:
         return [native.curve_samples(spline, theirs.resolution_u, VERSION)]

@@ -8,10 +8,10 @@ import blender_objects
 from geometry import dense, farthest, mesh_points, signed_volume
 from support import part, scene_state, splinecore as sc
 
-native = part('core.native')
-forms = part('core.native_forms')
-write_native = part('bridge.write_native')
-read_native = part('bridge.read_native')
+native = part('core.native.native')
+forms = part('core.native.native_forms')
+write_native = part('bridge.native.write_native')
+read_native = part('bridge.native.read_native')
 Direction, Flags = native.Direction, native.Flags
 TOLERANCE = 2e-5
 SURFACE_TOLERANCE = 1e-4

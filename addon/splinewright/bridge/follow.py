@@ -5,7 +5,8 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core import transform
-from . import read_native, recipes, shape, store
+from . import recipes, shape, store
+from .native import read_native
 
 #: (is it a curve, name) of data-blocks that follow something. Only a hint: scan() makes it anew.
 known = set()

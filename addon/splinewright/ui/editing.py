@@ -2,7 +2,8 @@
 
 import bpy
 
-from ..bridge import live, net, recipes, shape, store
+from ..bridge import recipes, shape, store
+from ..bridge.net import live, net
 
 #: Names of the objects that are nets. Only a hint: undo and loading make it anew.
 known = set()

@@ -3,7 +3,8 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow, live, net
+from ..bridge import follow
+from ..bridge.net import live, net
 from . import editing, saving
 
 #: Seconds after the last move until a shape gets its exact normals.

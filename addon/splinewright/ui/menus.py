@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import net
+from ..bridge.net import net
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):

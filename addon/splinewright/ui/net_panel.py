@@ -1,6 +1,7 @@
 """What the panel shows while a net is edited."""
 
-from ..bridge import live, net, store
+from ..bridge import store
+from ..bridge.net import live, net
 from ..core import describe
 from . import net_props, texts
 

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 from bpy.props import FloatProperty, FloatVectorProperty, PointerProperty
 
-from ..bridge import live, net_points
+from ..bridge.net import live, net_points
 from . import editing
 
 #: Points whose numbers are shown at once: Blender's vectors hold 32 numbers.

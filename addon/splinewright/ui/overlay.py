@@ -6,7 +6,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import live, net
+from ..bridge.net import live, net
 from . import editing
 
 #: As Blender colours the two directions of its own surfaces: u yellow, v magenta.

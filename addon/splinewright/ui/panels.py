@@ -2,7 +2,8 @@
 
 import bpy
 
-from ..bridge import follow, net, recipes, shape, store
+from ..bridge import follow, recipes, shape, store
+from ..bridge.net import net
 from ..core import describe
 from . import net_panel, texts
 

@@ -20,7 +20,7 @@ class _Defaults:
 
 
 def _keys_changed(self, context):
-    from . import keymaps               # which needs the library
+    from . import keymaps
     keymaps.update()
 
 

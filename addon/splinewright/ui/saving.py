@@ -3,7 +3,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import live
+from ..bridge.net import live
 from . import editing
 
 #: (name of a net, name of its scene) of nets that are out of the file while it is written; the active first.

@@ -4,8 +4,7 @@ import bpy
 from bpy.props import BoolProperty
 
 from ...core import starters
-from .adding import (AddShape, count_property, degree_property, enough_points, knots_property,
-                     resolution_property)
+from .adding import AddShape, count_property, degree_property, enough_points, knots_property, resolution_property
 
 
 class SPLINEWRIGHT_OT_add_bezier_curve(AddShape, bpy.types.Operator):

@@ -3,8 +3,7 @@
 import bpy
 
 from ...core import starters
-from .adding import (AddShape, count_property, degree_property, enough_points, knots_property,
-                     resolution_property)
+from .adding import AddShape, count_property, degree_property, enough_points, knots_property, resolution_property
 
 
 def draw_pairs(operator, layout, *names):

@@ -3,7 +3,8 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
-from ...bridge import live, net, net_points, shape, store
+from ...bridge import shape, store
+from ...bridge.net import live, net, net_points
 from ...core import knots
 from .. import editing
 

@@ -2,7 +2,8 @@
 
 import bpy
 
-from ...bridge import make_exact, shape, store, to_native
+from ...bridge import shape, store
+from ...bridge.native import make_exact, to_native
 from .. import progress
 
 _FAILURES = (ValueError, TypeError, ArithmeticError, RuntimeError, MemoryError)

@@ -5,8 +5,8 @@ What cannot be held is named in words that follow "without": pairs of a value, o
 
 import numpy as np
 
+from ..library import sc
 from . import native
-from .library import sc
 from .native_refine import Axis, bezier_rows, homogeneous
 
 

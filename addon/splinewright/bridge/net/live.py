@@ -6,11 +6,11 @@ redo and reopening need no care.
 
 import numpy as np
 
-from ..core import definition as definitions
-from ..core import net as nets
-from ..core.library import sc
+from ...core import definition as definitions
+from ...core.library import sc
+from ...core.net import net as nets
+from .. import shape, stamp, store, write_mesh
 from . import net as bridge
-from . import shape, stamp, store, write_mesh
 
 
 class Session:

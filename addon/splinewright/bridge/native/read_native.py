@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import bpy
 
-from ..core import native_values
-from ..core.library import sc
+from ...core.library import sc
+from ...core.native import native_values
 from . import native_keys, native_splines
 
 #: Modifiers that move the control points of a curve before Blender evaluates it.

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..library import sc
 from . import native
-from .library import sc
 from .native import Direction, Flags, NativeSpline
 from .native_match import matching_direction
 from .native_refine import Axis, bezier_rows, homogeneous

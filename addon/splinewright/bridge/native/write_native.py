@@ -4,9 +4,9 @@ from typing import NamedTuple
 
 import bpy
 
-from ..core import native_density, native_forms
-from ..core.definition import CURVES
-from ..core.library import sc
+from ...core.definition import CURVES
+from ...core.library import sc
+from ...core.native import native_density, native_forms
 from . import measure_native, native_splines, surface_nets
 
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from ..core.definition import CURVES
-from . import native_dress, native_links, retype, shape, write_native
+from ...core.definition import CURVES
+from .. import shape
+from . import native_dress, native_links, retype, write_native
 from .make_exact import Outcome, faces_of_patches
 
 

@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from ..core import native
+from ...core.native import native
 from . import native_splines
 
 #: Enough to see a difference; one step has oddities of its own in some versions.

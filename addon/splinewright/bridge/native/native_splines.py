@@ -5,7 +5,7 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
-from ..core.native import Direction, Flags, NativeSpline
+from ...core.native.native import Direction, Flags, NativeSpline
 
 _BEZIER_FIELDS = ('handle_left', 'co', 'handle_right')
 #: The sine of an angle that is rounding.

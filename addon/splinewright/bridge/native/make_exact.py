@@ -5,9 +5,10 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
-from ..core import native_density
-from ..core.library import sc
-from . import measure_native, native_dress, native_links, read_native, retype, shape, store
+from ...core.library import sc
+from ...core.native import native_density
+from .. import shape, store
+from . import measure_native, native_dress, native_links, read_native, retype
 
 
 class Outcome(NamedTuple):

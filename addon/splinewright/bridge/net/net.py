@@ -10,8 +10,8 @@ import bmesh
 import bpy
 import numpy as np
 
-from ..core import curve_net, patch_net
-from . import store
+from ...core.net import curve_net, patch_net
+from .. import store
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
 KEY = "splinewright_net"

@@ -1,0 +1,1 @@
+"""Blender's own curves and surfaces, in and out."""

@@ -1,0 +1,1 @@
+"""The net as a Blender object, and the shape that follows it."""

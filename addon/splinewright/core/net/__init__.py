@@ -1,0 +1,1 @@
+"""The net of a definition, as numbers."""
