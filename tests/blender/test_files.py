@@ -1,16 +1,14 @@
 """Shapes in files: saved while edited, opened without the add-on, linked, appended, older and newer."""
 
-import os
 import subprocess
 from pathlib import Path
 
-import addon_utils
 import bpy
 import numpy as np
 import pytest
 
-from shapes import VALUES, activate, add, enter, first_point, leave, move, numbers_of, require_exact, select, shown
-from support import ADDON, part, vertices
+from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select, shown
+from support import part, vertices
 
 editing, live, net, shape, store = (part(name) for name in (
     'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.shape', 'bridge.store'))

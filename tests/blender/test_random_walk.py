@@ -3,6 +3,7 @@
 import collections
 import os
 import sys
+import traceback
 
 import bpy
 import numpy as np
@@ -10,8 +11,9 @@ import numpy as np
 from shapes import VALUES, activate, add, numbers_of, require_exact
 from support import part, splinecore as sc
 
-editing, follow, handlers, live, net, recipes, shape, store = (part(name) for name in (
-    'ui.editing', 'bridge.follow', 'ui.handlers', 'bridge.net.live', 'bridge.net.net', 'bridge.recipes', 'bridge.shape', 'bridge.store'))
+editing, handlers, live, net, net_points, recipes, shape, store = (part(name) for name in (
+    'ui.editing', 'ui.handlers', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points', 'bridge.recipes',
+    'bridge.shape', 'bridge.store'))
 
 STEPS = int(os.environ.get('SPLINEWRIGHT_STEPS', 10_000))
 SEED = int(os.environ.get('SPLINEWRIGHT_SEED', 20261121))
@@ -34,12 +36,14 @@ class Walk:
     def _choices(self, *prefixes):
         """Steps whose names begin so, and their odds."""
         names = [name for name in dir(self) if name.startswith(prefixes)]
-        odds = np.array([self.RARE.get(name.partition('_')[2], 1.0) for name in names])
+        odds = np.array([self.ODDS.get(name.partition('_')[2], 1.0) for name in names])
         return [getattr(self, name) for name in names], odds / odds.sum()
 
-    RARE = {'save': 0.1, 'reopen': 0.05, 'toggle_the_add_on': 0.05, 'move_points': 8, 'edit': 6, 'undo': 3, 'redo': 2,
-            'leave': 0.6, 'leave_otherwise': 0.4, 'new_file': 0.01, 'delete': 0.5, 'by_hand': 0.4, 'detach': 0.3,
-            'remesh': 0.1, 'bring_from_a_file': 0.1, 'paste': 0.3, 'to_native': 0.5, 'exclude_a_collection': 0.2, 'add_native': 1.5, 'harm_the_net': 0.3, 'delete_the_net': 0.1, 'delete_a_shape_whatever_the_mode': 0.3, 'add': 2}
+    #: How often a step is chosen; others have 1.
+    ODDS = {'move_points': 8, 'edit': 6, 'undo': 3, 'add': 2, 'redo': 2, 'add_native': 1.5, 'leave': 0.6, 'delete': 0.5,
+            'to_native': 0.5, 'leave_otherwise': 0.4, 'by_hand': 0.4, 'detach': 0.3, 'paste': 0.3, 'harm_the_net': 0.3,
+            'delete_a_shape_whatever_the_mode': 0.3, 'exclude_a_collection': 0.2, 'remesh': 0.1, 'save': 0.1,
+            'bring_from_a_file': 0.1, 'delete_the_net': 0.1, 'reopen': 0.05, 'toggle_the_add_on': 0.05, 'new_file': 0.01}
 
     def walk(self, count):
         for _ in range(count):
@@ -115,7 +119,7 @@ class Walk:
         for ob in editing.nets_in_edit_mode(bpy.context):
             count = len(numbers_of(ob).rows)
             try:
-                part('bridge.net.net_points').select(ob, numbers_of(ob), self.random.integers(0, count, 3).tolist())
+                net_points.select(ob, numbers_of(ob), self.random.integers(0, count, 3).tolist())
             except (KeyError, IndexError):
                 return                  # the net has lost its points
         self.op(self.any((bpy.ops.transform.translate, bpy.ops.transform.resize)),
@@ -373,16 +377,12 @@ class Failures:
     seen = []
 
     def __enter__(self):
-        self.before, sys.excepthook = sys.excepthook, lambda kind, error, trace: self.seen.append(_text(kind, error, trace))
+        self.before = sys.excepthook
+        sys.excepthook = lambda *error: self.seen.append("".join(traceback.format_exception(*error)))
 
     def __exit__(self, *_):
         sys.excepthook = self.before
         self.seen.clear()
-
-
-def _text(kind, error, trace):
-    import traceback
-    return "".join(traceback.format_exception(kind, error, trace))
 
 
 def test_the_hook_would_notice_a_traceback_of_a_handler():
@@ -423,6 +423,6 @@ def test_ten_thousand_random_steps(tmp_path):
         elif not ob.data.shape_keys:
             shape.restore(ob.data)
             require_exact(ob)
-    print(f"{STEPS} steps of seed {SEED}, {walk.done['edit_move_points']} of them moves of a net, {walk.checked} shapes compared on the way; "
-          f"{len(shapes)} shapes at the end, {len(touched)} of them changed by hand")
+    print(f"{STEPS} steps of seed {SEED}, {walk.done['edit_move_points']} of them moves of a net, {walk.checked} shapes "
+          f"compared on the way; {len(shapes)} shapes at the end, {len(touched)} of them changed by hand")
     assert STEPS < 10_000 or walk.done['edit_move_points'] > 1000 and walk.checked > 1000

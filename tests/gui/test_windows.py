@@ -106,28 +106,25 @@ def other_ways_out(view):
 
 
 def snapping(view):
-    """Ctrl while dragging moves by whole steps."""
+    """With the magnet on a drag moves by whole steps."""
     value = bpy.data.objects["NURBS Patch"].data.splinewright.value
     view.press('TAB')
     yield 0.8
     select_points(0)
-    bpy.context.scene.tool_settings.snap_elements = {'INCREMENT'}
+    settings = bpy.context.scene.tool_settings
+    settings.snap_elements, settings.use_snap = {'INCREMENT'}, True
     view.press('G')
-    yield 0.3
+    yield 0.4
     view.press('Z')
-    yield 0.3
-    view.window.event_simulate('LEFT_CTRL', 'PRESS', x=view.x, y=view.y, ctrl=True)
-    yield 0.2
+    yield 0.4
     for _ in range(3):
-        view.y += 80
-        view.window.event_simulate('MOUSEMOVE', 'NOTHING', x=view.x, y=view.y, ctrl=True)
-        yield 0.3
-    view.press('LEFTMOUSE', ctrl=True)
-    view.window.event_simulate('LEFT_CTRL', 'RELEASE', x=view.x, y=view.y)
-    yield 0.6
-    ob = require_exact("NURBS Patch")
+        view.move(y=view.y + 80)
+        yield 0.4
+    view.press('LEFTMOUSE')
+    yield 0.8
+    settings.use_snap = False
     view.move(420, 420)
-    step = (ob.data.splinewright.value.points - value.points)[0, 0, 2]
+    step = (require_exact("NURBS Patch").data.splinewright.value.points - value.points)[0, 0, 2]
     assert step != 0 and abs(10 * step - round(10 * step)) < 1e-4, step
     view.press('TAB')
     yield 0.8

@@ -36,3 +36,12 @@ def test_the_map_of_rooms_names_every_folder():
         for room in folder.iterdir():
             if room.is_dir() and not room.name.startswith("_"):
                 assert re.search(rf"\b{room.name}\b", README), room.name
+
+
+def test_every_operator_it_names_is_there():
+    text = re.search(r"Operators for\s+scripts: (.*?)\n\n", README, re.S).group(1)
+    names = re.findall(r"`(?:bpy\.ops\.splinewright\.)?(\w+)`", text)
+    source = "".join(path.read_text() for path in (PROJECT / "addon/splinewright/ui/operators").glob("*.py"))
+    assert len(names) >= 12
+    for name in names:
+        assert f'bl_idname = "splinewright.{name}"' in source, name

@@ -12,7 +12,7 @@ _MOST = 1_000_000
 
 def text_of(definition, piece, axis):
     """The knots of a piece, every digit. Raises ValueError where it has none."""
-    return " ".join(repr(float(knot)) for knot in _knots(definition, piece)[axis])
+    return " ".join(repr(float(knot)).removesuffix(".0") for knot in _knots(definition, piece)[axis])
 
 
 def replaced(definition, piece, axis, text):

@@ -4,7 +4,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge import follow
-from ..bridge.net import live, net
+from ..bridge.net import live
 from . import editing, saving
 
 #: Seconds after the last move until a shape gets its exact normals.

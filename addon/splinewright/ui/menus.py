@@ -72,6 +72,8 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
         layout.operator("splinewright.set_knots")
         layout.separator()
+        layout.operator("splinewright.make_exact")
+        layout.operator("splinewright.to_native")
         layout.operator("splinewright.follow_object", icon='LINKED')
         layout.operator("splinewright.make_editable")
         layout.separator()

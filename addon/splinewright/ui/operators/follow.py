@@ -39,7 +39,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
             target, source = self._chosen(context)
             if target is None:
                 target = follow.new_follower(source, (self.resolution_u, self.resolution_v), depsgraph)
-                context.scene.collection.objects.link(target)
+                context.collection.objects.link(target)
                 target.select_set(True)
                 source.select_set(False)
                 context.view_layer.objects.active = target

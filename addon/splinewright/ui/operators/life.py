@@ -1,68 +1,22 @@
 """Restore, Detach, Apply Transform, Join: what becomes of a shape as a whole."""
 
 import bpy
-import numpy as np
 from bpy.props import BoolProperty
 
-from ...bridge import joining, recipes, shape, store, transforming
-from .. import progress
-
-_FAILURES = (ValueError, TypeError, ArithmeticError, MemoryError)
+from ...bridge import joining, recipes, shape, transforming
+from .selected import FAILURES, OnSelected
 
 
-def selected_shapes(context):
-    """Selected shapes, the active one first, one for each data-block."""
-    found = {}
-    for ob in [context.object, *context.selected_objects]:
-        if shape.has_shape(ob) and ob.select_get():
-            found.setdefault((ob.type, ob.data.name_full), ob)
-    return list(found.values())
-
-
-class _OnShapes:
-    """Does its work on every selected shape; what cannot be done is reported and the rest is done."""
-
-    bl_options = {'REGISTER', 'UNDO'}
-    #: What was done, for the report.
-    verb = ""
-
-    @classmethod
-    def poll(cls, context):
-        if context.mode != 'OBJECT':
-            cls.poll_message_set("Leave the present mode first")
-            return False
-        if not any(shape.has_shape(ob) for ob in context.selected_objects):
-            cls.poll_message_set("Select a Splinewright shape")
-            return False
-        return True
-
-    def work(self, context, ob):
-        """What is done with one shape. Raises ValueError and has changed nothing if it cannot be."""
-        raise NotImplementedError
-
-    def execute(self, context):
-        shapes, done, failed = selected_shapes(context), [], []
-        with progress.shown(context, len(shapes)) as step:
-            for ob in shapes:
-                try:
-                    self.work(context, ob)
-                    done.append(ob.name)
-                except _FAILURES as error:
-                    failed.append(f"{ob.name}: {error}")
-                step(len(done) + len(failed))
-        for reason in failed:
-            self.report({'ERROR' if not done else 'WARNING'}, reason)
-        if done:
-            names = done[0] if len(done) == 1 else f"{len(done)} shapes"
-            self.report({'INFO'}, f"{self.verb} {names}")
-        return {'FINISHED'} if done else {'CANCELLED'}
+class _OnShapes(OnSelected):
+    needs = "Select a Splinewright shape"
+    fits = staticmethod(shape.has_shape)
 
 
 class SPLINEWRIGHT_OT_restore(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.restore"
     bl_label = "Restore"
     bl_description = "Make the mesh or curve anew from the definition; changes made by hand are lost"
-    verb = "Restored"
+    done = "Restored {}"
 
     def work(self, context, ob):
         shape.restore(ob.data)
@@ -72,7 +26,7 @@ class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.detach"
     bl_label = "Detach"
     bl_description = "Keep what is shown as a plain mesh or curve and drop the definition"
-    verb = "Detached"
+    done = "Detached {}"
 
     def work(self, context, ob):
         shape.detach(ob.data)
@@ -82,7 +36,7 @@ class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.make_editable"
     bl_label = "Make Editable"
     bl_description = "Stop following another object; the definition stays as it is and can be edited"
-    verb = "Made editable:"
+    done = "{} can be edited"
 
     def work(self, context, ob):
         if not recipes.has(ob.data):
@@ -95,7 +49,7 @@ class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.apply_transform"
     bl_label = "Apply Transform"
     bl_description = "Move location, rotation and scale of the object into the definition; nothing moves on the screen"
-    verb = "Applied the transform of"
+    done = "Applied the transform of {}"
 
     location: BoolProperty(name="Location", default=True, description="Apply the location")
     rotation: BoolProperty(name="Rotation", default=True, description="Apply the rotation")
@@ -109,7 +63,7 @@ class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.adopt_transform"
     bl_label = "Adopt Transform"
     bl_description = "The mesh or curve was moved as a whole, by Blender's Apply say: move the definition, too"
-    verb = "Adopted the transform of"
+    done = "Adopted the transform of {}"
 
     def work(self, context, ob):
         transforming.adopt(ob.data)
@@ -136,7 +90,7 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
         others = [ob for ob in context.selected_objects if ob != context.object]
         try:
             joining.join(context.object, others)
-        except _FAILURES as error:
+        except FAILURES as error:
             self.report({'ERROR'}, str(error))
             return {'CANCELLED'}
         return {'FINISHED'}

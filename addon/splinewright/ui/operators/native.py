@@ -4,71 +4,27 @@ import bpy
 
 from ...bridge import shape, store
 from ...bridge.native import make_exact, to_native
-from .. import progress
-
-_FAILURES = (ValueError, TypeError, ArithmeticError, RuntimeError, MemoryError)
-
+from .selected import OnSelected
 
 def _is_native(ob):
     return ob.type in ('CURVE', 'SURFACE') and not store.has_definition(ob.data)
 
 
-class _InPlace:
-    """Does its work on every selected object that fits; what cannot be done is reported and the rest is done."""
+class _Conversion(OnSelected):
+    """work() gives an Outcome and sentences."""
 
-    bl_options = {'REGISTER', 'UNDO'}
-    #: poll_message where nothing fits, and what was done, for the report.
-    needs, done = "", ""
-
-    @staticmethod
-    def fits(ob):
-        raise NotImplementedError
-
-    def work(self, context, ob):
-        """Pairs of an Outcome and sentences. Raises, and has changed nothing, if it cannot be done."""
-        raise NotImplementedError
-
-    @classmethod
-    def poll(cls, context):
-        if context.mode != 'OBJECT':
-            cls.poll_message_set("Leave the present mode first")
-            return False
-        if not any(map(cls.fits, context.selected_objects)):
-            cls.poll_message_set(cls.needs)
-            return False
-        return True
-
-    def execute(self, context):
-        # One for each data-block: objects that share one are changed together.
-        chosen = list({(ob.type, ob.data.name_full): ob for ob in context.selected_objects if self.fits(ob)}.values())
-        names, outcomes, failed = [ob.name for ob in chosen], {}, {}
-        with progress.shown(context, len(chosen)) as step:
-            for i, ob in enumerate(chosen):
-                try:
-                    outcomes[names[i]] = self.work(context, ob)
-                except _FAILURES as error:
-                    failed[names[i]] = str(error) or "there is not enough memory"
-                step(i + 1)
-        for name, reason in failed.items():
-            self.report({'WARNING' if outcomes else 'ERROR'}, f"{name}: {reason}")
-        if not outcomes:
-            return {'CANCELLED'}
-        self._report(outcomes)
-        return {'FINISHED'}
-
-    def _report(self, outcomes):
+    def report_done(self, outcomes):
         for name, (outcome, notes) in outcomes.items():
             if outcome.dropped:
                 self.report({'WARNING'}, f"{name}: without {', '.join(outcome.dropped)}")
             for note in notes:
                 self.report({'INFO'}, f"{name}: {note}")
-        names = list(outcomes)[0] if len(outcomes) == 1 else f"{len(outcomes)} objects"
         measured = [outcome.deviation for outcome, _ in outcomes.values() if outcome.deviation is not None]
         distance = f": Blender's points lie within {max(measured):.1e} of the exact ones" if measured else ""
-        self.report({'INFO'}, f"{self.done.format(names)}{distance}")
+        self.report({'INFO'}, f"{self.sentence(outcomes)}{distance}")
 
 
-class SPLINEWRIGHT_OT_make_exact(_InPlace, bpy.types.Operator):
+class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
     bl_idname = "splinewright.make_exact"
     bl_label = "Make Exact"
     bl_description = ("Turn selected curves and surfaces of Blender into Splinewright shapes of the same geometry, "
@@ -81,7 +37,7 @@ class SPLINEWRIGHT_OT_make_exact(_InPlace, bpy.types.Operator):
         return make_exact.make_exact(context, ob), []
 
 
-class SPLINEWRIGHT_OT_to_native(_InPlace, bpy.types.Operator):
+class SPLINEWRIGHT_OT_to_native(_Conversion, bpy.types.Operator):
     bl_idname = "splinewright.to_native"
     bl_label = "To Blender's Own"
     bl_description = ("Turn selected Splinewright shapes into Blender's own curves and surfaces of the same geometry, "

@@ -1,0 +1,61 @@
+"""Operators that do their work on every selected object that fits."""
+
+from .. import progress
+
+FAILURES = (ValueError, TypeError, ArithmeticError, RuntimeError, MemoryError)
+
+
+class OnSelected:
+    """Works in Object Mode; what cannot be done is reported and the rest is done."""
+
+    bl_options = {'REGISTER', 'UNDO'}
+    #: poll_message where nothing fits, and what was done: {} stands for the names.
+    needs, done = "", ""
+
+    @staticmethod
+    def fits(ob):
+        raise NotImplementedError
+
+    def work(self, context, ob):
+        """Do it with one object. Raises, and has changed nothing, if it cannot be done."""
+        raise NotImplementedError
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode != 'OBJECT':
+            cls.poll_message_set("Leave the present mode first")
+            return False
+        if not any(map(cls.fits, context.selected_objects)):
+            cls.poll_message_set(cls.needs)
+            return False
+        return True
+
+    def execute(self, context):
+        # One for each data-block: objects that share one are changed together.
+        chosen = list({(ob.type, ob.data.name_full): ob for ob in self._in_order(context) if self.fits(ob)}.values())
+        names, outcomes, failed = [ob.name for ob in chosen], {}, {}
+        with progress.shown(context, len(chosen)) as step:
+            for i, ob in enumerate(chosen):
+                try:
+                    outcomes[names[i]] = self.work(context, ob)
+                except FAILURES as error:
+                    failed[names[i]] = str(error) or "there is not enough memory"
+                step(i + 1)
+        for name, reason in failed.items():
+            self.report({'WARNING' if outcomes else 'ERROR'}, f"{name}: {reason}")
+        if not outcomes:
+            return {'CANCELLED'}
+        self.report_done(outcomes)
+        return {'FINISHED'}
+
+    def report_done(self, outcomes):
+        """Say what was done. outcomes: what work() gave for each name."""
+        self.report({'INFO'}, self.sentence(outcomes))
+
+    def sentence(self, outcomes):
+        return self.done.format(list(outcomes)[0] if len(outcomes) == 1 else f"{len(outcomes)} objects")
+
+    @staticmethod
+    def _in_order(context):
+        """The selected objects, the active one last: of those that share data it stands for all."""
+        return sorted(context.selected_objects, key=lambda ob: ob == context.object)

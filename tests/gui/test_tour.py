@@ -1,0 +1,121 @@
+"""The README's tour in a real window; its pictures are those of the README."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, empty_file, part, run, save_picture, select_points
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+
+
+def frame(view):
+    with view.override():
+        bpy.ops.view3d.view_selected()
+    yield 0.6
+
+
+def teapot(view):
+    """Points of the lid are lifted; the panel shows their numbers."""
+    with view.override():
+        bpy.ops.splinewright.add_teapot('EXEC_DEFAULT', True)
+        bpy.context.space_data.overlay.show_cursor = False
+    yield from frame(view)
+    yield from view.show_tab("Splinewright", (1045, 538))
+    view.move(420, 420)
+    view.press('TAB')
+    yield 1.0
+    held = bpy.context.object
+    points = part('bridge.net.live').session(held.data).net.positions
+    held.show_in_front = False
+    with view.override():
+        select_points(*np.flatnonzero(points[:, 2] > points[:, 2].max() - 0.05).tolist())
+        bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0, 0.25))
+    yield 0.8
+    save_picture(OUTPUT / "tour-net.png")
+    view.press('TAB')
+    yield 0.8
+    ob = bpy.data.objects["Teapot"]
+    assert bpy.context.object == ob and ob.data.vertices and not part('bridge.shape').is_touched(ob.data)
+    ob.hide_set(True)
+
+
+def knots(view):
+    """The knots of a patch as text; a wrong entry is refused."""
+    with view.override():
+        bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True)
+    yield from frame(view)
+    ob = bpy.context.object
+    value = ob.data.splinewright.value
+    with view.override():
+        bpy.ops.splinewright.set_knots('INVOKE_DEFAULT')
+    yield 0.8
+    save_picture(OUTPUT / "tour-knots.png")
+    view.press('ESC')
+    yield 0.6
+    with view.override():
+        assert bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots="0 0 0 0 0.5 2.5 3 3 3 3") == {'FINISHED'}
+        try:
+            bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots="0 0 0 0 3 2 3 3 3 3")
+            raise AssertionError("decreasing knots were taken")
+        except RuntimeError as error:
+            assert "below" in str(error)
+    assert ob.data.splinewright.value != value
+    ob.hide_set(True)
+
+
+def following(view):
+    """A bevelled shape follows Blender's own curve, made exact."""
+    with view.override():
+        bpy.ops.curve.primitive_bezier_circle_add('EXEC_DEFAULT', True)
+        source = bpy.context.object
+        bpy.ops.splinewright.follow_object('EXEC_DEFAULT', True, resolution_u=32)
+    ob = bpy.context.object
+    ob.data.bevel_depth = 0.04
+    yield from frame(view)
+    before = part('bridge.shape').points_of(ob.data)
+    source.data.splines[0].bezier_points[1].co.z += 0.8
+    source.data.update_tag()
+    yield 1.0
+    after = part('bridge.shape').points_of(ob.data)
+    assert np.abs(after - before).max() > 0.7, "the follower does not follow"
+    save_picture(OUTPUT / "tour-follow.png")
+    for other in (source, ob):
+        other.hide_set(True)
+
+
+def native(view):
+    """Blender's own torus becomes a shape, whose net is edited."""
+    with view.override():
+        bpy.ops.surface.primitive_nurbs_surface_torus_add('EXEC_DEFAULT', True)
+        bpy.ops.splinewright.make_exact('EXEC_DEFAULT', True)
+    ob = bpy.context.object
+    assert ob.type == 'MESH' and ob.data.splinewright.value.is_rational
+    yield from frame(view)
+    view.press('TAB')
+    yield 0.8
+    with view.override():
+        select_points(*range(8))
+    yield 0.5
+    save_picture(OUTPUT / "tour-exact.png")
+    view.press('TAB')
+    yield 0.8
+    assert bpy.context.object == ob
+
+
+def steps():
+    view = View()
+    empty_file()
+    view.open_sidebar()
+    view.move(420, 420)
+    yield 0.8
+    for stop in (teapot, knots, following, native):
+        yield from stop(view)
+    print("the tour is as the README says:", bpy.app.version_string, flush=True)
+
+
+run(steps())
