@@ -9,7 +9,8 @@ from shapes import VALUES, add, enter, first_point, leave, move, numbers_of, req
 from support import part, vertices
 
 definitions, editing, live, net, net_points, shape, store = (part(name) for name in (
-    'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points', 'bridge.shape', 'bridge.store'))
+    'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points',
+    'bridge.shape', 'bridge.store'))
 
 
 @pytest.mark.parametrize('make', VALUES.values(), ids=VALUES)

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from support import scene_state, splinecore as sc, vertices
+from support import scene_state, splinecore as sc
 
 SADDLE = np.array([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]], float)
 NEXT = np.array([[(1, 0, 1), (1, 1, 0)], [(2, 0, 0), (2, 1, 1)]], float)

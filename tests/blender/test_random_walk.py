@@ -67,7 +67,8 @@ class Walk:
     def check(self):
         """Every shape that no hand has changed is what its definition evaluates to, in Edit Mode, too."""
         for ob in self.shapes():
-            if not ob.library and not ob.data.library and ob.mode == 'OBJECT' and not shape.is_touched(ob.data) and not ob.data.shape_keys:
+            ours = ob.mode == 'OBJECT' and not (ob.library or ob.data.library or ob.data.shape_keys)
+            if ours and not shape.is_touched(ob.data):
                 require_exact(ob)
                 self.checked += 1
 

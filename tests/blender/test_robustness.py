@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from support import corner_normals, part, scene_state, splinecore as sc, vertices
+from support import corner_normals, part, scene_state, splinecore as sc
 
 store = part('bridge.store')
 SQUARE = np.array([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]], float)

@@ -78,7 +78,8 @@ def steps():
     view.press('A', shift=True)
     yield 0.8
     from_first_entry = 2 if bpy.app.version < (4, 0, 0) else 3          # later ones begin with Search
-    yield from pick_by_keys(view, ['DOWN_ARROW'] * from_first_entry + ['RIGHT_ARROW', 'UP_ARROW', 'RIGHT_ARROW'] + ['DOWN_ARROW'] * 2)
+    into_ours = ['RIGHT_ARROW', 'UP_ARROW', 'RIGHT_ARROW']
+    yield from pick_by_keys(view, ['DOWN_ARROW'] * from_first_entry + into_ours + ['DOWN_ARROW'] * 2)
     save_picture(OUTPUT / "edit-1-menu.png")
     view.press('RET')
     yield 1.0
