@@ -41,7 +41,7 @@ def nets_in_edit_mode(context):
     return [ob for ob in context.objects_in_mode if net.is_net(ob)]
 
 
-def enter(context, active):
+def enter(context, active, progress=shape.no_progress):
     """Put the nets of the active shape, and of selected ones of its kind, into Edit Mode.
 
     Raises ValueError, and nothing has changed, if the net of the active shape cannot be made.
@@ -54,6 +54,7 @@ def enter(context, active):
             if ob.data.name not in seen:
                 seen.add(ob.data.name)
                 made.append(_made(context, ob))
+                progress(len(made))
     except Exception:
         for ob in made:
             net.remove(ob)
@@ -72,14 +73,17 @@ def _made(context, ob):
     data = ob.data
     shape.require_writable(data)
     shape.require_untouched(data)
-    made = net.make(ob, store.read(data), context.scene)
+    definition = store.read(data)
+    numbers = net.numbers(definition)
+    made = net.make(ob, definition, numbers, context.scene)
+    live.begin(made.data, numbers)
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
         made.local_view_set(space, True)
     return made
 
 
-def leave(context):
+def leave(context, progress=shape.no_progress):
     """Put the nets in Edit Mode away; the shapes are selected. Returns the last problem, or ""."""
     editing = nets_in_edit_mode(context)
     problem = ""
@@ -87,8 +91,9 @@ def leave(context):
         live.pull(ob)
         problem = problem or live.problem(ob)
     bpy.ops.object.mode_set(mode='OBJECT')
-    for ob in editing:
+    for i, ob in enumerate(editing, 1):
         put_away(context, ob)
+        progress(i)
     return problem
 
 

@@ -16,8 +16,8 @@ from . import net as bridge
 class Session:
     """What is worked out once for a net. Rebuilt at will: it holds no truth of its own."""
 
-    def __init__(self, data):
-        self.net = bridge.numbers(bridge.source(data))
+    def __init__(self, net):
+        self.net = net
         self.problem = ""
         self.points = self.net.single   # of the net, for the overlay
         self.state = nets.exact(self.net, self.net.single, self.net.single_weights)
@@ -50,10 +50,15 @@ def session(data):
     """The session of a net's data-block."""
     token = bridge.token(data)
     if token not in _sessions:
-        if len(_sessions) > 32:
-            _sessions.clear()
-        _sessions[token] = Session(data)
+        begin(data, bridge.numbers(bridge.source(data)))
     return _sessions[token]
+
+
+def begin(data, net):
+    """Start the session of a net's data-block that was made from these numbers."""
+    if len(_sessions) > 32:
+        _sessions.clear()
+    _sessions[bridge.token(data)] = Session(net)
 
 
 def forget():

@@ -40,9 +40,8 @@ def numbers(definition):
     return (curve_net if definition.has_curves else patch_net).make(definition)
 
 
-def make(shape, definition, scene):
-    """A net object for a shape, always where that is, linked to the scene."""
-    net = numbers(definition)
+def make(shape, definition, net, scene):
+    """A net object for a shape, always where that is, linked to the scene. net: numbers(definition)."""
     data = _curve(shape.name, net) if definition.has_curves else _cage(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
     ob = bpy.data.objects.new(data.name, data)
@@ -107,9 +106,13 @@ def _cage(name, net):
 
 def _without_sides(edges, faces):
     """The edges that are no side of a face."""
-    sides = {frozenset((a, b)) for face in faces for a, b in zip(face, face[1:] + face[:1])}
-    keep = [frozenset(edge) not in sides for edge in edges.tolist()]
-    return edges[np.array(keep, dtype=bool)]
+    quads = np.array([face for face in faces if len(face) == 4], dtype=np.int64).reshape(-1, 4)
+    triangles = np.array([face for face in faces if len(face) == 3], dtype=np.int64).reshape(-1, 3)
+    sides = np.concatenate([np.stack([corners, np.roll(corners, -1, 1)], -1).reshape(-1, 2)
+                            for corners in (quads, triangles)])
+    count = 1 + edges.max(initial=0)
+    known = [pairs.min(1) * count + pairs.max(1) for pairs in (edges, sides)]
+    return edges[~np.isin(*known)]
 
 
 def _read_cage(ob, net):

@@ -22,6 +22,16 @@ class Vertices:
     def point(self, row):
         return self._add(self.pool[row, :3], row, weight=self.pool[row, 3])
 
+    def points(self, rows):
+        """Vertices for many rows at once; the number of the first."""
+        first = len(self)
+        self.positions.extend(self.pool[rows, :3])
+        self.weights.extend(self.pool[rows, 3])
+        self.rows.extend(rows)
+        self.origins.extend([(-1, -1, -1)] * len(rows))
+        self.factors.extend([1.0] * len(rows))
+        return first
+
     def foot(self, position):
         return self._add(position, -1)
 

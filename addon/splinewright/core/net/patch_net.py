@@ -35,8 +35,9 @@ def _points(vertices, nets):
     """Vertices for all finite points; the vertex of each row of the pool, or -1."""
     used = np.unique(np.concatenate([net.ravel() for net in nets]))
     vertex_of = np.full(len(vertices.pool), -1)
-    for row in used[vertices.pool[used, 3] != 0]:
-        vertex_of[row] = vertices.point(row)
+    finite = used[vertices.pool[used, 3] != 0]
+    first = vertices.points(finite)
+    vertex_of[finite] = np.arange(first, first + len(finite))
     return vertex_of
 
 
@@ -44,10 +45,14 @@ def _faces(grid, periodic):
     """The quads of a grid of vertices; triangles at poles, nothing beside directions at infinity."""
     wrapped = np.pad(grid, [(0, int(periodic[0])), (0, int(periodic[1]))], mode='wrap')
     quads = np.stack([wrapped[:-1, :-1], wrapped[1:, :-1], wrapped[1:, 1:], wrapped[:-1, 1:]], -1).reshape(-1, 4)
-    for quad in quads[(quads >= 0).all(1)].tolist():
+    quads = quads[(quads >= 0).all(1)]
+    whole = (np.diff(np.sort(quads, axis=1), axis=1) > 0).all(1)
+    faces = quads[whole].tolist()
+    for quad in quads[~whole].tolist():
         corners = [corner for i, corner in enumerate(quad) if corner != quad[i - 1]]
         if len(set(corners)) == len(corners) >= 3:
-            yield corners
+            faces.append(corners)
+    return faces
 
 
 def _pairs(grid, axis, periodic):

@@ -6,7 +6,7 @@ from bpy.props import EnumProperty, IntProperty, StringProperty
 from ...bridge import shape, store
 from ...bridge.net import live, net, net_points
 from ...core import knots
-from .. import editing
+from .. import editing, progress
 
 
 class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
@@ -27,7 +27,8 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
 
     def execute(self, context):
         try:
-            editing.enter(context, context.object)
+            with progress.shown(context, len(context.selected_objects)) as step:
+                editing.enter(context, context.object, step)
         except (ValueError, TypeError, ArithmeticError, RuntimeError) as error:
             self.report({'ERROR'}, str(error))
             return {'CANCELLED'}
@@ -48,7 +49,9 @@ class SPLINEWRIGHT_OT_leave_net(bpy.types.Operator):
         return True
 
     def execute(self, context):
-        problem = editing.leave(context)
+        nets = editing.nets_in_edit_mode(context)
+        with progress.shown(context, len(nets)) as step:
+            problem = editing.leave(context, step)
         if problem:
             self.report({'WARNING'}, f"The last state of the net was not taken: {problem}")
         return {'FINISHED'}
