@@ -429,3 +429,41 @@ def test_a_shape_whose_collection_is_excluded_while_its_net_is_edited():
     bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
     assert not list(editing.nets())
     require_exact(bpy.data.objects["shape"])
+
+
+def test_a_shape_is_edited_in_a_view_layer_that_has_it_and_left_alone_in_one_that_has_not():
+    ob = add(VALUES['nurbs patch']())
+    collection = bpy.data.collections.new("own")
+    bpy.context.scene.collection.children.link(collection)
+    collection.objects.link(ob)
+    bpy.context.scene.collection.objects.unlink(ob)
+    first = bpy.context.view_layer
+    other = bpy.context.scene.view_layers.new("other")
+    other.layer_collection.children["own"].exclude = True
+    bpy.context.window.view_layer = other
+    bpy.context.view_layer.update()
+    assert not bpy.ops.splinewright.edit_net.poll()
+    bpy.context.window.view_layer = first
+    activate(ob)
+    held = enter()
+    bpy.context.window.view_layer = other
+    bpy.context.view_layer.update()
+    bpy.context.window.view_layer = first
+    assert held.mode == 'EDIT'
+    select(held, first_point(held))
+    move(0, 0, 1)
+    require_exact(leave())
+
+
+def test_a_shape_that_moves_while_its_net_is_edited_takes_the_net_along():
+    ob = add(VALUES['nurbs patch']())
+    for frame, place in ((1, 0.0), (11, 5.0)):
+        ob.location.x = place
+        ob.keyframe_insert('location', frame=frame)
+    bpy.context.scene.frame_set(1)
+    held = enter()
+    bpy.context.scene.frame_set(11)
+    assert np.allclose(held.matrix_world.translation.x, 5)
+    select(held, first_point(held))
+    move(0, 0, 1)
+    require_exact(leave())
