@@ -50,6 +50,8 @@ def attach(ob, source, depsgraph):
     Raises Cycle if that follows the shape itself, ValueError if it cannot be followed.
     """
     _require_followable(source)
+    if not shape.has_shape(ob):
+        raise ValueError(f"{ob.name} is no Splinewright shape: it cannot follow anything")
     require_no_cycle(ob.data, source)
     shape.require_writable(ob.data)
     shape.set_definition(ob.data, current(ob, source, depsgraph))
@@ -73,7 +75,7 @@ def require_no_cycle(data, source):
         if source.data == data:
             raise Cycle(f"{source.name} would follow itself")
         seen.add(source.name)
-        source = recipes.read_input(source.data) if source.data and recipes.has(source.data) else None
+        source = _input(source.data) if source.data else None
 
 
 def refresh(changed, depsgraph):
@@ -83,8 +85,7 @@ def refresh(changed, depsgraph):
         return
     changed = set(changed)
     for data in _in_order():
-        source = recipes.read_input(data)
-        owner = owner_of(data)
+        source, owner = _input(data), owner_of(data)
         if source is None or owner is None:
             continue
         if not changed.isdisjoint((source, source.data, owner, getattr(source.data, 'shape_keys', None))):
@@ -102,7 +103,7 @@ def _note(blocks):
 def refresh_all(depsgraph):
     """Bring every follower up to date: another frame, another file."""
     for data in _in_order():
-        source, owner = recipes.read_input(data), owner_of(data)
+        source, owner = _input(data), owner_of(data)
         if source is not None and owner is not None:
             _update(data, owner, source, depsgraph)
 

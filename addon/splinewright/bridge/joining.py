@@ -20,7 +20,10 @@ def join(active, others):
         if recipes.has(ob.data):
             raise ValueError(f"{ob.name} follows another object: use Make Editable first")
         shape.require_untouched(ob.data)
-    into = np.linalg.inv(np.array(active.matrix_world, dtype=np.float64))
+    into = np.array(active.matrix_world, dtype=np.float64)
+    if np.linalg.det(into[:3, :3]) == 0:
+        raise ValueError(f"{active.name} has a scale of 0: nothing can be put into its space")
+    into = np.linalg.inv(into)
     parts = [store.read(active.data)]
     for ob in others:
         parts.append(transform.transformed(store.read(ob.data), into @ np.array(ob.matrix_world, dtype=np.float64)))

@@ -12,6 +12,12 @@ def of(data):
     return _of_curve(data) if isinstance(data, bpy.types.Curve) else _of_mesh(data)
 
 
+def same_topology(a, b):
+    """Whether two stamps are of geometry that differs in positions only."""
+    positions = 2 if len(a) == 3 else 3
+    return len(a) == len(b) and all(x == y for i, (x, y) in enumerate(zip(a, b)) if i != positions)
+
+
 def moved(before, positions):
     """The stamp of a Mesh whose vertices were given other positions (n, 3) float32 since that of `before`."""
     vertices, edges, faces, _, corners = before
@@ -28,7 +34,7 @@ def _checksum(numbers):
 @functools.lru_cache(8)
 def _factors(count):
     """Odd factors, so that no change of one number is lost; sums wrap around at 2^64."""
-    return np.arange(count, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C16) + np.uint64(1)
+    return np.arange(1, count + 1, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C16) + np.uint64(1)
 
 
 def _of_mesh(mesh):
@@ -43,12 +49,10 @@ def _of_mesh(mesh):
 
 
 def _of_curve(curve):
-    checksum = 0
+    kinds = places = 0
     for spline in curve.splines:
-        checksum = zlib.crc32(f"{spline.type} {spline.use_cyclic_u}".encode(), checksum)
-        if spline.type == 'BEZIER':
-            continue
+        kinds = zlib.crc32(f"{spline.type} {spline.use_cyclic_u} {len(spline.points)}".encode(), kinds)
         points = np.empty(4 * len(spline.points), np.float32)
         spline.points.foreach_get('co', points)
-        checksum = zlib.crc32(points, checksum)
-    return [len(curve.splines), checksum]
+        places = zlib.crc32(points, places)
+    return [len(curve.splines), kinds, places]

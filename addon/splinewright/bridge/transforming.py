@@ -4,7 +4,9 @@ import numpy as np
 from mathutils import Matrix
 
 from ..core import transform
-from . import shape, store
+from . import shape, stamp, store
+
+_CURES = "Restore throws the changes away, Detach keeps them"
 
 
 def apply(ob, location, rotation, scale):
@@ -22,11 +24,14 @@ def apply(ob, location, rotation, scale):
     before = ob.matrix_basis.copy()
     after = _rest(before, location, rotation, scale)
     definition = store.read(data)
-    moved = transform.transformed(definition, np.linalg.inv(_exact(after)) @ _exact(before))
-    shape.set_definition(data, moved)
+    matrix = np.linalg.inv(_exact(after)) @ _exact(before)
+    moved = transform.transformed(definition, matrix)
+    _set_definition(data, moved, matrix)
     ob.matrix_basis = after
     into = after.inverted_safe() @ before
     for child in ob.children:
+        if child.parent_type.startswith('VERTEX'):
+            continue                    # it hangs on points that stay where they are
         child.matrix_parent_inverse = into @ child.matrix_parent_inverse
 
 
@@ -36,6 +41,16 @@ def _rest(matrix, location, rotation, scale):
     if min(map(abs, size)) == 0.0:
         raise ValueError("it has a scale of 0, which would flatten the shape for ever")
     return Matrix.LocRotScale(None if location else place, None if rotation else turn, None if scale else size)
+
+
+def _set_definition(data, definition, matrix):
+    """A mirroring has exchanged u and v of patches: so are their resolutions."""
+    if np.linalg.det(matrix[:3, :3]) < 0 and not definition.has_curves:
+        settings = data.splinewright
+        settings.quiet = True
+        settings.resolution_u, settings.resolution_v = settings.resolution_v, settings.resolution_u
+        settings.quiet = False
+    shape.set_definition(data, definition)
 
 
 def _exact(matrix):
@@ -51,9 +66,13 @@ def adopt(data):
     if not shape.is_touched(data):
         raise ValueError("it is as Splinewright wrote it: there is nothing to adopt")
     definition = store.read(data)
+    if not stamp.same_topology(store.read_stamp(data), stamp.of(data)):
+        raise ValueError(f"its faces or splines were changed, too: {_CURES}")
     before, after = shape.evaluated(data, definition).points.astype(np.float64), shape.points_of(data)
     matrix = transform.affine_between(before, after) if len(before) == len(after) else None
     if matrix is None:
-        raise ValueError("it was not moved as a whole: Restore throws the changes away, Detach keeps them")
-    store.write(data, transform.transformed(definition, matrix))
-    shape.restore(data)
+        raise ValueError(f"it was not moved as a whole: {_CURES}")
+    moved = transform.transformed(definition, matrix)
+    shape.evaluated(data, moved)        # raises before anything is changed
+    store.remove(data)
+    _set_definition(data, moved, matrix)

@@ -12,7 +12,7 @@ _MOST = 1_000_000
 
 def text_of(definition, piece, axis):
     """The knots of a piece, every digit. Raises ValueError where it has none."""
-    return " ".join(repr(float(knot)).removesuffix(".0") for knot in _knots(definition, piece)[axis])
+    return " ".join(repr(float(knot)).removesuffix(".0") for knot in _knots(definition, piece, axis)[axis])
 
 
 def replaced(definition, piece, axis, text):
@@ -20,7 +20,7 @@ def replaced(definition, piece, axis, text):
 
     Raises ValueError, naming the word or the knot, where the text is not a knot vector that fits.
     """
-    old = _knots(definition, piece)
+    old = _knots(definition, piece, axis)
     new = _numbers(text)
     if len(new) != len(old[axis]):
         raise ValueError(f"{len(new)} knots were given, {len(old[axis])} are needed for these points and this degree")
@@ -32,12 +32,15 @@ def replaced(definition, piece, axis, text):
     return changed
 
 
-def _knots(definition, piece):
+def _knots(definition, piece, axis):
     if not 0 <= piece < len(definition.pieces):
         raise ValueError(f"the shape has {len(definition.pieces)} pieces, there is none of number {piece}")
     if not definition.pieces[piece].knots:
         raise ValueError("a Bezier piece has no knots")
-    return definition.pieces[piece].knots
+    knots = definition.pieces[piece].knots
+    if axis >= len(knots):
+        raise ValueError("a curve has no knots along v")
+    return knots
 
 
 def _numbers(text):

@@ -60,7 +60,8 @@ def affine_between(before, after):
     missing = axes[sizes <= 1e-6 * max(sizes[0], np.finfo(float).tiny)]
     linear = linear.T + sum((np.outer(axis, axis) for axis in missing), np.zeros((3, 3)))
     error = np.abs((before - middle) @ linear.T + target - after).max()
-    if error > 1e-5 * max(np.abs(after).max(), np.abs(before).max()):
+    rounding = 8 * float(np.finfo(np.float32).eps) * max(np.abs(after).max(), np.abs(before).max())
+    if error > rounding + 1e-6 * np.ptp(after, axis=0).max():
         return None
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = linear, target - linear @ middle

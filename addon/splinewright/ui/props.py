@@ -19,8 +19,8 @@ def _resolution_changed(self, context):
         with progress.shown(context, shape.STEPS) as step:
             shape.rewrite(self.id_data, step)
         self.problem = ""
-    except (ValueError, ArithmeticError) as error:
-        self.problem = str(error)
+    except (ValueError, ArithmeticError, MemoryError) as error:
+        self.problem = str(error) or "There is not enough memory for this resolution"
 
 
 class SplinewrightShape(bpy.types.PropertyGroup):

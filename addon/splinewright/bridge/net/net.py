@@ -26,7 +26,7 @@ class ChangedNet(ValueError):
 
 
 def is_net(ob):
-    return ob is not None and SHAPE in ob.keys()
+    return ob is not None and SHAPE in ob.keys() and ob.data is not None and KEY in ob.data.keys()
 
 
 def shape_of(ob):

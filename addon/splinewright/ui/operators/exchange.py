@@ -86,6 +86,9 @@ class _Export(ExportHelper):
 
     def execute(self, context):
         path = _path(self)
+        if not self.filepath or path.is_dir():
+            self.report({'ERROR'}, "Name a file to write to")
+            return {'CANCELLED'}
         # A file that is there stays whole until the new one is.
         partial = path.with_name(path.name + ".part")
         try:

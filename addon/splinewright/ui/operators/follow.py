@@ -57,7 +57,8 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
             source = context.scene.objects.get(self.source)
             if source is None:
                 raise ValueError(f"there is no object named {self.source} in this scene")
-            return (context.object if source != context.object else None), source
+            is_target = shape.has_shape(context.object) and source != context.object
+            return (context.object if is_target else None), source
         others = [ob for ob in context.selected_objects if ob != context.object and followable(ob)]
         if shape.has_shape(context.object) and len(others) == 1:
             return context.object, others[0]
