@@ -4,6 +4,8 @@ import bpy
 import numpy as np
 
 UV_NAME = "UVMap"
+#: Face attribute: which patch of the shape a face belongs to.
+PATCH_NAME = "patch"
 
 
 def write(mesh, tessellation, positions, normals, sharp):
@@ -12,8 +14,10 @@ def write(mesh, tessellation, positions, normals, sharp):
     if _has_faces(mesh, tessellation):
         _write_positions(mesh, positions)
     else:
+        materials = _materials_by_patch(mesh)
         mesh.clear_geometry()
         _write_faces(mesh, tessellation, positions)
+        _write_patches(mesh, tessellation.face_patches, materials)
     _write_uvs(mesh, tessellation)
     mesh.polygons.foreach_set('use_smooth', np.ones(len(mesh.polygons), bool))
     _write_sharp_edges(mesh, sharp)
@@ -43,6 +47,27 @@ def _has_faces(mesh, tessellation):
     mesh.loops.foreach_get('vertex_index', vertices)
     mesh.polygons.foreach_get('loop_start', starts)
     return np.array_equal(vertices, corners) and np.array_equal(starts, tessellation.face_starts)
+
+
+def _materials_by_patch(mesh):
+    """The material index of each patch's first face, where there is more than one material."""
+    attribute = mesh.attributes.get(PATCH_NAME)
+    if len(mesh.materials) < 2 or attribute is None or len(attribute.data) != len(mesh.polygons):
+        return {}
+    patches, indices = np.empty((2, len(mesh.polygons)), np.int32)
+    attribute.data.foreach_get('value', patches)
+    mesh.polygons.foreach_get('material_index', indices)
+    numbers, first = np.unique(patches, return_index=True)
+    return dict(zip(numbers.tolist(), indices[first].tolist()))
+
+
+def _write_patches(mesh, patches, materials):
+    """Number each face's patch in an attribute, and give it the patch's material."""
+    attribute = mesh.attributes.get(PATCH_NAME) or mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
+    attribute.data.foreach_set('value', patches)
+    if materials:
+        of_patch = np.array([materials.get(patch, 0) for patch in range(1 + patches.max())], np.int32)
+        mesh.polygons.foreach_set('material_index', of_patch[patches])
 
 
 def _write_positions(mesh, positions):

@@ -94,12 +94,18 @@ def leave(context, progress=shape.no_progress):
     for i, ob in enumerate(editing, 1):
         put_away(context, ob)
         progress(i)
+    find_nets()
+    for copy in nets():
+        if copy.mode == 'OBJECT':
+            put_away(context, copy)
     return problem
 
 
 def put_away(context, ob):
     """Remove a net in Object Mode; its shape is exact, and selected and active where the net was."""
     owner = net.shape_of(ob)
+    if not _is_copy(ob):
+        net.end(ob)
     layer = context.view_layer
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
     known.discard(ob.name)
@@ -117,12 +123,31 @@ def put_away(context, ob):
 
 
 def sweep():
-    """Put away the nets that were left by another way than leave()."""
+    """Put away the nets that were left by another way than leave(), and copies of nets."""
+    find_nets()
     for ob in nets():
-        if ob.mode != 'EDIT':
-            if ob.users_scene:
-                live.pull(ob)
-            put_away(bpy.context, ob)
+        if ob.mode == 'EDIT':
+            continue
+        if ob.mode != 'OBJECT' and not _to_object_mode(ob):
+            continue
+        if ob.users_scene and not _is_copy(ob):
+            live.pull(ob)
+        put_away(bpy.context, ob)
+
+
+def _to_object_mode(ob):
+    """Leave Sculpt Mode and the like by a step of its own, or undo would look for the net there."""
+    layer = bpy.context.view_layer
+    if not _is_in(layer, ob):
+        return False
+    layer.objects.active = ob
+    bpy.ops.object.mode_set('EXEC_DEFAULT', True, mode='OBJECT')
+    return True
+
+
+def _is_copy(ob):
+    """Whether the net itself is in Edit Mode, and this a part that was separated from it."""
+    return any(other != ob and other.mode == 'EDIT' and net.token(other.data) == net.token(ob.data) for other in nets())
 
 
 def end():

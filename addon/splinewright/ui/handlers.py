@@ -14,17 +14,13 @@ _SETTLE = 0.3
 @persistent
 def updated(scene, depsgraph):
     """Shapes follow their nets and their inputs. Cheap where nothing changed."""
-    changed = ()
+    changed = set()
     if follow.known or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
         changed = _changed_blocks(depsgraph.updates)
+    if editing.known:
+        changed |= _follow_nets(changed)
+    if changed:
         follow.refresh(changed, depsgraph)
-    if not editing.known:
-        return
-    for ob in editing.nets():
-        if ob.mode != 'EDIT':
-            _soon(editing.sweep, 0.0)
-        elif ob.data in changed and live.pull(ob):
-            _later(editing.settle)
 
 
 @persistent
@@ -32,6 +28,7 @@ def undone(*_):
     """After undo and redo every object is another."""
     editing.find_nets()
     follow.scan()
+    live.trust()
     _pull_all()
 
 
@@ -44,6 +41,20 @@ def loaded(*_):
 @persistent
 def frame_changed(scene, depsgraph=None):
     follow.refresh_all(depsgraph or bpy.context.evaluated_depsgraph_get())
+
+
+def _follow_nets(changed):
+    """Bring the shapes of changed nets up to date; the data-blocks that were written."""
+    written = set()
+    for ob in editing.nets():
+        if ob.mode != 'EDIT':
+            _soon(editing.sweep, 0.0)
+        elif ob.data in changed:
+            written.add(live.pull(ob))
+    written.discard(None)
+    if written:
+        _later(editing.settle)
+    return written
 
 
 def _changed_blocks(updates):

@@ -1,10 +1,12 @@
 """The numbers of the selected points while a net is edited. Reading and writing them is all they do."""
 
+from contextlib import suppress
+
 import bpy
 import numpy as np
 from bpy.props import FloatProperty, FloatVectorProperty, PointerProperty
 
-from ..bridge.net import live, net_points
+from ..bridge.net import live, net, net_points
 from . import editing
 
 #: Points whose numbers are shown at once: Blender's vectors hold 32 numbers.
@@ -47,14 +49,21 @@ def _set_numbers(self, numbers):
     ob, vertices = chosen(data)
     if not ob:
         return
+    live.pull(ob)                       # several numbers may be set before Blender tells of the first
     vertices = vertices[:SHOWN]
     rows = _exact_rows(data, vertices)
     wanted = np.array(numbers, np.float32).reshape(SHOWN, 4)[:len(rows)]
-    for vertex, row, new in zip(vertices, rows, wanted):
-        different = new != row.astype(np.float32)
-        if different.any():
-            row[different] = [_shortest(value) for value in new[different]]
-            net_points.place(ob, live.session(data).net, vertex, row[:3], row[3])
+    different = wanted != rows.astype(np.float32)
+    rows[different] = [_shortest(value) for value in wanted[different]]
+    changed = np.flatnonzero(different.any(1))
+    if len(changed):
+        _place(ob, [vertices[i] for i in changed], rows[changed])
+
+
+def _place(ob, vertices, rows):
+    """Nothing happens where the net has lost its points, of which the panel tells."""
+    with suppress(net.ChangedNet):
+        net_points.place(ob, live.session(ob.data).net, vertices, rows)
 
 
 def _get_weight(self):
@@ -66,9 +75,12 @@ def _get_weight(self):
 def _set_weight(self, weight):
     data = self.id_data
     ob, vertices = chosen(data)
-    for vertex in _with_weight(data, vertices):
-        row = _exact_rows(data, [vertex])[0]
-        net_points.place(ob, live.session(data).net, vertex, row[:3], _shortest(weight))
+    vertices = _with_weight(data, vertices)
+    if vertices:
+        live.pull(ob)
+        rows = _exact_rows(data, vertices)
+        rows[:, 3] = _shortest(weight)
+        _place(ob, vertices, rows)
 
 
 def _with_weight(data, vertices):

@@ -6,7 +6,7 @@ from bpy.app.handlers import persistent
 from ..bridge.net import live
 from . import editing
 
-#: (name of a net, name of its scene) of nets that are out of the file while it is written; the active first.
+#: (net, its collections) of nets that are out of the file while it is written; the active first.
 _suspended = []
 
 
@@ -14,7 +14,7 @@ _suspended = []
 def before(*_):
     """Take the nets in Edit Mode out of their scene."""
     context = bpy.context
-    editing.settle()
+    editing.sweep()
     nets = editing.nets_in_edit_mode(context)
     if not nets:
         return
@@ -24,8 +24,10 @@ def before(*_):
     editing.settle()
     bpy.ops.object.mode_set(mode='OBJECT')
     for ob in nets:
-        _suspended.append((ob.name, context.scene.name))
-        context.scene.collection.objects.unlink(ob)
+        collections = list(ob.users_collection)
+        _suspended.append((ob, collections))
+        for collection in collections:
+            collection.objects.unlink(ob)
     if not bpy.app.background:
         bpy.app.timers.register(after)  # Blender 3.4 does not tell of a save that failed
 
@@ -36,9 +38,10 @@ def after(*_):
     if not _suspended:
         return
     layer = bpy.context.view_layer
-    back = [bpy.data.objects[name] for name, _ in _suspended if name in bpy.data.objects]
-    for ob, (_, scene) in zip(back, _suspended):
-        bpy.data.scenes[scene].collection.objects.link(ob)
+    back = [ob for ob, _ in _suspended]
+    for ob, collections in _suspended:
+        for collection in collections:
+            collection.objects.link(ob)
     _suspended.clear()
     for ob in bpy.context.selected_objects:
         ob.select_set(False)

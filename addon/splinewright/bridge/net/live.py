@@ -4,6 +4,9 @@ What the net says is worked out anew each time from the net and its baseline alo
 redo and reopening need no care.
 """
 
+import time
+
+import bpy
 import numpy as np
 
 from ...core import definition as definitions
@@ -11,6 +14,10 @@ from ...core.library import sc
 from ...core.net import net as nets
 from .. import shape, stamp, store, write_mesh
 from . import net as bridge
+
+
+#: Seconds without a move after which the shape is looked at for changes by other hands.
+_PAUSE = 0.25
 
 
 class Session:
@@ -22,8 +29,23 @@ class Session:
         self.points = self.net.single   # of the net, for the overlay
         self.state = nets.exact(self.net, self.net.single, self.net.single_weights)
         self.written = None             # the tessellation whose faces the shape has
+        self.pool = None                # of the definition that was written last
+        self._checked = 0.0
         self._tessellation = self._resolution = None
         self._patch_sets = {}
+
+    def require_alone(self, data, pool):
+        """Raises ValueError where others changed the shape since its net last wrote it."""
+        if self.pool is not None and not np.array_equal(pool, self.pool):
+            raise ValueError("the shape was given another definition while its net was out: leave the net")
+        now = time.monotonic()
+        if now - self._checked > _PAUSE:        # not at every step of a drag
+            shape.require_untouched(data)
+        self._checked = now
+
+    def trust(self):
+        """Undo may have put back any earlier state of the shape."""
+        self.written = self.pool = None
 
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
@@ -57,8 +79,15 @@ def session(data):
 def begin(data, net):
     """Start the session of a net's data-block that was made from these numbers."""
     if len(_sessions) > 32:
-        _sessions.clear()
+        _drop_idle()
     _sessions[bridge.token(data)] = Session(net)
+
+
+def _drop_idle():
+    """Forget the sessions of nets that are no more; undo may bring them back, at the cost of a new one."""
+    living = {bridge.token(ob.data) for ob in bpy.data.objects if bridge.is_net(ob)}
+    for token in set(_sessions) - living:
+        del _sessions[token]
 
 
 def forget():
@@ -66,15 +95,20 @@ def forget():
     _sessions.clear()
 
 
+def trust():
+    """After undo and redo: take shapes as they are."""
+    for current in _sessions.values():
+        current.trust()
+
+
 def pull(ob):
     """Bring the shape of a net up to date. Returns its data-block if it changed, else None.
 
     Where the net cannot be read or shown, shape and definition stay as they were last; problem() says why.
     """
-    owner = bridge.shape_of(ob)
-    if owner is None:
+    if not bridge.is_current(ob):
         return None
-    current = session(ob.data)
+    owner, current = bridge.shape_of(ob), session(ob.data)
     try:
         current.points, weights = bridge.read(ob, current.net)
         current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
@@ -100,11 +134,14 @@ def settle(data):
 def _show(data, definition, current):
     """Whether anything was to be written."""
     pool = np.array(data[store.KEY]['pool']).reshape(-1, 4)
-    if pool.shape == definition.pool.shape and np.array_equal(pool, definition.pool):
+    if np.array_equal(pool, definition.pool):
+        current.pool = pool
         return False
+    current.require_alone(data, pool)
     shape.require_writable(data)
     if definition.has_curves:
         shape.set_definition(data, definition)
+        current.pool = definition.pool
         return True
     settings = data.splinewright
     patch_set = current.patch_set(definition)
@@ -113,8 +150,9 @@ def _show(data, definition, current):
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
     if current.written is not tessellation or tessellation.vertex_count != len(data.vertices):
         shape.set_definition(data, definition)
-        current.written = tessellation
+        current.written, current.pool = tessellation, definition.pool
         return True
     write_mesh.move(data, positions)
+    current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
     return True

@@ -15,6 +15,8 @@ from .. import store
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
 KEY = "splinewright_net"
+#: On the shape's data-block: the token of the one net that edits it.
+EDITED_BY = "splinewright_edited_by"
 #: On the net's object: the shape it edits.
 SHAPE = "splinewright_shape"
 WEIGHT = "weight"
@@ -44,6 +46,7 @@ def make(shape, definition, net, scene):
     """A net object for a shape, always where that is, linked to the scene. net: numbers(definition)."""
     data = _curve(shape.name, net) if definition.has_curves else _cage(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
+    shape.data[EDITED_BY] = token(data)
     ob = bpy.data.objects.new(data.name, data)
     ob[SHAPE] = shape
     ob.matrix_world = shape.matrix_world
@@ -54,6 +57,18 @@ def make(shape, definition, net, scene):
         ob.display_type = 'WIRE'
     scene.collection.objects.link(ob)
     return ob
+
+
+def is_current(ob):
+    """Whether the net is the one that edits its shape: no copy, and none of an earlier time."""
+    shape = shape_of(ob)
+    return shape is not None and shape.data.get(EDITED_BY) == token(ob.data)
+
+
+def end(ob):
+    """Nothing edits the shape of a net any more."""
+    if is_current(ob):
+        del shape_of(ob).data[EDITED_BY]
 
 
 def remove(ob):
@@ -82,7 +97,9 @@ def typed(data):
 
 def add_typed(data, rows):
     """Remember typed numbers. They are never removed: undo takes the vertex back, and so the match."""
-    store.assign(data[KEY], 'typed', np.concatenate([typed(data), rows]).ravel())
+    every = np.concatenate([typed(data), rows])
+    last = len(every) - 1 - np.unique(every[::-1], axis=0, return_index=True)[1]
+    store.assign(data[KEY], 'typed', every[np.sort(last)].ravel())
 
 
 def read(ob, net):

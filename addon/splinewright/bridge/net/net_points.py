@@ -28,13 +28,18 @@ def select(ob, net, vertices):
     bmesh.update_edit_mesh(ob.data)
 
 
-def place(ob, net, vertex, position, weight):
-    """Give one vertex a position and a weight; both are kept in float64 beside the net."""
-    bridge.add_typed(ob.data, np.array([[vertex, *position, weight]]))
+def place(ob, net, vertices, rows):
+    """Give vertices positions and weights, rows (k, 4); they are kept in float64 beside the net.
+
+    Raises ChangedNet where the net has not its points.
+    """
+    bridge.read(ob, net)
+    bridge.add_typed(ob.data, np.column_stack([vertices, rows]))
+    values = dict(zip(vertices, rows))
     if ob.type == 'CURVE':
-        _place_on_curve(ob.data, net, vertex, position, weight)
+        _place_on_curve(ob.data, net, values)
     else:
-        _place_on_cage(ob.data, vertex, position, weight)
+        _place_on_cage(ob.data, values)
 
 
 def _selected_of_cage(mesh):
@@ -43,13 +48,12 @@ def _selected_of_cage(mesh):
     return sorted(v[number] for v in vertices if v.select) if number else []
 
 
-def _place_on_cage(data, vertex, position, weight):
+def _place_on_cage(data, values):
     mesh = bmesh.from_edit_mesh(data)
     number, weights = mesh.verts.layers.int[bridge.NUMBER], mesh.verts.layers.float[bridge.WEIGHT]
-    for candidate in mesh.verts:
-        if candidate[number] == vertex:
-            candidate.co = position
-            candidate[weights] = weight
+    for vertex in mesh.verts:
+        if vertex[number] in values:
+            *vertex.co, vertex[weights] = values[vertex[number]]
     bmesh.update_edit_mesh(data, loop_triangles=False, destructive=False)
 
 
@@ -77,16 +81,20 @@ def _selected_of_curve(curve, net):
 _PLACES = {'_left_handle': 'handle_left', '_right_handle': 'handle_right'}
 
 
-def _place_on_curve(curve, net, vertex, position, weight):
-    spline, handle, i, _ = next(entry for entry in _curve_vertices(curve, net) if entry[3] == vertex)
-    point = _point(spline, i)
+def _place_on_curve(curve, net, values):
+    for spline, handle, i, vertex in list(_curve_vertices(curve, net)):
+        if vertex in values:
+            _place_point(_point(spline, i), handle, *values[vertex])
+    curve.update_tag()
+
+
+def _place_point(point, handle, x, y, z, weight):
     if handle == '_control_point':
-        moved = Vector(position) - point.co
+        moved = Vector((x, y, z)) - point.co
         ends = point.handle_left + moved, point.handle_right + moved
-        point.co = position
+        point.co = (x, y, z)
         point.handle_left, point.handle_right = ends
     elif handle:
-        setattr(point, _PLACES[handle], position)
+        setattr(point, _PLACES[handle], (x, y, z))
     else:
-        point.co = (*position, weight)
-    curve.update_tag()
+        point.co = (x, y, z, weight)

@@ -122,8 +122,12 @@ def _edit_anew(context, nets):
         owner = net.shape_of(ob)
         if owner is not None:
             selections[owner.name] = net_points.selected(ob, live.session(ob.data).net)
+    active = net.shape_of(context.object)
     editing.leave(context)
-    for ob in editing.enter(context, context.object):
+    if active is None or context.view_layer.objects.get(active.name) != active:
+        return
+    context.view_layer.objects.active = active
+    for ob in editing.enter(context, active):
         numbers = live.session(ob.data).net
         net_points.select(ob, numbers, selections.get(net.shape_of(ob).name, ()))
 
