@@ -343,3 +343,55 @@ def test_the_preference_takes_tab_away():
     finally:
         preferences.use_keys = True
     assert all(item.active for item in items)
+
+
+@pytest.mark.parametrize('name', ('nurbs', 'quintic', 'hermite', 'cubic', 'many curves'))
+def test_switching_the_direction_of_a_net_changes_no_digit(name):
+    value = VALUES[name]()
+    ob = add(value)
+    enter()
+    bpy.ops.curve.select_all(action='SELECT')
+    bpy.ops.curve.switch_direction('EXEC_DEFAULT', True)
+    bpy.context.view_layer.update()
+    assert live.problem(bpy.context.object) == "" and ob.data.splinewright.value == value
+    leave()
+    require_exact(ob)
+
+
+def test_points_of_a_curve_that_were_deleted_and_others_added_are_not_taken_for_them():
+    value = VALUES['nurbs']()
+    ob = add(value)
+    held = enter()
+    select(held, 1)
+    bpy.ops.curve.delete('EXEC_DEFAULT', True, type='VERT')
+    bpy.ops.curve.select_all(action='DESELECT')
+    held.data.splines[0].points[-1].select = True
+    bpy.ops.curve.extrude('EXEC_DEFAULT', True)
+    bpy.context.view_layer.update()
+    assert "replaced" in live.problem(held) and ob.data.splinewright.value == value
+
+
+def test_a_point_of_a_chain_is_moved_and_its_tangents_keep_their_digits():
+    value = VALUES['hermite']()
+    ob = add(value)
+    held = enter()
+    point = int(np.flatnonzero(numbers_of(held).rows == store.read(ob.data).pieces[0].indices[0][1])[0])
+    select(held, point - 1, point, point + 1)
+    move(0.1, 0.2, 0.3)
+    leave()
+    after = bpy.data.objects["shape"].data.splinewright.value
+    assert not np.array_equal(after.points[1], value.points[1]) and np.array_equal(after.tangents, value.tangents)
+
+
+def test_a_joint_that_is_broken_stays_broken():
+    points, tangents = [(0, 0, 0), (.01, 0, 0), (5, 1, 0), (10, 0, 0)], [(1, 0, 0), (1, 0, 0), (1, 0, 0), (1, -.5, 0)]
+    ob = add(part('core.library').sc.HermiteCurve(points, tangents, [0, .01, 5, 10]))
+    held = enter()
+    joint = held.data.splines[0].bezier_points[2]
+    joint.handle_left_type = joint.handle_right_type = 'FREE'
+    joint.handle_right.y += 0.004
+    held.data.update_tag()
+    bpy.context.view_layer.update()
+    incoming, outgoing = ob.data.splinewright.value.tangents[2]
+    assert incoming.tolist() == [1, 0, 0] and abs(outgoing[1]) > 1e-4
+    leave()

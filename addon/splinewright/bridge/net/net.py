@@ -194,6 +194,8 @@ def _curve(name, net):
             rows = np.column_stack([net.single[first:last], net.single_weights[first:last]])
             spline.points.foreach_set('co', rows.ravel())
         spline.use_cyclic_u = part.closed
+        # A tilt shows nothing here, and tells the points apart.
+        _points_of(spline).foreach_set('tilt', np.arange(part.count, dtype=np.float32))
         first = last
     curve.update_tag()
     return curve
@@ -210,26 +212,44 @@ def _fill_bezier(spline, part, triples):
         spline.bezier_points.foreach_set(name, np.ascontiguousarray(triples[:, i]).ravel())
 
 
+def _points_of(spline):
+    return spline.bezier_points if spline.type == 'BEZIER' else spline.points
+
+
+def _order_of(spline, count):
+    """The number of each point, in the present order. Raises ChangedNet unless all are there once."""
+    _require_count(len(_points_of(spline)), count)
+    tilts = np.empty(count, np.float32)
+    _points_of(spline).foreach_get('tilt', tilts)
+    tilts = np.abs(tilts)               # switching the direction turns them over
+    order = np.rint(tilts).astype(np.int64)
+    if not np.array_equal(np.sort(tilts), np.arange(count)):
+        raise ChangedNet("points of the net were replaced or tilted: undo that, the shape waits")
+    return order
+
+
 def _read_curve(ob, net):
     splines = ob.data.splines
     if len(splines) != len(net.splines):
         raise ChangedNet("the net has lost or gained splines: undo that, the shape waits")
     positions, weights = [], []
     for spline, part in zip(splines, net.splines):
-        _require_count(len(spline.bezier_points) or len(spline.points), part.count)
         if spline.type != part.kind:
             raise ChangedNet("a spline of the net has another type: undo that, the shape waits")
+        places = np.argsort(_order_of(spline, part.count))
         if part.kind == 'BEZIER':
             triples = np.empty((part.count, 3, 3), np.float32)
             for i, name in enumerate(_HANDLES):
                 flat = np.empty(3 * part.count, np.float32)
                 spline.bezier_points.foreach_get(name, flat)
                 triples[:, i] = flat.reshape(-1, 3)
-            positions.append(triples.reshape(-1, 3))
+            if part.count > 1 and places[0] > places[-1]:
+                triples = triples[:, ::-1]          # switched direction exchanges the handles
+            positions.append(triples[places].reshape(-1, 3))
             weights.append(np.ones(3 * part.count, np.float32))
         else:
             flat = np.empty(4 * part.count, np.float32)
             spline.points.foreach_get('co', flat)
-            positions.append(flat.reshape(-1, 4)[:, :3])
-            weights.append(flat[3::4])
+            positions.append(flat.reshape(-1, 4)[places, :3])
+            weights.append(flat.reshape(-1, 4)[places, 3])
     return np.concatenate(positions), np.concatenate(weights)

@@ -60,7 +60,7 @@ class Net:
             if spline.kind == 'BEZIER':
                 for point in np.flatnonzero(spline.smooth):
                     triple = slice(first + 3 * point, first + 3 * point + 3)
-                    slack[triple] = 16 * _EPSILON * np.abs(self.positions[triple]).max()
+                    slack[triple] = 4 * _EPSILON * np.abs(self.positions[triple]).max()
                 slack[first + 1:first + 3 * spline.count:3] = 0.0
             first += spline.count * (3 if spline.kind == 'BEZIER' else 1)
         return slack[:, None]
@@ -142,25 +142,31 @@ def _require_numbers(net, positions, weights):
 
 
 def _read_handles(net, now, kept, pool):
+    """What stands where it stood, seen from its origin, keeps its digits: Blender carries handles along."""
     handles = net.handles
     a, b, c = net.origins[handles].T
-    moved = ~(kept[handles] & kept[a] & kept[b] & kept[c])
-    handles, a, b, c = handles[moved], a[moved], b[moved], c[moved]
-    pool[net.rows[handles], :3] = (now[handles] - (now[a] + now[b] - now[c])) / net.factors[handles, None]
+    reach = now[handles] - (now[a] + now[b] - now[c])
+    before = net.positions[handles] - (net.positions[a] + net.positions[b] - net.positions[c])
+    rounding = 4 * _EPSILON * np.abs(now[handles]).max(1, initial=0.0)
+    moved = ~(kept[handles] & kept[a] & kept[b] & kept[c]) & (np.abs(reach - before).max(1, initial=0.0) > rounding)
+    pool[net.rows[handles[moved]], :3] = reach[moved] / net.factors[handles[moved], None]
 
 
 def _joined(net, definition):
     """Curves: tangents that are equal, but for Blender's rounding, at a joint that was smooth are one again."""
     if not definition.has_curves or all(piece.kind != 'hermite' for piece in definition.pieces):
         return definition
-    pool = definition.pool
-    reach = 32 * _EPSILON * max(np.abs(net.positions).max(), np.abs(pool[:, :3]).max())
     for before, piece in zip(net.source.pieces, definition.pieces):
-        if piece.kind != 'hermite':
-            continue
-        least = np.diff(piece.knots[0]).min() / 3.0
-        was_smooth = before.indices[1] == before.indices[2]
-        for incoming, outgoing in piece.indices[1:, was_smooth].T:
-            if np.abs(pool[incoming] - pool[outgoing]).max() <= reach / least:
-                pool[incoming] = pool[outgoing]
+        if piece.kind == 'hermite':
+            _join_tangents(definition.pool, before, piece)
     return definitions.from_value(definitions.to_value(definition))
+
+
+def _join_tangents(pool, before, piece):
+    steps = np.diff(piece.knots[0]) / 3.0
+    for i in np.flatnonzero(before.indices[1] == before.indices[2]):
+        point, incoming, outgoing = piece.indices[:, i]
+        beside = steps[max(i - 1, 0):i + 1]
+        size = np.abs(pool[point, :3]).max() + np.abs(pool[[incoming, outgoing], :3]).max() * beside.max()
+        if np.abs(pool[incoming] - pool[outgoing]).max() <= 8 * _EPSILON * size / beside.min():
+            pool[incoming] = pool[outgoing]
