@@ -30,6 +30,7 @@ def test_every_shape_of_a_sample_shows_its_definition(name):
     shapes = [ob for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)]
     assert shapes
     for ob in shapes:
+        assert not part('bridge.shape').is_touched(ob.data), ob.name
         settings, value = ob.data.splinewright, ob.data.splinewright.value
         if ob.type == 'CURVE':
             curves = value if isinstance(value, list) else [value]
