@@ -11,6 +11,9 @@ live, net_points, shape, starters = (part(name) for name in (
 RANDOM = np.random.default_rng(12)
 
 
+KINDS = ('nurbs patch', 'teapot', 'mixed set', 'nurbs', 'hermite', 'many curves')
+
+
 def points(*size):
     """Numbers that float32 does not hold."""
     return RANDOM.uniform(-1, 1, (*size, 3))
@@ -99,3 +102,26 @@ def move(x, y, z):
 
 def first_point(ob):
     return int(np.flatnonzero(numbers_of(ob).are_points)[0])
+
+
+def by_hand(ob):
+    """Edit the result in its own Edit Mode."""
+    bpy.ops.object.mode_set(mode='EDIT')
+    if ob.type == 'MESH':
+        bpy.ops.mesh.select_all(action='SELECT')
+        bpy.ops.transform.resize(value=(1, 1, 3), orient_type='GLOBAL')
+        bpy.ops.mesh.subdivide()
+    else:
+        bpy.ops.curve.select_all(action='SELECT')
+        bpy.ops.curve.subdivide()
+    bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def op(operator, **settings):
+    return operator('EXEC_DEFAULT', True, **settings)
+
+
+def world_points(ob):
+    bpy.context.view_layer.update()
+    matrix = np.array(ob.matrix_world)
+    return shown(ob) @ matrix[:3, :3].T + matrix[:3, 3]

@@ -1,41 +1,17 @@
-"""What else befalls a shape: copies, files, transforms, joins, hands that change its mesh."""
+"""What else befalls a shape: hands that change its mesh, joins, copies, scenes and collections."""
 
 import bpy
 import numpy as np
 import pytest
 
-from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select, shown
-from support import part, vertices
+from shapes import (KINDS, VALUES, activate, add, by_hand, enter, first_point, leave, move, op, require_exact, select,
+                    shown, world_points)
+from support import part
 
 editing, net, shape, store = (part(name) for name in ('ui.editing', 'bridge.net.net', 'bridge.shape', 'bridge.store'))
 
-KINDS = ('nurbs patch', 'teapot', 'mixed set', 'nurbs', 'hermite', 'many curves')
-
-
-def op(operator, **settings):
-    return operator('EXEC_DEFAULT', True, **settings)
-
-
-def world_points(ob):
-    bpy.context.view_layer.update()
-    matrix = np.array(ob.matrix_world)
-    return shown(ob) @ matrix[:3, :3].T + matrix[:3, 3]
-
 
 # Changed by hand -----------------------------------------------------------------------------------
-
-
-def by_hand(ob):
-    """Edit the result in its own Edit Mode."""
-    bpy.ops.object.mode_set(mode='EDIT')
-    if ob.type == 'MESH':
-        bpy.ops.mesh.select_all(action='SELECT')
-        bpy.ops.transform.resize(value=(1, 1, 3), orient_type='GLOBAL')
-        bpy.ops.mesh.subdivide()
-    else:
-        bpy.ops.curve.select_all(action='SELECT')
-        bpy.ops.curve.subdivide()
-    bpy.ops.object.mode_set(mode='OBJECT')
 
 
 @pytest.mark.parametrize('name', KINDS)
@@ -139,122 +115,6 @@ def test_a_shape_with_shape_keys_is_left_alone_with_a_word():
     assert "shape keys" in ob.data.splinewright.problem and ob.data.splinewright.value == value
     ob.shape_key_clear()
     ob.data.splinewright.resolution_u = 5
-    require_exact(ob)
-
-
-# Transforms ----------------------------------------------------------------------------------------
-
-
-TURNED = dict(location=(1, -2, 3), rotation_euler=(0.3, -0.8, 1.1), scale=(2, 0.5, 1.5))
-
-
-@pytest.mark.parametrize('mirrored', (False, True))
-@pytest.mark.parametrize('name', KINDS)
-def test_apply_transform_goes_into_the_definition_and_nothing_moves(name, mirrored):
-    ob = add(VALUES[name]())
-    for key, setting in TURNED.items():
-        setattr(ob, key, setting)
-    if mirrored:
-        ob.scale.z *= -1
-    bpy.context.view_layer.update()
-    child = bpy.data.objects.new("child", None)
-    bpy.context.scene.collection.objects.link(child)
-    child.parent, child.location = ob, (1, 1, 1)
-    bpy.context.view_layer.update()
-    before, of_child = world_points(ob), child.matrix_world.copy()
-    assert op(bpy.ops.splinewright.apply_transform) == {'FINISHED'}
-    bpy.context.view_layer.update()
-    assert np.allclose(ob.matrix_world, np.eye(4), atol=1e-6)
-    after = world_points(ob)
-    if mirrored and ob.type == 'MESH':
-        # u and v are exchanged: the same points in another order.
-        assert after.shape == before.shape
-        assert np.allclose(np.sort(after, 0), np.sort(before, 0), atol=1e-4)
-    else:
-        assert np.allclose(after, before, atol=1e-5)
-    if ob.parent is None and ob.type == 'MESH':
-        assert np.allclose(child.matrix_world, of_child, atol=1e-5)
-    require_exact(ob)
-    assert not shape.is_touched(ob.data)
-
-
-@pytest.mark.parametrize('parts', [(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)])
-def test_any_part_of_a_transform_may_be_applied(parts):
-    ob = add(VALUES['nurbs patch']())
-    for key, setting in TURNED.items():
-        setattr(ob, key, setting)
-    before = world_points(ob)
-    location, rotation, scale = map(bool, parts)
-    op(bpy.ops.splinewright.apply_transform, location=location, rotation=rotation, scale=scale)
-    assert np.allclose(world_points(ob), before, atol=1e-5)
-    assert not location or np.allclose(ob.location, 0)
-    assert not rotation or np.allclose(ob.rotation_euler, 0, atol=1e-6)
-    assert not scale or np.allclose(ob.scale, 1, atol=1e-6)
-    assert location or np.allclose(ob.location, (1, -2, 3))
-    require_exact(ob)
-
-
-def test_a_transform_is_not_applied_to_shared_data_or_a_flat_scale():
-    ob = add(VALUES['nurbs patch']())
-    value = ob.data.splinewright.value
-    ob.scale.x = 0
-    with pytest.raises(RuntimeError, match="scale of 0"):
-        bpy.ops.splinewright.apply_transform()
-    ob.scale.x = 2
-    twin = ob.copy()
-    bpy.context.scene.collection.objects.link(twin)
-    with pytest.raises(RuntimeError, match="single-user"):
-        bpy.ops.splinewright.apply_transform()
-    assert ob.data.splinewright.value == value
-
-
-def test_mirrored_patches_keep_their_normals_outside():
-    ob = add(VALUES['teapot']())
-    ob.scale.x = -1
-    op(bpy.ops.splinewright.apply_transform)
-    centre = vertices(ob.data).mean(0)
-    body = [polygon for polygon in ob.data.polygons if abs(polygon.center.z - 0.4) < 0.2
-            and np.hypot(*polygon.center.xy) > 0.9 and abs(polygon.center.x) < 0.5]
-    assert body and all(np.dot(np.array(polygon.center) - centre, polygon.normal) > 0 for polygon in body)
-
-
-@pytest.mark.parametrize('name', KINDS)
-def test_blenders_own_apply_is_noticed_and_can_be_adopted(name):
-    ob = add(VALUES[name]())
-    for key, setting in TURNED.items():
-        setattr(ob, key, setting)
-    before = world_points(ob)
-    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
-    assert shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=1e-4)
-    assert op(bpy.ops.splinewright.adopt_transform) == {'FINISHED'}
-    assert not shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=2e-4)
-    require_exact(ob)
-
-
-def test_what_was_not_moved_as_a_whole_is_not_adopted():
-    ob = add(VALUES['nurbs patch']())
-    with pytest.raises(RuntimeError, match="nothing to adopt"):
-        bpy.ops.splinewright.adopt_transform()
-    by_hand(ob)
-    with pytest.raises(RuntimeError, match="not moved as a whole|were changed, too"):
-        bpy.ops.splinewright.adopt_transform()
-
-
-@pytest.mark.parametrize('name', ('nurbs patch', 'nurbs', 'hermite'))
-@pytest.mark.parametrize('scale', ((2, 2, 2), (1, -3, 0.5)))
-def test_nets_of_parented_scaled_and_mirrored_shapes_lie_on_them(name, scale):
-    parent = bpy.data.objects.new("parent", None)
-    bpy.context.scene.collection.objects.link(parent)
-    parent.rotation_euler, parent.scale = (0.1, 0.5, 0.2), (1, 2, 3)
-    ob = add(VALUES[name]())
-    ob.parent, ob.scale, ob.location = parent, scale, (1, 2, 3)
-    bpy.context.view_layer.update()
-    held = enter()
-    bpy.context.view_layer.update()
-    assert np.allclose(held.matrix_world, ob.matrix_world, atol=1e-5)
-    select(held, first_point(held))
-    move(0, 0, 1)
-    ob = leave()
     require_exact(ob)
 
 
@@ -467,93 +327,3 @@ def test_a_shape_that_moves_while_its_net_is_edited_takes_the_net_along():
     select(held, first_point(held))
     move(0, 0, 1)
     require_exact(leave())
-
-
-# What others do while a net is out -------------------------------------------------------------------
-
-
-def test_a_follower_of_a_shape_follows_its_net_at_every_move():
-    ob = add(VALUES['nurbs patch'](), "a")
-    bpy.ops.splinewright.follow_object('EXEC_DEFAULT', True)
-    follower = bpy.context.object
-    activate(ob)
-    held = enter()
-    select(held, first_point(held))
-    for _ in range(2):
-        move(0, 0, 1)
-        assert follower.data.splinewright.value == ob.data.splinewright.value
-        require_exact(follower)
-    leave()
-
-
-def test_a_mesh_changed_by_hand_while_its_net_is_out_is_not_overwritten():
-    ob = add(VALUES['nurbs patch']())
-    held = enter()
-    select(held, first_point(held))
-    ob.data.vertices[7].co.z += 5
-    changed = vertices(ob.data).copy()
-    move(0, 0, 0.5)
-    assert "changed by hand" in part('bridge.net.live').problem(held) and np.array_equal(vertices(ob.data), changed)
-    leave()
-    assert shape.is_touched(ob.data) and np.array_equal(vertices(ob.data), changed)
-
-
-def test_a_value_given_while_the_net_is_out_is_not_lost():
-    ob = add(VALUES['nurbs patch']())
-    held = enter()
-    select(held, first_point(held))
-    move(0, 0, 0.5)
-    value = VALUES['bezier patch']()
-    ob.data.splinewright.value = value
-    move(0, 0, 0.5)
-    assert "another definition" in part('bridge.net.live').problem(held)
-    leave()
-    assert ob.data.splinewright.value == value
-    require_exact(ob)
-
-
-@pytest.mark.parametrize('everything', (False, True))
-def test_parts_separated_from_a_net_are_no_nets_and_revert_nothing(everything):
-    ob = add(VALUES['nurbs patch']())
-    held = enter()
-    select(held, *(range(24) if everything else (0, 1)))
-    bpy.ops.mesh.separate('EXEC_DEFAULT', True, type='SELECTED')
-    leave()
-    assert [ob.name for ob in bpy.data.objects] == ["shape"]
-    held = enter()
-    select(held, 3)
-    move(0, 0, 1)
-    leave()
-    value = bpy.data.objects["shape"].data.splinewright.value
-    editing.sweep()
-    assert bpy.data.objects["shape"].data.splinewright.value == value
-
-
-@pytest.mark.parametrize('mode', ('SCULPT', 'VERTEX_PAINT', 'WEIGHT_PAINT'))
-def test_a_net_taken_into_another_mode_is_swept_and_undo_survives(mode):
-    add(VALUES['bezier patch']())
-    held = enter()
-    select(held, 0)
-    move(0, 0, 0.5)
-    bpy.ops.object.mode_set('EXEC_DEFAULT', True, mode=mode)
-    editing.sweep()
-    assert bpy.context.mode == 'OBJECT' and not list(editing.nets())
-    for _ in range(3):
-        bpy.ops.ed.undo()
-        editing.sweep()
-        require_exact(bpy.data.objects["shape"])
-
-
-def test_a_material_stays_on_its_patch_when_the_resolution_changes():
-    ob = add(VALUES['mixed set']())
-    for name in ("red", "blue"):
-        ob.data.materials.append(bpy.data.materials.new(name))
-    patches = np.empty(len(ob.data.polygons), np.int32)
-    ob.data.attributes["patch"].data.foreach_get('value', patches)
-    ob.data.polygons.foreach_set('material_index', (patches == 1).astype(np.int32))
-    ob.data.splinewright.resolution_u = 7
-    patches = np.empty(len(ob.data.polygons), np.int32)
-    ob.data.attributes["patch"].data.foreach_get('value', patches)
-    indices = np.empty(len(ob.data.polygons), np.int32)
-    ob.data.polygons.foreach_get('material_index', indices)
-    assert set(patches) == {0, 1} and np.array_equal(indices, patches == 1)

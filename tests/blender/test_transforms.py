@@ -1,0 +1,123 @@
+"""Transforms of objects, into definitions and under nets."""
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import KINDS, VALUES, add, by_hand, enter, first_point, leave, move, op, require_exact, select, world_points
+from support import part, vertices
+
+shape = part('bridge.shape')
+
+
+TURNED = dict(location=(1, -2, 3), rotation_euler=(0.3, -0.8, 1.1), scale=(2, 0.5, 1.5))
+
+
+@pytest.mark.parametrize('mirrored', (False, True))
+@pytest.mark.parametrize('name', KINDS)
+def test_apply_transform_goes_into_the_definition_and_nothing_moves(name, mirrored):
+    ob = add(VALUES[name]())
+    for key, setting in TURNED.items():
+        setattr(ob, key, setting)
+    if mirrored:
+        ob.scale.z *= -1
+    bpy.context.view_layer.update()
+    child = bpy.data.objects.new("child", None)
+    bpy.context.scene.collection.objects.link(child)
+    child.parent, child.location = ob, (1, 1, 1)
+    bpy.context.view_layer.update()
+    before, of_child = world_points(ob), child.matrix_world.copy()
+    assert op(bpy.ops.splinewright.apply_transform) == {'FINISHED'}
+    bpy.context.view_layer.update()
+    assert np.allclose(ob.matrix_world, np.eye(4), atol=1e-6)
+    after = world_points(ob)
+    if mirrored and ob.type == 'MESH':
+        # u and v are exchanged: the same points in another order.
+        assert after.shape == before.shape
+        assert np.allclose(np.sort(after, 0), np.sort(before, 0), atol=1e-4)
+    else:
+        assert np.allclose(after, before, atol=1e-5)
+    if ob.parent is None and ob.type == 'MESH':
+        assert np.allclose(child.matrix_world, of_child, atol=1e-5)
+    require_exact(ob)
+    assert not shape.is_touched(ob.data)
+
+
+@pytest.mark.parametrize('parts', [(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)])
+def test_any_part_of_a_transform_may_be_applied(parts):
+    ob = add(VALUES['nurbs patch']())
+    for key, setting in TURNED.items():
+        setattr(ob, key, setting)
+    before = world_points(ob)
+    location, rotation, scale = map(bool, parts)
+    op(bpy.ops.splinewright.apply_transform, location=location, rotation=rotation, scale=scale)
+    assert np.allclose(world_points(ob), before, atol=1e-5)
+    assert not location or np.allclose(ob.location, 0)
+    assert not rotation or np.allclose(ob.rotation_euler, 0, atol=1e-6)
+    assert not scale or np.allclose(ob.scale, 1, atol=1e-6)
+    assert location or np.allclose(ob.location, (1, -2, 3))
+    require_exact(ob)
+
+
+def test_a_transform_is_not_applied_to_shared_data_or_a_flat_scale():
+    ob = add(VALUES['nurbs patch']())
+    value = ob.data.splinewright.value
+    ob.scale.x = 0
+    with pytest.raises(RuntimeError, match="scale of 0"):
+        bpy.ops.splinewright.apply_transform()
+    ob.scale.x = 2
+    twin = ob.copy()
+    bpy.context.scene.collection.objects.link(twin)
+    with pytest.raises(RuntimeError, match="single-user"):
+        bpy.ops.splinewright.apply_transform()
+    assert ob.data.splinewright.value == value
+
+
+def test_mirrored_patches_keep_their_normals_outside():
+    ob = add(VALUES['teapot']())
+    ob.scale.x = -1
+    op(bpy.ops.splinewright.apply_transform)
+    centre = vertices(ob.data).mean(0)
+    body = [polygon for polygon in ob.data.polygons if abs(polygon.center.z - 0.4) < 0.2
+            and np.hypot(*polygon.center.xy) > 0.9 and abs(polygon.center.x) < 0.5]
+    assert body and all(np.dot(np.array(polygon.center) - centre, polygon.normal) > 0 for polygon in body)
+
+
+@pytest.mark.parametrize('name', KINDS)
+def test_blenders_own_apply_is_noticed_and_can_be_adopted(name):
+    ob = add(VALUES[name]())
+    for key, setting in TURNED.items():
+        setattr(ob, key, setting)
+    before = world_points(ob)
+    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+    assert shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=1e-4)
+    assert op(bpy.ops.splinewright.adopt_transform) == {'FINISHED'}
+    assert not shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=2e-4)
+    require_exact(ob)
+
+
+def test_what_was_not_moved_as_a_whole_is_not_adopted():
+    ob = add(VALUES['nurbs patch']())
+    with pytest.raises(RuntimeError, match="nothing to adopt"):
+        bpy.ops.splinewright.adopt_transform()
+    by_hand(ob)
+    with pytest.raises(RuntimeError, match="not moved as a whole|were changed, too"):
+        bpy.ops.splinewright.adopt_transform()
+
+
+@pytest.mark.parametrize('name', ('nurbs patch', 'nurbs', 'hermite'))
+@pytest.mark.parametrize('scale', ((2, 2, 2), (1, -3, 0.5)))
+def test_nets_of_parented_scaled_and_mirrored_shapes_lie_on_them(name, scale):
+    parent = bpy.data.objects.new("parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    parent.rotation_euler, parent.scale = (0.1, 0.5, 0.2), (1, 2, 3)
+    ob = add(VALUES[name]())
+    ob.parent, ob.scale, ob.location = parent, scale, (1, 2, 3)
+    bpy.context.view_layer.update()
+    held = enter()
+    bpy.context.view_layer.update()
+    assert np.allclose(held.matrix_world, ob.matrix_world, atol=1e-5)
+    select(held, first_point(held))
+    move(0, 0, 1)
+    ob = leave()
+    require_exact(ob)
