@@ -395,3 +395,14 @@ def test_a_joint_that_is_broken_stays_broken():
     incoming, outgoing = ob.data.splinewright.value.tangents[2]
     assert incoming.tolist() == [1, 0, 0] and abs(outgoing[1]) > 1e-4
     leave()
+
+
+def test_knots_of_a_net_that_lost_points_are_refused():
+    value = VALUES['nurbs']()
+    ob = add(value)
+    held = enter()
+    select(held, 0)
+    bpy.ops.curve.delete('EXEC_DEFAULT', True, type='VERT')
+    with pytest.raises(RuntimeError, match="lost points"):
+        bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=KNOTS)
+    assert net.is_net(bpy.context.object) and ob.data.splinewright.value == value

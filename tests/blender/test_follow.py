@@ -197,6 +197,18 @@ def test_a_shape_may_follow_a_shape_and_chains_are_followed_in_order():
     require_exact(third)
 
 
+def test_a_follower_of_a_shape_that_was_detached_says_so():
+    first = linked("first", shape.new_data("first", starters.nurbs_curve(3, 6, 'CLAMPED'), (8, 8)))
+    second = follow_object(first)
+    value = second.data.splinewright.value
+    activate(first)
+    bpy.ops.splinewright.detach('EXEC_DEFAULT', True)
+    first.location.x = 1
+    bpy.context.view_layer.update()
+    assert "no Splinewright shape any more" in follow.problem(second.data)
+    assert second.data.splinewright.value == value
+
+
 def test_a_cycle_is_refused_with_a_word():
     first = linked("first", shape.new_data("first", starters.nurbs_curve(3, 6, 'CLAMPED'), (8, 8)))
     second = follow_object(first)

@@ -327,3 +327,51 @@ def test_a_shape_that_moves_while_its_net_is_edited_takes_the_net_along():
     select(held, first_point(held))
     move(0, 0, 1)
     require_exact(leave())
+
+
+def coloured(name, shape_name, color):
+    ob = add(VALUES[shape_name](), name)
+    ob.data.materials.append(bpy.data.materials.get(color) or bpy.data.materials.new(color))
+    return ob
+
+
+def test_joined_patches_keep_their_materials_and_joined_curves_their_radius():
+    obs = [coloured("a", 'nurbs patch', "red"), coloured("b", 'teapot', "blue"), coloured("c", 'bezier patch', "red")]
+    activate(*obs)
+    op(bpy.ops.splinewright.join)
+    data = bpy.context.object.data
+    assert [material.name for material in data.materials] == ["red", "blue"]
+    patches, indices = np.empty((2, len(data.polygons)), np.int32)
+    data.attributes["patch"].data.foreach_get('value', patches)
+    data.polygons.foreach_get('material_index', indices)
+    assert np.array_equal(indices, ((patches > 0) & (patches < 33)).astype(int))
+    curves = [coloured("d", 'nurbs', "red"), coloured("e", 'quintic', "blue")]
+    for radius, ob in zip((2.0, 3.0), curves):
+        for point in ob.data.splines[0].points:
+            point.radius = radius
+    activate(*curves)
+    op(bpy.ops.splinewright.join)
+    splines = bpy.context.object.data.splines
+    assert [(s.points[0].radius, s.material_index) for s in splines] == [(2.0, 0), (3.0, 1)]
+
+
+def test_a_users_uvs_and_shading_stay_while_the_faces_do():
+    ob = add(VALUES['nurbs patch']())
+    layer = ob.data.uv_layers[0].data
+    layer[0].uv = (7, 7)
+    ob.data.polygons[0].use_smooth = False
+    held = enter()
+    select(held, first_point(held))
+    move(0, 0, 1)
+    leave()
+    assert tuple(ob.data.uv_layers[0].data[0].uv) == (7, 7) and not ob.data.polygons[0].use_smooth
+
+
+def test_one_selected_shape_changed_by_hand_keeps_no_other_from_being_edited():
+    touched = add(VALUES['nurbs patch'](), "touched")
+    by_hand(touched)
+    ob = add(VALUES['nurbs patch'](), "whole")
+    touched.select_set(True)
+    held = enter()
+    assert net.shape_of(held) == ob and len(bpy.context.objects_in_mode) == 1
+    leave()

@@ -123,4 +123,6 @@ def run(steps):
             sys.stdout.flush()
             os._exit(1)
     bpy.context.preferences.view.show_splash = False
+    # What a script sets would be there for the next.
+    bpy.context.preferences.use_preferences_save = False
     bpy.app.timers.register(tick, first_interval=1.5)

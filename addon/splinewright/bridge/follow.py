@@ -164,6 +164,8 @@ def _update(data, owner, source, depsgraph):
     try:
         if not source.users_scene:
             return False
+        if recipes.follows_a_shape(data) and not shape.has_shape(source):
+            raise ValueError(f"{source.name} is no Splinewright shape any more: it stays as it was last")
         definition = current(owner, source, depsgraph)
         problems.pop(key, None)
         if _same(store.read(data), definition) and not shape.is_touched(data):

@@ -1,16 +1,18 @@
 """Several shapes become one."""
 
+import functools
+
 import bpy
 import numpy as np
 
 from ..core import transform
-from . import recipes, shape, store
+from . import recipes, shape, store, write_curve, write_mesh
 
 
 def join(active, others):
     """The active shape takes the pieces of the others, where they stand; the others are removed.
 
-    Materials the active one has not are added to it. Raises ValueError, and changes nothing, where one
+    Each piece keeps its material, splines their radius and tilt. Raises ValueError, and changes nothing, where one
     cannot be read or changed.
     """
     shape.require_writable(active.data)
@@ -27,16 +29,43 @@ def join(active, others):
     parts = [store.read(active.data)]
     for ob in others:
         parts.append(transform.transformed(store.read(ob.data), into @ np.array(ob.matrix_world, dtype=np.float64)))
+    looks = _looks([active, *others])
     shape.set_definition(active.data, transform.joined(parts))
     for ob in others:
-        _add_materials(active.data, ob.data)
         data = ob.data
         bpy.data.objects.remove(ob)
         if not data.users:
             shape.remove_data(data)
+    looks(active.data)
 
 
-def _add_materials(data, other):
-    for material in other.materials:
-        if material is not None and material.name not in data.materials:
-            data.materials.append(material)
+def _looks(obs):
+    """What gives the joined shape the materials, radii and tilts of its parts."""
+    materials = list(obs[0].data.materials)
+    of_pieces, worn = [], []
+    for ob in obs:
+        data = ob.data
+        materials += [material for material in data.materials if material not in materials]
+        slots = [materials.index(material) for material in data.materials] or [0]
+        slot = functools.partial(_slot, slots)
+        if isinstance(data, bpy.types.Curve):
+            worn += [dress._replace(material_index=slot(dress.material_index)) for dress in write_curve.dresses(data)]
+        else:
+            known = write_mesh.materials_by_patch(data)
+            of_pieces += [slot(known.get(i, 0)) for i in range(len(store.read(data).pieces))]
+    return functools.partial(_give_looks, materials=materials, of_pieces=of_pieces, worn=worn)
+
+
+def _slot(slots, index):
+    """Of a material index in one part, the index in the whole; Blender takes the last for one too high."""
+    return slots[min(index, len(slots) - 1)]
+
+
+def _give_looks(data, materials, of_pieces, worn):
+    for material in materials[len(data.materials):]:
+        data.materials.append(material)
+    if isinstance(data, bpy.types.Curve):
+        if len(worn) == len(data.splines):
+            write_curve.put_on(data, worn)
+    else:
+        write_mesh.set_materials(data, dict(enumerate(of_pieces)))

@@ -23,12 +23,18 @@ def has(data):
     return KEY in data.keys()
 
 
+def follows_a_shape(data):
+    """Whether what it follows was a shape when it began to."""
+    return bool(data[KEY].get('shape', False))
+
+
 def write(data, source):
     """Make the shape follow an object from now on.
 
     The pointer also tells Blender's depsgraph to evaluate what is followed where it is hidden, in renders, too.
     """
-    store.assign(data, KEY, {'version': VERSION, 'kind': 'follow', 'input': source})
+    store.assign(data, KEY, {'version': VERSION, 'kind': 'follow', 'input': source,
+                             'shape': store.has_definition(source.data)})
 
 
 def remove(data):

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 
-class _Dress(NamedTuple):
+class Dress(NamedTuple):
     """What a user may have given a spline beside its points."""
 
     material_index: int = 0
@@ -39,19 +39,27 @@ def _same_splines(data, polylines):
 
 
 def _make_splines(data, polylines):
-    worn = [_dress_of(spline) for spline in data.splines]
-    if len(worn) != len(polylines):
-        worn = [_Dress()] * len(polylines)
+    worn = dresses(data)
     data.splines.clear()
-    for dress, (points, _) in zip(worn, polylines):
-        spline = data.splines.new('POLY')
-        spline.points.add(len(points) - 1)
+    for points, _ in polylines:
+        data.splines.new('POLY').points.add(len(points) - 1)
+    put_on(data, worn if len(worn) == len(polylines) else [Dress()] * len(polylines))
+
+
+def dresses(data):
+    """The Dress of each spline."""
+    return [_dress_of(spline) for spline in data.splines]
+
+
+def put_on(data, worn):
+    """Give each spline a Dress."""
+    for spline, dress in zip(data.splines, worn):
         spline.material_index, spline.use_smooth = dress.material_index, dress.use_smooth
         for name in ('radius', 'tilt'):
-            spline.points.foreach_set(name, np.full(len(points), getattr(dress, name), np.float32))
+            spline.points.foreach_set(name, np.full(len(spline.points), getattr(dress, name), np.float32))
 
 
 def _dress_of(spline):
     points = spline.bezier_points or spline.points
     first = points[0] if len(points) else None
-    return _Dress(spline.material_index, spline.use_smooth, getattr(first, 'radius', 1.0), getattr(first, 'tilt', 0.0))
+    return Dress(spline.material_index, spline.use_smooth, getattr(first, 'radius', 1.0), getattr(first, 'tilt', 0.0))

@@ -10,16 +10,19 @@ PATCH_NAME = "patch"
 
 def write(mesh, tessellation, positions, normals, sharp):
     """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
-    sharp edges (k, 2). Where the faces are the same as before only positions and normals change."""
-    if _has_faces(mesh, tessellation):
+    sharp edges (k, 2). Where the faces are the same as before only positions and normals change:
+    UVs and shading that a user gave them stay."""
+    if _has_faces(mesh, tessellation) and len(mesh.uv_layers):
         _write_positions(mesh, positions)
     else:
-        materials = _materials_by_patch(mesh)
+        materials = materials_by_patch(mesh)
         mesh.clear_geometry()
         _write_faces(mesh, tessellation, positions)
-        _write_patches(mesh, tessellation.face_patches, materials)
-    _write_uvs(mesh, tessellation)
-    mesh.polygons.foreach_set('use_smooth', np.ones(len(mesh.polygons), bool))
+        attribute = mesh.attributes.get(PATCH_NAME) or mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
+        attribute.data.foreach_set('value', tessellation.face_patches)
+        set_materials(mesh, materials)
+        _write_uvs(mesh, tessellation)
+        mesh.polygons.foreach_set('use_smooth', np.ones(len(mesh.polygons), bool))
     _write_sharp_edges(mesh, sharp)
     # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
     mesh.update()
@@ -49,25 +52,33 @@ def _has_faces(mesh, tessellation):
     return np.array_equal(vertices, corners) and np.array_equal(starts, tessellation.face_starts)
 
 
-def _materials_by_patch(mesh):
-    """The material index of each patch's first face, where there is more than one material."""
-    attribute = mesh.attributes.get(PATCH_NAME)
-    if len(mesh.materials) < 2 or attribute is None or len(attribute.data) != len(mesh.polygons):
+def materials_by_patch(mesh):
+    """The material index of each patch's first face."""
+    patches = _patches(mesh)
+    if patches is None:
         return {}
-    patches, indices = np.empty((2, len(mesh.polygons)), np.int32)
-    attribute.data.foreach_get('value', patches)
+    indices = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('material_index', indices)
     numbers, first = np.unique(patches, return_index=True)
     return dict(zip(numbers.tolist(), indices[first].tolist()))
 
 
-def _write_patches(mesh, patches, materials):
-    """Number each face's patch in an attribute, and give it the patch's material."""
-    attribute = mesh.attributes.get(PATCH_NAME) or mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
-    attribute.data.foreach_set('value', patches)
-    if materials:
+def set_materials(mesh, materials):
+    """Give the faces of each patch a material index; patches that are not named have the first."""
+    patches = _patches(mesh)
+    if patches is not None and any(materials.values()):
         of_patch = np.array([materials.get(patch, 0) for patch in range(1 + patches.max())], np.int32)
         mesh.polygons.foreach_set('material_index', of_patch[patches])
+
+
+def _patches(mesh):
+    """The patch of each face, or None where that is not known."""
+    attribute = mesh.attributes.get(PATCH_NAME)
+    if attribute is None or not len(mesh.polygons) or len(attribute.data) != len(mesh.polygons):
+        return None
+    patches = np.empty(len(mesh.polygons), np.int32)
+    attribute.data.foreach_get('value', patches)
+    return patches
 
 
 def _write_positions(mesh, positions):

@@ -47,7 +47,7 @@ def enter(context, active, progress=shape.no_progress):
     Raises ValueError, and nothing has changed, if the net of the active shape cannot be made.
     """
     chosen = [active] + [ob for ob in context.selected_objects
-                         if ob is not active and ob.type == active.type and not why_not(ob)]
+                         if ob != active and ob.type == active.type and not why_not(ob) and not shape.is_touched(ob.data)]
     made, seen = [], set()
     try:
         for ob in chosen:
@@ -66,6 +66,10 @@ def enter(context, active, progress=shape.no_progress):
         known.add(ob.name)
     context.view_layer.objects.active = made[0]
     bpy.ops.object.mode_set(mode='EDIT')
+    if made[0].mode != 'EDIT':
+        for ob in made:
+            put_away(context, ob)
+        raise ValueError(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
     return made
 
 

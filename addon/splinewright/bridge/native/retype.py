@@ -9,6 +9,7 @@ def all_become(context, users, data, become, back):
     """become(context, ob, data) for all objects that share a data-block, which goes if nothing else
     uses it. Returns what they lost. Where one fails, those before it go `back`, and `data` goes."""
     old, done, lost = users[0].data, [], []
+    _copy_properties(old, data)
     try:
         for ob in users:
             lost += [noun for noun in become(context, ob, data) if noun not in lost]
@@ -18,8 +19,17 @@ def all_become(context, users, data, become, back):
             back(context, ob, old)
         _remove(data)
         raise
+    old.use_fake_user = False
     _remove(old)
     return lost
+
+
+def _copy_properties(old, data):
+    """What a user noted on the data-block, and whether it is kept without users."""
+    data.use_fake_user = old.use_fake_user
+    for key in old.keys():
+        if not key.startswith('splinewright') and key not in old.bl_rna.properties:
+            data[key] = old[key]
 
 
 def become_mesh(context, ob, mesh):

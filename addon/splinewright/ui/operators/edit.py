@@ -92,6 +92,9 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
         editing_nets = editing.nets_in_edit_mode(context)
         for ob in editing_nets:
             live.pull(ob)
+            if live.problem(ob):
+                self.report({'ERROR'}, live.problem(ob))
+                return {'CANCELLED'}
         try:
             shape.require_untouched(owner.data)
             changed = knots.replaced(store.read(owner.data), self.piece, self._axis(), self.knots)
