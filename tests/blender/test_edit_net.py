@@ -5,8 +5,8 @@ import bpy
 import numpy as np
 import pytest
 
-from shapes import VALUES, add, enter, first_point, leave, move, numbers_of, require_exact, select, shown
-from support import part, vertices
+from shapes import VALUES, add, enter, first_point, leave, move, numbers_of, op, require_exact, select, shown
+from support import part, splinecore as sc, vertices
 
 definitions, editing, live, net, net_points, shape, store = (part(name) for name in (
     'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points',
@@ -235,7 +235,7 @@ def test_several_shapes_are_edited_at_once():
         select(ob, 0)
     move(0, 0, 1)
     bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
-    assert bpy.context.object.name == "a" and {ob.name for ob in bpy.context.selected_objects} == {"a", "b"}
+    assert bpy.context.object.name == "a" and {ob.name for ob in bpy.context.selected_objects} == {"a", "b", "c"}
     after = [bpy.data.objects[name].data.splinewright.value for name in "abc"]
     assert after[0] != before[0] and after[1] != before[1] and after[2] == before[2]
     for name in "ab":
@@ -284,6 +284,36 @@ def test_wrong_knots_are_refused_with_a_word_and_nothing_changes(text, word):
     with pytest.raises(RuntimeError, match=word):
         bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=text)
     assert bpy.data.objects["shape"].data.splinewright.value == value and bpy.context.mode == 'EDIT_CURVE'
+
+
+def test_the_knots_of_any_piece_and_axis_are_set_and_pieces_are_counted_from_one():
+    ob = add(VALUES['mixed set']())
+    assert op(bpy.ops.splinewright.set_knots, piece=1, axis='V', knots="0 2 4") == {'FINISHED'}
+    assert ob.data.splinewright.value[0].parameters[1].tolist() == [0, 2, 4]
+    for piece, word in ((2, "a Bezier piece has no knots"), (3, "the shape has 2 pieces, there is none of number 3")):
+        with pytest.raises(RuntimeError, match=word):
+            op(bpy.ops.splinewright.set_knots, piece=piece, knots="0 1")
+    add(VALUES['nurbs'](), "one")
+    with pytest.raises(RuntimeError, match="the shape has 1 piece, there is none of number 2"):
+        op(bpy.ops.splinewright.set_knots, piece=2, knots="0 1")
+
+
+def test_what_else_was_selected_is_selected_again():
+    cube = bpy.data.objects.new("cube", bpy.data.meshes.new("cube"))
+    bpy.context.scene.collection.objects.link(cube)
+    ob = add(VALUES['nurbs patch']())
+    cube.select_set(True)
+    enter()
+    assert not cube.select_get()
+    assert leave() == ob and {one.name for one in bpy.context.selected_objects} == {"cube", "shape"}
+
+
+def test_a_net_that_blender_cannot_hold_is_refused_and_nothing_changes():
+    far = sc.BezierCurve([(0, 0), (1e39, 0), (1, 0)], [1, 1e-39, 1])
+    ob = add(far)
+    with pytest.raises(RuntimeError, match="farther away than Blender's Edit Mode reaches"):
+        op(bpy.ops.splinewright.edit_net)
+    assert ob.data.splinewright.value == far and [one.name for one in bpy.data.objects] == ["shape"]
 
 
 def test_a_direction_at_infinity_is_the_head_of_an_arrow():

@@ -1,5 +1,6 @@
 """Shapes in files: saved while edited, opened without the add-on, linked, appended, older and newer."""
 
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -55,6 +56,31 @@ def test_saving_in_the_middle_of_editing_keeps_editing_and_the_file_has_no_net(n
     ob = bpy.data.objects["shape"]
     assert ob.data.splinewright.value == moved and not shape.is_touched(ob.data)
     require_exact(ob)
+
+
+def test_saving_takes_nets_of_other_scenes_out_and_leaves_other_objects_in_edit_mode(tmp_path):
+    other, here = bpy.data.scenes.new("other"), bpy.context.scene
+    bpy.context.window.scene = other
+    add(VALUES['nurbs']())
+    enter()
+    bpy.context.window.scene = here
+    ob = add(VALUES['nurbs patch'](), "patch")
+    held = enter()
+    cube = bpy.data.objects.new("cube", bpy.data.meshes.new("cube"))
+    cube.data.from_pydata([(0, 0, 0)], [], [])
+    here.collection.objects.link(cube)
+    cube.select_set(True)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    bpy.ops.object.mode_set(mode='EDIT')
+    assert {one.name for one in bpy.context.objects_in_mode} == {held.name, "cube"} and len(nets()) == 2
+    save(tmp_path / "scenes.blend")
+    assert {one.name for one in bpy.context.objects_in_mode} == {held.name, "cube"}
+    assert bpy.context.object == held and len(nets()) == 2 and all(one.mode == 'EDIT' for one in nets())
+    copy = shutil.copy(tmp_path / "scenes.blend", tmp_path / "copy.blend")      # Blender reads no file that is open
+    with bpy.data.libraries.load(str(copy)) as (found, _):
+        assert sorted(found.objects) == ["cube", "patch", "shape"]
+    cube.select_set(False)
+    assert leave() == ob
 
 
 @pytest.mark.parametrize('name', KINDS)

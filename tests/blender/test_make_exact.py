@@ -6,8 +6,9 @@ import pytest
 
 from geometry import farthest, mesh_points, signed_volume
 from natives import CURVES, SURFACES, all_natives, drawn, exact, material, native, native_curve, native_surface
-from support import part
+from support import corner_normals, part
 
+animation = part('bridge.animation')
 make_exact = part('bridge.native.make_exact')
 to_native = part('bridge.native.to_native')
 read_native = part('bridge.native.read_native')
@@ -226,9 +227,8 @@ def test_shape_keys_are_read_as_drawn_then_dropped_with_a_word(make):
 
 
 def point_curves(data):
-    animation = data.animation_data
-    lists = part('bridge.native.native_links')._curve_lists(animation) if animation and animation.action else []
-    return sorted(curve.data_path for curves in lists for curve in curves)
+    return sorted(curve.data_path for holder in animation.holders(data.animation_data)
+                  for curves in animation.curve_lists(holder) for curve in curves)
 
 
 def test_animation_of_single_points_is_dropped_with_a_word_and_other_animation_stays():
@@ -242,6 +242,32 @@ def test_animation_of_single_points_is_dropped_with_a_word_and_other_animation_s
     assert outcome.dropped == ["the animation of single points"]
     assert point_curves(ob.data) == ["bevel_depth"] and not ob.data.animation_data.drivers
     assert len(point_curves(copy)) == 5, "the other data-block keeps its own"
+
+
+def test_strips_that_animate_single_points_lose_that_and_nothing_else():
+    ob = native_curve()
+    ob.data.splines[0].points[1].keyframe_insert('co', frame=1)
+    ob.data.keyframe_insert('bevel_depth', frame=1)
+    kept = ob.data.animation_data.action
+    strip = ob.data.animation_data.nla_tracks.new().strips.new("strip", 1, kept)
+    ob.data.animation_data.action = None
+    kept.use_fake_user = True
+    assert len(point_curves(ob.data)) == 5
+    assert make_exact.make_exact(bpy.context, ob).dropped == ["the animation of single points"]
+    assert point_curves(ob.data) == ["bevel_depth"] and strip.action != kept
+
+
+def test_a_flat_shaded_surface_stays_flat_there_and_back_and_at_any_resolution():
+    ob = native_surface()
+    ob.data.splines[0].use_smooth = False
+    exact(ob)
+    for _ in range(2):
+        assert not any(polygon.use_smooth for polygon in ob.data.polygons)
+        normals, counts = corner_normals(ob.data), [polygon.loop_total for polygon in ob.data.polygons]
+        assert np.allclose(normals, np.repeat([polygon.normal for polygon in ob.data.polygons], counts, 0), atol=1e-3)
+        ob.data.splinewright.resolution_u = 3
+    native(ob)
+    assert not ob.data.splines[0].use_smooth
 
 
 def test_hooks_and_vertex_parents_are_named_because_their_points_are_others_now():

@@ -75,12 +75,12 @@ def test_what_a_user_did_to_the_faces_is_put_right_by_restoring():
     bpy.ops.object.mode_set(mode='OBJECT')
     mesh = ob.data
     mesh.uv_layers.remove(mesh.uv_layers[0])
-    mesh.polygons[0].use_smooth = False
+    mesh.polygons[1].use_smooth = False
     with pytest.raises(ValueError, match="changed by hand"):
         mesh.splinewright.value = mesh.splinewright.value
     bpy.ops.splinewright.restore()
     assert all(polygon.normal.z > 0 for polygon in mesh.polygons)
-    assert len(mesh.uv_layers) == 1 and mesh.polygons[0].use_smooth
+    assert len(mesh.uv_layers) == 1 and mesh.polygons[1].use_smooth
 
 
 @pytest.mark.parametrize('call', (
@@ -111,8 +111,8 @@ def test_a_curve_through_infinity_is_shown_at_the_lowest_resolution(weights, pie
 
 
 def test_texts_and_surfaces_take_no_curve():
-    for kind in ('FONT', 'SURFACE'):
-        with pytest.raises(TypeError, match="cannot show curves"):
+    for kind, noun in (('FONT', "a text"), ('SURFACE', "a surface of Blender's own")):
+        with pytest.raises(TypeError, match=f"is {noun}: curves are shown by a curve object"):
             bpy.data.curves.new("data", kind).splinewright.value = sc.BezierCurve([(0, 0), (1, 1)])
 
 

@@ -43,6 +43,20 @@ def test_apply_transform_goes_into_the_definition_and_nothing_moves(name, mirror
     assert not shape.is_touched(ob.data)
 
 
+def test_a_transform_that_is_animated_is_not_applied_for_its_keys_would_put_it_back():
+    ob = add(VALUES['nurbs patch']())
+    ob.location = 1, 2, 3
+    ob.keyframe_insert('location', frame=1)
+    ob.driver_add('rotation_euler', 2).driver.expression = "0.5"
+    value = ob.data.splinewright.value
+    for word, parts in (("location", {}), ("rotation", {'location': False})):
+        with pytest.raises(RuntimeError, match=f"its {word} is animated"):
+            op(bpy.ops.splinewright.apply_transform, **parts)
+    assert ob.data.splinewright.value == value and tuple(ob.location) == (1, 2, 3)
+    ob.scale = 2, 2, 2
+    assert op(bpy.ops.splinewright.apply_transform, location=False, rotation=False) == {'FINISHED'}
+
+
 @pytest.mark.parametrize('parts', [(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)])
 def test_any_part_of_a_transform_may_be_applied(parts):
     ob = add(VALUES['nurbs patch']())

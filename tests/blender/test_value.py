@@ -140,9 +140,9 @@ def test_anything_else_is_refused_and_nothing_changes(value, error, text):
 
 
 def test_a_mesh_takes_no_curve_and_a_curve_no_patch():
-    with pytest.raises(TypeError, match="is a Mesh, which cannot show curves"):
+    with pytest.raises(TypeError, match="is a mesh: curves are shown by a curve object"):
         bpy.data.meshes.new("mesh").splinewright.value = VALUES['bezier curve']()
-    with pytest.raises(TypeError, match="is a Curve, which cannot show patches"):
+    with pytest.raises(TypeError, match="is a curve: patches are shown by a mesh"):
         bpy.data.curves.new("curve", 'CURVE').splinewright.value = VALUES['bezier patch']()
 
 

@@ -126,6 +126,10 @@ TEST(Polylines, RefuseAnAbsurdResolution) {
   const NurbsCurve line = NurbsCurve::make(KnotVector::bezier(1), {{0, 0, 0, 1}, {1, 0, 0, 1}});
   EXPECT_EQ(refusal([&] { polylines(line, 0); }), "resolution = 0 is outside [1, 4096]");
   EXPECT_EQ(refusal([&] { polylines(line, 4097); }), "resolution = 4097 is outside [1, 4096]");
+  const KnotVector knots = KnotVector::uniform(1, 1100);
+  const NurbsCurve long_line = NurbsCurve::make(knots, std::vector<glm::dvec4>(1100, glm::dvec4(1.0)));
+  EXPECT_EQ(refusal([&] { polylines(long_line, 4096); }),
+            "the polyline would have more than 2^22 points: lower the resolution");
 }
 
 }  // namespace

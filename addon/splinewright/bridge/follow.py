@@ -5,6 +5,7 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core import transform
+from ..core.failures import FAILURES, sentence
 from . import recipes, shape, store
 from .native import read_native
 
@@ -114,7 +115,7 @@ def problem(data):
         return ""
     source = recipes.read_input(data)
     if source is None or not source.users_scene:
-        return "The object it follows was deleted: it stays as it was last"
+        return "The object it follows was deleted, or is in no scene: it stays as it was last"
     return problems.get(_key(data), "")
 
 
@@ -172,8 +173,8 @@ def _update(data, owner, source, depsgraph):
             return False
         shape.set_definition(data, definition)
         return True
-    except (ValueError, TypeError, ArithmeticError) as error:
-        problems[key] = str(error)
+    except FAILURES as error:
+        problems[key] = sentence(error)
         return False
 
 

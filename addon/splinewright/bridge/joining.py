@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 from ..core import transform
-from . import recipes, shape, store, write_curve, write_mesh
+from . import blocks, mesh_looks, recipes, shape, store, write_curve
 
 
 def join(active, others):
@@ -34,8 +34,7 @@ def join(active, others):
     for ob in others:
         data = ob.data
         bpy.data.objects.remove(ob)
-        if not data.users:
-            shape.remove_data(data)
+        blocks.remove(data)
     looks(active.data)
 
 
@@ -51,8 +50,9 @@ def _looks(obs):
         if isinstance(data, bpy.types.Curve):
             worn += [dress._replace(material_index=slot(dress.material_index)) for dress in write_curve.dresses(data)]
         else:
-            known = write_mesh.materials_by_patch(data)
-            of_pieces += [slot(known.get(i, 0)) for i in range(len(store.read(data).pieces))]
+            known = mesh_looks.looks_by_patch(data)
+            looks = [known.get(i, mesh_looks.Look()) for i in range(len(store.read(data).pieces))]
+            of_pieces += [look._replace(material_index=slot(look.material_index)) for look in looks]
     return functools.partial(_give_looks, materials=materials, of_pieces=of_pieces, worn=worn)
 
 
@@ -68,4 +68,4 @@ def _give_looks(data, materials, of_pieces, worn):
         if len(worn) == len(data.splines):
             write_curve.put_on(data, worn)
     else:
-        write_mesh.set_materials(data, dict(enumerate(of_pieces)))
+        mesh_looks.set_looks(data, dict(enumerate(of_pieces)))

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core.library import sc
-from . import recipes, stamp, store, write_curve, write_mesh
+from . import blocks, recipes, stamp, store, write_curve, write_mesh
 
 
 def has_shape(ob):
@@ -34,14 +34,9 @@ def new_data(name, value, resolution, progress=no_progress):
         data.splinewright.set_resolution(*resolution)
         set_definition(data, definition, progress)
     except Exception:
-        collection.remove(data)
+        blocks.remove(data)
         raise
     return data
-
-
-def remove_data(data):
-    """Take a Mesh or Curve that no object uses out of the file."""
-    (bpy.data.curves if isinstance(data, bpy.types.Curve) else bpy.data.meshes).remove(data)
 
 
 def value_of(data):

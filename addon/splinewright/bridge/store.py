@@ -15,6 +15,9 @@ _STAMP = "stamp"
 _DRAFT = "draft"
 VERSION = 2
 
+_NOUNS = {bpy.types.Mesh: "a mesh", bpy.types.Curve: "a curve", bpy.types.SurfaceCurve: "a surface of Blender's own",
+          bpy.types.TextCurve: "a text"}
+
 
 class UnreadableDefinition(ValueError):
     """The stored definition is damaged, or was made by a newer Splinewright. Nothing was changed."""
@@ -127,9 +130,9 @@ def require_fitting(data, definition):
     """Raises TypeError unless the data-block can show the definition. Texts and surfaces are Curves, too."""
     shows_curves, shows_patches = type(data) is bpy.types.Curve, type(data) is bpy.types.Mesh
     if definition.has_curves and not shows_curves:
-        raise TypeError(f"{data.name} is a {type(data).__name__}, which cannot show curves")
+        raise TypeError(f"{data.name} is {_NOUNS.get(type(data), 'no curve')}: curves are shown by a curve object")
     if not definition.has_curves and not shows_patches:
-        raise TypeError(f"{data.name} is a {type(data).__name__}, which cannot show patches")
+        raise TypeError(f"{data.name} is {_NOUNS.get(type(data), 'no mesh')}: patches are shown by a mesh")
 
 
 def decoded(group):

@@ -4,7 +4,7 @@ import numpy as np
 from mathutils import Matrix
 
 from ..core import transform
-from . import shape, stamp, store
+from . import animation, shape, stamp, store
 
 _CURES = "Restore throws the changes away, Detach keeps them"
 
@@ -19,6 +19,7 @@ def apply(ob, location, rotation, scale):
         raise ValueError("it is linked from another file")
     if data.users - data.use_fake_user > 1:
         raise ValueError(f"{data.users} users show the same data: make it single-user first")
+    _require_still(ob, location, rotation, scale)
     shape.require_writable(data)
     shape.require_untouched(data)
     before = ob.matrix_basis.copy()
@@ -33,6 +34,14 @@ def apply(ob, location, rotation, scale):
         if child.parent_type.startswith('VERTEX'):
             continue                    # it hangs on points that stay where they are
         child.matrix_parent_inverse = into @ child.matrix_parent_inverse
+
+
+def _require_still(ob, location, rotation, scale):
+    """Raises ValueError where keys or drivers would put back what is taken out."""
+    for name, is_taken in (('location', location), ('rotation', rotation), ('scale', scale)):
+        # "rotation_euler", "delta_location", but nothing of a pose's bones or a modifier
+        if is_taken and any(path.removeprefix("delta_").startswith(name) for path in animation.paths(ob)):
+            raise ValueError(f"its {name} is animated: the keys or drivers would move the shape away again")
 
 
 def _rest(matrix, location, rotation, scale):

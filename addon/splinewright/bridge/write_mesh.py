@@ -1,11 +1,11 @@
-"""A tessellation into a Mesh: faces, UVs, smooth shading, exact normals, sharp edges."""
+"""A tessellation into a Mesh: faces, UVs, exact normals, sharp edges."""
 
 import bpy
 import numpy as np
 
+from . import mesh_looks
+
 UV_NAME = "UVMap"
-#: Face attribute: which patch of the shape a face belongs to.
-PATCH_NAME = "patch"
 
 
 def write(mesh, tessellation, positions, normals, sharp):
@@ -15,18 +15,16 @@ def write(mesh, tessellation, positions, normals, sharp):
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers):
         _write_positions(mesh, positions)
     else:
-        materials = materials_by_patch(mesh)
+        looks = mesh_looks.looks_by_patch(mesh)
         mesh.clear_geometry()
         _write_faces(mesh, tessellation, positions)
-        attribute = mesh.attributes.get(PATCH_NAME) or mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
-        attribute.data.foreach_set('value', tessellation.face_patches)
-        set_materials(mesh, materials)
+        mesh_looks.name_patches(mesh, tessellation.face_patches)
+        mesh_looks.set_looks(mesh, looks)
         _write_uvs(mesh, tessellation)
-        mesh.polygons.foreach_set('use_smooth', np.ones(len(mesh.polygons), bool))
     _write_sharp_edges(mesh, sharp)
     # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
     mesh.update()
-    _write_normals(mesh, normals)
+    _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
     mesh.update()
 
 
@@ -50,35 +48,6 @@ def _has_faces(mesh, tessellation):
     mesh.loops.foreach_get('vertex_index', vertices)
     mesh.polygons.foreach_get('loop_start', starts)
     return np.array_equal(vertices, corners) and np.array_equal(starts, tessellation.face_starts)
-
-
-def materials_by_patch(mesh):
-    """The material index of each patch's first face."""
-    patches = _patches(mesh)
-    if patches is None:
-        return {}
-    indices = np.empty(len(mesh.polygons), np.int32)
-    mesh.polygons.foreach_get('material_index', indices)
-    numbers, first = np.unique(patches, return_index=True)
-    return dict(zip(numbers.tolist(), indices[first].tolist()))
-
-
-def set_materials(mesh, materials):
-    """Give the faces of each patch a material index; patches that are not named have the first."""
-    patches = _patches(mesh)
-    if patches is not None and any(materials.values()):
-        of_patch = np.array([materials.get(patch, 0) for patch in range(1 + patches.max())], np.int32)
-        mesh.polygons.foreach_set('material_index', of_patch[patches])
-
-
-def _patches(mesh):
-    """The patch of each face, or None where that is not known."""
-    attribute = mesh.attributes.get(PATCH_NAME)
-    if attribute is None or not len(mesh.polygons) or len(attribute.data) != len(mesh.polygons):
-        return None
-    patches = np.empty(len(mesh.polygons), np.int32)
-    attribute.data.foreach_get('value', patches)
-    return patches
 
 
 def _write_positions(mesh, positions):

@@ -11,7 +11,7 @@ _MOST = 1_000_000
 
 
 def text_of(definition, piece, axis):
-    """The knots of a piece, every digit. Raises ValueError where it has none."""
+    """The knots of a piece, counted from 0, every digit. Raises ValueError where it has none."""
     return " ".join(repr(float(knot)).removesuffix(".0") for knot in _knots(definition, piece, axis)[axis])
 
 
@@ -34,7 +34,8 @@ def replaced(definition, piece, axis, text):
 
 def _knots(definition, piece, axis):
     if not 0 <= piece < len(definition.pieces):
-        raise ValueError(f"the shape has {len(definition.pieces)} pieces, there is none of number {piece}")
+        count = len(definition.pieces)
+        raise ValueError(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {piece + 1}")
     if not definition.pieces[piece].knots:
         raise ValueError("a Bezier piece has no knots")
     knots = definition.pieces[piece].knots

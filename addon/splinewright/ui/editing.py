@@ -4,6 +4,7 @@ import bpy
 
 from ..bridge import recipes, shape, store
 from ..bridge.net import live, net
+from ..core.failures import FAILURES, sentence
 
 #: Names of the objects that are nets. Only a hint: undo and loading make it anew.
 known = set()
@@ -59,6 +60,7 @@ def enter(context, active, progress=shape.no_progress):
         for ob in made:
             net.remove(ob)
         raise
+    net.remember(made[0], [ob.name for ob in context.selected_objects if ob not in chosen])
     for ob in context.selected_objects:
         ob.select_set(False)
     for ob in made:
@@ -111,16 +113,16 @@ def put_away(context, ob):
     if not _is_copy(ob):
         net.end(ob)
     layer = context.view_layer
+    others = net.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
     known.discard(ob.name)
     net.remove(ob)
     if owner is None:
         return
-    try:
-        live.settle(owner.data)
-    except (ValueError, ArithmeticError) as error:
-        owner.data.splinewright.problem = str(error)
+    _settle(owner)
     if _is_in(layer, owner) and (was_active or was_selected):
+        for other in filter(None, map(layer.objects.get, others)):
+            other.select_set(True)
         owner.select_set(True)
         if was_active:
             layer.objects.active = owner
@@ -171,10 +173,14 @@ def settle():
     for ob in nets():
         owner = net.shape_of(ob)
         if owner is not None:
-            try:
-                live.settle(owner.data)
-            except (ValueError, ArithmeticError) as error:
-                owner.data.splinewright.problem = str(error)
+            _settle(owner)
+
+
+def _settle(owner):
+    try:
+        live.settle(owner.data)
+    except FAILURES as error:
+        owner.data.splinewright.problem = sentence(error)
 
 
 def _is_in(layer, ob):

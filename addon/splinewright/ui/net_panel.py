@@ -1,27 +1,29 @@
 """What the panel shows while a net is edited."""
 
+import numpy as np
+
 from ..bridge import store
 from ..bridge.net import live, net
 from ..core import describe
 from . import net_props, texts
 
-#: Characters that fit a line of the sidebar.
-_WIDTH = 40
+#: Pieces whose knots are shown at once.
+_PIECES = 4
 
 
 def draw(layout, ob):
     """For a net object in Edit Mode."""
     owner = net.shape_of(ob)
     if owner is None:
-        texts.draw_problem(layout, "The shape of this net was deleted", _WIDTH)
+        texts.draw_problem(layout, "The shape of this net was deleted, or is in no scene")
         return
     layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
     layout.prop(ob, "show_in_front", text="Show Points Behind")
     problem = live.problem(ob)
     if problem:
-        texts.draw_problem(layout, problem, _WIDTH)
+        texts.draw_problem(layout, problem)
     _draw_points(layout, ob)
-    _draw_knots(layout, store.read(owner.data))
+    _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
 
 
 def _draw_points(layout, ob):
@@ -57,14 +59,27 @@ def _name(numbers, vertex):
     return f"Handle {vertex}"
 
 
-def _draw_knots(layout, definition):
-    """The knots of each axis of the first pieces, each with a button to edit them."""
-    for number, piece in enumerate(definition.pieces[:4]):
+def _pieces_in_hand(ob):
+    """Numbers of the pieces that have a selected point or handle; of all where none is selected."""
+    numbers = live.session(ob.data).net
+    _, vertices = net_props.chosen(ob.data)
+    rows = numbers.rows[vertices]
+    pieces = numbers.definition.pieces
+    return [i for i, piece in enumerate(pieces) if not len(rows) or np.isin(rows, piece.indices).any()]
+
+
+def _draw_knots(layout, definition, pieces):
+    """The knots of each axis of some pieces, each with a button to edit them."""
+    with_knots = [i for i in pieces if definition.pieces[i].knots]
+    for i in with_knots[:_PIECES]:
+        piece = definition.pieces[i]
         label = "Parameters" if piece.kind == 'hermite' else "Knots"
         axes = ("",) if definition.has_curves else ("U", "V")
         for axis, knots in zip(axes, piece.knots):
-            name = " ".join(filter(None, (label, axis, str(number) if len(definition.pieces) > 1 else "")))
+            name = " ".join(filter(None, (label, axis, str(i + 1) if len(definition.pieces) > 1 else "")))
             row = layout.row(align=True)
             row.label(text=f"{name}: {describe.knots_text(knots, 8)}")
             button = row.operator("splinewright.set_knots", text="", icon='GREASEPENCIL')
-            button.piece, button.axis = number, axis or 'U'
+            button.piece, button.axis = i + 1, axis or 'U'
+    if len(with_knots) > _PIECES:
+        layout.label(text=f"Knots of {len(with_knots) - _PIECES} more: select their points")

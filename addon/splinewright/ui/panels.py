@@ -7,9 +7,6 @@ from ..bridge.net import net
 from ..core import describe
 from . import net_panel, texts
 
-#: Characters that fit a line of the sidebar.
-_WIDTH = 40
-
 
 class _ShapePanel:
     bl_label = "Splinewright"
@@ -26,7 +23,7 @@ class _ShapePanel:
         try:
             definition = store.read(ob.data)
         except store.UnreadableDefinition as error:
-            texts.draw_problem(self.layout, str(error), _WIDTH)
+            texts.draw_problem(self.layout, str(error))
             return
         _draw_state(self.layout, ob)
         _draw_definition(self.layout, definition)
@@ -37,11 +34,11 @@ def _draw_state(layout, ob):
     """The way into the net, or why there is none."""
     data = ob.data
     if ob.mode == 'EDIT':
-        texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net", _WIDTH)
+        texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net")
     elif recipes.has(data):
         _draw_recipe(layout, data)
     elif shape.is_touched(data):
-        texts.draw_problem(layout, "Changed by hand since Splinewright wrote it", _WIDTH)
+        texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
         column.operator("splinewright.restore", text="Restore: throw the changes away")
         column.operator("splinewright.adopt_transform", text="Adopt: it was moved as a whole")
@@ -54,15 +51,15 @@ def _draw_recipe(layout, data):
     try:
         source = recipes.read_input(data)
     except store.UnreadableDefinition as error:
-        texts.draw_problem(layout, str(error), _WIDTH)
+        texts.draw_problem(layout, str(error))
         return
     layout.label(text=f"Follows {source.name if source else 'nothing any more'}", icon='LINKED')
     problem = follow.problem(data)
     if problem:
-        texts.draw_problem(layout, problem, _WIDTH)
+        texts.draw_problem(layout, problem)
     elif source is not None:
         for text in follow.not_followed(source):
-            texts.draw_note(layout, f"Not followed: {text}", _WIDTH)
+            texts.draw_note(layout, f"Not followed: {text}")
     layout.operator("splinewright.make_editable")
 
 
@@ -86,7 +83,7 @@ def _draw_settings(layout, data, definition):
         layout.prop(settings, "sharp_angle")
         layout.label(text=f"{len(data.vertices):,} vertices, {len(data.polygons):,} faces")
     if settings.problem:
-        texts.draw_problem(layout, settings.problem, _WIDTH)
+        texts.draw_problem(layout, settings.problem)
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):

@@ -6,6 +6,7 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 from ..bridge import shape, store
+from ..core.failures import FAILURES, sentence
 from . import progress
 
 #: Types of data-blocks that can hold a shape.
@@ -19,8 +20,8 @@ def _resolution_changed(self, context):
         with progress.shown(context, shape.STEPS) as step:
             shape.rewrite(self.id_data, step)
         self.problem = ""
-    except (ValueError, ArithmeticError, MemoryError) as error:
-        self.problem = str(error) or "There is not enough memory for this resolution"
+    except FAILURES as error:
+        self.problem = sentence(error)
 
 
 class SplinewrightShape(bpy.types.PropertyGroup):

@@ -1,51 +1,78 @@
 """Files are saved without nets, so that they open as they should where Splinewright is missing."""
 
+from contextlib import suppress
+from typing import NamedTuple
+
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.net import live
+from ..bridge.net import live, net
 from . import editing
 
-#: (net, its collections) of nets that are out of the file while it is written; the active first.
+
+class _Suspended(NamedTuple):
+    """What was in Edit Mode in a view layer, while its nets are out of the file."""
+
+    scene: bpy.types.Scene
+    layer: bpy.types.ViewLayer
+    editing: list                       # objects, the active one first
+    collections: list                   # for each the collections it was taken from
+
+
 _suspended = []
 
 
 @persistent
 def before(*_):
-    """Take the nets in Edit Mode out of their scene."""
-    context = bpy.context
+    """Take the nets in Edit Mode out of their scenes."""
     editing.sweep()
-    nets = editing.nets_in_edit_mode(context)
-    if not nets:
-        return
-    nets.sort(key=lambda ob: ob != context.view_layer.objects.active)
-    for ob in nets:
+    for ob in editing.nets():
         live.pull(ob)
     editing.settle()
-    bpy.ops.object.mode_set(mode='OBJECT')
-    for ob in nets:
-        collections = list(ob.users_collection)
-        _suspended.append((ob, collections))
+    for scene in bpy.data.scenes:
+        for layer in scene.view_layers:
+            members = [ob for ob in layer.objects if ob and ob.mode == 'EDIT']
+            if any(map(net.is_net, members)):
+                _suspend(scene, layer, members)
+    if _suspended and not bpy.app.background:
+        bpy.app.timers.register(after)  # Blender 3.4 does not tell of a save that failed
+
+
+def _suspend(scene, layer, members):
+    members.sort(key=lambda ob: ob != layer.objects.active)
+    with _at(scene, layer, members[0]):
+        bpy.ops.object.mode_set(mode='OBJECT')
+    taken = [list(ob.users_collection) if net.is_net(ob) else [] for ob in members]
+    for ob, collections in zip(members, taken):
         for collection in collections:
             collection.objects.unlink(ob)
-    if not bpy.app.background:
-        bpy.app.timers.register(after)  # Blender 3.4 does not tell of a save that failed
+    _suspended.append(_Suspended(scene, layer, members, taken))
 
 
 @persistent
 def after(*_):
     """Put them back, in Edit Mode."""
-    if not _suspended:
-        return
-    layer = bpy.context.view_layer
-    back = [ob for ob, _ in _suspended]
-    for ob, collections in _suspended:
+    while _suspended:
+        with suppress(ReferenceError):  # something took the scene or its objects away meanwhile
+            _put_back(_suspended.pop())
+
+
+def _put_back(suspended):
+    scene, layer, members, taken = suspended
+    for ob, collections in zip(members, taken):
         for collection in collections:
             collection.objects.link(ob)
-    _suspended.clear()
-    for ob in bpy.context.selected_objects:
-        ob.select_set(False)
-    for ob in back:
-        ob.select_set(True)
-    layer.objects.active = back[0]
-    bpy.ops.object.mode_set(mode='EDIT')
+    for ob in layer.objects.selected:
+        ob.select_set(False, view_layer=layer)
+    for ob in members:
+        ob.select_set(True, view_layer=layer)
+    layer.objects.active = members[0]
+    with _at(scene, layer, members[0]):
+        bpy.ops.object.mode_set(mode='EDIT')
+
+
+def _at(scene, layer, active):
+    """A context in which operators act on a view layer, whichever the window shows."""
+    if bpy.context.view_layer == layer:
+        return suppress()
+    return bpy.context.temp_override(scene=scene, view_layer=layer, active_object=active, object=active)

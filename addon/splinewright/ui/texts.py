@@ -2,8 +2,11 @@
 
 import textwrap
 
+#: Characters that fit a line of the sidebar.
+_WIDTH = 40
 
-def draw_problem(layout, text, width):
+
+def draw_problem(layout, text, width=_WIDTH):
     """A sentence about something that went wrong, `width` characters to a line."""
     column = layout.column(align=True)
     column.alert = True
@@ -11,8 +14,8 @@ def draw_problem(layout, text, width):
         column.label(text=line, icon='ERROR' if i == 0 else 'BLANK1')
 
 
-def draw_note(layout, text, width):
+def draw_note(layout, text):
     """A sentence that is no trouble."""
     column = layout.column(align=True)
-    for i, line in enumerate(textwrap.wrap(text, width)):
+    for i, line in enumerate(textwrap.wrap(text, _WIDTH)):
         column.label(text=line, icon='INFO' if i == 0 else 'BLANK1')

@@ -72,9 +72,13 @@ bool is_closed(const NurbsCurve& curve, const std::vector<double>& points) {
 
 std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution) {
   constexpr int kMaxResolution = 4096;
+  constexpr double kMaxSamples = 1 << 22;
   if (resolution < 1 || resolution > kMaxResolution) {
     throw InvalidShape("resolution = " + std::to_string(resolution) + " is outside [1, " +
                        std::to_string(kMaxResolution) + "]");
+  }
+  if (static_cast<double>(curve.knot_vector().spans().size()) * resolution > kMaxSamples) {
+    throw InvalidShape("the polyline would have more than 2^22 points: lower the resolution");
   }
   const std::vector<Interval> all = pieces(curve);
   std::vector<Polyline> lines;

@@ -3,11 +3,9 @@
 from typing import NamedTuple
 
 import bpy
-import numpy as np
 
-from ...core.library import sc
 from ...core.native import native_density
-from .. import shape, store
+from .. import blocks, mesh_looks, shape, store
 from . import measure_native, native_dress, native_links, read_native, retype
 
 
@@ -54,7 +52,7 @@ def _curve(context, ob, reading, users):
     steps = max(native_density.steps_of_curve(spline, data.splines[i].resolution_u, bpy.app.version)
                 for spline, i in zip(reading.splines, reading.indices))
     rehearsal = shape.new_data(data.name, reading.value, (steps, steps))    # raises before anything is changed
-    shape.remove_data(rehearsal)
+    blocks.remove(rehearsal)
     dress, lost = native_dress.of(data, reading.indices)
     lost += native_links.hooked_points(users)
     if data.shape_keys:
@@ -74,19 +72,8 @@ def _surface(context, ob, reading, users):
     mesh = shape.new_data(data.name, reading.value, steps)
     for material in data.materials:
         mesh.materials.append(material)
-    _give_materials(mesh, reading.value, reading.materials)
+    smooth = [data.splines[i].use_smooth for i in reading.indices]
+    mesh_looks.set_looks(mesh, dict(enumerate(map(mesh_looks.Look, reading.materials, smooth))))
+    shape.restore(mesh)                 # flat faces have normals of their own
     lost = ["the animation of the surface data"] if data.animation_data else []
     return lost + retype.all_become(context, users, mesh, retype.become_mesh, retype.become_surface)
-
-
-def _give_materials(mesh, value, indices):
-    """Each face the material index of its patch."""
-    if any(indices):
-        mesh.polygons.foreach_set('material_index', np.array(indices, np.int32)[faces_of_patches(mesh, value)])
-
-
-def faces_of_patches(mesh, value):
-    """For each face of a shape that shows patches the number of its patch."""
-    settings = mesh.splinewright
-    patch_set = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value], merge=False)
-    return sc.Tessellation(patch_set, (settings.resolution_u, settings.resolution_v)).face_patches

@@ -2,6 +2,8 @@
 
 import bpy
 
+from .. import animation
+
 
 def hooked_points(users):
     """Nouns for the points that hooks on these objects name by number."""
@@ -16,42 +18,28 @@ def parented_points(users):
 
 
 def drop_point_animation(data):
-    """Take away the animation of single points; whether there was any. Their paths would name others.
+    """Take away the animation of single points; whether there was any. Their paths would name others."""
+    is_animated = any(map(_is_of_point, animation.paths(data)))
+    if is_animated:
+        drivers = data.animation_data.drivers
+        for driver in [driver for driver in drivers if _is_of_point(driver.data_path)]:
+            drivers.remove(driver)
+        for holder in animation.holders(data.animation_data):
+            _drop_curves(holder)
+    return is_animated
 
-    An action that others use, too, is copied first.
-    """
-    animation = data.animation_data
-    if animation is None:
-        return False
-    drivers = [driver for driver in animation.drivers if _is_of_point(driver)]
-    for driver in drivers:
-        animation.drivers.remove(driver)
-    action = animation.action
-    if action is None or not any(_is_of_point(curve) for curves in _curve_lists(animation) for curve in curves):
-        return bool(drivers)
-    if action.users > 1:
-        slot = getattr(animation, 'action_slot', None)
-        handle = slot.handle if slot else None
-        animation.action = action.copy()
-        if slot:
-            animation.action_slot = next(slot for slot in animation.action.slots if slot.handle == handle)
-    for curves in _curve_lists(animation):
-        for curve in [curve for curve in curves if _is_of_point(curve)]:
+
+def _drop_curves(holder):
+    if not any(_is_of_point(curve.data_path) for curves in animation.curve_lists(holder) for curve in curves):
+        return
+    animation.own_action(holder)
+    for curves in animation.curve_lists(holder):
+        for curve in [curve for curve in curves if _is_of_point(curve.data_path)]:
             curves.remove(curve)
-    return True
 
 
-def _curve_lists(animation):
-    """The lists of F-curves of the action: one before Blender 4.4, one for each strip since."""
-    action = animation.action
-    if not hasattr(action, 'layers'):
-        return [action.fcurves]
-    bags = [bag for layer in action.layers for strip in layer.strips for bag in strip.channelbags]
-    return [bag.fcurves for bag in bags if bag.slot == animation.action_slot]
-
-
-def _is_of_point(curve):
-    return curve.data_path.startswith("splines[")
+def _is_of_point(path):
+    return path.startswith("splines[")
 
 
 def users_of(data):

@@ -2,6 +2,8 @@
 
 import bpy
 
+from ...core.failures import FAILURES
+from .. import blocks
 from . import staging
 
 
@@ -14,13 +16,13 @@ def all_become(context, users, data, become, back):
         for ob in users:
             lost += [noun for noun in become(context, ob, data) if noun not in lost]
             done.append(ob)
-    except (RuntimeError, ValueError):
+    except FAILURES:
         for ob in done:
             back(context, ob, old)
-        _remove(data)
+        blocks.remove(data)
         raise
     old.use_fake_user = False
-    _remove(old)
+    blocks.remove(old)
     return lost
 
 
@@ -62,7 +64,7 @@ def _become(context, ob, stand_in, target, data):
         with staging.alone(context, ob):
             _convert(ob, stand_in, target)
             made, ob.data = ob.data, data
-            _remove(made)
+            blocks.remove(made)
             if keeper.modifiers:
                 with staging.linked(context, keeper):
                     bpy.ops.object.make_links_data(type='MODIFIERS')
@@ -73,7 +75,7 @@ def _become(context, ob, stand_in, target, data):
         return [f"the modifier {modifier.name}" for modifier in keeper.modifiers if modifier.name not in ob.modifiers]
     finally:
         bpy.data.objects.remove(keeper)
-        _remove(stand_in)
+        blocks.remove(stand_in)
 
 
 def _convert(ob, stand_in, target):
@@ -92,10 +94,3 @@ def _convert(ob, stand_in, target):
         for modifier, is_shown in zip(ob.modifiers, shown):
             modifier.show_viewport = is_shown
         raise
-
-
-def _remove(data):
-    """Take a data-block that nothing uses out of the file."""
-    blocks = bpy.data.meshes if isinstance(data, bpy.types.Mesh) else bpy.data.curves
-    if not data.users:
-        blocks.remove(data)

@@ -3,9 +3,9 @@
 import numpy as np
 
 from ...core.definition import CURVES
-from .. import shape
+from .. import mesh_looks, shape
 from . import native_dress, native_links, retype, write_native
-from .make_exact import Outcome, faces_of_patches
+from .make_exact import Outcome
 
 
 def to_native(context, ob):
@@ -56,20 +56,9 @@ def _surface(context, ob, value, planned, users):
         context, mesh.name, planned, (settings.resolution_u, settings.resolution_v))
     for material in mesh.materials:
         surface.materials.append(material)
-    materials = _materials_of_patches(mesh, value)
+    looks = mesh_looks.looks_by_patch(mesh)
     for spline, number in zip(surface.splines, planned.numbers):
-        spline.material_index = materials.get(number, 0)
+        spline.material_index, spline.use_smooth = looks.get(number, mesh_looks.Look())
     if mesh.animation_data:
         lost.append("the animation of the mesh data")
     return deviation, lost + retype.all_become(context, users, surface, retype.become_surface, retype.become_mesh)
-
-
-def _materials_of_patches(mesh, value):
-    """For each patch the material index of its first face, by its number."""
-    faces = faces_of_patches(mesh, value)
-    if len(faces) != len(mesh.polygons):
-        return {}
-    patches, first_faces = np.unique(faces, return_index=True)
-    indices = np.empty(len(faces), np.int32)
-    mesh.polygons.foreach_get('material_index', indices)
-    return dict(zip(patches.tolist(), indices[first_faces].tolist()))

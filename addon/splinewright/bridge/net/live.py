@@ -10,6 +10,7 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
+from ...core.failures import FAILURES, sentence
 from ...core.library import sc
 from ...core.net import net as nets
 from .. import shape, stamp, store, write_mesh
@@ -49,10 +50,10 @@ class Session:
 
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
-        kind = definition is self.net.source
-        if kind not in self._patch_sets:
-            self._patch_sets[kind] = definitions.to_patch_set(definition)
-        return self._patch_sets[kind].with_points(definition.pool[:, :3], definition.pool[:, 3])
+        is_source = definition is self.net.source
+        if is_source not in self._patch_sets:
+            self._patch_sets[is_source] = definitions.to_patch_set(definition)
+        return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
     def positions(self, patch_set, resolution):
         """(tessellation, positions): of the last tessellation if it fits, else of a new one."""
@@ -115,8 +116,8 @@ def pull(ob):
         definition = nets.read(current.net, current.state)
         current.problem = ""
         return owner.data if _show(owner.data, definition, current) else None
-    except (ValueError, ArithmeticError) as error:
-        current.problem = str(error)
+    except FAILURES as error:
+        current.problem = sentence(error)
         return None
 
 

@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 
 from ...core.net import curve_net, patch_net
-from .. import store
+from .. import blocks, store
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
 KEY = "splinewright_net"
@@ -44,6 +44,8 @@ def numbers(definition):
 
 def make(shape, definition, net, scene):
     """A net object for a shape, always where that is, linked to the scene. net: numbers(definition)."""
+    if not (np.isfinite(net.single).all() and np.isfinite(net.single_weights).all()):
+        raise ValueError(f"a control point of {shape.name} lies farther away than Blender's Edit Mode reaches (3.4e38)")
     data = _curve(shape.name, net) if definition.has_curves else _cage(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
     shape.data[EDITED_BY] = token(data)
@@ -75,8 +77,7 @@ def remove(ob):
     """Take a net out of the file."""
     data = ob.data
     bpy.data.objects.remove(ob)
-    if not data.users:
-        (bpy.data.curves if isinstance(data, bpy.types.Curve) else bpy.data.meshes).remove(data)
+    blocks.remove(data)
 
 
 def token(data):
@@ -87,6 +88,16 @@ def token(data):
 def source(data):
     """The definition that a net was made from."""
     return store.decoded(data[KEY]['definition'])
+
+
+def remember(ob, names):
+    """Keep the names of objects that were selected when the net came."""
+    ob.data[KEY]['selected'] = dict(zip(map(str, range(len(names))), names))
+
+
+def remembered(ob):
+    group = ob.data[KEY]
+    return list(group['selected'].values()) if 'selected' in group.keys() else []
 
 
 def typed(data):

@@ -45,11 +45,13 @@ class Net:
     @cached_property
     def single(self):
         """The positions as they were handed out."""
-        return self.positions.astype(np.float32)
+        with np.errstate(over='ignore'):
+            return self.positions.astype(np.float32)
 
     @cached_property
     def single_weights(self):
-        return self.weights.astype(np.float32)
+        with np.errstate(over='ignore'):
+            return self.weights.astype(np.float32)
 
     @cached_property
     def slack(self):

@@ -6,6 +6,7 @@ from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
 from ...core import starters
+from ...core.failures import FAILURES, sentence
 from .. import progress
 
 
@@ -46,8 +47,8 @@ class AddShape(AddObjectHelper):
             value = starters.scaled(self.value(), self.size)
             with progress.shown(context, shape.STEPS) as step:
                 data = shape.new_data(self.shape_name, value, self.resolution(), step)
-        except (ValueError, TypeError, ArithmeticError, MemoryError) as error:
-            self.report({'ERROR'}, str(error) or "There is not enough memory for this shape")
+        except FAILURES as error:
+            self.report({'ERROR'}, sentence(error))
             return {'CANCELLED'}
         self._align(context)
         object_data_add(context, data, operator=self)

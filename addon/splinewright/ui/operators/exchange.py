@@ -6,14 +6,14 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from ...bridge import shape
+from ...bridge import blocks, shape
 from ...core import bpt
 from ...core.definition import CURVES
+from ...core.failures import FAILURES, sentence
 from ...core.library import sc
 from .. import progress
 from .adding import can_add
 
-_FAILURES = (ValueError, TypeError, ArithmeticError, OSError, MemoryError)
 #: Steps in every span of what is imported.
 _RESOLUTION = (10, 10)
 
@@ -50,10 +50,10 @@ class _Import(ImportHelper):
                 for value in values:
                     made.append(shape.new_data(name, value, _RESOLUTION))
                     step(len(made))
-        except _FAILURES as error:
+        except FAILURES as error:
             for data in made:
-                shape.remove_data(data)
-            self.report({'ERROR'}, f"{_printable(path.name)}: {_printable(error)}")
+                blocks.remove(data)
+            self.report({'ERROR'}, f"{_printable(path.name)}: {_printable(sentence(error))}")
             return {'CANCELLED'}
         self._link(context, name, made)
         self.report({'INFO'}, f"Imported {name}")
@@ -94,10 +94,10 @@ class _Export(ExportHelper):
         try:
             partial.write_text(self.text(shape.value_of(context.object.data)), encoding='utf-8')
             partial.replace(path)
-        except _FAILURES as error:
+        except FAILURES as error:
             if partial.is_file():
                 partial.unlink()
-            self.report({'ERROR'}, f"{context.object.name}: {_printable(error)}")
+            self.report({'ERROR'}, f"{context.object.name}: {_printable(sentence(error))}")
             return {'CANCELLED'}
         self.report({'INFO'}, f"Exported {_printable(path.name)}")
         return {'FINISHED'}

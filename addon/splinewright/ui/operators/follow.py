@@ -4,6 +4,8 @@ import bpy
 from bpy.props import StringProperty
 
 from ...bridge import follow, shape
+from ...core.failures import FAILURES, sentence
+from . import polls
 from .adding import resolution_property
 
 
@@ -25,8 +27,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT':
-            cls.poll_message_set("Leave the present mode first")
+        if not polls.in_object_mode(cls, context):
             return False
         if not followable(context.object):
             cls.poll_message_set("Select a curve, a surface or a Splinewright shape")
@@ -45,8 +46,8 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
                 context.view_layer.objects.active = target
             else:
                 follow.attach(target, source, depsgraph)
-        except (ValueError, TypeError, ArithmeticError) as error:
-            self.report({'ERROR'}, str(error))
+        except FAILURES as error:
+            self.report({'ERROR'}, sentence(error))
             return {'CANCELLED'}
         self.report({'INFO'}, f"{target.name} follows {source.name}")
         return {'FINISHED'}

@@ -4,7 +4,9 @@ import bpy
 from bpy.props import BoolProperty
 
 from ...bridge import joining, recipes, shape, transforming
-from .selected import FAILURES, OnSelected
+from ...core.failures import FAILURES, sentence
+from . import polls
+from .selected import OnSelected
 
 
 class _OnShapes(OnSelected):
@@ -78,7 +80,9 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         chosen = context.selected_objects
-        if context.mode != 'OBJECT' or not shape.has_shape(context.object) or not context.object.select_get():
+        if not polls.in_object_mode(cls, context):
+            return False
+        if not shape.has_shape(context.object) or not context.object.select_get():
             cls.poll_message_set("Select shapes, the one to keep last")
             return False
         if len(chosen) < 2 or not all(shape.has_shape(ob) and ob.type == context.object.type for ob in chosen):
@@ -91,7 +95,7 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
         try:
             joining.join(context.object, others)
         except FAILURES as error:
-            self.report({'ERROR'}, str(error))
+            self.report({'ERROR'}, sentence(error))
             return {'CANCELLED'}
         return {'FINISHED'}
 

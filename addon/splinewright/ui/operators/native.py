@@ -21,7 +21,7 @@ class _Conversion(OnSelected):
                 self.report({'INFO'}, f"{name}: {note}")
         measured = [outcome.deviation for outcome, _ in outcomes.values() if outcome.deviation is not None]
         distance = f": Blender's points lie within {max(measured):.1e} of the exact ones" if measured else ""
-        self.report({'INFO'}, f"{self.sentence(outcomes)}{distance}")
+        self.report({'INFO'}, f"{self.summary(outcomes)}{distance}")
 
 
 class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):

@@ -1,8 +1,8 @@
 """Operators that do their work on every selected object that fits."""
 
+from ...core.failures import FAILURES, sentence
 from .. import progress
-
-FAILURES = (ValueError, TypeError, ArithmeticError, RuntimeError, MemoryError)
+from . import polls
 
 
 class OnSelected:
@@ -22,8 +22,7 @@ class OnSelected:
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT':
-            cls.poll_message_set("Leave the present mode first")
+        if not polls.in_object_mode(cls, context):
             return False
         if not any(map(cls.fits, context.selected_objects)):
             cls.poll_message_set(cls.needs)
@@ -39,7 +38,7 @@ class OnSelected:
                 try:
                     outcomes[names[i]] = self.work(context, ob)
                 except FAILURES as error:
-                    failed[names[i]] = str(error) or "there is not enough memory"
+                    failed[names[i]] = sentence(error)
                 step(i + 1)
         for name, reason in failed.items():
             self.report({'WARNING' if outcomes else 'ERROR'}, f"{name}: {reason}")
@@ -50,9 +49,9 @@ class OnSelected:
 
     def report_done(self, outcomes):
         """Say what was done. outcomes: what work() gave for each name."""
-        self.report({'INFO'}, self.sentence(outcomes))
+        self.report({'INFO'}, self.summary(outcomes))
 
-    def sentence(self, outcomes):
+    def summary(self, outcomes):
         return self.done.format(list(outcomes)[0] if len(outcomes) == 1 else f"{len(outcomes)} objects")
 
     @staticmethod

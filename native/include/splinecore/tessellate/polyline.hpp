@@ -13,9 +13,9 @@ struct Polyline {
 };
 
 /// One polyline for each of pieces(), with `resolution` steps in what it holds of every span. A piece
-/// that runs to infinity has four steps at least and ends at the last before it. A whole curve whose end points are equal in every
-/// bit is closed.
-/// @throws InvalidShape if the resolution is outside [1, 4096].
+/// that runs to infinity has four steps at least and ends at the last before it. A whole curve whose end
+/// points are equal in every bit is closed.
+/// @throws InvalidShape if the resolution is outside [1, 4096] or there would be more than 2^22 samples.
 std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution);
 
 }  // namespace splinecore

@@ -1,0 +1,65 @@
+"""How the faces of a mesh look, kept for each patch while the faces themselves come and go."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+#: Face attribute: which patch of the shape a face belongs to.
+PATCH_NAME = "patch"
+
+
+class Look(NamedTuple):
+    material_index: int = 0
+    use_smooth: bool = True
+
+
+def name_patches(mesh, face_patches):
+    """Note for each face its patch."""
+    attribute = mesh.attributes.get(PATCH_NAME) or mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
+    attribute.data.foreach_set('value', face_patches)
+
+
+def looks_by_patch(mesh):
+    """The Look of each patch's first face, by the number of the patch; {} where that is not known."""
+    patches = _patches(mesh)
+    if patches is None:
+        return {}
+    indices, smooth = np.empty(len(patches), np.int32), np.empty(len(patches), bool)
+    mesh.polygons.foreach_get('material_index', indices)
+    mesh.polygons.foreach_get('use_smooth', smooth)
+    numbers, first = np.unique(patches, return_index=True)
+    return dict(zip(numbers.tolist(), map(Look, indices[first].tolist(), smooth[first].tolist())))
+
+
+def set_looks(mesh, looks):
+    """Give the faces of each patch its Look; those of patches that are not named have the first material, smooth."""
+    patches = _patches(mesh)
+    if patches is None:
+        return
+    of_patch = [looks.get(patch, Look()) for patch in range(1 + patches.max())]
+    indices = np.array([look.material_index for look in of_patch], np.int32)[patches]
+    if indices.any():                   # the first is what faces have, and a layer of zeros costs memory
+        mesh.polygons.foreach_set('material_index', indices)
+    mesh.polygons.foreach_set('use_smooth', np.array([look.use_smooth for look in of_patch])[patches])
+
+
+def shaded_normals(mesh, normals):
+    """Corner normals (c, 3) with those of flat faces in place of the exact ones. The mesh is up to date."""
+    smooth = np.empty(len(mesh.polygons), bool)
+    mesh.polygons.foreach_get('use_smooth', smooth)
+    if smooth.all():
+        return normals
+    of_faces, counts = np.empty((len(smooth), 3), np.float32), np.empty(len(smooth), np.int32)
+    mesh.polygons.foreach_get('normal', of_faces.ravel())
+    mesh.polygons.foreach_get('loop_total', counts)
+    return np.where(np.repeat(smooth, counts)[:, None], normals, np.repeat(of_faces, counts, axis=0))
+
+
+def _patches(mesh):
+    """The patch of each face, or None where that is not known."""
+    attribute = mesh.attributes.get(PATCH_NAME)
+    if attribute is None or not len(mesh.polygons) or len(attribute.data) != len(mesh.polygons):
+        return None
+    patches = np.empty(len(mesh.polygons), np.int32)
+    attribute.data.foreach_get('value', patches)
+    return patches
