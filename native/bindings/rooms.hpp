@@ -5,6 +5,7 @@
 // One function for each file of bindings, in the order in which the module calls them.
 namespace bindings {
 
+void bind_approximation(pybind11::module_& module);
 void bind_basis(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);

@@ -9,6 +9,7 @@ Values are immutable; arrays go in as any real numbers and come out as float64.
 
 from . import _splinecore
 from ._splinecore import (
+    Approximation,
     BezierCurve,
     BezierPatch,
     Cancelled,
@@ -20,6 +21,7 @@ from ._splinecore import (
     PatchSet,
     PointAtInfinity,
     Tessellation,
+    ToleranceNotReached,
     __version__,
     dumps,
     loads,
@@ -27,6 +29,7 @@ from ._splinecore import (
 from . import basis
 
 __all__ = [
+    "Approximation",
     "BezierCurve",
     "BezierPatch",
     "Cancelled",
@@ -38,6 +41,7 @@ __all__ = [
     "PatchSet",
     "PointAtInfinity",
     "Tessellation",
+    "ToleranceNotReached",
     "basis",
     "dumps",
     "loads",

@@ -1,7 +1,7 @@
 """Exact NURBS, Bezier and Hermite curves and patches on a native library."""
 
-from collections.abc import Callable, Sequence
-from typing import Any, Literal, SupportsIndex, TypedDict, final
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Generic, Literal, SupportsIndex, TypedDict, TypeVar, final
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import basis
 
 __all__ = [
+    "Approximation",
     "BezierCurve",
     "BezierPatch",
     "Cancelled",
@@ -20,6 +21,7 @@ __all__ = [
     "PatchSet",
     "PointAtInfinity",
     "Tessellation",
+    "ToleranceNotReached",
     "basis",
     "dumps",
     "loads",
@@ -44,8 +46,23 @@ class InvalidShape(ValueError):
 class PointAtInfinity(ArithmeticError):
     """A point was asked for where the homogeneous weight is zero."""
 
+class ToleranceNotReached(ArithmeticError):
+    """What was asked for cannot be had within the tolerance."""
+
 class Cancelled(RuntimeError):
     """A long call was ended by its cancel argument."""
+
+_Kind = TypeVar("_Kind")
+
+@final
+class Approximation(Generic[_Kind]):
+    """A value that stands for another, and how far the two lie apart at most."""
+
+    @property
+    def value(self) -> _Kind: ...
+    @property
+    def error(self) -> float: ...
+    def __iter__(self) -> Iterator[Any]: ...
 
 @final
 class NurbsCurve:

@@ -1,0 +1,30 @@
+#include "approximation.hpp"
+
+#include "rooms.hpp"
+#include "splinecore/base/errors.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+namespace {
+
+std::string text_of(const AnyApproximation& self) {
+  return "Approximation(value=" + std::string(py::repr(self.value)) + ", error=" + splinecore::text_of(self.error) + ")";
+}
+
+}  // namespace
+
+void bind_approximation(py::module_& module) {
+  py::class_<AnyApproximation> cls(
+      module, "Approximation", py::module_local(),
+      "A value that stands for another, and how far the two lie apart at most.\n\n"
+      "Unpacks: value, error = curve.reduce(). The error is a length in the units of the points, 0 where\n"
+      "nothing but rounding was lost.");
+  seal(cls);
+  cls.def_property_readonly("value", [](const AnyApproximation& self) { return self.value; });
+  cls.def_property_readonly("error", [](const AnyApproximation& self) { return self.error; });
+  cls.def("__iter__", [](const AnyApproximation& self) { return py::iter(py::make_tuple(self.value, self.error)); });
+  cls.def("__repr__", &text_of);
+}
+
+}  // namespace bindings
