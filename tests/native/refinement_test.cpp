@@ -54,7 +54,7 @@ TEST(Refine, GivesTheOldKnotsWithTheNewOnesInOrder) {
   for (const Kind& kind : all_kinds(Weights::one)) {
     const KnotVector knots = random_knots(random, kind.degree, kind.spans, kind.ends);
     const std::vector<double> inserted = insertable(random, knots);
-    const KnotVector refined = Refinement::make(knots, inserted).knots();
+    const KnotVector refined = refinement(knots, inserted).knots();
     std::vector<double> expected(knots.knots().begin(), knots.knots().end());
     expected.insert(expected.end(), inserted.begin(), inserted.end());
     std::ranges::sort(expected);

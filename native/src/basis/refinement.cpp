@@ -102,7 +102,7 @@ void for_each_window(const std::vector<Merged>& merged, long start, int count, i
 
 }  // namespace
 
-Refinement Refinement::make(const KnotVector& knots, std::span<const double> inserted) {
+PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted) {
   const OldKnots old = reachable(knots);
   const std::vector<Merged> merged = merge(knots, old, admitted(knots, inserted));
   const auto is_origin = [](const Merged& k) { return !k.inserted && k.old_index == 0; };
@@ -116,7 +116,7 @@ Refinement Refinement::make(const KnotVector& knots, std::span<const double> ins
 
   // The window of new point j: the knots after knot j where plain, up to knot j where periodic.
   const long start = origin + (knots.periodic() ? 1 - degree : 1);
-  Rows rows;
+  PointMatrix::Rows rows{degree + 1, {}, {}};
   std::vector<double> row(degree + 1);
   for_each_window(merged, start, refined.count(), degree, [&](long first, const auto& arguments) {
     std::ranges::fill(row, 0.0);
@@ -125,36 +125,6 @@ Refinement Refinement::make(const KnotVector& knots, std::span<const double> ins
     rows.weights.insert(rows.weights.end(), row.begin(), row.end());
   });
   return {knots, std::move(refined), std::move(rows)};
-}
-
-long Refinement::old_index(std::size_t j, long r) const noexcept {
-  const long count = old_.count();
-  return ((rows_.first[j] + r) % count + count) % count;
-}
-
-void Refinement::apply(const glm::dvec4* points, std::size_t stride, glm::dvec4* out,
-                       std::size_t out_stride) const {
-  const long width = old_.degree() + 1;
-  for (std::size_t j = 0; j < rows_.first.size(); ++j) {
-    glm::dvec4 sum(0.0);
-    for (long r = 0; r < width; ++r) {
-      const double weight = rows_.weights[j * width + r];
-      if (weight == 0.0) continue;
-      const glm::dvec4& point = points[old_index(j, r) * stride];
-      sum = weight == 1.0 ? point : sum + weight * point;
-    }
-    out[j * out_stride] = sum;
-  }
-}
-
-void Refinement::keep_untouched(const glm::dvec4* points, std::size_t stride, glm::dvec4* out,
-                                std::size_t out_stride) const {
-  const long width = old_.degree() + 1;
-  for (std::size_t j = 0; j < rows_.first.size(); ++j) {
-    for (long r = 0; r < width; ++r) {
-      if (rows_.weights[j * width + r] == 1.0) out[j * out_stride] = points[old_index(j, r) * stride];
-    }
-  }
 }
 
 std::vector<double> knot_copies(const KnotVector& knots, double u, int times) {

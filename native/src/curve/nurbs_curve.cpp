@@ -40,13 +40,16 @@ NurbsCurve NurbsCurve::from_homogeneous(KnotVector knots, std::span<const glm::d
   return make(std::move(knots), as_given(points));
 }
 
-NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
-  const Refinement refinement = Refinement::make(curve.knot_vector(), inserted);
-  std::vector<glm::dvec4> points(refinement.knots().count());
-  refinement.apply(curve.homogeneous_points().data(), 1, points.data(), 1);
+NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve) {
+  std::vector<glm::dvec4> points(matrix.knots().count());
+  matrix.apply(curve.homogeneous_points().data(), 1, points.data(), 1);
   points = as_given(points);
-  refinement.keep_untouched(curve.points().data(), 1, points.data(), 1);
-  return NurbsCurve::make(refinement.knots(), std::move(points));
+  matrix.keep_untouched(curve.points().data(), 1, points.data(), 1);
+  return NurbsCurve::make(matrix.knots(), std::move(points));
+}
+
+NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
+  return applied(refinement(curve.knot_vector(), inserted), curve);
 }
 
 NurbsCurve insert_knot(const NurbsCurve& curve, double u, int times) {

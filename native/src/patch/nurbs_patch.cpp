@@ -82,9 +82,9 @@ NurbsPatch NurbsPatch::from_homogeneous(KnotVector knots_u, KnotVector knots_v,
 }
 
 NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> inserted) {
-  const Refinement refinement = Refinement::make(patch.knot_vector(axis), inserted);
+  const PointMatrix matrix = refinement(patch.knot_vector(axis), inserted);
   const std::size_t old_count = patch.count(axis);
-  const std::size_t count = refinement.knots().count();
+  const std::size_t count = matrix.knots().count();
   const std::size_t lines = patch.count(axis == Axis::u ? Axis::v : Axis::u);
   // Along u neighbours of a line lie `lines` apart, along v side by side.
   const std::size_t stride = axis == Axis::u ? lines : 1;
@@ -93,13 +93,13 @@ NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> in
   const std::vector<glm::dvec4> old_points = homogeneous(patch.points());
   std::vector<glm::dvec4> points(lines * count);
   for (std::size_t i = 0; i < lines; ++i) {
-    refinement.apply(old_points.data() + i * old_line, stride, points.data() + i * line, stride);
+    matrix.apply(old_points.data() + i * old_line, stride, points.data() + i * line, stride);
   }
   points = as_given(points);
   for (std::size_t i = 0; i < lines; ++i) {
-    refinement.keep_untouched(patch.points().data() + i * old_line, stride, points.data() + i * line, stride);
+    matrix.keep_untouched(patch.points().data() + i * old_line, stride, points.data() + i * line, stride);
   }
-  return with_axis(patch, axis, refinement.knots(), std::move(points));
+  return with_axis(patch, axis, matrix.knots(), std::move(points));
 }
 
 NurbsPatch insert_knot(const NurbsPatch& patch, Axis axis, double u, int times) {

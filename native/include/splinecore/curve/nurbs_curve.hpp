@@ -7,6 +7,7 @@
 
 #include "splinecore/base/interval.hpp"
 #include "splinecore/basis/knot_vector.hpp"
+#include "splinecore/basis/point_matrix.hpp"
 
 namespace splinecore {
 
@@ -51,6 +52,9 @@ class NurbsCurve {
   std::vector<glm::dvec4> homogeneous_;
   bool rational_ = false;
 };
+
+/// The points that a matrix makes of the curve's, on its new knots; what stays is copied bit for bit.
+NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve);
 
 /// The same curve with these parameters added to its knots, each as often as it occurs.
 /// Untouched control points are copied bit for bit (Boehm 1980, Goldman's blossom form; S15).

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "splinecore/basis/knot_vector.hpp"
+
+namespace splinecore {
+
+/// The sparse matrix that takes the control points on one knot vector to those on another.
+///
+/// Row j holds `width` weights, all in [0, 1], for the old points first(j), first(j) + 1, …, modulo the old
+/// count where periodic. A point that stays as it is has one weight 1: it is copied bit for bit.
+class PointMatrix {
+ public:
+  struct Rows {
+    long width = 0;
+    std::vector<long> first;
+    std::vector<double> weights;  // width for each row
+  };
+
+  PointMatrix(KnotVector from, KnotVector to, Rows rows)
+      : from_(std::move(from)), to_(std::move(to)), rows_(std::move(rows)) {}
+
+  /// The knots of the old points.
+  const KnotVector& from() const noexcept { return from_; }
+
+  /// The knots of the new points.
+  const KnotVector& knots() const noexcept { return to_; }
+
+  /// The new homogeneous points: out[j * out_stride] from points[i * stride].
+  void apply(const glm::dvec4* points, std::size_t stride, glm::dvec4* out, std::size_t out_stride) const;
+
+  /// The transposed matrix: from().count() points out of knots().count().
+  std::vector<glm::dvec4> apply_transposed(const std::vector<glm::dvec4>& points) const;
+
+  /// Copies only the points that stay as they are, in whatever form.
+  void keep_untouched(const glm::dvec4* points, std::size_t stride, glm::dvec4* out,
+                      std::size_t out_stride) const;
+
+ private:
+  std::size_t old_index(std::size_t j, long r) const noexcept;
+
+  KnotVector from_;
+  KnotVector to_;
+  Rows rows_;
+};
+
+}  // namespace splinecore

@@ -1,0 +1,181 @@
+#include "splinecore/basis/elevation.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/basis/bernstein.hpp"
+#include "splinecore/basis/blossom.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A distinct old knot, which has old indices first … first + count - 1 and one copy more afterwards.
+struct Run {
+  double value;
+  long first;
+  int count;
+};
+
+/// A new knot: which copy of which run.
+struct Copy {
+  int run;
+  int copy;
+};
+
+/// The old knots that any new point can reach; begin is the index of the first.
+struct OldKnots {
+  long begin = 0;
+  std::vector<double> values;
+  const double* at(long i) const { return values.data() + (i - begin); }
+};
+
+OldKnots reachable(const KnotVector& knots) {
+  const auto given = knots.knots();
+  if (!knots.periodic()) return {0, {given.begin(), given.end()}};
+  const long margin = 3 * knots.degree() + 3;
+  OldKnots old{-margin, {}};
+  for (long i = -margin; i <= knots.count() + margin; ++i) old.values.push_back(periodic_knot(given, i));
+  return old;
+}
+
+std::vector<Run> runs_of(const OldKnots& old) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < old.values.size(); ++i) {
+    if (runs.empty() || runs.back().value != old.values[i]) {
+      runs.push_back({old.values[i], old.begin + static_cast<long>(i), 0});
+    }
+    ++runs.back().count;
+  }
+  return runs;
+}
+
+std::vector<Copy> copies_of(const std::vector<Run>& runs) {
+  std::vector<Copy> copies;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (int copy = 0; copy <= runs[run].count; ++copy) copies.push_back({static_cast<int>(run), copy});
+  }
+  return copies;
+}
+
+/// The new knot vector as copies[begin] … copies[end - 1].
+struct Part {
+  long begin;
+  long end;
+};
+
+Part plain_part(const KnotVector& knots, const std::vector<Run>& runs, const std::vector<Copy>& copies) {
+  const int degree = knots.degree() + 1;
+  const Interval domain = knots.domain();
+  const auto value = [&](const Copy& copy) { return runs[copy.run].value; };
+  const auto after_start = std::ranges::upper_bound(copies, domain.start, {}, value);
+  const auto at_end = std::ranges::lower_bound(copies, domain.end, {}, value);
+  return {after_start - copies.begin() - degree - 1, at_end - copies.begin() + degree + 1};
+}
+
+Part periodic_part(const KnotVector& knots, const std::vector<Run>& runs, const std::vector<Copy>& copies) {
+  const auto holds_origin = [](const Run& run) { return run.first <= 0 && 0 < run.first + run.count; };
+  const auto origin = std::ranges::find_if(runs, holds_origin);
+  const int copy = static_cast<int>(-origin->first);
+  const auto is_first = [&](const Copy& one) { return one.run == origin - runs.begin() && one.copy == copy; };
+  const long begin = std::ranges::find_if(copies, is_first) - copies.begin();
+  const auto given = knots.knots();
+  const auto distinct = std::ranges::count_if(runs, [&](const Run& run) {
+    return given.front() <= run.value && run.value < given.back();
+  });
+  return {begin, begin + static_cast<long>(given.size()) + distinct};
+}
+
+/// The runs that a new point's knots come from, and how many of each.
+struct Window {
+  std::vector<int> runs;
+  std::vector<int> counts;
+  int first_copy = 0;
+};
+
+Window window_at(const std::vector<Copy>& copies, long begin, int size) {
+  Window window;
+  window.first_copy = copies[begin].copy;
+  for (long i = begin; i < begin + size; ++i) {
+    if (window.runs.empty() || window.runs.back() != copies[i].run) {
+      window.runs.push_back(copies[i].run);
+      window.counts.push_back(0);
+    }
+    ++window.counts.back();
+  }
+  return window;
+}
+
+/// A point of a refined curve: the arguments that its blossom has beside old knots, which begin at `shared`.
+struct Blossom {
+  std::vector<double> arguments;
+  long shared = 0;
+};
+
+/// The blossom whose arguments are the knots of the window without one copy of a run.
+Blossom blossom_without(const Window& window, std::size_t removed, const std::vector<Run>& runs) {
+  Blossom blossom;
+  bool is_begun = false;
+  for (std::size_t i = 0; i < window.runs.size(); ++i) {
+    const Run& run = runs[window.runs[i]];
+    const int count = window.counts[i] - (i == removed ? 1 : 0);
+    const int old = std::min(count, run.count);
+    if (count > old) blossom.arguments.push_back(run.value);
+    if (is_begun || old == 0) continue;
+    is_begun = true;
+    if (window.runs.size() == 1) {
+      blossom.shared = run.first + std::min(window.first_copy, run.count - old);
+    } else {
+      blossom.shared = i == 0 ? run.first + run.count - old : run.first;
+    }
+  }
+  return blossom;
+}
+
+/// Adds rows to the matrix: the weights of old points, from the lowest that any blossom needs.
+void add_row(const Window& window, const std::vector<Run>& runs, const OldKnots& old, int degree, bool periodic,
+             PointMatrix::Rows& rows) {
+  std::vector<long> firsts;
+  std::vector<std::vector<double>> parts;
+  for (std::size_t i = 0; i < window.runs.size(); ++i) {
+    const Blossom blossom = blossom_without(window, i, runs);
+    const long first = blossom.shared - 1 - static_cast<long>(blossom.arguments.size());
+    std::vector<double> part(blossom.arguments.size() + 1);
+    blossom_weights(old.at(first), degree, blossom.arguments, part.data());
+    firsts.push_back(first);
+    parts.push_back(std::move(part));
+  }
+  const long lowest = std::ranges::min(firsts);
+  std::vector<double> row(rows.width, 0.0);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double share = static_cast<double>(window.counts[i]) / (degree + 1);
+    for (std::size_t r = 0; r < parts[i].size(); ++r) row[firsts[i] - lowest + r] += share * parts[i][r];
+  }
+  rows.first.push_back(lowest + (periodic ? degree : 0));
+  rows.weights.insert(rows.weights.end(), row.begin(), row.end());
+}
+
+}  // namespace
+
+PointMatrix elevation(const KnotVector& knots) {
+  const int degree = knots.degree();
+  if (degree >= kMaxDegree) throw InvalidShape("the degree would exceed " + std::to_string(kMaxDegree));
+  const OldKnots old = reachable(knots);
+  const std::vector<Run> runs = runs_of(old);
+  const std::vector<Copy> copies = copies_of(runs);
+  const bool periodic = knots.periodic();
+  const Part part = periodic ? periodic_part(knots, runs, copies) : plain_part(knots, runs, copies);
+  std::vector<double> values;
+  for (long i = part.begin; i < part.end; ++i) values.push_back(runs[copies[i].run].value);
+  KnotVector elevated = KnotVector::make(degree + 1, std::move(values), periodic);
+
+  PointMatrix::Rows rows{2L * degree + 2, {}, {}};
+  for (int j = 0; j < elevated.count(); ++j) {
+    const long begin = part.begin + j + (periodic ? -degree : 1);
+    add_row(window_at(copies, begin, degree + 1), runs, old, degree, periodic, rows);
+  }
+  return {knots, std::move(elevated), std::move(rows)};
+}
+
+}  // namespace splinecore

@@ -1,0 +1,89 @@
+#include "splinecore/curve/degree.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/basis/elevation.hpp"
+#include "splinecore/basis/least_squares.hpp"
+#include "splinecore/basis/refinement.hpp"
+#include "splinecore/curve/distance.hpp"
+#include "splinecore/curve/ends.hpp"
+
+namespace splinecore {
+
+NurbsCurve elevated(const NurbsCurve& curve, int times) {
+  if (times < 0) throw InvalidShape("times = " + std::to_string(times) + " is below 0");
+  NurbsCurve raised = curve;
+  for (int i = 0; i < times; ++i) raised = applied(elevation(raised.knot_vector()), raised);
+  return raised;
+}
+
+namespace {
+
+/// Knots of one degree less with one copy fewer of each knot, but one at least; those of a periodic
+/// vector begin with all copies of the first.
+KnotVector lowered(const KnotVector& knots) {
+  const auto given = knots.knots();
+  std::vector<double> kept;
+  for (auto begin = given.begin(); begin != given.end();) {
+    const auto end = std::upper_bound(begin, given.end(), *begin);
+    const long copies = end - begin;
+    kept.insert(kept.end(), std::max(copies - 1, 1L), *begin);
+    begin = end;
+  }
+  return KnotVector::make(knots.degree() - 1, std::move(kept), knots.periodic());
+}
+
+/// The knots that are in `wanted` and not in `knots`.
+std::vector<double> missing(const KnotVector& knots, const KnotVector& wanted) {
+  std::vector<double> found;
+  std::ranges::set_difference(wanted.knots(), knots.knots(), std::back_inserter(found));
+  return found;
+}
+
+/// A first guess: the Greville-like neighbour, every point from a point beside it.
+std::vector<glm::dvec4> first_guess(std::span<const glm::dvec4> points, int count) {
+  std::vector<glm::dvec4> guess;
+  const double step = count > 1 ? static_cast<double>(points.size() - 1) / (count - 1) : 0.0;
+  for (int i = 0; i < count; ++i) guess.push_back(points[static_cast<std::size_t>(i * step + 0.5)]);
+  return guess;
+}
+
+NurbsCurve reduced_once(const NurbsCurve& curve) {
+  const KnotVector target = lowered(curve.knot_vector());
+  const PointMatrix matrix = elevation(target);
+  const std::vector<double> inserted = missing(curve.knot_vector(), matrix.knots());
+  const NurbsCurve fine = inserted.empty() ? curve : refine(curve, inserted);
+  const std::vector<glm::dvec4> points = homogeneous(fine.points());
+  std::vector<glm::dvec4> start = first_guess(points, target.count());
+  std::vector<int> fixed;
+  if (!curve.periodic()) {
+    fixed = {0, target.count() - 1};
+    start.front() = points.front();
+    start.back() = points.back();
+  }
+  std::vector<glm::dvec4> found = as_given(closest_preimage(matrix, points, std::move(start), fixed));
+  if (!curve.periodic()) {
+    found.front() = curve.points().front();
+    found.back() = curve.points().back();
+  }
+  return NurbsCurve::make(target, std::move(found));
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> reduced(const NurbsCurve& curve, int times, std::optional<double> tolerance) {
+  if (times < 1 || times >= curve.degree()) {
+    throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " + std::to_string(curve.degree() - 1) +
+                       "]: a curve needs degree 1 or more");
+  }
+  NurbsCurve lower = curve.periodic() ? with_whole_seam(curve) : clamped(curve);
+  for (int i = 0; i < times; ++i) lower = reduced_once(lower);
+  const double error = largest_distance(curve, lower);
+  if (tolerance && error > *tolerance) throw ToleranceNotReached("the degree cannot be lowered", *tolerance, error);
+  return {std::move(lower), error};
+}
+
+}  // namespace splinecore

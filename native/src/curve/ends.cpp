@@ -1,0 +1,161 @@
+#include "splinecore/curve/ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/base/quotient.hpp"
+#include "splinecore/curve/distance.hpp"
+#include "splinecore/curve/removal.hpp"
+
+namespace splinecore {
+
+NurbsCurve with_domain(const NurbsCurve& curve, Interval domain) {
+  if (!std::isfinite(domain.start) || !std::isfinite(domain.end) || !(domain.start < domain.end)) {
+    throw InvalidShape("the domain from " + text_of(domain.start) + " to " + text_of(domain.end) + " is empty");
+  }
+  const Interval old = curve.domain();
+  std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
+  const double scale = domain.length() / old.length();
+  for (double& knot : knots) {
+    // Relative to the nearer end, so that both ends are met.
+    const bool is_late = knot - old.start > old.end - knot;
+    knot = is_late ? domain.end + (knot - old.end) * scale : domain.start + (knot - old.start) * scale;
+  }
+  NurbsCurve mapped = NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()),
+                                       {curve.points().begin(), curve.points().end()});
+  if (mapped.knot_vector().spans().size() != curve.knot_vector().spans().size()) {
+    throw InvalidShape("the domain from " + text_of(domain.start) + " to " + text_of(domain.end) +
+                       " is so narrow that knots would become equal");
+  }
+  return mapped;
+}
+
+namespace {
+
+/// Where the knots and points of a clamped curve begin and end within those of a finer one.
+NurbsCurve part_of(const NurbsCurve& fine, Interval domain) {
+  const auto knots = fine.knot_vector().knots();
+  const int degree = fine.degree();
+  const long begin = std::ranges::upper_bound(knots, domain.start) - knots.begin() - degree - 1;
+  const long end = std::ranges::lower_bound(knots, domain.end) - knots.begin() + degree + 1;
+  return NurbsCurve::make(KnotVector::make(degree, {knots.begin() + begin, knots.begin() + end}),
+                          {fine.points().begin() + begin, fine.points().begin() + end - degree - 1});
+}
+
+}  // namespace
+
+NurbsCurve clamped(const NurbsCurve& curve) {
+  if (curve.periodic()) return opened(curve, curve.domain().start);
+  const Interval domain = curve.domain();
+  std::vector<double> missing;
+  for (const double end : {domain.start, domain.end}) {
+    missing.insert(missing.end(), curve.degree() + 1 - multiplicity(curve.knot_vector(), end), end);
+  }
+  return part_of(missing.empty() ? curve : refine(curve, missing), domain);
+}
+
+namespace {
+
+/// Spreads the first knots as wide as the first span, and moves the points so that the curve stays.
+void unclamp_start(int p, double step, std::vector<double>& u, std::vector<glm::dvec4>& points) {
+  for (int i = p - 1; i >= 0; --i) u[i] = u[i + 1] - step;
+  for (int i = 0; i <= p - 2; ++i) {
+    for (int j = i; j >= 0; --j) {
+      const int k = p - 1 - (i - j);
+      const double share = (u[p] - u[k]) / (u[p + j + 1] - u[k]);
+      points[j] = (points[j] - share * points[j + 1]) / (1.0 - share);
+    }
+  }
+}
+
+/// The same at the end.
+void unclamp_end(int p, double step, std::vector<double>& u, std::vector<glm::dvec4>& points) {
+  const int last = static_cast<int>(points.size()) - 1;
+  for (int i = 1; i <= p; ++i) u[last + 1 + i] = u[last + i] + step;
+  for (int i = 0; i <= p - 2; ++i) {
+    for (int j = i; j >= 0; --j) {
+      const double share = (u[last + 1] - u[last - j]) / (u[last - j + i + 2] - u[last - j]);
+      points[last - j] = (points[last - j] - (1.0 - share) * points[last - j - 1]) / share;
+    }
+  }
+}
+
+}  // namespace
+
+NurbsCurve unclamped(const NurbsCurve& curve) {
+  if (curve.periodic()) return unrolled(curve);
+  const NurbsCurve whole = clamped(curve);
+  const KnotVector& old = whole.knot_vector();
+  const int p = whole.degree();
+  std::vector<double> knots(old.knots().begin(), old.knots().end());
+  std::vector<glm::dvec4> points = homogeneous(whole.points());
+  unclamp_start(p, old.span_interval(0).length(), knots, points);
+  unclamp_end(p, old.span_interval(static_cast<int>(old.spans().size()) - 1).length(), knots, points);
+  points = as_given(points);
+  for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) points[i] = whole.points()[i];
+  return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(points));
+}
+
+namespace {
+
+/// How far a clamped curve's end lies from its start. @throws InvalidShape if it is no end in sight.
+double gap_of(const NurbsCurve& curve) {
+  const glm::dvec4& first = curve.points().front();
+  const glm::dvec4& last = curve.points().back();
+  if (first.w == 0.0 || last.w == 0.0) throw InvalidShape("an end of the curve lies at infinity");
+  if (first.w != last.w) {
+    throw InvalidShape("the weights at the ends are " + text_of(first.w) + " and " + text_of(last.w) +
+                       ": a periodic curve needs equal ones, as in standard form");
+  }
+  return glm::length(glm::dvec3(first) - glm::dvec3(last));
+}
+
+/// A clamped curve whose ends meet as a periodic one with a seam of `degree` equal knots.
+NurbsCurve closed_up(const NurbsCurve& curve) {
+  const auto knots = curve.knot_vector().knots();
+  const int degree = curve.degree();
+  const int count = curve.knot_vector().count() - 1;
+  std::vector<glm::dvec4> points(count);
+  for (int i = 0; i < count; ++i) points[(i + degree - 1) % count] = curve.points()[i];
+  const glm::dvec4& last = curve.points().back();
+  glm::dvec4& seam = points[(degree - 1) % count];
+  if (seam != last) seam = 0.5 * (seam + last);
+  return NurbsCurve::make(KnotVector::make(degree, {knots.begin() + 1, knots.begin() + count + 2}, true), points);
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<double> tolerance) {
+  if (curve.periodic()) return {curve, 0.0};
+  constexpr double kRounding = 0x1p-46;
+  const double slack = tolerance.value_or(kRounding * largest_coordinate(curve.points()));
+  const NurbsCurve plain = clamped(curve);
+  const double gap = gap_of(plain);
+  if (!(gap <= slack)) throw ToleranceNotReached("the ends do not meet", slack, gap);
+  Approximation<NurbsCurve> best{closed_up(plain), 0.5 * gap};
+  const double seam = plain.domain().start;
+  while (multiplicity(best.value.knot_vector(), seam) > 1) {
+    NurbsCurve next = remove_knot(best.value, seam).value;
+    const double error = largest_distance(curve, next);
+    if (error > slack) break;
+    best = {std::move(next), error};
+  }
+  return best;
+}
+
+NurbsCurve with_whole_seam(const NurbsCurve& curve) {
+  const auto given = curve.knot_vector().knots();
+  const long late = std::ranges::count(given, given.back()) - 1;
+  if (!curve.periodic() || late == 0) return curve;
+  const long count = curve.knot_vector().count();
+  std::vector<double> knots;
+  std::vector<glm::dvec4> points;
+  for (long i = 0; i <= count; ++i) knots.push_back(periodic_knot(given, i - late));
+  for (long i = 0; i < count; ++i) points.push_back(curve.points()[(i - late + count) % count]);
+  return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), true), std::move(points));
+}
+
+}  // namespace splinecore
