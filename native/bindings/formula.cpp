@@ -92,7 +92,8 @@ py::array gradient(const Formula& formula, const py::args& values, const py::obj
   shape.push_back(static_cast<py::ssize_t>(width));
   const Output output(shape, py::none(), py::none());
   in_parts(rows.size(), kPart, py::none(), [&](std::size_t begin, std::size_t end) {
-    splinecore::gradients(formula, rows.part(begin, end), output.doubles(width * begin, width * (end - begin)), otherwise);
+    const std::span<double> out = output.doubles(width * begin, width * (end - begin));
+    splinecore::gradients(formula, rows.part(begin, end), out, otherwise);
   });
   return output.array();
 }
@@ -168,7 +169,10 @@ std::string text_argument(const py::handle& value, const char* name) {
 std::vector<std::string> names_of(const py::object& value, const char* name) {
   if (!is_list(value)) refuse_type(value, name, "a sequence of str");
   std::vector<std::string> names;
-  for (const py::handle& one : value) names.push_back(text_argument(one, (name + splinecore::index_text(names.size())).c_str()));
+  for (const py::handle& one : value) {
+    const std::string place = name + splinecore::index_text(names.size());
+    names.push_back(text_argument(one, place.c_str()));
+  }
   return names;
 }
 

@@ -11,7 +11,7 @@ void bind_curves(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 void bind_formula(pybind11::module_& module);
-void bind_build(pybind11::module_& module);
+void bind_from_formulas(pybind11::module_& module);
 void bind_exchange(pybind11::module_& module);
 
 }  // namespace bindings

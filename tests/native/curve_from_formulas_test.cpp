@@ -107,7 +107,8 @@ TEST(CurveFromFormulas, KeepsAKinkThatLiesOnAJoint) {
 TEST(CurveFromFormulas, RefusesPolesJumpsAndUndefinedValues) {
   EXPECT_EQ(refusal([] { fit({"t", "1/t"}, {-1.0, 1.0}); }), "the formula '1/t' has no finite value at t = 0");
   EXPECT_EQ(refusal([] { fit({"t", "log(t)"}, {0.0, 1.0}); }), "the formula 'log(t)' has no finite value at t = 0");
-  for (const std::string text : {"1/(t - 0.3)", "tan(5*t)", "sign(t)", "sign(t - 0.3)", "floor(3*t)", "t*sin(1/(t + 2e-30))"}) {
+  for (const std::string text : {"1/(t - 0.3)", "tan(5*t)", "sign(t)", "sign(t - 0.3)", "floor(3*t)",
+                                 "t*sin(1/(t + 2e-30))"}) {
     EXPECT_THROW(fit({"t", text}, {-1.0, 1.0}), ToleranceNotReached) << text;
   }
   EXPECT_THROW(fit({"cos(t)", "sin(t)"}, {0.0, 6.0}, 1e-17), ToleranceNotReached);
@@ -119,7 +120,8 @@ TEST(CurveFromFormulas, RefusesBadArguments) {
   EXPECT_EQ(refusal([] { fit({"t", "t"}, {0.0, HUGE_VAL}); }), "domain = [0, inf] is not finite");
   EXPECT_EQ(refusal([] { fit({"t", "t"}, {0.0, 1.0}, 0.0); }), "tolerance = 0 is not a positive length");
   const std::vector<Formula> two{Formula::make("u", {"u", "v"}), Formula::make("u", {"u"})};
-  EXPECT_EQ(refusal([&] { curve_from_formulas(two, {0.0, 1.0}, 1.0); }), "formulas[0] has 2 variables, a curve has one");
+  EXPECT_EQ(refusal([&] { curve_from_formulas(two, {0.0, 1.0}, 1.0); }),
+            "formulas[0] has 2 variables, a curve has one");
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ TEST(FormulaPolynomial, FindsTheCoefficientsLowestFirst) {
 }
 
 TEST(FormulaPolynomial, FindsNothingElsewhere) {
-  for (const std::string text : {"1/t", "t^-1", "t^0.5", "sin(t)", "2^t", "t^t", "abs(t)", "t/0", "t^256", "(t^16)^16", "1e300*t*1e300"}) {
+  for (const std::string text : {"1/t", "t^-1", "t^0.5", "sin(t)", "2^t", "t^t", "abs(t)", "t/0", "t^256",
+                                 "(t^16)^16", "1e300*t*1e300"}) {
     EXPECT_EQ(coefficients(text), std::nullopt) << text;
   }
   EXPECT_EQ(coefficients("t^255")->size(), 256U);
@@ -48,7 +49,8 @@ TEST(FormulaPolynomial, InBernsteinFormHasTheValuesOfTheFormula) {
     double sum = 0.0;
     for (int i = 0; i <= 3; ++i) {
       for (int j = 0; j <= 2; ++j) {
-        sum += found->coefficients[i * 3 + j] * std::pow(1 - s, 3 - i) * std::pow(s, i) * std::pow(1 - r, 2 - j) * std::pow(r, j);
+        sum += found->coefficients[i * 3 + j] * std::pow(1 - s, 3 - i) * std::pow(s, i) * std::pow(1 - r, 2 - j) *
+               std::pow(r, j);
       }
     }
     const double at[]{-1.0 + 3.0 * s, 3.0 + 4.0 * r};

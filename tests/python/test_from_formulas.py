@@ -24,6 +24,13 @@ def test_a_twisted_cubic_is_exact():
     assert np.allclose(curve.points, [(0, 0, 0), (1 / 3, 0, 0), (2 / 3, 1 / 3, 0), (1, 1, 1)], rtol=0, atol=1e-16)
 
 
+def test_the_result_is_a_value_with_its_error():
+    found = sc.curve_from_formulas(["t", "sin(t)"], (0, 3))
+    assert isinstance(found, sc.Approximation)
+    assert [found.value, found.error] == list(found)
+    assert repr(found) == f"Approximation(value={found.value!r}, error={found.error!r})"
+
+
 @given(st.lists(st.lists(st.integers(-5, 5), min_size=1, max_size=7), min_size=2, max_size=3),
        st.floats(-10, 10), st.floats(0.1, 10))
 def test_polynomials_are_exact_on_any_domain(coefficients, start, length):
@@ -53,7 +60,8 @@ def test_spirals_of_any_size(frequency, growth, length, digits):
     constants = {"f": frequency, "g": growth}
     texts = ["exp(g*s)*cos(f*s)", "exp(g*s)*sin(f*s)", "s"]
     tolerance = 10**digits * math.exp(abs(growth) * length)
-    curve, error = sc.curve_from_formulas(texts, (-length, length), tolerance=tolerance, variable="s", constants=constants)
+    curve, error = sc.curve_from_formulas(texts, (-length, length), tolerance=tolerance, variable="s",
+                                          constants=constants)
     formulas = [sc.Formula(text, variables=("s",), constants=constants) for text in texts]
     assert error <= tolerance and distance(curve, formulas, 2000) <= tolerance
 
@@ -82,7 +90,8 @@ REFUSED = [
     (lambda: sc.curve_from_formulas(["t"] * 4, (0, 1)), "formulas has 4 of them"),
     (lambda: sc.curve_from_formulas(["t", "2t"], (0, 1)), r"formulas\[1\]: an operator.* at character 1$"),
     (lambda: sc.curve_from_formulas(["t", "u"], (0, 1)), r"formulas\[1\]: unknown name 'u' at character 0$"),
-    (lambda: sc.curve_from_formulas(["t", sc.Formula("u*v", variables=("u", "v"))], (0, 1)), r"formulas\[1\] has 2 variables"),
+    (lambda: sc.curve_from_formulas(["t", sc.Formula("u*v", variables=("u", "v"))], (0, 1)),
+     r"formulas\[1\] has 2 variables"),
     (lambda: sc.curve_from_formulas(["t", "t"], (1, 0)), r"domain = \[1, 0\] does not increase"),
     (lambda: sc.curve_from_formulas(["t", "t"], (1, 1)), r"domain = \[1, 1\] does not increase"),
     (lambda: sc.curve_from_formulas(["t", "t"], (0, NAN)), "domain = .* is not finite"),
@@ -114,9 +123,11 @@ def test_bad_arguments_are_refused(call, words):
     lambda: sc.curve_from_formulas("tt", (0, 1)), lambda: sc.curve_from_formulas(None, (0, 1)),
     lambda: sc.curve_from_formulas(["t", 1], (0, 1)), lambda: sc.curve_from_formulas(["t", "t"], None),
     lambda: sc.curve_from_formulas(["t", "t"], "01"), lambda: sc.curve_from_formulas(["t", "t"], (0, 1), tolerance="1"),
-    lambda: sc.curve_from_formulas(["t", "t"], (0, 1), variable=None), lambda: sc.curve_from_formulas(["t", "t"], (0, 1), 1e-3),
+    lambda: sc.curve_from_formulas(["t", "t"], (0, 1), variable=None),
+    lambda: sc.curve_from_formulas(["t", "t"], (0, 1), 1e-3),
     lambda: sc.curve_from_formulas(["t", "t"], (0, 1), tolerance=None),
-    lambda: sc.patch_from_formulas(["u", "v", "0"], (0, 1)), lambda: sc.patch_from_formulas(["u", "v", "0"], (0, 1), (0, 1), variables="uv")])
+    lambda: sc.patch_from_formulas(["u", "v", "0"], (0, 1)),
+    lambda: sc.patch_from_formulas(["u", "v", "0"], (0, 1), (0, 1), variables="uv")])
 def test_wrong_types_raise_type_error(call):
     with pytest.raises(TypeError):
         call()

@@ -19,7 +19,8 @@ namespace {
 
 void require_formulas(std::span<const Formula> coordinates) {
   if (coordinates.size() != 2 && coordinates.size() != 3) {
-    throw InvalidShape("formulas has " + std::to_string(coordinates.size()) + " of them, x and y or x, y and z are expected");
+    throw InvalidShape("formulas has " + std::to_string(coordinates.size()) +
+                       " of them, x and y or x, y and z are expected");
   }
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     const std::size_t count = coordinates[i].variables().size();

@@ -30,7 +30,8 @@ Formula Formula::make(std::string text, std::vector<std::string> variables, Cons
   for (std::size_t i = 0; i < variables.size(); ++i) require_free(variables[i], "variables" + index_text(i), taken);
   for (const auto& [name, value] : constants) {
     require_free(name, "a name in constants", taken);
-    if (!std::isfinite(value)) throw InvalidShape("constants[" + quoted(name) + "] = " + text_of(value) + " is not finite");
+    if (std::isfinite(value)) continue;
+    throw InvalidShape("constants[" + quoted(name) + "] = " + text_of(value) + " is not finite");
   }
   auto program = std::make_shared<const Program>(parse(text, variables, constants));
   return Formula(std::make_shared<const State>(

@@ -127,8 +127,8 @@ void Parser::product() {
 void Parser::signed_factor() {
   // Every way into another level leads through here.
   if (++nesting_ > kMaxFormulaNesting) {
-    throw FormulaError("more than " + std::to_string(kMaxFormulaNesting) + " parentheses, signs and powers in one another",
-                       place_);
+    const std::string limit = std::to_string(kMaxFormulaNesting);
+    throw FormulaError("more than " + limit + " parentheses, signs and powers in one another", place_);
   }
   if (take('-')) {
     signed_factor();

@@ -47,6 +47,10 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
   return out;
 }
 
+bool is_finite(const Polynomial& a) {
+  return std::ranges::all_of(a.coefficients, [](double c) { return std::isfinite(c); });
+}
+
 bool is_number(const Polynomial& a) { return a.degree_u == 0 && a.degree_v == 0; }
 
 /// Runs a program on polynomials instead of numbers; stops where one of them is none.
@@ -58,7 +62,7 @@ class PolynomialMachine {
   std::optional<Polynomial> run(const Program& program) {
     for (const Step& step : program.steps) {
       if (!apply_step(step)) return std::nullopt;
-      if (!std::ranges::all_of(stack_.back().coefficients, [](double c) { return std::isfinite(c); })) return std::nullopt;
+      if (!is_finite(stack_.back())) return std::nullopt;
     }
     return std::move(stack_.back());
   }

@@ -5,87 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "series_algebra.hpp"
+
 namespace splinecore {
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-Series constant(int order, double value) noexcept {
-  Series series{order};
-  series[0] = value;
-  return series;
-}
-
-/// Coefficients below `first` as they are, none from there on.
-Series missing_from(Series a, int first) noexcept {
-  for (int k = first; k <= a.order; ++k) a[k] = kNan;
-  return a;
-}
-
-/// The first coefficient that is not zero; order + 1 if all are.
-int leading(const Series& a) noexcept {
-  int k = 0;
-  while (k <= a.order && a[k] == 0.0) ++k;
-  return k;
-}
-
-Series scaled(Series a, double factor) noexcept {
-  for (int k = 0; k <= a.order; ++k) a[k] *= factor;
-  return a;
-}
-
-Series sum(Series a, const Series& b) noexcept {
-  for (int k = 0; k <= a.order; ++k) a[k] += b[k];
-  return a;
-}
-
-Series difference(Series a, const Series& b) noexcept {
-  for (int k = 0; k <= a.order; ++k) a[k] -= b[k];
-  return a;
-}
-
-Series product(const Series& a, const Series& b) noexcept {
-  Series out{a.order};
-  for (int k = 0; k <= a.order; ++k) {
-    for (int j = 0; j <= k; ++j) out[k] += a[j] * b[k - j];
-  }
-  return out;
-}
-
-Series quotient(const Series& a, const Series& b) noexcept {
-  Series out{a.order};
-  for (int k = 0; k <= a.order; ++k) {
-    double rest = a[k];
-    for (int j = 1; j <= k; ++j) rest -= b[j] * out[k - j];
-    out[k] = rest / b[0];
-  }
-  return out;
-}
-
-Series derivative(const Series& a) noexcept {
-  Series out{a.order};
-  for (int k = 1; k <= a.order; ++k) out[k - 1] = k * a[k];
-  return out;
-}
-
-/// r with r' = a / b.
-Series integral_of_quotient(double start, const Series& a, const Series& b) noexcept {
-  Series r = constant(a.order, start);
-  for (int k = 1; k <= a.order; ++k) {
-    double rest = a[k - 1];
-    for (int j = 1; j < k; ++j) rest -= j * r[j] * b[k - j];
-    r[k] = rest / (k * b[0]);
-  }
-  return r;
-}
-
-/// The k-th coefficient of r where r' = a' b, for coefficients of b below k.
-double integral_of_product(const Series& a, const Series& b, int k) noexcept {
-  double total = 0.0;
-  for (int j = 1; j <= k; ++j) total += j * a[j] * b[k - j];
-  return total / k;
-}
 
 Series exponential(const Series& a, double start) noexcept {
   Series r = constant(a.order, start);
@@ -202,26 +126,31 @@ Series one_less_square(const Series& a) noexcept {
   return product(difference(one, a), sum(one, a));
 }
 
+Series square_less_one(const Series& a) noexcept { return scaled(one_less_square(a), -1.0); }
+
 Series one_and_square(const Series& a) noexcept { return sum(product(a, a), constant(a.order, 1.0)); }
 
 Series square_root(const Series& a) noexcept { return root(a, 0.5, std::sqrt(a[0])); }
 
 Series result(const Step& step, const Series& a, double start) noexcept {
   const auto logarithm = [&](double base) { return integral_of_quotient(start, scaled(derivative(a), 1.0 / base), a); };
+  const auto arc_sine = [&](const Series& b) {
+    return integral_of_quotient(start, derivative(b), square_root(one_less_square(b)));
+  };
   switch (step.operation) {
     case Operation::negate: return scaled(a, -1.0);
     case Operation::constant_power: return constant_power(a, step.number, start);
     case Operation::sin: return sine_like(a, start, std::cos(a[0]), -1.0).r;
     case Operation::cos: return sine_like(a, std::sin(a[0]), start, -1.0).p;
     case Operation::tan: return tangent_like(a, start, 1.0);
-    case Operation::asin: return integral_of_quotient(start, derivative(a), square_root(one_less_square(a)));
-    case Operation::acos: return integral_of_quotient(start, scaled(derivative(a), -1.0), square_root(one_less_square(a)));
+    case Operation::asin: return arc_sine(a);
+    case Operation::acos: return arc_sine(scaled(a, -1.0));
     case Operation::atan: return integral_of_quotient(start, derivative(a), one_and_square(a));
     case Operation::sinh: return sine_like(a, start, std::cosh(a[0]), 1.0).r;
     case Operation::cosh: return sine_like(a, std::sinh(a[0]), start, 1.0).p;
     case Operation::tanh: return tangent_like(a, start, -1.0);
     case Operation::asinh: return integral_of_quotient(start, derivative(a), square_root(one_and_square(a)));
-    case Operation::acosh: return integral_of_quotient(start, derivative(a), square_root(scaled(one_less_square(a), -1.0)));
+    case Operation::acosh: return integral_of_quotient(start, derivative(a), square_root(square_less_one(a)));
     case Operation::atanh: return integral_of_quotient(start, derivative(a), one_less_square(a));
     case Operation::exp: return exponential(a, start);
     case Operation::log: return logarithm(1.0);
@@ -254,7 +183,7 @@ Series checked(Series series, double start) noexcept {
   series[0] = start;
   if (std::isnan(start)) return missing_from(series, 0);
   for (int k = 1; k <= series.order; ++k) {
-    if (!std::isfinite(series[k])) series[k] = kNan;
+    if (!std::isfinite(series[k])) series[k] = std::numeric_limits<double>::quiet_NaN();
   }
   return series;
 }

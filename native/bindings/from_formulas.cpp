@@ -44,7 +44,7 @@ AnyApproximation patch_from_formulas(const py::object& formulas, const py::objec
 
 }  // namespace
 
-void bind_build(py::module_& module) {
+void bind_from_formulas(py::module_& module) {
   module.def("curve_from_formulas", &curve_from_formulas, py::arg("formulas"), py::arg("domain"), py::kw_only(),
              py::arg("tolerance") = 1e-6, py::arg("variable") = "t", py::arg("constants") = py::none(),
              "The NurbsCurve x(t), y(t) and perhaps z(t) over domain (start, end), with its error.\n\n"
