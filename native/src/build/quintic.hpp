@@ -17,7 +17,7 @@ struct Jet {
   bool is_smooth = false;
 };
 
-/// The quintic with two derivatives given at both ends (Hermite; lecture row S5).
+/// The quintic with two derivatives given at both ends (Hermite; lecture row S4).
 struct QuinticPiece {
   Jet start;
   Jet end;
