@@ -25,5 +25,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_curves(module);
   bindings::bind_patches(module);
   bindings::bind_patch_set(module);
+  bindings::bind_formula(module);
+  bindings::bind_from_formulas(module);
   bindings::bind_exchange(module);
 }

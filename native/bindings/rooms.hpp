@@ -10,6 +10,8 @@ void bind_basis(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
+void bind_formula(pybind11::module_& module);
+void bind_from_formulas(pybind11::module_& module);
 void bind_exchange(pybind11::module_& module);
 
 }  // namespace bindings

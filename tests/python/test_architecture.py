@@ -18,6 +18,8 @@ NATIVE_ARROWS = {
     'patch': {'base', 'basis'},
     'convert': {'base', 'basis', 'curve', 'patch'},
     'tessellate': {'base', 'basis', 'curve', 'patch'},
+    'formula': {'base'},
+    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'formula'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }
 # A room of the add-on may import itself and these.

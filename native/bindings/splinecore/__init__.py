@@ -13,6 +13,8 @@ from ._splinecore import (
     BezierCurve,
     BezierPatch,
     Cancelled,
+    Formula,
+    FormulaError,
     HermiteCurve,
     HermitePatch,
     InvalidShape,
@@ -23,8 +25,10 @@ from ._splinecore import (
     Tessellation,
     ToleranceNotReached,
     __version__,
+    curve_from_formulas,
     dumps,
     loads,
+    patch_from_formulas,
 )
 from . import basis
 
@@ -33,6 +37,8 @@ __all__ = [
     "BezierCurve",
     "BezierPatch",
     "Cancelled",
+    "Formula",
+    "FormulaError",
     "HermiteCurve",
     "HermitePatch",
     "InvalidShape",
@@ -43,8 +49,10 @@ __all__ = [
     "Tessellation",
     "ToleranceNotReached",
     "basis",
+    "curve_from_formulas",
     "dumps",
     "loads",
+    "patch_from_formulas",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.

@@ -1,6 +1,6 @@
 """Exact NURBS, Bezier and Hermite curves and patches on a native library."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Generic, Literal, SupportsIndex, TypedDict, TypeVar, final
 
 import numpy as np
@@ -13,6 +13,8 @@ __all__ = [
     "BezierCurve",
     "BezierPatch",
     "Cancelled",
+    "Formula",
+    "FormulaError",
     "HermiteCurve",
     "HermitePatch",
     "InvalidShape",
@@ -23,8 +25,10 @@ __all__ = [
     "Tessellation",
     "ToleranceNotReached",
     "basis",
+    "curve_from_formulas",
     "dumps",
     "loads",
+    "patch_from_formulas",
 ]
 
 __version__: str
@@ -42,6 +46,11 @@ _Points = NDArray[Any]  # float64, or float32 where dtype or out ask for it
 
 class InvalidShape(ValueError):
     """Bad input: the message names the argument, the first offending index and its value."""
+
+class FormulaError(InvalidShape):
+    """Text that is no formula: the message ends with the place, which is also its attribute position."""
+
+    position: int
 
 class PointAtInfinity(ArithmeticError):
     """A point was asked for where the homogeneous weight is zero."""
@@ -545,6 +554,48 @@ class Tessellation:
     def evaluate(self, patch_set: PatchSet) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
     def evaluate_positions(self, patch_set: PatchSet) -> NDArray[np.float32]: ...
     def sharp_edges(self, normals: ArrayLike, angle: float) -> NDArray[np.int32]: ...
+
+_AtUndefined = Literal["raise", "nan"]
+
+@final
+class Formula:
+    """An expression of real variables, read from text; nothing in it is ever run."""
+
+    def __init__(
+        self, text: str, variables: Sequence[str] = ("t",), constants: Mapping[str, float] | None = None
+    ) -> None: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def variables(self) -> tuple[str, ...]: ...
+    @property
+    def constants(self) -> dict[str, float]: ...
+    def evaluate(self, *values: ArrayLike, at_undefined: _AtUndefined = "raise") -> _Floats: ...
+    def derivatives(self, t: ArrayLike, order: SupportsIndex, *, at_undefined: _AtUndefined = "raise") -> _Floats: ...
+    def gradient(self, *values: ArrayLike, at_undefined: _AtUndefined = "raise") -> _Floats: ...
+    def polynomial(self) -> _Floats | None: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __copy__(self) -> Formula: ...
+    def __deepcopy__(self, memo: object, /) -> Formula: ...
+
+def curve_from_formulas(
+    formulas: Sequence[str | Formula],
+    domain: ArrayLike,
+    *,
+    tolerance: float = 1e-6,
+    variable: str = "t",
+    constants: Mapping[str, float] | None = None,
+) -> Approximation[NurbsCurve]: ...
+def patch_from_formulas(
+    formulas: Sequence[str | Formula],
+    domain_u: ArrayLike,
+    domain_v: ArrayLike,
+    *,
+    tolerance: float = 1e-6,
+    variables: Sequence[str] = ("u", "v"),
+    constants: Mapping[str, float] | None = None,
+) -> Approximation[NurbsPatch]: ...
 
 _Value = NurbsCurve | BezierCurve | HermiteCurve | NurbsPatch | BezierPatch | HermitePatch | PatchSet
 
