@@ -1,0 +1,17 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace splinecore {
+
+/// The curve under an affine or projective map; the weights stay where it is affine (S9, S15).
+///
+/// A perspective projection of a rational curve is a rational curve with other weights; a point that
+/// comes to lie at infinity has weight 0 and is a direction.
+/// @param matrix  maps columns (x, y, z, w); affine if its last row is 0, 0, 0, 1
+/// @throws InvalidShape if a number is not finite or every point goes to infinity.
+NurbsCurve transformed(const NurbsCurve& curve, const glm::dmat4& matrix);
+
+}  // namespace splinecore

@@ -1,0 +1,215 @@
+#include "splinecore/curve/join.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/base/quotient.hpp"
+#include "splinecore/basis/samples.hpp"
+#include "splinecore/curve/degree.hpp"
+#include "splinecore/curve/distance.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/curve/removal.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr int kMostConditions = 3;
+
+int conditions_of(Smoothness smoothness) { return smoothness == Smoothness::c2 ? 3 : smoothness == Smoothness::c1 ? 2 : 1; }
+
+NurbsCurve with_point(const NurbsCurve& curve, std::size_t i, const glm::dvec3& place) {
+  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
+  points[i] = glm::dvec4(place, points[i].w);
+  return curve.with_points(std::move(points));
+}
+
+/// Both clamped, of one degree that has room for the conditions.
+void prepare(NurbsCurve& a, NurbsCurve& b, Smoothness smoothness) {
+  for (NurbsCurve* curve : {&a, &b}) {
+    if (curve->periodic()) throw InvalidShape("a periodic curve has no end to join");
+    *curve = clamped(*curve);
+  }
+  if (a.points().back().w == 0.0 || b.points().front().w == 0.0) throw InvalidShape("an end to join lies at infinity");
+  const int degree = std::max({a.degree(), b.degree(), conditions_of(smoothness)});
+  a = elevated(a, degree - a.degree());
+  b = elevated(b, degree - b.degree());
+}
+
+glm::dvec3 end_derivative(const NurbsCurve& curve, double u, Side side) {
+  std::array<glm::dvec3, 2> found;
+  derivatives(curve, {&u, 1}, 1, std::span(&found[0].x, 6), {.side = side});
+  return found[1];
+}
+
+/// b over a domain that begins where a ends and on which both derivatives at the joint have one length.
+NurbsCurve scaled_to_meet(const NurbsCurve& a, const NurbsCurve& b, bool is_scaled) {
+  const double start = a.domain().end;
+  double length = b.domain().length();
+  if (is_scaled) {
+    const double speed_a = glm::length(end_derivative(a, start, Side::left));
+    const double speed_b = glm::length(end_derivative(b, b.domain().start, Side::right));
+    if (speed_a > 0.0 && speed_b > 0.0) length *= speed_b / speed_a;
+  }
+  return with_domain(b, {start, start + length});
+}
+
+/// Of the points next to an end: in which share each has a part in the derivatives 0 … there. Directions have none.
+struct EndFunctions {
+  std::size_t first = 0;
+  std::vector<std::array<double, kMostConditions>> shares;
+};
+
+EndFunctions end_functions(const NurbsCurve& curve, double u, Side side, int count) {
+  const int most = kMostConditions - 1;
+  Stencil stencil(curve.knot_vector(), most);
+  stencil.move_to(u, side);
+  EndFunctions functions;
+  const std::size_t order = curve.degree() + 1;
+  const std::size_t skipped = side == Side::left ? order - count : 0;
+  functions.first = stencil.first() + skipped;
+  std::array<double, kMostConditions> weight{};
+  for (int k = 0; k <= most; ++k) {
+    for (std::size_t j = 0; j < order; ++j) weight[k] += stencil.weights(k)[j] * curve.points()[stencil.first() + j].w;
+  }
+  for (std::size_t j = skipped; j < skipped + count; ++j) {
+    const double w = curve.points()[stencil.first() + j].w;
+    std::array<glm::dvec4, kMostConditions> numerators;
+    for (int k = 0; k <= most; ++k) numerators[k] = glm::dvec4(w * stencil.weights(k)[j], 0.0, 0.0, weight[k]);
+    std::array<glm::dvec3, kMostConditions> quotients;
+    quotient_derivatives(numerators, quotients);
+    functions.shares.push_back({quotients[0].x, quotients[1].x, quotients[2].x});
+  }
+  return functions;
+}
+
+/// Solves a symmetric positive system of at most three rows (Gauss).
+std::array<glm::dvec3, kMostConditions> solved(std::array<std::array<double, kMostConditions>, kMostConditions> rows,
+                                               std::array<glm::dvec3, kMostConditions> right, int count) {
+  for (int k = 0; k < count; ++k) {
+    for (int i = k + 1; i < count; ++i) {
+      const double factor = rows[i][k] / rows[k][k];
+      for (int j = k; j < count; ++j) rows[i][j] -= factor * rows[k][j];
+      right[i] -= factor * right[k];
+    }
+  }
+  for (int k = count - 1; k >= 0; --k) {
+    for (int j = k + 1; j < count; ++j) right[k] -= rows[k][j] * right[j];
+    right[k] /= rows[k][k];
+  }
+  return right;
+}
+
+/// Moves the points next to the joint by the least that makes `count` derivatives, from the 0th, agree.
+void meet(NurbsCurve& a, NurbsCurve& b, int count) {
+  const double u = a.domain().end;
+  EndFunctions at_a = end_functions(a, u, Side::left, count);
+  EndFunctions at_b = end_functions(b, u, Side::right, count);
+  std::array<glm::dvec3, kMostConditions> left;
+  std::array<glm::dvec3, kMostConditions> right;
+  derivatives(a, {&u, 1}, kMostConditions - 1, std::span(&left[0].x, 9), {.side = Side::left});
+  derivatives(b, {&u, 1}, kMostConditions - 1, std::span(&right[0].x, 9), {.side = Side::right});
+  // Derivatives grow with the inverse of the span: each condition is scaled to the size of its shares.
+  std::array<std::array<double, kMostConditions>, kMostConditions> rows{};
+  std::array<glm::dvec3, kMostConditions> wanted{};
+  std::array<double, kMostConditions> scale{};
+  for (int k = 0; k < count; ++k) {
+    for (const EndFunctions* end : {&at_a, &at_b}) {
+      for (const auto& share : end->shares) scale[k] = std::max(scale[k], std::abs(share[k]));
+    }
+    wanted[k] = (right[k] - left[k]) / scale[k];
+  }
+  for (int k = 0; k < count; ++k) {
+    for (int l = 0; l < count; ++l) {
+      for (const EndFunctions* end : {&at_a, &at_b}) {
+        for (const auto& share : end->shares) rows[k][l] += share[k] / scale[k] * share[l] / scale[l];
+      }
+    }
+  }
+  const auto multipliers = solved(rows, wanted, count);
+  const auto moved = [&](const NurbsCurve& curve, const EndFunctions& end, double sign) {
+    std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
+    for (std::size_t j = 0; j < end.shares.size(); ++j) {
+      glm::dvec3 step(0.0);
+      for (int k = 0; k < count; ++k) step += sign * end.shares[j][k] / scale[k] * multipliers[k];
+      glm::dvec4& point = points[end.first + j];
+      if (point.w != 0.0) point = glm::dvec4(glm::dvec3(point) + step, point.w);
+    }
+    return curve.with_points(std::move(points));
+  };
+  a = moved(a, at_a, 1.0);
+  b = moved(b, at_b, -1.0);
+}
+
+/// Turns the outer legs of both polygons into the direction between them.
+void align(NurbsCurve& a, NurbsCurve& b) {
+  const std::size_t last = a.points().size() - 1;
+  const glm::dvec3 joint = 0.5 * (glm::dvec3(a.points()[last]) + glm::dvec3(b.points()[0]));
+  if (a.points()[last - 1].w == 0.0 || b.points()[1].w == 0.0) {
+    throw InvalidShape("a point next to the joint lies at infinity");
+  }
+  const glm::dvec3 leg_a = glm::dvec3(a.points()[last]) - glm::dvec3(a.points()[last - 1]);
+  const glm::dvec3 leg_b = glm::dvec3(b.points()[1]) - glm::dvec3(b.points()[0]);
+  const double length_a = glm::length(leg_a);
+  const double length_b = glm::length(leg_b);
+  const glm::dvec3 between = length_a > 0.0 && length_b > 0.0 ? leg_a / length_a + leg_b / length_b : glm::dvec3(0.0);
+  const double length = glm::length(between);
+  if (length == 0.0) throw InvalidShape("the curves leave the joint the same way: no direction lies between them");
+  const glm::dvec3 direction = between / length;
+  a = with_point(with_point(a, last, joint), last - 1, joint - length_a * direction);
+  b = with_point(with_point(b, 0, joint), 1, joint + length_b * direction);
+}
+
+/// a and b as one curve with `degree` copies of the knot between them.
+NurbsCurve in_a_row(const NurbsCurve& a, const NurbsCurve& b) {
+  const int degree = a.degree();
+  const auto knots_a = a.knot_vector().knots();
+  const auto knots_b = b.knot_vector().knots();
+  std::vector<double> knots(knots_a.begin(), knots_a.end() - 1);
+  knots.insert(knots.end(), knots_b.begin() + degree + 1, knots_b.end());
+  std::vector<glm::dvec4> points(a.points().begin(), a.points().end());
+  const double scale = a.points().back().w / b.points().front().w;
+  for (std::size_t i = 1; i < b.points().size(); ++i) {
+    const glm::dvec4& point = b.points()[i];
+    points.push_back(point.w == 0.0 ? point * scale : glm::dvec4(glm::dvec3(point), point.w * scale));
+  }
+  return NurbsCurve::make(degree, std::move(knots), std::move(points));
+}
+
+/// Without the copies of the joint's knot that nothing but rounding asks for.
+NurbsCurve without_needless_copies(NurbsCurve curve, double joint) {
+  constexpr double kRounding = 0x1p-44;
+  const double tolerance = kRounding * largest_coordinate(curve.points());
+  while (multiplicity(curve.knot_vector(), joint) > 0) {
+    Approximation<NurbsCurve> fewer = remove_knot(curve, joint);
+    if (fewer.error > tolerance) break;
+    curve = std::move(fewer.value);
+  }
+  return curve;
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& second, Smoothness smoothness) {
+  NurbsCurve a = first;
+  NurbsCurve b = second;
+  prepare(a, b, smoothness);
+  b = scaled_to_meet(a, b, smoothness >= Smoothness::c1);
+  const NurbsCurve old_a = a;
+  const NurbsCurve old_b = b;
+  if (smoothness == Smoothness::g1) {
+    align(a, b);
+  } else {
+    meet(a, b, conditions_of(smoothness));
+  }
+  const double error = std::max(largest_distance(old_a, a), largest_distance(old_b, b));
+  return {without_needless_copies(in_a_row(a, b), a.domain().end), error};
+}
+
+}  // namespace splinecore
