@@ -1,9 +1,12 @@
+#include "approximation.hpp"
 #include "arrays.hpp"
 #include "curve_methods.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/convert/to_power.hpp"
 #include "splinecore/curve/bezier_curve.hpp"
+#include "splinecore/curve/bezier_degree.hpp"
+#include "splinecore/curve/flatten.hpp"
 #include "splinecore/curve/hermite_curve.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "values.hpp"
@@ -139,6 +142,38 @@ void bind_nurbs(py::module_& module) {
   cls.def("__repr__", &text_of);
 }
 
+py::tuple flattened(const BezierCurve& curve, const py::object& tolerance) {
+  const double allowed = real(tolerance, "tolerance");
+  const auto line = unlocked([&] { return splinecore::flattened(curve, allowed); });
+  const auto count = static_cast<py::ssize_t>(line.points.size());
+  py::array_t<double> points({count, py::ssize_t{3}});
+  std::copy_n(&line.points.data()->x, 3 * line.points.size(), points.mutable_data());
+  return py::make_tuple(py::array_t<double>(count, line.parameters.data()), points);
+}
+
+AnyApproximation reduced(const BezierCurve& curve, const py::object& times, const py::object& tolerance) {
+  const int steps = integer(times, "times");
+  return wrap(tolerance.is_none() ? splinecore::reduced(curve, steps)
+                                  : splinecore::reduced(curve, steps, real(tolerance, "tolerance")));
+}
+
+void bind_degrees(py::class_<BezierCurve>& cls) {
+  cls.def("elevate", [](const BezierCurve& self, const py::object& times) {
+            return splinecore::elevated(self, integer(times, "times"));
+          }, py::arg("times") = 1,
+          "The same curve with a degree higher by times. The NURBS Book, eq. 5.36; lecture row S6.\n\n"
+          "InvalidShape unless times is 1 or more and the degree at most 255.");
+  cls.def("reduce", &reduced, py::arg("times") = 1, py::arg("tolerance") = py::none(),
+          "Approximation of the curve by one of a degree lower by times, with the same ends.\n\n"
+          "Each step takes the nearest such curve, by the constrained Chebyshev polynomial (Lachance 1988). The\n"
+          "error is exact for one step on a polynomial curve, otherwise an upper bound; a larger one than the\n"
+          "tolerance raises ToleranceNotReached. Weights must be positive. Lecture row S6.");
+  cls.def("flatten", &flattened, py::arg("tolerance"),
+          "(parameters (m,), points (m, 3)): the polyline from which the curve lies nowhere farther than tolerance.\n\n"
+          "By halving until the hull of each part is that flat, which also holds for rational curves. A curve\n"
+          "through infinity raises PointAtInfinity, a tolerance that 2^18 points do not reach InvalidShape. Row S6.");
+}
+
 void bind_bezier(py::module_& module) {
   py::class_<BezierCurve> cls(
       module, "BezierCurve", py::module_local(),
@@ -157,6 +192,7 @@ void bind_bezier(py::module_& module) {
   bind_value(cls);
   cls.def("split", [](const BezierCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
           py::arg("u"), "(before, after), each over [0, 1] (de Casteljau).");
+  bind_degrees(cls);
   cls.def("reversed", [](const BezierCurve& self) { return splinecore::reversed(self); },
           "The same points in the opposite direction.");
   cls.def("to_nurbs", [](const BezierCurve& self) { return self.nurbs(); }, "The same curve as a NurbsCurve.");

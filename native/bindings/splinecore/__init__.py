@@ -27,7 +27,7 @@ from ._splinecore import (
     dumps,
     loads,
 )
-from . import basis
+from . import basis, build
 
 __all__ = [
     "Approximation",
@@ -45,12 +45,13 @@ __all__ = [
     "Tessellation",
     "ToleranceNotReached",
     "basis",
+    "build",
     "dumps",
     "loads",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name != "basis":
+    if _name not in ("basis", "build"):
         globals()[_name].__module__ = __name__
 del _name
