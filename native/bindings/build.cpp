@@ -26,7 +26,12 @@ std::vector<glm::dvec3> points_of(const py::object& points) {
 
 /// One point of two or three numbers.
 glm::dvec3 place_of(const py::object& value, const char* name) {
-  return vectors(real_array(value, name), name, 0)[0];
+  const Doubles given = real_array(value, name);
+  const bool is_place = given.ndim() == 1 && (given.size() == 2 || given.size() == 3);
+  if (!is_place) {
+    throw InvalidShape(std::string(name) + " has shape " + shape_text(given) + ", one point of 2 or 3 numbers is expected");
+  }
+  return {given.data()[0], given.data()[1], given.size() == 3 ? given.data()[2] : 0.0};
 }
 
 /// The value that a word stands for. @throws py::type_error if it is no text, InvalidShape if not one of them.

@@ -25,13 +25,13 @@ std::vector<double> parameters_of(std::span<const glm::dvec3> points, Parametris
   const std::size_t count = points.size() + (closing == Closing::closed ? 1 : 0);
   for (std::size_t i = 1; i < count; ++i) {
     const double next = parameters.back() + step(points[i - 1], points[i % points.size()], kind);
-    if (!(next > parameters.back())) {
-      throw InvalidShape("points" + index_text(i % points.size()) + " is too close to points" + index_text(i - 1) +
-                         ": their distance is no step of the parameter");
-    }
     if (!std::isfinite(next)) {
       throw InvalidShape("points" + index_text(i % points.size()) + " is too far from points" + index_text(i - 1) +
                          ": their distance overflows");
+    }
+    if (!(next > parameters.back())) {
+      throw InvalidShape("points" + index_text(i % points.size()) + " is too close to points" + index_text(i - 1) +
+                         ": their distance is no step of the parameter");
     }
     parameters.push_back(next);
   }
