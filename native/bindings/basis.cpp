@@ -185,8 +185,8 @@ void bind_basis(py::module_& module) {
       .def("triangle", &triangle_at, py::arg("u"),
            "The triangular scheme at u: [(indices, values, rising, falling), …] for degrees 0 … degree.\n\n"
            "Each row has the functions that are not zero on the span of u. values[j] of a row is rising[j] times\n"
-           "the value of the same function in the row before plus falling[j] times that of the next function,\n"
-           "one that is not listed being 0; the first row has no factors. Defined on the whole knots, also\n"
+           "the value of the same function in the row before plus falling[j] times that of the next function;\n"
+           "a factor is 0 where the row before does not list it, and the first row has none. Defined on the whole knots, also\n"
            "where the domain is empty; of a periodic vector indices are modulo count. Lecture row S14.")
       .def_property_readonly("spans", [](const py::object& self) {
         return view_of_numbers(py::cast<const KnotVector&>(self).spans(), self);

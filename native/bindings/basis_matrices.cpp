@@ -6,7 +6,7 @@ namespace bindings {
 
 namespace {
 
-py::array square(const splinecore::Matrix& matrix) {
+py::array square(const splinecore::BasisMatrix& matrix) {
   py::array_t<double> out({matrix.degree + 1, matrix.degree + 1});
   std::ranges::copy(matrix.values, out.mutable_data());
   return out;

@@ -29,7 +29,8 @@ glm::dvec3 place_of(const py::object& value, const char* name) {
   const Doubles given = real_array(value, name);
   const bool is_place = given.ndim() == 1 && (given.size() == 2 || given.size() == 3);
   if (!is_place) {
-    throw InvalidShape(std::string(name) + " has shape " + shape_text(given) + ", one point of 2 or 3 numbers is expected");
+    throw InvalidShape(std::string(name) + " has shape " + shape_text(given) +
+                       ", one point of 2 or 3 numbers is expected");
   }
   return {given.data()[0], given.data()[1], given.size() == 3 ? given.data()[2] : 0.0};
 }
@@ -37,7 +38,8 @@ glm::dvec3 place_of(const py::object& value, const char* name) {
 /// The value that a word stands for. @throws py::type_error if it is no text, InvalidShape if not one of them.
 template <class Choice>
 Choice chosen(const py::object& word, const char* name, const std::map<std::string, Choice>& choices) {
-  if (!py::isinstance<py::str>(word)) throw py::type_error(std::string(name) + " must be a str, not " + type_name(word));
+  const bool is_text = py::isinstance<py::str>(word);
+  if (!is_text) throw py::type_error(std::string(name) + " must be a str, not " + type_name(word));
   const auto found = choices.find(py::cast<std::string>(word));
   if (found != choices.end()) return found->second;
   std::string all;
@@ -87,7 +89,8 @@ splinecore::HermiteCurve kochanek_bartels(const py::object& points, const py::ob
   set_part(bias, "bias", &Shaping::bias, shaping);
   const Closing closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
   const EndTangent tangent = ends_of(ends);
-  return splinecore::kochanek_bartels(rows, shaping, parameters_of(rows, parametrisation, closing), closing, tangent);
+  const std::vector<double> at = parameters_of(rows, parametrisation, closing);
+  return unlocked([&] { return splinecore::kochanek_bartels(rows, shaping, at, closing, tangent); });
 }
 
 std::vector<BezierCurve> beziers_of(const py::object& value, const char* name) {
@@ -96,7 +99,8 @@ std::vector<BezierCurve> beziers_of(const py::object& value, const char* name) {
   std::vector<BezierCurve> curves;
   for (const py::handle& item : py::cast<py::sequence>(value)) {
     if (!py::isinstance<BezierCurve>(item)) {
-      throw py::type_error(name + splinecore::index_text(curves.size()) + " must be a BezierCurve, not " + type_name(item));
+      throw py::type_error(name + splinecore::index_text(curves.size()) + " must be a BezierCurve, not " +
+                           type_name(item));
     }
     curves.push_back(py::cast<const BezierCurve&>(item));
   }
@@ -105,11 +109,13 @@ std::vector<BezierCurve> beziers_of(const py::object& value, const char* name) {
 
 std::vector<splinecore::Osculation> osculations_of(const py::object& data, const py::object& parameters) {
   const std::vector<double> at = numbers(parameters, "parameters");
-  const bool is_list = PySequence_Check(data.ptr()) != 0 && !py::isinstance<py::str>(data) && !py::isinstance<py::bytes>(data);
+  const bool is_text = py::isinstance<py::str>(data) || py::isinstance<py::bytes>(data);
+  const bool is_list = PySequence_Check(data.ptr()) != 0 && !is_text;
   if (!is_list) throw py::type_error("data must be a list of arrays, not " + type_name(data));
   const auto rows = py::reinterpret_borrow<py::sequence>(data);
   if (rows.size() != at.size()) {
-    throw InvalidShape("data has " + std::to_string(rows.size()) + " rows for " + std::to_string(at.size()) + " parameters");
+    throw InvalidShape("data has " + std::to_string(rows.size()) + " rows for " + std::to_string(at.size()) +
+                       " parameters");
   }
   std::vector<splinecore::Osculation> places;
   for (std::size_t i = 0; i < at.size(); ++i) {

@@ -200,8 +200,9 @@ void bind_bezier(py::module_& module) {
             return splinecore::to_power(self, real(origin, "origin"));
           }, py::arg("origin") = 0.0,
           "The same curve in powers of t - origin (row S2).\n\n"
-          "Exact up to the rounding of the coefficients, which grow like 2^degree and, about a far origin,\n"
-          "(1 + |origin|)^degree times that: as many digits of the curve are lost. InvalidShape on overflow.");
+          "Exact up to the rounding of the coefficients, which cancel: relative to the points that costs 1e-15 at\n"
+          "degree 10 about the middle 0.5, 1e-12 about an end and 1e-2 about 10; at degree 20 1e-14, 1e-8 and all.\n"
+          "InvalidShape if they overflow.");
   cls.def("__repr__", [](const BezierCurve& self) {
     return "BezierCurve(degree=" + std::to_string(self.degree()) + (self.nurbs().rational() ? ", rational)" : ")");
   });

@@ -32,7 +32,8 @@ void bind_making(py::class_<PowerCurve>& cls) {
             return PowerCurve::make(polynomial_rows(coefficients), real(origin, "origin"), interval_of(domain, "domain"));
           }),
           py::arg("coefficients"), py::arg("origin") = 0.0, py::arg("domain") = py::make_tuple(0.0, 1.0));
-  cls.def_static("from_homogeneous", [](const py::object& coefficients, const py::object& origin, const py::object& domain) {
+  cls.def_static("from_homogeneous", [](const py::object& coefficients, const py::object& origin,
+                                        const py::object& domain) {
                    return PowerCurve::make(rows_of_four(real_array(coefficients, "coefficients"), "coefficients", 1),
                                            real(origin, "origin"), interval_of(domain, "domain"));
                  },

@@ -90,7 +90,9 @@ TEST(Reduced, StaysWithinItsBoundAlsoInManyStepsAndWithWeights) {
   for (int round = 0; round < 300; ++round) {
     const int degree = integer(random, 3, 10);
     std::vector<glm::dvec4> points;
-    for (int i = 0; i <= degree; ++i) points.emplace_back(i, std::sin(i), random_vector(random, 0.5).z, 1 + 0.1 * std::cos(i * i));
+    for (int i = 0; i <= degree; ++i) {
+      points.emplace_back(i, std::sin(i), random_vector(random, 0.5).z, 1 + 0.1 * std::cos(i * i));
+    }
     const BezierCurve curve = BezierCurve::make(points);
     const auto [lower, error] = reduced(curve, integer(random, 1, degree - 2));
     EXPECT_LE(largest_distance(curve, lower, 200), error * (1 + 1e-9) + 1e-12) << degree;

@@ -36,8 +36,9 @@ TEST(KochanekBartels, OnUniformParametersHasTheTangentsOfTheLectures) {
     const std::vector<glm::dvec3> p = random_places(random, 3);
     const double t = real(random, -1, 1), c = real(random, -1, 1), b = real(random, -1, 1);
     const HermiteCurve curve = spline(p, Parametrisation::uniform, {t, c, b});
-    const glm::dvec3 incoming = (1 - t) * (1 - c) * (1 + b) / 2 * (p[1] - p[0]) + (1 - t) * (1 + c) * (1 - b) / 2 * (p[2] - p[1]);
-    const glm::dvec3 outgoing = (1 - t) * (1 + c) * (1 + b) / 2 * (p[1] - p[0]) + (1 - t) * (1 - c) * (1 - b) / 2 * (p[2] - p[1]);
+    const glm::dvec3 before = p[1] - p[0], after = p[2] - p[1];
+    const glm::dvec3 incoming = (1 - t) * (1 - c) * (1 + b) / 2 * before + (1 - t) * (1 + c) * (1 - b) / 2 * after;
+    const glm::dvec3 outgoing = (1 - t) * (1 + c) * (1 + b) / 2 * before + (1 - t) * (1 - c) * (1 - b) / 2 * after;
     EXPECT_LE(largest(curve.tangents()[1].incoming - incoming), 1e-13);
     EXPECT_LE(largest(curve.tangents()[1].outgoing - outgoing), 1e-13);
   }

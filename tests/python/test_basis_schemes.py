@@ -69,7 +69,7 @@ def test_the_triangle_on_0_to_5_is_the_lectures():
     assert [row[0].tolist() for row in rows] == [[2], [1, 2], [0, 1, 2]]
     assert [row[1].tolist() for row in rows] == [[1], [0.5, 0.5], [0.125, 0.75, 0.125]]
     assert rows[0][2].size == rows[0][3].size == 0
-    assert rows[2][2].tolist() == [1.25, 0.75, 0.25] and rows[2][3].tolist() == [0.25, 0.75, 1.25]
+    assert rows[2][2].tolist() == [0, 0.75, 0.25] and rows[2][3].tolist() == [0.25, 0.75, 0]
 
 
 @pytest.mark.parametrize("degree", [0, 1, 2])
@@ -100,6 +100,7 @@ def test_rows_of_the_triangle_feed_each_other_and_end_in_the_functions(curve):
         for (below, values_below, _, _), (indices, values, rising, falling) in zip(rows, rows[1:]):
             known = dict(zip(below.tolist(), values_below.tolist()))
             for i, value, up, down in zip(indices.tolist(), values, rising, falling):
+                assert (up != 0) <= (i in known) and (down != 0) <= (i + 1 in known) and 0 <= up <= 1 and 0 <= down <= 1
                 assert value == up * known.get(i, 0.0) + down * known.get(i + 1, 0.0)
         all_values = np.zeros(knots.count)
         all_values[rows[-1][0]] = rows[-1][1]

@@ -145,6 +145,12 @@ def test_two_points_with_derivatives_are_hermites_cubic():
     assert np.abs(curve.evaluate(u) - chain.evaluate(u)).max() <= 1e-14
 
 
+def test_a_domain_of_one_ulp_is_not_halved():
+    data = [[(0, 0), (1e30, 0), (1e50, 1e60)], [(1, 1), (-1e33, 1e33), (1e55, 0)]]
+    curve = build.osculating_polynomial(data, [1, np.nextafter(1, 2)])
+    assert curve.degree == 5 and np.isfinite(curve.points).all() and len(curve.to_bezier()) == 1
+
+
 LINE = [(0, 0), (1, 1)]
 
 

@@ -18,24 +18,22 @@ int span_on_line(const KnotVector& knots, double u) {
   return static_cast<int>(std::ranges::upper_bound(all, u) - all.begin()) - 1;
 }
 
-/// 0 where a knot interval is empty: 0/0 = 0.
-double share(double part, double whole) { return whole == 0.0 ? 0.0 : part / whole; }
-
 /// The functions of one degree more than those of `below`, on span k.
 TriangleRow next_row(std::span<const double> knots, int k, int degree, double u, const TriangleRow& below) {
   TriangleRow row;
   row.first = std::max(0, k - degree);
   const int last = std::min(k, static_cast<int>(knots.size()) - degree - 2);
-  const auto value_below = [&](int i) {
-    const int j = i - below.first;
-    return j >= 0 && j < static_cast<int>(below.values.size()) ? below.values[j] : 0.0;
-  };
+  const int end = below.first + static_cast<int>(below.values.size());
+  const auto is_fed = [&](int i) { return i >= below.first && i < end; };
   for (int i = row.first; i <= last; ++i) {
-    const double rising = share(u - knots[i], knots[i + degree] - knots[i]);
-    const double falling = share(knots[i + degree + 1] - u, knots[i + degree + 1] - knots[i + 1]);
+    // A function that is not zero here has knots on both sides of u, so neither divisor is zero.
+    const double rising = is_fed(i) ? (u - knots[i]) / (knots[i + degree] - knots[i]) : 0.0;
+    const double falling =
+        is_fed(i + 1) ? (knots[i + degree + 1] - u) / (knots[i + degree + 1] - knots[i + 1]) : 0.0;
     row.rising.push_back(rising);
     row.falling.push_back(falling);
-    row.values.push_back(rising * value_below(i) + falling * value_below(i + 1));
+    row.values.push_back((is_fed(i) ? rising * below.values[i - below.first] : 0.0) +
+                         (is_fed(i + 1) ? falling * below.values[i + 1 - below.first] : 0.0));
   }
   return row;
 }

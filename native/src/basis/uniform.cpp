@@ -44,9 +44,9 @@ double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }
 
 }  // namespace
 
-Matrix uniform_matrix(int degree) {
+BasisMatrix uniform_matrix(int degree) {
   require_degree(degree, kMaxUniformDegree);
-  Matrix matrix{degree, {}};
+  BasisMatrix matrix{degree, {}};
   const std::vector<Polynomial> functions = uniform_functions(degree);
   for (int power = degree; power >= 0; --power) {
     for (const Polynomial& function : functions) matrix.values.push_back(function[power] / factorial(degree));
@@ -54,9 +54,9 @@ Matrix uniform_matrix(int degree) {
   return matrix;
 }
 
-Matrix uniform_to_bezier(int degree) {
+BasisMatrix uniform_to_bezier(int degree) {
   require_degree(degree, kMaxUniformDegree);
-  Matrix matrix{degree, {}};
+  BasisMatrix matrix{degree, {}};
   const std::vector<Polynomial> functions = uniform_functions(degree);
   for (int i = 0; i <= degree; ++i) {
     for (const Polynomial& function : functions) {
@@ -69,9 +69,9 @@ Matrix uniform_to_bezier(int degree) {
   return matrix;
 }
 
-Matrix bezier_matrix(int degree) {
+BasisMatrix bezier_matrix(int degree) {
   require_degree(degree, kMaxBezierMatrixDegree);
-  Matrix matrix{degree, {}};
+  BasisMatrix matrix{degree, {}};
   for (int power = degree; power >= 0; --power) {
     for (int j = 0; j <= degree; ++j) {
       const double size = j > power ? 0.0 : binomial(degree, power) * binomial(power, j);
@@ -81,6 +81,6 @@ Matrix bezier_matrix(int degree) {
   return matrix;
 }
 
-Matrix hermite_matrix() { return {3, {2, 1, -2, 1, -3, -2, 3, -1, 0, 1, 0, 0, 1, 0, 0, 0}}; }
+BasisMatrix hermite_matrix() { return {3, {2, 1, -2, 1, -3, -2, 3, -1, 0, 1, 0, 0, 1, 0, 0, 0}}; }
 
 }  // namespace splinecore

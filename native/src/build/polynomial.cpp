@@ -82,7 +82,8 @@ void append_spans(const NewtonForm& polynomial, Interval range, double size, int
   constexpr double kMaxGrowth = 1000.0;
   const std::vector<glm::dvec3> points = polynomial.bernstein(range);
   const auto is_small = [&] { return size_of(points) <= kMaxGrowth * std::max(size, size_on(polynomial, range)); };
-  if (halvings == 0 || !std::ranges::all_of(points, is_finite) || is_small()) return append_span(range, points, spans);
+  const bool can_halve = halvings > 0 && range.start < range.middle() && range.middle() < range.end;
+  if (!can_halve || !std::ranges::all_of(points, is_finite) || is_small()) return append_span(range, points, spans);
   append_spans(polynomial, {range.start, range.middle()}, size, halvings - 1, spans);
   append_spans(polynomial, {range.middle(), range.end}, size, halvings - 1, spans);
 }
@@ -179,7 +180,10 @@ void lagrange_evaluate(std::span<const glm::dvec3> points, std::vector<double> p
                        ", " + text_of(parameters.back()) + "]");
   }
   const std::vector<double> weights = barycentric_weights(parameters);
-  for (std::size_t i = 0; i < at.size(); ++i) out[i] = barycentric_value(points, parameters, weights, at[i]);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    out[i] = barycentric_value(points, parameters, weights, at[i]);
+    if (!is_finite(out[i])) throw InvalidShape("the polynomial overflows at u" + index_text(i) + " = " + text_of(at[i]));
+  }
 }
 
 }  // namespace splinecore

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -92,14 +91,16 @@ double smallest_weight(const Points& points) {
   return std::ranges::min(points, {}, &glm::dvec4::w).w;
 }
 
+double norm(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
+
 /// How far the quotient of the homogeneous points moves at most where they move by `change`, into `after`:
 /// (X - P W) / W over the hull of the points P.
 double bound(const glm::dvec4& change, const Points& before, const Points& after) {
   const double weight = smallest_weight(before);
-  if (change.w == 0.0) return glm::length(glm::dvec3(change)) / weight;
+  if (change.w == 0.0) return norm(glm::dvec3(change)) / weight;
   double largest = 0.0;
   for (const glm::dvec4& point : as_given(after)) {
-    largest = std::max(largest, glm::length(glm::dvec3(change) - change.w * glm::dvec3(point)));
+    largest = std::max(largest, norm(glm::dvec3(change) - change.w * glm::dvec3(point)));
   }
   return largest / weight;
 }
@@ -162,6 +163,7 @@ Approximation<BezierCurve> reduced(const BezierCurve& curve, int times) {
     points = std::move(lower.value);
     error += lower.error;
   }
+  if (!std::isfinite(error)) throw InvalidShape("points are so large that the error overflows");
   return {with_ends(std::move(points), curve), error};
 }
 

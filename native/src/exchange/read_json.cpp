@@ -131,7 +131,8 @@ HermiteCurve hermite_curve(const Json& object) {
 
 PowerCurve power_curve(const Json& object) {
   const Json& domain = field(object, "domain");
-  const Interval range{number(element(domain, 0, "domain"), "domain[0]"), number(element(domain, 1, "domain"), "domain[1]")};
+  const double start = number(element(domain, 0, "domain"), "domain[0]");
+  const Interval range{start, number(element(domain, 1, "domain"), "domain[1]")};
   auto coefficients = list<glm::dvec4>(field(object, "coefficients"), "coefficients");
   return PowerCurve::make(std::move(coefficients), number(field(object, "origin"), "origin"), range);
 }

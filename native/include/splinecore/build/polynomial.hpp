@@ -31,7 +31,8 @@ NurbsCurve polynomial_through(std::span<const glm::dvec3> points, std::vector<do
 /// Lagrange's polynomial at parameters of its domain, without a curve between: the barycentric form (Berrut and
 /// Trefethen 2004, eq. 4.2), stable also where the parameters are those of Chebyshev and many. At a
 /// parameter of a point it is that point in every bit.
-/// @throws InvalidShape as polynomial_through() does, but for the degree, or if a parameter lies outside.
+/// @throws InvalidShape as polynomial_through() does, but for the degree, or if a parameter lies outside or the
+///         polynomial overflows there.
 void lagrange_evaluate(std::span<const glm::dvec3> points, std::vector<double> parameters,
                        std::span<const double> at, std::span<glm::dvec3> out);
 

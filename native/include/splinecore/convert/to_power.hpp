@@ -8,8 +8,8 @@
 namespace splinecore {
 
 /// The same curve in powers of t - origin, on [0, 1] (lecture row S2). Exact up to the rounding of the
-/// coefficients; these grow like 2^degree about an end and (1 + |origin|)^degree times that about a far
-/// origin, so that at degree 20 about an end six digits are lost, and at degree 50 nearly all.
+/// coefficients, which cancel: relative to the points, at degree 20 it costs 1e-14 about the middle, 1e-8 about an
+/// end and everything about 10; at degree 10 1e-15, 1e-12 and 1e-2.
 /// @throws InvalidShape if the origin is not finite or a coefficient overflows.
 PowerCurve to_power(const BezierCurve& curve, double origin = 0.0);
 
