@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "arrays.hpp"
+#include "basis_matrices.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/functions.hpp"
@@ -52,6 +53,39 @@ py::array function_at(const KnotVector& knots, const py::object& i, const py::ob
     out.mutable_data()[k] = splinecore::function_value(knots, function, at.data()[k]);
   }
   return out;
+}
+
+py::array function_derivatives_at(const KnotVector& knots, const py::object& i, const py::object& u,
+                                  const py::object& order) {
+  const Doubles at = real_array(u, "u");
+  const int function = integer(i, "i");
+  const int highest = integer(order, "order");
+  splinecore::require_order(highest);
+  require_finite(at, "u");
+  Shape shape(at.shape(), at.shape() + at.ndim());
+  shape.push_back(highest + 1);
+  py::array_t<double> out(shape);
+  const std::size_t width = highest + 1;
+  for (py::ssize_t k = 0; k < at.size(); ++k) {
+    splinecore::function_derivatives(knots, function, at.data()[k], {out.mutable_data() + k * width, width});
+  }
+  return out;
+}
+
+/// [(indices, values, rising, falling), …] of the functions' numbers, folded where periodic.
+py::list triangle_at(const KnotVector& knots, const py::object& u) {
+  py::list rows;
+  for (const splinecore::TriangleRow& row : splinecore::function_triangle(knots, real(u, "u"))) {
+    py::array_t<std::int64_t> indices(static_cast<py::ssize_t>(row.values.size()));
+    for (py::ssize_t j = 0; j < indices.size(); ++j) {
+      indices.mutable_data()[j] = knots.periodic() ? (row.first + j) % knots.count() : row.first + j;
+    }
+    const auto array = [](const std::vector<double>& values) {
+      return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+    };
+    rows.append(py::make_tuple(indices, array(row.values), array(row.rising), array(row.falling)));
+  }
+  return rows;
 }
 
 py::array span_at(const KnotVector& knots, const py::object& u, const py::object& side) {
@@ -145,6 +179,18 @@ void bind_basis(py::module_& module) {
       .def("support", [](const KnotVector& self, const py::object& i) {
              return pair_of(splinecore::function_support(self, integer(i, "i")));
            }, py::arg("i"), "The smallest interval outside which N_{i,degree} is zero.")
+      .def("function_derivatives", &function_derivatives_at, py::arg("i"), py::arg("u"), py::arg("order"),
+           "N_{i,degree} and its derivatives up to order: (...,) -> (..., order + 1), on the whole line.\n\n"
+           "Right-hand at a knot, left-hand at the end of the domain. The NURBS Book, eq. 2.10; row S14.")
+      .def("triangle", &triangle_at, py::arg("u"),
+           "The triangular scheme at u: [(indices, values, rising, falling), …] for degrees 0 … degree.\n\n"
+           "Each row has the functions that are not zero on the span of u. values[j] of a row is rising[j] times\n"
+           "the value of the same function in the row before plus falling[j] times that of the next function;\n"
+           "a factor is 0 where the row before does not list it, and the first row has none. Defined on the whole knots, also\n"
+           "where the domain is empty; of a periodic vector indices are modulo count. Lecture row S14.")
+      .def_property_readonly("spans", [](const py::object& self) {
+        return view_of_numbers(py::cast<const KnotVector&>(self).spans(), self);
+      }, "(m,) integers: for each span of positive length its index as span() gives it.")
       .def("multiplicity", [](const KnotVector& self, const py::object& u) {
              return splinecore::multiplicity(self, real(u, "u"));
            }, py::arg("u"), "How often u occurs among the knots; 0 if it is none.")
@@ -165,6 +211,7 @@ void bind_basis(py::module_& module) {
                " knots" + (self.periodic() ? ", periodic)" : ")");
       });
 
+  bind_matrices(basis);
   py::class_<BoundSamples> bound_samples(basis, "Samples", py::module_local(),
                            "Where a batch of parameters falls, and with which weights.\n\n"
                            "Computed once, applied to any rows of numbers: points, weights, colours.");

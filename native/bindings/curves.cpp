@@ -1,141 +1,25 @@
+#include "approximation.hpp"
 #include "arrays.hpp"
-#include "long_calls.hpp"
+#include "curve_methods.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
-#include "splinecore/convert/to_bezier.hpp"
-#include "splinecore/convert/to_hermite.hpp"
+#include "splinecore/convert/to_power.hpp"
 #include "splinecore/curve/bezier_curve.hpp"
-#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/curve/bezier_degree.hpp"
+#include "splinecore/curve/flatten.hpp"
 #include "splinecore/curve/hermite_curve.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
-#include "splinecore/tessellate/polyline.hpp"
 #include "values.hpp"
 
 namespace bindings {
 
 using splinecore::BezierCurve;
-using splinecore::EvaluateOptions;
 using splinecore::HermiteCurve;
 using splinecore::InvalidShape;
 using splinecore::KnotVector;
 using splinecore::NurbsCurve;
 
 namespace {
-
-constexpr std::size_t kPart = 1 << 16;
-
-const NurbsCurve& form(const NurbsCurve& curve) { return curve; }
-const NurbsCurve& form(const BezierCurve& curve) { return curve.nurbs(); }
-const NurbsCurve& form(const HermiteCurve& curve) { return curve.nurbs(); }
-
-EvaluateOptions options_of(const py::object& side, const py::object& at_infinity) {
-  return {side_of(side, "side"), at_infinity_of(at_infinity)};
-}
-
-/// in_parts() over parameters; one that is refused is named by its place among all of them.
-template <class Work>
-void in_parts_of(const Doubles& parameters, const NurbsCurve& curve, const EvaluateOptions& options,
-                 const py::object& cancel, Work work) {
-  try {
-    in_parts(parameters.size(), kPart, cancel, work);
-  } catch (const InvalidShape&) {
-    require_inside(curve.knot_vector(), parameters, options.side, "u");
-    throw;
-  }
-}
-
-py::array evaluate(const NurbsCurve& curve, const py::object& u, const py::object& side,
-                   const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                   const py::object& cancel) {
-  const Doubles at = apart_from(real_array(u, "u"), out);
-  Shape shape(at.shape(), at.shape() + at.ndim());
-  shape.push_back(3);
-  const Output output(shape, out, dtype);
-  const EvaluateOptions options = options_of(side, at_infinity);
-  in_parts_of(at, curve, options, cancel, [&](std::size_t begin, std::size_t end) {
-    const std::span parameters(at.data() + begin, end - begin);
-    if (output.single()) {
-      splinecore::evaluate(curve, parameters, output.floats(3 * begin, 3 * (end - begin)), options);
-    } else {
-      splinecore::evaluate(curve, parameters, output.doubles(3 * begin, 3 * (end - begin)), options);
-    }
-  });
-  return output.array();
-}
-
-py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::object& order,
-                      const py::object& side, const py::object& at_infinity, const py::object& cancel) {
-  const Doubles at = real_array(u, "u");
-  const int highest = integer(order, "order");
-  splinecore::require_order(highest);
-  Shape shape(at.shape(), at.shape() + at.ndim());
-  shape.push_back(highest + 1);
-  shape.push_back(3);
-  const Output output(shape, py::none(), py::none());
-  const EvaluateOptions options = options_of(side, at_infinity);
-  const std::size_t row = 3 * (highest + 1);
-  in_parts_of(at, curve, options, cancel, [&](std::size_t begin, std::size_t end) {
-    splinecore::derivatives(curve, {at.data() + begin, end - begin}, highest,
-                            output.doubles(row * begin, row * (end - begin)), options);
-  });
-  return output.array();
-}
-
-py::list polylines(const NurbsCurve& curve, const py::object& resolution) {
-  py::list lines;
-  const int steps = integer(resolution, "resolution");
-  for (const auto& line : unlocked([&] { return splinecore::polylines(curve, steps); })) {
-    py::array_t<double> points({static_cast<py::ssize_t>(line.points.size() / 3), py::ssize_t{3}});
-    std::ranges::copy(line.points, points.mutable_data());
-    lines.append(py::make_tuple(points, line.closed));
-  }
-  return lines;
-}
-
-py::list finite_pieces(const NurbsCurve& curve) {
-  py::list intervals;
-  for (const auto& piece : splinecore::pieces(curve)) intervals.append(pair_of(piece));
-  return intervals;
-}
-
-/// What every kind of curve can do through its NURBS form.
-template <class Curve>
-void bind_common(py::class_<Curve>& cls) {
-  cls.def_property_readonly("degree", [](const Curve& self) { return form(self).degree(); });
-  cls.def_property_readonly("domain", [](const Curve& self) { return pair_of(form(self).domain()); },
-                            "(start, end) of the parameter.");
-  cls.def_property_readonly("is_rational", [](const Curve& self) { return form(self).rational(); },
-                            "True unless every weight is 1.");
-  cls.def("evaluate", [](const Curve& self, const py::object& u, const py::object& side, const py::object& at_infinity,
-                         const py::object& dtype, const py::object& out, const py::object& cancel) {
-            return evaluate(form(self), u, side, at_infinity, dtype, out, cancel);
-          },
-          py::arg("u"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
-          "Points at parameters: (...,) -> (..., 3), float64 or, with dtype or out, float32.\n\n"
-          "A parameter outside the domain by more than 4 ulp raises InvalidShape. At a knot the right-hand\n"
-          "value is taken unless side='left'. Where the weight is zero PointAtInfinity is raised, or\n"
-          "at_infinity='nan' marks the point. out is a C-contiguous array of the result's shape; cancel\n"
-          "is a callable that ends a long call by returning True. Rows S6, S9, S15.");
-  cls.def("derivatives", [](const Curve& self, const py::object& u, const py::object& order, const py::object& side,
-                            const py::object& at_infinity, const py::object& cancel) {
-            return derivatives(form(self), u, order, side, at_infinity, cancel);
-          },
-          py::arg("u"), py::arg("order"), py::kw_only(), py::arg("side") = "right",
-          py::arg("at_infinity") = "raise", py::arg("cancel") = py::none(),
-          "The point and its derivatives up to order: (...,) -> (..., order + 1, 3). The NURBS Book, A4.2.");
-  cls.def("pieces", [](const Curve& self) { return finite_pieces(form(self)); },
-          "Intervals [(start, end), …] on which the curve is finite and in one piece: it is cut where the\n"
-          "weight is zero and at knots of multiplicity degree + 1.");
-  cls.def("polylines", [](const Curve& self, const py::object& resolution) { return polylines(form(self), resolution); },
-          py::arg("resolution"),
-          "[(points (m, 3), closed), …]: one polyline for each of pieces(), resolution steps a span.");
-  cls.def("to_bezier", [](const Curve& self) { return unlocked([&] { return splinecore::to_bezier(form(self)); }); },
-          "One BezierCurve for each span, in order. The NURBS Book, A5.6.");
-  cls.def("to_hermite", [](const Curve& self) { return splinecore::to_hermite(form(self)); },
-          "The same curve as a HermiteCurve; InvalidShape if it is rational, has a gap or degree above 3.");
-}
 
 /// Control points with weights, as Bezier and NURBS curves have them.
 template <class Curve>
@@ -169,6 +53,13 @@ void bind_points(py::class_<Curve>& cls) {
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = given[i];
             return self.with_points(std::move(rows));
           }, py::arg("weights"), "The curve with other weights (n,) and the same points and knots.");
+}
+
+/// Curves of several spans.
+template <class Curve>
+void bind_to_power(py::class_<Curve>& cls) {
+  cls.def("to_power", [](const Curve& self) { return unlocked([&] { return splinecore::to_power(form(self)); }); },
+          "One PowerCurve for each span, in order, in powers of the parameter from the start of its span (row S2).");
 }
 
 /// Tangents (n, 3), or (n, 2, 3) incoming and outgoing.
@@ -247,7 +138,40 @@ void bind_nurbs(py::module_& module) {
   cls.def("reversed", [](const NurbsCurve& self) { return splinecore::reversed(self); },
           "The same points in the opposite direction, over the same domain.");
   cls.def("to_nurbs", [](const NurbsCurve& self) { return self; }, "The curve itself.");
+  bind_to_power(cls);
   cls.def("__repr__", &text_of);
+}
+
+py::tuple flattened(const BezierCurve& curve, const py::object& tolerance) {
+  const double allowed = real(tolerance, "tolerance");
+  const auto line = unlocked([&] { return splinecore::flattened(curve, allowed); });
+  const auto count = static_cast<py::ssize_t>(line.points.size());
+  py::array_t<double> points({count, py::ssize_t{3}});
+  std::copy_n(&line.points.data()->x, 3 * line.points.size(), points.mutable_data());
+  return py::make_tuple(py::array_t<double>(count, line.parameters.data()), points);
+}
+
+AnyApproximation reduced(const BezierCurve& curve, const py::object& times, const py::object& tolerance) {
+  const int steps = integer(times, "times");
+  return wrap(tolerance.is_none() ? splinecore::reduced(curve, steps)
+                                  : splinecore::reduced(curve, steps, real(tolerance, "tolerance")));
+}
+
+void bind_degrees(py::class_<BezierCurve>& cls) {
+  cls.def("elevate", [](const BezierCurve& self, const py::object& times) {
+            return splinecore::elevated(self, integer(times, "times"));
+          }, py::arg("times") = 1,
+          "The same curve with a degree higher by times. The NURBS Book, eq. 5.36; lecture row S6.\n\n"
+          "InvalidShape unless times is 1 or more and the degree at most 255.");
+  cls.def("reduce", &reduced, py::arg("times") = 1, py::arg("tolerance") = py::none(),
+          "Approximation of the curve by one of a degree lower by times, with the same ends.\n\n"
+          "Each step takes the nearest such curve, by the constrained Chebyshev polynomial (Lachance 1988). The\n"
+          "error is exact for one step on a polynomial curve, otherwise an upper bound; a larger one than the\n"
+          "tolerance raises ToleranceNotReached. Weights must be positive. Lecture row S6.");
+  cls.def("flatten", &flattened, py::arg("tolerance"),
+          "(parameters (m,), points (m, 3)): the polyline from which the curve lies nowhere farther than tolerance.\n\n"
+          "By halving until the hull of each part is that flat, which also holds for rational curves. A curve\n"
+          "through infinity raises PointAtInfinity, a tolerance that 2^18 points do not reach InvalidShape. Row S6.");
 }
 
 void bind_bezier(py::module_& module) {
@@ -268,9 +192,17 @@ void bind_bezier(py::module_& module) {
   bind_value(cls);
   cls.def("split", [](const BezierCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
           py::arg("u"), "(before, after), each over [0, 1] (de Casteljau).");
+  bind_degrees(cls);
   cls.def("reversed", [](const BezierCurve& self) { return splinecore::reversed(self); },
           "The same points in the opposite direction.");
   cls.def("to_nurbs", [](const BezierCurve& self) { return self.nurbs(); }, "The same curve as a NurbsCurve.");
+  cls.def("to_power", [](const BezierCurve& self, const py::object& origin) {
+            return splinecore::to_power(self, real(origin, "origin"));
+          }, py::arg("origin") = 0.0,
+          "The same curve in powers of t - origin (row S2).\n\n"
+          "Exact up to the rounding of the coefficients, which cancel: relative to the points that costs 1e-15 at\n"
+          "degree 10 about the middle 0.5, 1e-12 about an end and 1e-2 about 10; at degree 20 1e-14, 1e-8 and all.\n"
+          "InvalidShape if they overflow.");
   cls.def("__repr__", [](const BezierCurve& self) {
     return "BezierCurve(degree=" + std::to_string(self.degree()) + (self.nurbs().rational() ? ", rational)" : ")");
   });
@@ -306,6 +238,7 @@ void bind_hermite(py::module_& module) {
           "The same points in the opposite direction, over the same domain.");
   cls.def("to_nurbs", [](const HermiteCurve& self) { return self.nurbs(); },
           "The same curve as a cubic NurbsCurve with triple knots.");
+  bind_to_power(cls);
   cls.def("__repr__", [](const HermiteCurve& self) {
     return "HermiteCurve(points=" + std::to_string(self.points().size()) + ")";
   });

@@ -7,7 +7,9 @@ namespace bindings {
 
 void bind_approximation(pybind11::module_& module);
 void bind_basis(pybind11::module_& module);
+void bind_power(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);
+void bind_build(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 void bind_formula(pybind11::module_& module);

@@ -116,5 +116,92 @@ TEST(FunctionValue, NamesAnIndexOrParameterThatIsNone) {
   EXPECT_EQ(refusal([&] { function_support(knots, 7); }), "i = 7 is outside [0, 0]");
 }
 
+// Lecture row S14: the triangle on knots 0 … 5 for degrees 0 to 2.
+TEST(FunctionTriangle, OnZeroToFiveHasTheLecturesNumbers) {
+  const KnotVector knots = KnotVector::make(2, {0, 1, 2, 3, 4, 5});
+  const std::vector<TriangleRow> rows = function_triangle(knots, 2.5);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].first, 2);
+  EXPECT_EQ(rows[0].values, (std::vector<double>{1}));
+  EXPECT_EQ(rows[1].first, 1);
+  EXPECT_EQ(rows[1].values, (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(rows[2].first, 0);
+  EXPECT_EQ(rows[2].values, (std::vector<double>{0.125, 0.75, 0.125}));
+  EXPECT_EQ(rows[2].rising, (std::vector<double>{0, 0.75, 0.25}));
+  EXPECT_EQ(rows[2].falling, (std::vector<double>{0.25, 0.75, 0}));
+}
+
+TEST(FunctionTriangle, ExistsWhereTheDomainIsEmpty) {
+  const KnotVector knots = KnotVector::make(2, {0, 1, 2, 3});
+  const std::vector<TriangleRow> rows = function_triangle(knots, 0.5);
+  EXPECT_EQ(rows[1].first, 0);
+  EXPECT_EQ(rows[1].values, (std::vector<double>{0.5}));
+  EXPECT_EQ(rows[2].values, (std::vector<double>{0.125}));
+  EXPECT_EQ(function_triangle(knots, 2.5)[1].values, (std::vector<double>{0.5}));
+  EXPECT_EQ(function_triangle(knots, 2.5)[1].first, 1);
+  EXPECT_EQ(refusal([&] { function_triangle(knots, 3); }), "u = 3 is outside [0, 3)");
+  EXPECT_NE(refusal([&] { function_triangle(knots, 0.0 / 0.0); }).find("nan is not finite"), std::string::npos);
+}
+
+TEST(FunctionTriangle, EndsInTheFunctionsOfTheDegree) {
+  Random random(350);
+  for (const Kind& kind : all_kinds(Weights::one)) {
+    const KnotVector knots = random_knots(random, kind.degree, kind.spans, kind.ends);
+    std::vector<double> at = random_parameters(random, knots.domain(), 3);
+    at.push_back(knots.domain().end);
+    for (const double u : at) {
+      const TriangleRow last = function_triangle(knots, u).back();
+      double sum = 0;
+      for (std::size_t j = 0; j < last.values.size(); ++j) {
+        sum += last.values[j];
+        const int i = (last.first + static_cast<int>(j)) % knots.count();
+        if (!knots.periodic()) { EXPECT_NEAR(last.values[j], function_value(knots, i, u), 1e-13) << text_of(kind); }
+      }
+      EXPECT_NEAR(sum, 1, 1e-13) << text_of(kind);
+    }
+  }
+}
+
+TEST(FunctionDerivatives, OnZeroToThreeAreTheLecturesPiecesDifferentiated) {
+  const KnotVector knots = KnotVector::make(2, {0, 1, 2, 3});
+  const auto at = [&](double u) {
+    std::vector<double> out(5);
+    function_derivatives(knots, 0, u, out);
+    return out;
+  };
+  EXPECT_EQ(at(0.5), (std::vector<double>{0.125, 0.5, 1, 0, 0}));
+  EXPECT_EQ(at(1.25), (std::vector<double>{0.6875, 0.5, -2, 0, 0}));
+  EXPECT_EQ(at(2), (std::vector<double>{0.5, -1, 1, 0, 0}));
+  EXPECT_EQ(at(3), std::vector<double>(5));
+  EXPECT_EQ(at(-1), std::vector<double>(5));
+}
+
+TEST(FunctionDerivatives, AgreeWithTheSamples) {
+  Random random(351);
+  for (const Kind& kind : all_kinds(Weights::one)) {
+    const KnotVector knots = random_knots(random, kind.degree, kind.spans, kind.ends);
+    const int order = std::min(kind.degree, 3);
+    const double u = random_parameters(random, knots.domain(), 1)[0];
+    const Samples sample = Samples::make(knots, {&u, 1}, order);
+    std::vector<double> expected(knots.count() * (order + 1));
+    for (int k = 0; k <= order; ++k) {
+      for (int j = 0; j <= kind.degree; ++j) {
+        expected[(sample.first(0) + j) % knots.count() * (order + 1) + k] += sample.weights(0, k)[j];
+      }
+    }
+    std::vector<double> out(order + 1);
+    for (int i = 0; i < knots.count(); ++i) {
+      function_derivatives(knots, i, u, out);
+      for (int k = 0; k <= order; ++k) {
+        const double right = expected[i * (order + 1) + k];
+        EXPECT_NEAR(out[k], right, 1e-10 * std::pow(1000, k)) << text_of(kind);
+      }
+    }
+  }
+  std::vector<double> out(66);
+  EXPECT_EQ(refusal([&] { function_derivatives(KnotVector::bezier(2), 0, 0.5, out); }), "order = 65 is outside [0, 64]");
+  EXPECT_EQ(refusal([&] { function_derivatives(KnotVector::bezier(2), 3, 0.5, out); }), "i = 3 is outside [0, 2]");
+}
+
 }  // namespace
 }  // namespace splinecore

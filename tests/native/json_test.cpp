@@ -53,7 +53,8 @@ std::vector<Value> hard_values() {
           BezierPatch::make(2, 4, hard_points(random, 8)),
           hermite,
           NurbsPatch::make(ring, third, hard_points(random, 12)),
-          PatchSet::of(patches, true)};
+          PatchSet::of(patches, true),
+          PowerCurve::make({{0.1, -0.0, 5e-324, 1}, {1.0 / 3, 2, 1e22, -0.25}}, -1.0 / 7, {-0.0, 0.7})};
 }
 
 /// Equal in every bit, which == is not: it takes -0.0 for 0.0.
@@ -109,6 +110,18 @@ TEST(Json, KeepsTheSignOfZeroInEveryKind) {
   expect_same_bits(read.parameters(), curve.parameters());
 }
 
+TEST(Json, IsOfTheFirstVersionThatKnowsAllKinds) {
+  const auto version_of = [](const Document& document) { return to_json(document).substr(23, 11); };
+  for (const Value& value : hard_values()) {
+    const bool is_new = std::holds_alternative<PowerCurve>(value);
+    EXPECT_EQ(version_of(value), is_new ? "\"version\":2" : "\"version\":1");
+  }
+  std::vector<Value> values = hard_values();
+  EXPECT_EQ(version_of(values), "\"version\":2");
+  values.pop_back();
+  EXPECT_EQ(version_of(values), "\"version\":1");
+}
+
 TEST(Json, OfATextCutAnywhereIsRefused) {
   for (const Value& value : hard_values()) {
     const std::string text = to_json(value);
@@ -146,8 +159,8 @@ TEST(Json, OfAnotherFormatOrANewerVersionIsRefused) {
             "JSON: \"format\": \"splinecore\" is missing: this is not a splinecore file");
   EXPECT_EQ(refusal([] { from_json("[1,2]"); }),
             "JSON: \"format\": \"splinecore\" is missing: this is not a splinecore file");
-  EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":2,"kind":"x"})"); }),
-            "JSON: version 2 was written by a newer splinecore; this one reads up to 1");
+  EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":3,"kind":"x"})"); }),
+            "JSON: version 3 was written by a newer splinecore; this one reads up to 2");
   EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":0})"); }), "JSON: version 0 does not exist");
   EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":"1"})"); }), "JSON: version is not an integer");
   EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore"})"); }), "JSON: version is missing");
@@ -155,7 +168,10 @@ TEST(Json, OfAnotherFormatOrANewerVersionIsRefused) {
 }
 
 TEST(Json, NamesThePlaceThatIsWrong) {
-  EXPECT_EQ(refused(R"("kind":"power_curve")"), R"(JSON: kind "power_curve" is not known)");
+  EXPECT_EQ(refused(R"("kind":"cone_curve")"), R"(JSON: kind "cone_curve" is not known)");
+  EXPECT_EQ(refused(R"("kind":"power_curve","domain":[1])"), "JSON: domain has fewer than 2 values");
+  EXPECT_EQ(refused(R"("kind":"power_curve","domain":[0,1],"coefficients":[[1,2]])"), "JSON: coefficients[0] is not [x, y, z, w]");
+  EXPECT_EQ(refused(R"("kind":"power_curve","domain":[0,1],"coefficients":[])"), "JSON: origin is missing");
   EXPECT_EQ(refused(R"("kind":"bezier_curve")"), "JSON: points is missing");
   EXPECT_EQ(refused(R"("kind":"bezier_curve","points":7)"), "JSON: points is not a list");
   EXPECT_EQ(refused(R"("kind":"bezier_curve","points":[[0,0,0,1],[1,2,3]])"), "JSON: points[1] is not [x, y, z, w]");

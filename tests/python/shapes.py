@@ -44,9 +44,14 @@ def hermite_chain():
     return sc.HermiteCurve(rows[:4], rows[4:], parameters=[0, 1, 3, 3.5])
 
 
+def parabola():
+    """A rational quadratic by its coefficients, about an origin outside its domain."""
+    return sc.PowerCurve.from_homogeneous([(1, 0, 2, 2), (0.5, 1, 0, 0.25), (0, 0.25, 1, 0.5)], -0.5, (0.25, 2))
+
+
 def curves():
     """One of every kind."""
-    return [circle(), semicircle(), cubic(), closed_cubic(), hermite_chain()]
+    return [circle(), semicircle(), cubic(), closed_cubic(), hermite_chain(), parabola()]
 
 
 def random_points(*shape, seed):

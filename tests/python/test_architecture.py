@@ -17,8 +17,11 @@ NATIVE_ARROWS = {
     'curve': {'base', 'basis'},
     'patch': {'base', 'basis'},
     'convert': {'base', 'basis', 'curve', 'patch'},
+    'measure': {'base', 'basis', 'curve'},
+    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'formula'},
     'tessellate': {'base', 'basis', 'curve', 'patch'},
     'formula': {'base'},
+    'measure': {'base', 'basis', 'curve'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'formula'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import splinecore as sc
-from shapes import circle, closed_cubic, cubic, curves, hermite_chain, hermite_net, patches, point_lists, semicircle
+from shapes import circle, closed_cubic, cubic, curves, hermite_chain, hermite_net, parabola, patches, point_lists, semicircle
 
 finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 
@@ -58,7 +58,7 @@ DAMAGED = [
     ("", "damaged at byte"), ("{", "damaged at byte"), ("[1, 2]", "splinecore"), ("3", "splinecore"), ("null", "splinecore"),
     ("{}", "splinecore"), ('{"format": "other"}', "splinecore"), ('{"format": "splinecore"}', "version"),
     ('{"format": "splinecore", "version": 1}', "kind"),
-    ('{"format": "splinecore", "version": 2, "kind": "bezier_curve"}', "newer"),
+    ('{"format": "splinecore", "version": 3, "kind": "bezier_curve"}', "newer"),
     ('{"format": "splinecore", "version": 0}', "version 0"), ('{"format": "splinecore", "version": "1"}', "version"),
     ('{"format": "splinecore", "version": 1, "kind": "cone"}', "cone"),
     ('{"format": "splinecore", "version": 1, "items": 3}', "items"),
@@ -110,7 +110,7 @@ def changed(tree, path, junk):
 
 
 SMALL = [semicircle(), hermite_chain(), cubic(), closed_cubic(), sc.BezierPatch(np.arange(18).reshape(2, 3, 3)),
-         hermite_net(), sc.PatchSet.from_patches([hermite_net(), patches()[1]])]
+         parabola(), hermite_net(), sc.PatchSet.from_patches([hermite_net(), patches()[1]])]
 
 
 @pytest.mark.parametrize("value", SMALL, ids=lambda value: type(value).__name__)
@@ -122,6 +122,12 @@ def test_no_change_of_one_place_is_worse_than_invalid_shape(value):
                 sc.loads(json.dumps(changed(tree, path, junk)))
             except sc.InvalidShape as error:
                 assert str(error)
+
+
+def test_a_text_is_of_the_first_version_that_knows_its_kinds():
+    assert json.loads(circle().dumps())["version"] == 1 and json.loads(parabola().dumps())["version"] == 2
+    assert json.loads(sc.dumps([circle(), parabola()]))["version"] == 2
+    assert sc.loads(circle().dumps().replace('"version":1', '"version":2')) == circle()
 
 
 def test_a_text_nested_too_deeply_is_refused():

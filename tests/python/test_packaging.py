@@ -52,7 +52,7 @@ assert abs((arc.evaluate(0.3) ** 2).sum() - 1) < 1e-15
 assert pickle.loads(pickle.dumps(arc)) == sc.loads(arc.dumps()) == arc
 folder = pathlib.Path(sc.__file__).parent
 assert str(folder).startswith(sys.prefix), folder
-assert {"__init__.pyi", "basis.pyi", "py.typed"} <= {path.name for path in folder.iterdir()}
+assert {"__init__.pyi", "basis.pyi", "build.pyi", "py.typed"} <= {path.name for path in folder.iterdir()}
 meta = importlib.metadata.metadata("splinecore")
 assert sc.__version__ == meta["Version"], meta["Version"]
 assert "GPL-3.0-or-later" in (meta["License-Expression"], meta["License"])

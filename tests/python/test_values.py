@@ -81,7 +81,7 @@ def test_a_second_init_changes_nothing():
     assert curve == circle() and np.array_equal(points, circle().points)
 
 
-@pytest.mark.parametrize("kind", [sc.NurbsCurve, sc.BezierCurve, sc.HermiteCurve, sc.NurbsPatch, sc.BezierPatch,
+@pytest.mark.parametrize("kind", [sc.NurbsCurve, sc.BezierCurve, sc.HermiteCurve, sc.PowerCurve, sc.NurbsPatch, sc.BezierPatch,
                                   sc.HermitePatch, sc.PatchSet, sc.Tessellation, sc.basis.KnotVector,
                                   sc.basis.Samples])
 def test_an_object_that_no_constructor_filled_is_refused(kind):

@@ -22,15 +22,14 @@ from ._splinecore import (
     NurbsPatch,
     PatchSet,
     PointAtInfinity,
+    PowerCurve,
     Tessellation,
     ToleranceNotReached,
     __version__,
-    curve_from_formulas,
     dumps,
     loads,
-    patch_from_formulas,
 )
-from . import basis
+from . import basis, build
 
 __all__ = [
     "Approximation",
@@ -46,17 +45,17 @@ __all__ = [
     "NurbsPatch",
     "PatchSet",
     "PointAtInfinity",
+    "PowerCurve",
     "Tessellation",
     "ToleranceNotReached",
     "basis",
-    "curve_from_formulas",
+    "build",
     "dumps",
     "loads",
-    "patch_from_formulas",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name != "basis":
+    if _name not in ("basis", "build"):
         globals()[_name].__module__ = __name__
 del _name

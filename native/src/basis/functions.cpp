@@ -1,10 +1,12 @@
 #include "splinecore/basis/functions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
@@ -38,14 +40,38 @@ double cox_de_boor(std::span<const double> knots, double u, bool closed_at_u) {
   return values[0];
 }
 
-double periodic_value(const KnotVector& knots, int i, double u) {
-  const Samples sample = Samples::make(knots, {&u, 1});
+/// Derivatives of the only function of these knots by differences of functions of lower degree, whose
+/// factors stand in a triangle: row k holds those of degree - k.
+void derive(std::span<const double> knots, double u, bool closed_at_u, std::span<double> out) {
+  const int degree = static_cast<int>(knots.size()) - 2;
+  std::vector<double> factors{1.0};
+  std::ranges::fill(out, 0.0);
+  for (int k = 0; k <= degree && k < static_cast<int>(out.size()); ++k) {
+    const int lower = degree - k;
+    for (int j = 0; j <= k; ++j) {
+      if (factors[j] != 0.0) out[k] += factors[j] * cox_de_boor(knots.subspan(j, lower + 2), u, closed_at_u);
+    }
+    std::vector<double> next(k + 2);
+    for (int j = 0; j <= k; ++j) {
+      const double whole = knots[j + lower] - knots[j];
+      const double whole_after = knots[j + lower + 1] - knots[j + 1];
+      if (whole != 0.0) next[j] += lower * factors[j] / whole;
+      if (whole_after != 0.0) next[j + 1] -= lower * factors[j] / whole_after;
+    }
+    factors = std::move(next);
+  }
+}
+
+double periodic_value(const KnotVector& knots, int i, double u, int order = 0) {
+  const Samples sample = Samples::make(knots, {&u, 1}, order);
   double sum = 0.0;
   for (int j = 0; j <= knots.degree(); ++j) {
-    if ((sample.first(0) + j) % knots.count() == i) sum += sample.weights(0)[j];
+    if ((sample.first(0) + j) % knots.count() == i) sum += sample.weights(0, order)[j];
   }
   return sum;
 }
+
+bool is_domain_end(const KnotVector& knots, double u) { return knots.has_domain() && u == knots.domain().end; }
 
 }  // namespace
 
@@ -53,8 +79,15 @@ double function_value(const KnotVector& knots, int i, double u) {
   require_function(knots, i);
   if (!std::isfinite(u)) throw InvalidShape("u = " + text_of(u) + " is not finite");
   if (knots.periodic()) return periodic_value(knots, i, u);
-  const bool at_domain_end = knots.has_domain() && u == knots.domain().end;
-  return cox_de_boor(knots.knots().subspan(i, knots.degree() + 2), u, at_domain_end);
+  return cox_de_boor(knots.knots().subspan(i, knots.degree() + 2), u, is_domain_end(knots, u));
+}
+
+void function_derivatives(const KnotVector& knots, int i, double u, std::span<double> out) {
+  require_function(knots, i);
+  require_order(static_cast<int>(out.size()) - 1);
+  if (!std::isfinite(u)) throw InvalidShape("u = " + text_of(u) + " is not finite");
+  if (!knots.periodic()) return derive(knots.knots().subspan(i, knots.degree() + 2), u, is_domain_end(knots, u), out);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = periodic_value(knots, i, u, static_cast<int>(k));
 }
 
 Interval function_support(const KnotVector& knots, int i) {

@@ -129,6 +129,14 @@ HermiteCurve hermite_curve(const Json& object) {
                             numbers(field(object, "parameters"), "parameters"));
 }
 
+PowerCurve power_curve(const Json& object) {
+  const Json& domain = field(object, "domain");
+  const double start = number(element(domain, 0, "domain"), "domain[0]");
+  const Interval range{start, number(element(domain, 1, "domain"), "domain[1]")};
+  auto coefficients = list<glm::dvec4>(field(object, "coefficients"), "coefficients");
+  return PowerCurve::make(std::move(coefficients), number(field(object, "origin"), "origin"), range);
+}
+
 NurbsPatch nurbs_patch(const Json& object) {
   KnotVector u = knots_of(object, 0);
   KnotVector v = knots_of(object, 1);
@@ -206,6 +214,7 @@ Value value_of(const Json& object) {
     return nurbs_patch(object);
   }
   if (kind == "patch_set") return patch_set(object);
+  if (kind == "power_curve") return power_curve(object);
   refuse("kind " + kind.dump(), "is not known");
 }
 

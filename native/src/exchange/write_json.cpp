@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "splinecore/exchange/json.hpp"
@@ -85,14 +86,29 @@ Json content(const PatchSet& set) {
   return {{"kind", "patch_set"}, {"points", list(set.points())}, {"patches", patches}};
 }
 
+Json content(const PowerCurve& curve) {
+  return {{"kind", "power_curve"}, {"origin", curve.origin()},
+          {"domain", {curve.domain().start, curve.domain().end}}, {"coefficients", list(curve.coefficients())}};
+}
+
 Json content(const Value& value) {
   return std::visit([](const auto& shape) { return content(shape); }, value);
+}
+
+/// The first version that knows the kind.
+int version_of(const Value& value) { return std::holds_alternative<PowerCurve>(value) ? 2 : 1; }
+
+int version_of(const Document& document) {
+  if (const auto* value = std::get_if<Value>(&document)) return version_of(*value);
+  int version = 1;
+  for (const Value& item : std::get<std::vector<Value>>(document)) version = std::max(version, version_of(item));
+  return version;
 }
 
 }  // namespace
 
 std::string to_json(const Document& document) {
-  Json text{{"format", "splinecore"}, {"version", kJsonVersion}};
+  Json text{{"format", "splinecore"}, {"version", version_of(document)}};
   if (const auto* value = std::get_if<Value>(&document)) {
     text.update(content(*value));
   } else {

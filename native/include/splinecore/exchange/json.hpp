@@ -8,19 +8,21 @@
 #include "splinecore/curve/bezier_curve.hpp"
 #include "splinecore/curve/hermite_curve.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/curve/power_curve.hpp"
 #include "splinecore/patch/patch_set.hpp"
 
 namespace splinecore {
 
 /// Anything that a text can hold.
 using Value = std::variant<BezierCurve, HermiteCurve, NurbsCurve, BezierPatch, HermitePatch,
-                           NurbsPatch, PatchSet>;
+                           NurbsPatch, PatchSet, PowerCurve>;
 
 /// One value, or a list of them.
 using Document = std::variant<Value, std::vector<Value>>;
 
-/// The version of the text that to_json() writes; from_json() reads it and older ones.
-inline constexpr int kJsonVersion = 1;
+/// The newest version of the text; from_json() reads it and older ones. Version 2 added power curves.
+/// to_json() writes the oldest version that has all kinds of the document, so that older readers read it.
+inline constexpr int kJsonVersion = 2;
 
 /// JSON that from_json() reads back equal in every bit: numbers are the shortest that do.
 std::string to_json(const Document& document);

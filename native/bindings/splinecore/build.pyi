@@ -1,0 +1,81 @@
+"""Curves and patches from points and formulas (lecture rows S1, S3, S5, S7, S8)."""
+
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import Approximation, BezierCurve, Formula, HermiteCurve, NurbsCurve, NurbsPatch
+
+__all__ = [
+    "c2_pair",
+    "catmull_rom",
+    "chain_from_polygon",
+    "curve_from_formulas",
+    "join_beziers",
+    "kochanek_bartels",
+    "lagrange_evaluate",
+    "osculating_polynomial",
+    "patch_from_formulas",
+    "polygon_of_chain",
+    "polynomial_through",
+]
+
+_Parametrisation = Literal["uniform", "centripetal", "chordal"] | ArrayLike
+_Ends = Literal["parabola", "chord", "natural"]
+
+def polynomial_through(points: ArrayLike, parameters: ArrayLike | None = None) -> NurbsCurve: ...
+def osculating_polynomial(data: Sequence[ArrayLike], parameters: ArrayLike) -> NurbsCurve: ...
+def lagrange_evaluate(
+    points: ArrayLike, u: ArrayLike, parameters: ArrayLike | None = None
+) -> NDArray[np.float64]: ...
+def catmull_rom(
+    points: ArrayLike,
+    parametrisation: _Parametrisation = "uniform",
+    tension: ArrayLike = 0.0,
+    closed: bool = False,
+    ends: _Ends = "parabola",
+) -> HermiteCurve: ...
+def kochanek_bartels(
+    points: ArrayLike,
+    tension: ArrayLike = 0.0,
+    continuity: ArrayLike = 0.0,
+    bias: ArrayLike = 0.0,
+    parametrisation: _Parametrisation = "uniform",
+    closed: bool = False,
+    ends: _Ends = "parabola",
+) -> HermiteCurve: ...
+def chain_from_polygon(points: ArrayLike, parameters: ArrayLike | None = None) -> list[BezierCurve]: ...
+def polygon_of_chain(
+    chain: Sequence[BezierCurve], lengths: ArrayLike | None = None, tolerance: float | None = None
+) -> NDArray[np.float64]: ...
+def join_beziers(
+    curves: Sequence[BezierCurve], parameters: ArrayLike | None = None, tolerance: float = 0.0
+) -> NurbsCurve: ...
+def c2_pair(
+    q0: ArrayLike,
+    q1: ArrayLike,
+    d: ArrayLike,
+    r2: ArrayLike,
+    r3: ArrayLike,
+    a: float = 1.0,
+    b: float = 1.0,
+) -> tuple[BezierCurve, BezierCurve]: ...
+def curve_from_formulas(
+    formulas: Sequence[str | Formula],
+    domain: ArrayLike,
+    *,
+    tolerance: float = 1e-6,
+    variable: str = "t",
+    constants: Mapping[str, float] | None = None,
+) -> Approximation[NurbsCurve]: ...
+def patch_from_formulas(
+    formulas: Sequence[str | Formula],
+    domain_u: ArrayLike,
+    domain_v: ArrayLike,
+    *,
+    tolerance: float = 1e-6,
+    variables: Sequence[str] = ("u", "v"),
+    constants: Mapping[str, float] | None = None,
+) -> Approximation[NurbsPatch]: ...

@@ -1,0 +1,96 @@
+#include "splinecore/curve/flatten.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/interval.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/base/quotient.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Points = std::vector<glm::dvec4>;
+
+constexpr std::size_t kMaxPoints = 1 << 18;
+constexpr int kMaxHalvings = 60;
+
+/// The midpoint scheme: the first half stays in `points`, the second is returned.
+Points halve(Points& points) {
+  Points right(points.size());
+  for (std::size_t level = 0; level < points.size(); ++level) {
+    right[points.size() - 1 - level] = points.back();
+    for (std::size_t i = points.size() - 1; i > level; --i) points[i] = 0.5 * (points[i - 1] + points[i]);
+  }
+  return right;
+}
+
+double norm(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
+
+double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) {
+  const glm::dvec3 way = to - from;
+  const double length = norm(way);
+  if (length == 0.0) return norm(point - from);
+  const glm::dvec3 along = way / length;
+  const double place = std::clamp(glm::dot(point - from, along), 0.0, length);
+  return norm(point - from - place * along);
+}
+
+bool is_flat(const Points& points, double tolerance) {
+  const bool negative = points.front().w < 0.0;
+  const auto has_other_sign = [&](const glm::dvec4& p) { return negative ? !(p.w < 0.0) : !(p.w > 0.0); };
+  if (std::ranges::any_of(points, has_other_sign)) return false;
+  const glm::dvec3 from = project(points.front());
+  const glm::dvec3 to = project(points.back());
+  return std::ranges::all_of(points, [&](const glm::dvec4& p) {
+    return distance_to_segment(project(p), from, to) <= tolerance;
+  });
+}
+
+[[noreturn]] void refuse(double tolerance) {
+  throw InvalidShape("tolerance = " + text_of(tolerance) + " is too small: " + std::to_string(kMaxPoints) +
+                     " points do not reach it");
+}
+
+/// Appends the ends of the flat parts of a part of the curve.
+void append_flat(Points points, Interval part, int halvings, double tolerance, Flattened& line) {
+  if (is_flat(points, tolerance)) {
+    line.parameters.push_back(part.end);
+    line.points.push_back(project(points.back()));
+    if (line.points.size() > kMaxPoints) refuse(tolerance);
+    return;
+  }
+  if (halvings == 0) refuse(tolerance);
+  const Points right = halve(points);
+  append_flat(std::move(points), {part.start, part.middle()}, halvings - 1, tolerance, line);
+  append_flat(right, {part.middle(), part.end}, halvings - 1, tolerance, line);
+}
+
+/// @throws PointAtInfinity at the first parameter where the curve leaves the finite.
+void require_finite_curve(const NurbsCurve& curve) {
+  const std::vector<Interval> finite = pieces(curve);
+  if (is_at_infinity(curve, 0.0, Side::right)) throw PointAtInfinity(0.0);
+  if (finite.empty() || finite.front().end < 1.0) throw PointAtInfinity(finite.empty() ? 0.0 : finite.front().end);
+  if (is_at_infinity(curve, 1.0, Side::left)) throw PointAtInfinity(1.0);
+}
+
+}  // namespace
+
+Flattened flattened(const BezierCurve& curve, double tolerance) {
+  if (!(tolerance > 0.0) || !std::isfinite(tolerance)) {
+    throw InvalidShape("tolerance = " + text_of(tolerance) + " is not a positive, finite number");
+  }
+  require_finite_curve(curve.nurbs());
+  const auto points = curve.nurbs().homogeneous_points();
+  Flattened line{{0.0}, {project(points.front())}};
+  append_flat({points.begin(), points.end()}, {}, kMaxHalvings, tolerance, line);
+  line.points.front() = glm::dvec3(curve.points().front());
+  line.points.back() = glm::dvec3(curve.points().back());
+  return line;
+}
+
+}  // namespace splinecore
