@@ -1,5 +1,6 @@
 #include "arrays.hpp"
 #include "long_calls.hpp"
+#include "rational.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
@@ -219,6 +220,7 @@ void bind_nurbs(py::module_& module) {
                  "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
   bind_common(cls);
   bind_points(cls);
+  bind_rational_verbs(cls);
   bind_value(cls);
   cls.def_property_readonly("periodic", &NurbsCurve::periodic);
   cls.def_property_readonly("knots", [](const py::object& self) {
@@ -265,6 +267,7 @@ void bind_bezier(py::module_& module) {
   }, py::arg("points"), "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
   bind_common(cls);
   bind_points(cls);
+  bind_rational_verbs(cls);
   bind_value(cls);
   cls.def("split", [](const BezierCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
           py::arg("u"), "(before, after), each over [0, 1] (de Casteljau).");

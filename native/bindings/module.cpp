@@ -23,6 +23,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_approximation(module);
   bindings::bind_basis(module);
   bindings::bind_curves(module);
+  bindings::bind_conics(module);
   bindings::bind_patches(module);
   bindings::bind_patch_set(module);
   bindings::bind_exchange(module);

@@ -8,6 +8,7 @@ namespace bindings {
 void bind_approximation(pybind11::module_& module);
 void bind_basis(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);
+void bind_conics(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 void bind_exchange(pybind11::module_& module);

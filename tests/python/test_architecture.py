@@ -17,6 +17,7 @@ NATIVE_ARROWS = {
     'curve': {'base', 'basis'},
     'patch': {'base', 'basis'},
     'convert': {'base', 'basis', 'curve', 'patch'},
+    'conic': {'base', 'basis', 'curve', 'convert'},
     'tessellate': {'base', 'basis', 'curve', 'patch'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }

@@ -13,7 +13,7 @@ import pytest
 import splinecore as sc
 
 PACKAGE = pathlib.Path(sc.__file__).parent
-MODULES = {"__init__": sc, "basis": sc.basis}
+MODULES = {"__init__": sc, "basis": sc.basis, "conics": sc.conics}
 
 
 def stub_of(name):
@@ -131,5 +131,5 @@ def test_mypy_finds_no_error_in_the_stubs(tmp_path):
         "start: float = curve.domain[0]\n"
         "curve.evaluate(start, side='left', cancel=lambda: False)\n")
     done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "splinecore/__init__.pyi", "splinecore/basis.pyi",
-                           "use.py"], cwd=tmp_path, capture_output=True, text=True)
+                           "splinecore/conics.pyi", "use.py"], cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout

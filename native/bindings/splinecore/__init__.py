@@ -26,7 +26,7 @@ from ._splinecore import (
     dumps,
     loads,
 )
-from . import basis
+from . import basis, conics
 
 __all__ = [
     "Approximation",
@@ -43,12 +43,13 @@ __all__ = [
     "Tessellation",
     "ToleranceNotReached",
     "basis",
+    "conics",
     "dumps",
     "loads",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name != "basis":
+    if _name not in ("basis", "conics"):
         globals()[_name].__module__ = __name__
 del _name
