@@ -39,7 +39,7 @@ Spectrum spectrum_of(const Coefficients& k) {
   const double root = std::hypot(difference, k.b);
   const double large = 0.5 * (sum + std::copysign(root, sum));
   double determinant = difference_of_products(k.a, k.c, 0.5 * k.b, 0.5 * k.b);
-  if (std::abs(determinant) <= kNoise * (std::abs(k.a * k.c) + 0.25 * k.b * k.b)) determinant = 0.0;
+  if (std::abs(determinant) < kNoise * (std::abs(k.a * k.c) + 0.25 * k.b * k.b)) determinant = 0.0;
   // Half the angle of (difference, b), without cancellation on either side.
   const double longer = std::sqrt(0.5 * (1.0 + std::abs(difference) / root));
   const double shorter = 0.5 * k.b / (root * longer);
@@ -85,14 +85,14 @@ ConicShape central(const Coefficients& k, const Spectrum& s) {
   const double from_x = 0.5 * k.d * x;
   const double from_y = 0.5 * k.e * y;
   double value = k.f + from_x + from_y;
-  if (std::abs(value) <= kNoise * (std::abs(k.f) + std::abs(from_x) + std::abs(from_y))) value = 0.0;
+  if (std::abs(value) < kNoise * (std::abs(k.f) + std::abs(from_x) + std::abs(from_y))) value = 0.0;
   return s.determinant > 0.0 ? elliptic(s, {x, y}, value) : hyperbolic(s, {x, y}, value);
 }
 
 /// large p² + along p + f = 0, where p runs in the direction of the axis.
 ConicShape parallel(const Spectrum& s, double along, double f) {
   double root = difference_of_products(along, along, 4.0 * s.large, f);
-  if (std::abs(root) <= kNoise * (along * along + std::abs(4.0 * s.large * f))) root = 0.0;
+  if (std::abs(root) < kNoise * (along * along + std::abs(4.0 * s.large * f))) root = 0.0;
   if (root < 0.0) return {.type = ConicType::empty};
   return {root == 0.0 ? ConicType::line : ConicType::parallel_lines, -0.5 * along / s.large * s.axis,
           oriented(across(s.axis)), 0.0, 0.5 * std::sqrt(root) / std::abs(s.large)};

@@ -28,14 +28,6 @@ void scale_to_one(std::array<glm::dvec3, 3>& points) {
   for (glm::dvec3& p : points) p *= factor;
 }
 
-/// Largest quadratic coefficient 1 in size, first one that is not zero positive.
-void normalise(std::array<double, 6>& k) {
-  const double size = std::max({std::abs(k[0]), std::abs(k[1]), std::abs(k[2])});
-  const double first = *std::ranges::find_if(k, [](double value) { return value != 0.0; });
-  const double divisor = std::copysign(size > 0.0 ? size : 1.0, first);
-  for (double& value : k) value = value == 0.0 ? 0.0 : value / divisor;
-}
-
 NurbsCurve line(const glm::dvec3& point, const glm::dvec3& direction) {
   return NurbsCurve::make(1, {0, 0, 1, 2, 2}, {{-direction, 0.0}, {point, 1.0}, {direction, 0.0}});
 }

@@ -110,6 +110,8 @@ NurbsCurve hyperbola_arc(const ImplicitConic& conic, double start, double end) {
 
 ImplicitConic conic_through(std::span<const glm::dvec3> points, std::optional<double> tolerance) {
   constexpr double kRelativeTolerance = 1e-9;
+  // Of points that are rounded, in units of their extent: what is no more counts as zero.
+  constexpr double kNoise = 16.0 * kEpsilon;
   if (points.size() != 5) {
     throw InvalidShape("points has " + std::to_string(points.size()) + " rows, a conic is given by 5");
   }
@@ -130,9 +132,15 @@ ImplicitConic conic_through(std::span<const glm::dvec3> points, std::optional<do
   const double other = side_of(l(0, 1), p[4]) * side_of(l(2, 3), p[4]);
   const auto pair = product(l(0, 1), l(2, 3));
   const auto crossed = product(l(0, 2), l(1, 3));
+  const double noise = kNoise * (std::abs(one) * glm::length(l(0, 1)) * glm::length(l(2, 3)) +
+                                 std::abs(other) * glm::length(l(0, 2)) * glm::length(l(1, 3)));
   const double units[6] = {1.0, 1.0, 1.0, extent, extent, extent * extent};
   std::array<double, 6> k;
-  for (int i = 0; i < 6; ++i) k[i] = difference_of_products(one, pair[i], other, crossed[i]) * units[i];
+  for (int i = 0; i < 6; ++i) {
+    const double value = difference_of_products(one, pair[i], other, crossed[i]);
+    k[i] = std::abs(value) <= noise ? 0.0 : value * units[i];
+  }
+  normalise(k);
   return ImplicitConic::make(k, plane);
 }
 

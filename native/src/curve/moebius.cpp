@@ -29,6 +29,8 @@ class Map {
 
  private:
   double denominator(double u) const {
+    if (u == domain_.start) return rho_;
+    if (u == domain_.end) return 1.0;
     return (rho_ * (domain_.end - u) + (u - domain_.start)) / (domain_.end - domain_.start);
   }
 
