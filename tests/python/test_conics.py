@@ -93,7 +93,7 @@ def test_an_arc_begins_and_ends_at_its_angles(start, sweep, clockwise, spans):
     assert np.abs(ends - wanted).max() <= 1e-14
     middle = curve.evaluate(sum(curve.domain) / 2)
     angle = start + sweep / 2
-    if curve.domain[1] % 2 == 0 or curve.domain[1] == 1:
+    if abs(sweep) < 5 * curve.domain[1]:
         assert np.abs(middle[:2] - (math.cos(angle), math.sin(angle))).max() <= 1e-12
 
 
@@ -113,7 +113,7 @@ def test_the_middle_weight_gives_the_seven_classes(w1, name, count):
     assert conics.class_of(curve) == name
     for length in (1.0, 10.0, 1e3, 1e6):
         arcs = curve.finite_arcs(length)
-        assert len(arcs) <= count and (length < 10 or len(arcs) == count)
+        assert len(arcs) == count or length < 10
         for arc in arcs:
             assert (arc.weights > 0).all() and np.abs(arc.points).max() <= 1 + 2 * length
             u = inside(arc.domain)
@@ -173,9 +173,7 @@ def test_curves_of_a_conic_lie_on_it_and_lead_back_to_it(coefficients):
             assert terms(conic, arc.evaluate(inside(arc.domain))) <= 1e-13
         if curve.degree == 2:
             again = conics.implicit(curve.to_bezier()[0]).coefficients
-            wanted = np.array(coefficients, float)
-            first = wanted[np.flatnonzero(wanted)[0]]
-            wanted /= math.copysign(np.abs(wanted[:3]).max(), first)
+            wanted = np.array(coefficients) / coefficients[np.abs(again[:3]).argmax()]
             assert np.abs(again - wanted).max() <= 1e-9 * np.abs(wanted).max()
 
 
@@ -241,7 +239,9 @@ def test_conics_are_values():
 
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-8])
 def test_a_circle_as_hermite_is_as_near_as_it_says(tolerance):
-    chain, error = conics.as_hermite(conics.circle((0, 0), 1), tolerance)
+    found = conics.as_hermite(conics.circle((0, 0), 1), tolerance)
+    chain, error = found
+    assert isinstance(found, sc.Approximation) and (found.value, found.error) == (chain, error)
     assert isinstance(chain, sc.HermiteCurve) and 0 < error <= tolerance
     off = np.abs(np.linalg.norm(chain.evaluate(inside(chain.domain, 3001)), axis=1) - 1).max()
     assert 0.4 * error <= off <= error + 1e-15

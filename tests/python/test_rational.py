@@ -92,10 +92,8 @@ def moved(u, domain, rho):
     return np.minimum(start + (end - start) * (x / (rho * (1 - x) + x)), end)
 
 
-@given(beziers(st.floats(-3, 3)), st.floats(0.1, 10))
+@given(beziers(st.floats(-3, 3).filter(lambda w: abs(w) > 1e-3)), st.floats(0.1, 10))
 def test_moebius_multiplies_weights_by_powers_of_rho(curve, rho):
-    if not (np.abs(curve.weights) > 1e-100).all():
-        return
     result = curve.moebius(rho)
     assert np.array_equal(result.points, curve.points)
     assert np.allclose(result.weights, curve.weights * rho ** np.arange(curve.degree + 1), rtol=1e-13, atol=0)
@@ -180,7 +178,7 @@ def test_bad_numbers_raise_invalid_shape(call, words):
         call()
 
 
-@pytest.mark.parametrize("bad", [None, "1", [1], 1j, object()])
+@pytest.mark.parametrize("bad", [None, "1", [1, 2], 1j, object()])
 def test_what_is_no_number_raises_type_error(bad):
     curve = semicircle()
     for call in (curve.finite_arcs, curve.moebius, curve.casteljau_triangle, curve.rational_casteljau_triangle):

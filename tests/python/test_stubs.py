@@ -49,8 +49,8 @@ def stub_members(tree):
 
 
 def is_public(name):
-    return not name.startswith("_") or name in ("__init__", "__len__", "__getitem__", "__eq__", "__hash__", "__copy__",
-                                                "__deepcopy__")
+    return not name.startswith("_") or name in ("__init__", "__len__", "__iter__", "__getitem__", "__eq__", "__hash__",
+                                                "__copy__", "__deepcopy__")
 
 
 def module_members(module):
@@ -59,7 +59,9 @@ def module_members(module):
         value = getattr(module, name)
         if inspect.isclass(value):
             own = {} if issubclass(value, Exception) else vars(value)
-            members[name] = {key: part for key, part in own.items() if is_public(key)}
+            # A class without a constructor has one that refuses every call.
+            made = not isinstance(value.__init__, type(object.__init__))
+            members[name] = {key: part for key, part in own.items() if is_public(key) and (key != "__init__" or made)}
         elif not inspect.ismodule(value):
             members[name] = value
     return members
@@ -91,7 +93,7 @@ def test_stubs_have_the_parameters_of_every_function(name):
         for stub, real in pairs:
             if isinstance(real, property):
                 assert [one.id for one in stub.decorator_list] == ["property"], (key, stub.name)
-            elif not re.fullmatch("__(eq|hash|len|copy|deepcopy)__", stub.name):
+            elif not re.fullmatch("__(eq|hash|len|iter|copy|deepcopy)__", stub.name):
                 static = any(getattr(one, "id", "") == "staticmethod" for one in stub.decorator_list)
                 assert static == inspect.isbuiltin(real) or not isinstance(value, dict), (key, stub.name)
                 assert stub_parameters(stub) == module_parameters(real), (key, stub.name)

@@ -46,6 +46,8 @@ NurbsCurve branch(const glm::dvec3& centre, const glm::dvec3& other, const glm::
 }  // namespace
 
 ImplicitConic implicit_conic(const BezierCurve& curve) {
+  // What remains of products that cancel: without it the equation of a parabola would be an ellipse's.
+  constexpr double kNoise = 16.0 * kEpsilon;
   if (curve.degree() != 2) {
     throw InvalidShape("degree = " + std::to_string(curve.degree()) + ": a conic is a curve of degree 2");
   }
@@ -57,11 +59,13 @@ ImplicitConic implicit_conic(const BezierCurve& curve) {
   const glm::dvec3 l0 = accurate_cross(g[1], g[2]);
   const glm::dvec3 l1 = accurate_cross(g[2], g[0]);
   const glm::dvec3 l2 = accurate_cross(g[0], g[1]);
-  const auto square = [&](int i) { return difference_of_products(l1[i], l1[i], 4.0 * l0[i], l2[i]); };
-  const auto mixed = [&](int i, int j) {
-    return 2.0 * (difference_of_products(l1[i], l1[j], 2.0 * l0[i], l2[j]) - 2.0 * l0[j] * l2[i]);
+  // Half the coefficient of coordinates i and j in L_1² - 4 L_0 L_2.
+  const auto half = [&](int i, int j) {
+    const double value = difference_of_products(l1[i], l1[j], 2.0 * l0[i], l2[j]) - 2.0 * l0[j] * l2[i];
+    const double size = std::abs(l1[i] * l1[j]) + 2.0 * std::abs(l0[i] * l2[j]) + 2.0 * std::abs(l0[j] * l2[i]);
+    return std::abs(value) <= kNoise * size ? 0.0 : value;
   };
-  std::array<double, 6> k{square(0), mixed(0, 1), square(1), mixed(0, 2), mixed(1, 2), square(2)};
+  std::array<double, 6> k{half(0, 0), 2 * half(0, 1), half(1, 1), 2 * half(0, 2), 2 * half(1, 2), half(2, 2)};
   normalise(k);
   return ImplicitConic::make(k, *plane);
 }

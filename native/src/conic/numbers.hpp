@@ -22,11 +22,12 @@ inline glm::dvec3 accurate_cross(const glm::dvec3& a, const glm::dvec3& b) noexc
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-/// Multiplies coefficients, not all zero: largest quadratic coefficient becomes 1 in size, the first that is not zero positive.
+/// Multiplies coefficients, not all zero, so that the largest quadratic one, or where all of these
+/// are zero the first that is not, becomes 1.
 inline void normalise(std::array<double, 6>& k) {
-  const double size = std::max({std::abs(k[0]), std::abs(k[1]), std::abs(k[2])});
-  const double first = *std::find_if(k.begin(), k.end(), [](double value) { return value != 0.0; });
-  const double divisor = std::copysign(size > 0.0 ? size : 1.0, first);
+  const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double largest = *std::max_element(k.begin(), k.begin() + 3, by_size);
+  const double divisor = largest != 0.0 ? largest : *std::find_if(k.begin(), k.end(), [](double v) { return v != 0.0; });
   for (double& value : k) value = value == 0.0 ? 0.0 : value / divisor;
 }
 

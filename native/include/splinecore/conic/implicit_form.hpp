@@ -12,7 +12,7 @@ namespace splinecore {
 /// L_0, L_1, L_2 through pairs of homogeneous points it is L_1² = 4 L_0 L_2 (Farin 1997, ch. 12; row S1).
 ///
 /// The plane is xy where every z is 0, otherwise one with its origin in the first finite control
-/// point and x along the polygon. The largest quadratic coefficient is ±1, the first that is not 0 positive.
+/// point and x along the polygon. The largest quadratic coefficient is 1.
 /// @throws InvalidShape unless the degree is 2, or if the points lie on one line.
 ImplicitConic implicit_conic(const BezierCurve& curve);
 

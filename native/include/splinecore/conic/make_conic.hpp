@@ -12,7 +12,8 @@ namespace splinecore {
 /// of them that the fifth lies on (Semple and Kneebone 1952; lecture row S10). Its plane's origin lies in
 /// the middle of the points.
 ///
-/// Three points on a line give a pair of lines.
+/// Three points on a line give a pair of lines. A coefficient that is no more than what rounding
+/// of the points leaves is zero, so that a parabola along an axis is one. The largest quadratic one is 1.
 /// @param tolerance  a length: points closer than it coincide, points closer than it to a line or
 ///                   plane lie on it; 1e-9 of their extent where none is given
 /// @throws InvalidShape naming the points unless there are five, in a plane, no two in one
