@@ -55,6 +55,13 @@ TEST(ConicArc, WithPointsAtInfinityHasItsClass) {
   EXPECT_EQ(conic_class(quadratic(-1, -2, -1)), ConicArcClass::hyperbola_arc);
 }
 
+TEST(ConicArc, ClassIsTheSameAtAnySize) {
+  for (const double size : {1e-200, 1e-9, 1e9, 1e200}) {
+    EXPECT_EQ(conic_class(conic_arc({-size, 0, 0}, {0, size, 0}, {size, 0, 0}, 2)), ConicArcClass::hyperbola_arc);
+    EXPECT_EQ(conic_class(BezierCurve::make({{1, 0, 0, 1}, {0, size, 0, 0}, {-1, 0, 0, 1}})), ConicArcClass::half_ellipse);
+  }
+}
+
 TEST(ConicArc, OfPointsOnALineIsALine) {
   EXPECT_EQ(conic_class(quadratic(0, 1, 0)), ConicArcClass::line_through_infinity);
   EXPECT_EQ(conic_class(quadratic(1, 2, 1, {0, 0, 0})), ConicArcClass::segment);

@@ -132,10 +132,10 @@ TEST(Ellipse, RefusesWhatIsNone) {
   EXPECT_EQ(refusal([&] { circle(o, 0, {0, 0, 1}); }), "radius = 0 is not a positive length");
   EXPECT_NE(refusal([&] { circle(o, -1, {0, 0, 1}); }), "not refused");
   EXPECT_NE(refusal([&] { circle(o, std::nan(""), {0, 0, 1}); }), "not refused");
-  EXPECT_EQ(refusal([&] { circle(o, 1, o); }), "normal is zero: it has no direction");
+  EXPECT_EQ(refusal([&] { circle(o, 1, o); }), "normal has no direction: its length is 0");
   EXPECT_EQ(refusal([&] { circle({INFINITY, 0, 0}, 1, y); }), "centre[0].x = inf is not finite");
-  EXPECT_EQ(refusal([&] { ellipse(o, o, y); }), "axis_a is zero");
-  EXPECT_EQ(refusal([&] { ellipse(o, x, o); }), "axis_b is zero");
+  EXPECT_EQ(refusal([&] { ellipse(o, o, y); }), "axis_a has the length 0");
+  EXPECT_EQ(refusal([&] { ellipse(o, x, o); }), "axis_b has the length 0");
   EXPECT_EQ(refusal([&] { ellipse(o, x, -3.0 * x); }), "axis_b is parallel to axis_a: they span no ellipse");
   EXPECT_EQ(refusal([&] { ellipse_arc(o, x, y, 0, 0); }), "sweep = 0 is zero or more than a whole turn");
   EXPECT_NE(refusal([&] { ellipse_arc(o, x, y, 0, 7); }), "not refused");

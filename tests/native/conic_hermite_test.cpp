@@ -95,7 +95,11 @@ TEST(ConicAsHermite, RefusesWhatItCannotDo) {
   EXPECT_NE(refusal([&] { conic_as_hermite(NurbsCurve::make(KnotVector::bezier(2), {{1, 0, 0, 0}, {0, 0, 0, 1}, {0, 1, 0, 0}}), 1); }),
             "not refused");
   EXPECT_NE(refusal([&] { conic_as_hermite(circle({0, 0, 0}, 1, {0, 0, 1}, EllipseForm::single), 1); }), "not refused");
-  EXPECT_THROW(conic_as_hermite(arc, 1e-60), ToleranceNotReached);
+  for (const double tolerance : {1e-20, 1e-60, 1e-300}) {
+    EXPECT_THROW(conic_as_hermite(arc, tolerance), ToleranceNotReached);
+  }
+  const NurbsCurve far = conic_arc({-1e300, 0, 0}, {0, 1e300, 0}, {1e300, 0, 0}, 0.5).nurbs();
+  EXPECT_NE(refusal([&] { conic_as_hermite(far, 1); }), "not refused");
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST(Parabola, IsAsFarFromItsFocusAsFromItsDirectrix) {
 
 TEST(Parabola, RefusesAFocusOnItsDirectrix) {
   EXPECT_EQ(refusal([] { parabola({3, 3, 3}, {0, 0, 0}, {1, 1, 1}); }), "focus lies on the directrix");
-  EXPECT_EQ(refusal([] { parabola({3, 3, 3}, {0, 0, 0}, {0, 0, 0}); }), "directrix_direction is zero");
+  EXPECT_EQ(refusal([] { parabola({3, 3, 3}, {0, 0, 0}, {0, 0, 0}); }), "directrix_direction has the length 0");
 }
 
 TEST(ArcBetween, RunsFromOneParameterToTheOther) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 
@@ -52,11 +51,11 @@ Axes admitted(const glm::dvec3& centre, const glm::dvec3& a, const glm::dvec3& b
   require_finite({&centre, 1}, "centre");
   require_finite({&a, 1}, "axis_a");
   require_finite({&b, 1}, "axis_b");
-  const double length_a = glm::length(a);
-  const double length_b = glm::length(b);
-  if (length_a == 0.0) throw InvalidShape("axis_a is zero");
-  if (length_b == 0.0) throw InvalidShape("axis_b is zero");
-  if (glm::length(accurate_cross(a / length_a, b / length_b)) > 4.0 * kEpsilon) return {centre, a, b};
+  const double length_a = length_of(a);
+  const double length_b = length_of(b);
+  if (!std::isnormal(length_a)) throw InvalidShape("axis_a has the length " + text_of(length_a));
+  if (!std::isnormal(length_b)) throw InvalidShape("axis_b has the length " + text_of(length_b));
+  if (length_of(accurate_cross(a / length_a, b / length_b)) > 4.0 * kEpsilon) return {centre, a, b};
   throw InvalidShape("axis_b is parallel to axis_a: they span no ellipse");
 }
 

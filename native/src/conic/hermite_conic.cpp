@@ -56,23 +56,35 @@ Arc arc_of(std::span<const glm::dvec4> h) {
   return {{project(h[0]), project(h[1]), project(h[2])}, weight};
 }
 
-/// Halves an arc until every part is near enough.
+/// The halves of an arc, cut at its shoulder point. Both have the weight sqrt((1 + w) / 2).
+std::array<Arc, 2> halves(const Arc& arc) {
+  const auto& p = arc.points;
+  const double w = arc.weight;
+  const auto meet = [&](const glm::dvec3& end) { return (end + w * p[1]) / (1.0 + w); };
+  const glm::dvec3 before = meet(p[0]);
+  const glm::dvec3 after = meet(p[2]);
+  const glm::dvec3 shoulder = 0.5 * (before + after);
+  const double weight = std::sqrt(0.5 * (1.0 + w));
+  return {Arc{{p[0], before, shoulder}, weight}, Arc{{shoulder, after, p[2]}, weight}};
+}
+
+/// What the points of an arc are rounded by.
+double rounding_of(const Arc& arc) {
+  double size = 0.0;
+  for (const glm::dvec3& p : arc.points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return kEpsilon * size;
+}
+
+/// Halves arcs until every part is near enough.
 class Subdivision {
  public:
   explicit Subdivision(double tolerance) : tolerance_(tolerance) {}
 
+  /// A span, first cut until its weights have one sign. That ends where the weight has no zero.
   void add(std::span<const glm::dvec4> points, int depth = 0) {
-    if (is_arc(points)) {
-      const Arc arc = arc_of(points);
-      const double error = arc.weight <= kLargestWeight ? bound(arc) : std::numeric_limits<double>::infinity();
-      if (error <= tolerance_) {
-        arcs_.push_back(arc);
-        error_ = std::max(error_, error);
-        return;
-      }
-      if (depth == kDeepest) throw ToleranceNotReached("the conic cannot be had as cubics", tolerance_, error);
-    }
-    if (depth == kDeepest) throw InvalidShape("the curve comes too near to infinity: clip it by finite_arcs() first");
+    constexpr int kDeepest = 64;
+    if (is_arc(points)) return add(arc_of(points));
+    if (depth == kDeepest) refuse_far();
     const auto [before, after] = cut(points, 0.5);
     add(before, depth + 1);
     add(after, depth + 1);
@@ -82,8 +94,24 @@ class Subdivision {
   double error() const noexcept { return error_; }
 
  private:
-  // Each halving takes 1/64 of the error, so this is far below any rounding.
-  static constexpr int kDeepest = 40;
+  [[noreturn]] static void refuse_far() {
+    throw InvalidShape("the curve comes too near to infinity: clip it by finite_arcs() first");
+  }
+
+  void add(const Arc& arc) {
+    if (!std::isfinite(arc.weight)) refuse_far();
+    if (arc.weight <= kLargestWeight) {
+      const double error = bound(arc);
+      if (!std::isfinite(error)) refuse_far();
+      if (error <= tolerance_) {
+        arcs_.push_back(arc);
+        error_ = std::max(error_, error);
+        return;
+      }
+      if (error <= rounding_of(arc)) throw ToleranceNotReached("the conic cannot be had as cubics", tolerance_, error);
+    }
+    for (const Arc& half : halves(arc)) add(half);
+  }
 
   double tolerance_;
   double error_ = 0.0;

@@ -168,8 +168,8 @@ ImplicitConic parabola(const glm::dvec3& focus, const glm::dvec3& directrix_poin
   require_finite({&focus, 1}, "focus");
   require_finite({&directrix_point, 1}, "directrix_point");
   require_finite({&directrix_direction, 1}, "directrix_direction");
-  const double length = glm::length(directrix_direction);
-  if (length == 0.0) throw InvalidShape("directrix_direction is zero");
+  const double length = length_of(directrix_direction);
+  if (!std::isnormal(length)) throw InvalidShape("directrix_direction has the length " + text_of(length));
   const glm::dvec3 along = directrix_direction / length;
   const glm::dvec3 offset = focus - directrix_point;
   const glm::dvec3 away = offset - glm::dot(offset, along) * along;

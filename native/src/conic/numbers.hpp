@@ -10,6 +10,9 @@ namespace splinecore {
 
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
+/// The length of a vector whose square may leave the range of numbers.
+inline double length_of(const glm::dvec3& v) noexcept { return std::hypot(v.x, v.y, v.z); }
+
 /// a b - c d to the last digit or two, whatever cancels (Kahan; Jeannerod, Louvet and Muller 2013).
 inline double difference_of_products(double a, double b, double c, double d) noexcept {
   const double cd = c * d;

@@ -16,15 +16,10 @@ namespace {
 /// Unit vectors come back bit for bit, so that a plane can be made again from its axes.
 glm::dvec3 unit(const glm::dvec3& v, const char* name) {
   require_finite({&v, 1}, name);
-  // Scaled first: a length of 1e-200 has no square.
-  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (size == 0.0) throw InvalidShape(std::string(name) + " is zero: it has no direction");
-  const glm::dvec3 scaled = v / size;
-  const double length = size * glm::length(scaled);
-  return std::abs(length - 1.0) <= 4.0 * kEpsilon ? v : scaled / glm::length(scaled);
+  const double length = length_of(v);
+  if (!std::isnormal(length)) throw InvalidShape(std::string(name) + " has no direction: its length is " + text_of(length));
+  return std::abs(length - 1.0) <= 4.0 * kEpsilon ? v : v / length;
 }
-
-double size_of(const glm::dvec3& v) { return glm::length(v); }
 
 struct Farthest {
   std::size_t index = 0;
@@ -41,25 +36,31 @@ Farthest farthest(std::span<const glm::dvec3> points, Distance distance) {
   return found;
 }
 
+/// A unit vector, or zero, and by how much rounding of the points may turn it.
+struct Leg {
+  glm::dvec3 direction;
+  double rounding;
+};
+
 /// Two directions from a finite point that span the plane of three points.
 struct Spanning {
   glm::dvec3 origin;
-  glm::dvec3 a;
-  glm::dvec3 b;
-  double rounding_a;
-  double rounding_b;
+  Leg a;
+  Leg b;
 };
 
 Spanning spanning(std::span<const glm::dvec4> points) {
   const auto base = static_cast<std::size_t>(
       std::ranges::find_if(points, [](const glm::dvec4& p) { return p.w != 0.0; }) - points.begin());
   const double rounding = 4.0 * kEpsilon * largest_coordinate(points);
-  const auto from_base = [&](std::size_t i) {
+  const auto from_base = [&](std::size_t i) -> Leg {
     const glm::dvec4& p = points[(base + i) % 3];
-    return p.w == 0.0 ? glm::dvec3(p) : glm::dvec3(p) - glm::dvec3(points[base]);
+    const glm::dvec3 leg = p.w == 0.0 ? glm::dvec3(p) : glm::dvec3(p) - glm::dvec3(points[base]);
+    const double length = length_of(leg);
+    if (!std::isnormal(length)) return {glm::dvec3(0.0), 0.0};
+    return {leg / length, p.w == 0.0 ? 0.0 : rounding / length};
   };
-  const auto rounding_of = [&](std::size_t i) { return points[(base + i) % 3].w == 0.0 ? 0.0 : rounding; };
-  return {glm::dvec3(points[base]), from_base(1), from_base(2), rounding_of(1), rounding_of(2)};
+  return {glm::dvec3(points[base]), from_base(1), from_base(2)};
 }
 
 bool is_flat_xy(std::span<const glm::dvec3> points) {
@@ -75,9 +76,9 @@ Plane plane_along(const glm::dvec3& origin, const glm::dvec3& x_axis, const glm:
   const double cosine = glm::dot(x, y);
   if (std::abs(cosine) <= 4.0 * kEpsilon) return {origin, x, y};
   const glm::dvec3 across = y - cosine * x;
-  if (size_of(across) <= 16.0 * kEpsilon) throw InvalidShape("y_axis is parallel to x_axis: they span no plane");
+  if (length_of(across) <= 16.0 * kEpsilon) throw InvalidShape("y_axis is parallel to x_axis: they span no plane");
   // Once more, because the first step leaves a rest where the axes are nearly parallel.
-  const glm::dvec3 once = across / size_of(across);
+  const glm::dvec3 once = across / length_of(across);
   return {origin, x, glm::normalize(once - glm::dot(x, once) * x)};
 }
 
@@ -93,11 +94,11 @@ Plane plane_of(std::span<const glm::dvec3> points, double tolerance) {
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& p : points) middle += p / static_cast<double>(points.size());
   const glm::dvec3 start = points[0];
-  const Farthest other = farthest(points, [&](const glm::dvec3& p) { return size_of(p - start); });
+  const Farthest other = farthest(points, [&](const glm::dvec3& p) { return length_of(p - start); });
   if (!(other.distance > tolerance)) throw InvalidShape("points all lie in one place");
   const glm::dvec3 along = (points[other.index] - start) / other.distance;
   const auto across = [&](const glm::dvec3& p) { return glm::cross(along, p - start); };
-  const Farthest third = farthest(points, [&](const glm::dvec3& p) { return size_of(across(p)); });
+  const Farthest third = farthest(points, [&](const glm::dvec3& p) { return length_of(across(p)); });
   if (!(third.distance > tolerance)) throw InvalidShape("points all lie on one line");
   const glm::dvec3 normal = across(points[third.index]) / third.distance;
   const auto height = [&](const glm::dvec3& p) { return std::abs(glm::dot(p - start, normal)); };
@@ -112,13 +113,10 @@ Plane plane_of(std::span<const glm::dvec3> points, double tolerance) {
 
 std::optional<Plane> plane_of_control_points(std::span<const glm::dvec4> points) {
   const Spanning s = spanning(points);
-  const double area = size_of(accurate_cross(s.a, s.b));
-  const double length_a = size_of(s.a);
-  const double length_b = size_of(s.b);
-  const double noise = 32.0 * kEpsilon * length_a * length_b + length_a * s.rounding_b + length_b * s.rounding_a;
-  if (!(area > noise)) return std::nullopt;
+  const double sine = length_of(accurate_cross(s.a.direction, s.b.direction));
+  if (!(sine > 32.0 * kEpsilon + s.a.rounding + s.b.rounding)) return std::nullopt;
   if (std::ranges::all_of(points, [](const glm::dvec4& p) { return p.z == 0.0; })) return Plane{};
-  return plane_along(s.origin, s.a, s.b);
+  return plane_along(s.origin, s.a.direction, s.b.direction);
 }
 
 glm::dvec2 direction_in(const Plane& plane, const glm::dvec3& direction) noexcept {

@@ -34,18 +34,18 @@ Room room_around(std::span<const glm::dvec4> points, double length) {
   return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low, length};
 }
 
-bool has_one_sign(std::span<const glm::dvec4> points) {
+bool has_one_sign(std::span<const glm::dvec4> points, double noise = 0.0) {
   const auto [low, high] = std::ranges::minmax(points, {}, &glm::dvec4::w);
-  return low.w > 0.0 || high.w < 0.0;
+  return low.w > noise || high.w < -noise;
 }
 
-/// Whether all points lie in the box around the room's centre. With weights of one sign the
-/// hull property says the same of the curve.
-bool lies_within(std::span<const glm::dvec4> points, const Room& room, const glm::dvec3& reach) {
+/// Whether all points lie in the box around the room's centre, up to `noise` in homogeneous
+/// coordinates. With weights of one sign the hull property says the same of the curve.
+bool lies_within(std::span<const glm::dvec4> points, const Room& room, const glm::dvec3& reach, double noise) {
   return std::ranges::all_of(points, [&](const glm::dvec4& p) {
     const glm::dvec3 offset = glm::abs(glm::dvec3(p) - p.w * room.centre);
-    const double w = std::abs(p.w);
-    return offset.x <= w * reach.x && offset.y <= w * reach.y && offset.z <= w * reach.z;
+    const glm::dvec3 most = std::abs(p.w) * reach + glm::dvec3(4.0 * noise);
+    return offset.x <= most.x && offset.y <= most.y && offset.z <= most.z;
   });
 }
 
@@ -72,27 +72,50 @@ double size_of(std::span<const glm::dvec4> points, const Room& room) {
   return size;
 }
 
+/// What rounding may do to the homogeneous points of a span, seen from the room's centre.
+struct Noise {
+  double offset = 0.0;
+  double weight = 0.0;
+};
+
+Noise noise_of(std::span<const glm::dvec4> span, const Room& room) {
+  const double ulps = 4.0 * static_cast<double>(span.size()) * std::numeric_limits<double>::epsilon();
+  Noise size{size_of(span, room), 0.0};
+  for (const glm::dvec4& p : span) {
+    size.weight = std::max(size.weight, std::abs(p.w));
+    for (int axis = 0; axis < 3; ++axis) {
+      size.offset = std::max({size.offset, std::abs(p[axis]), std::abs(p.w * room.centre[axis])});
+    }
+  }
+  return {ulps * size.offset, ulps * size.weight};
+}
+
 /// Finds the parts of one span, over [0, 1], that lie in the room.
 class Search {
  public:
   Search(std::span<const glm::dvec4> span, const Room& room)
-      : room_(room), noise_(4.0 * static_cast<double>(span.size()) * kEpsilon * size_of(span, room)) {
+      : room_(room), noise_(noise_of(span, room)) {
     visit(span, {0.0, 1.0}, 0);
   }
 
   /// In order; neighbours do not touch.
   const std::vector<Interval>& found() const noexcept { return found_; }
+  const Noise& noise() const noexcept { return noise_; }
 
  private:
-  static constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   // An end of a part is known to one in 2^48 of the span.
   static constexpr int kDeepest = 48;
   // Between the two boxes every short part is decided, so that the search ends.
   static constexpr double kInner = 1.0 - 1e-9;
+  // A point that is no larger has hardly one good digit. More than the slack of lies_within(), so
+  // that a short part whose weight is noise lies beyond or is undefined.
+  static constexpr double kUndefined = 16.0;
 
   void visit(std::span<const glm::dvec4> points, Interval range, int depth) {
-    if (size_of(points, room_) <= noise_ || lies_beyond(points, room_, room_.reach(kInner))) return;
-    if (has_one_sign(points) && lies_within(points, room_, room_.reach(1.0))) return keep(range);
+    if (size_of(points, room_) <= kUndefined * noise_.offset || lies_beyond(points, room_, room_.reach(kInner))) return;
+    const bool is_inside = has_one_sign(points, noise_.weight) &&
+                           lies_within(points, room_, room_.reach(1.0), noise_.offset);
+    if (is_inside) return keep(range);
     if (depth == kDeepest) return;
     const auto [before, after] = cut(points, 0.5);
     visit(before, {range.start, range.middle()}, depth + 1);
@@ -108,7 +131,7 @@ class Search {
   }
 
   const Room& room_;
-  double noise_;
+  Noise noise_;
   std::vector<Interval> found_;
 };
 
@@ -128,16 +151,16 @@ void append(Chain& chain, std::span<const glm::dvec4> points, Interval range) {
 }
 
 /// Subdivides until all weights have one sign and no control point lies far out.
-void append_positive(Chain& chain, std::span<const glm::dvec4> points, Interval range, const Room& room) {
+void append_positive(Chain& chain, std::span<const glm::dvec4> points, Interval range, const Room& room, const Noise& noise) {
   const double middle = range.middle();
   const bool is_short = !(middle > range.start && middle < range.end);
-  if (is_short || (has_one_sign(points) && lies_within(points, room, room.reach(2.0)))) {
+  if (is_short || (has_one_sign(points) && lies_within(points, room, room.reach(2.0), noise.offset))) {
     append(chain, points, range);
     return;
   }
   const auto [before, after] = cut(points, 0.5);
-  append_positive(chain, before, {range.start, middle}, room);
-  append_positive(chain, after, {middle, range.end}, room);
+  append_positive(chain, before, {range.start, middle}, room, noise);
+  append_positive(chain, after, {middle, range.end}, room, noise);
 }
 
 HomogeneousPoints span_points(const NurbsCurve& curve, int span) {
@@ -170,7 +193,7 @@ std::vector<Chain> chains_of(const NurbsCurve& curve, const Room& room) {
       const bool goes_on = !chains.empty() && part.start == 0.0 && chains.back().ends.back() == span.start &&
                            multiplicity(knots, span.start) <= knots.degree();
       if (!goes_on) chains.emplace_back();
-      append_positive(chains.back(), restricted(points, part), range, room);
+      append_positive(chains.back(), restricted(points, part), range, room, search.noise());
     }
   }
   return chains;
