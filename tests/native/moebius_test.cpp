@@ -34,7 +34,7 @@ TEST(Moebius, IsTheSameCurveForThousandRationalCurves) {
     for (const double u : random_parameters(random, curve.domain(), 5)) {
       const glm::dvec3 expected = point_at(curve, u);
       const glm::dvec3 found = point_at(result, moved(u, curve.domain(), rho));
-      EXPECT_LE(largest(found - expected), 1e-12 * 10 * (curve.degree() > 1 ? 1 : 10)) << round << " " << u;
+      EXPECT_LE(largest(found - expected), 1e-12 * 10) << round << " " << u;
     }
   }
 }
@@ -99,7 +99,7 @@ TEST(StandardForm, HasTheWeightOneAtBothEndsForThousandCurves) {
     const double rho = std::pow(curve.points().front().w / curve.points().back().w, 1.0 / curve.degree());
     for (const double u : random_parameters(random, curve.domain(), 3)) {
       const glm::dvec3 found = point_at(result, std::min(moved(u, curve.domain(), rho), curve.domain().end));
-      EXPECT_LE(largest(found - point_at(curve, u)), 1e-12 * 100);
+      EXPECT_LE(largest(found - point_at(curve, u)), 1e-12 * 10);
     }
   }
 }

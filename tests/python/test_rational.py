@@ -86,6 +86,15 @@ def test_an_end_derivative_depends_on_the_first_points_only(curve, order, seed):
     assert np.abs(other.derivatives(0, order) - one).max() <= 1e-10 * max(1, np.abs(one).max())
 
 
+@given(beziers(), st.integers(0, 99), unit)
+def test_a_perspective_image_is_a_rational_curve_with_new_weights(curve, seed, u):
+    matrix = np.eye(4) + np.random.default_rng(seed).uniform(-0.1, 0.1, (4, 4))
+    matrix[3, :3] *= 1e-4
+    image = sc.BezierCurve.from_homogeneous(curve.homogeneous_points @ matrix.T)
+    x, y, z, w = matrix @ [*curve.evaluate(u), 1]
+    assert close(image.evaluate(u), np.array([x, y, z]) / w, curve)
+
+
 def moved(u, domain, rho):
     start, end = domain
     x = (u - start) / (end - start)
