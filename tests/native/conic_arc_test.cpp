@@ -89,7 +89,7 @@ TEST(ConicArc, WithTheCosineOfHalfItsAngleIsACircle) {
 }
 
 TEST(ConicArc, RefusesWhatIsNone) {
-  EXPECT_NE(refusal([] { conic_arc({0, 0, 0}, {1, 1, 0}, {2, std::nan(""), 0}, 1); }).find("p2[0].y = nan"), std::string::npos);
+  EXPECT_NE(refusal([] { conic_arc({0, 0, 0}, {1, 1, 0}, {2, std::nan(""), 0}, 1); }).find("p2.y = nan"), std::string::npos);
   EXPECT_EQ(refusal([] { conic_arc({0, 0, 0}, {1, 1, 0}, {2, 0, 0}, INFINITY); }), "w1 = inf is not finite");
   EXPECT_EQ(refusal([] { conic_class(BezierCurve::make({{0, 0, 0, 1}, {1, 0, 0, 1}})); }),
             "degree = 1: a conic is a curve of degree 2");

@@ -133,7 +133,7 @@ TEST(Ellipse, RefusesWhatIsNone) {
   EXPECT_NE(refusal([&] { circle(o, -1, {0, 0, 1}); }), "not refused");
   EXPECT_NE(refusal([&] { circle(o, std::nan(""), {0, 0, 1}); }), "not refused");
   EXPECT_EQ(refusal([&] { circle(o, 1, o); }), "normal has no direction: its length is 0");
-  EXPECT_EQ(refusal([&] { circle({INFINITY, 0, 0}, 1, y); }), "centre[0].x = inf is not finite");
+  EXPECT_EQ(refusal([&] { circle({INFINITY, 0, 0}, 1, y); }), "centre.x = inf is not finite");
   EXPECT_EQ(refusal([&] { ellipse(o, o, y); }), "axis_a has the length 0");
   EXPECT_EQ(refusal([&] { ellipse(o, x, o); }), "axis_b has the length 0");
   EXPECT_EQ(refusal([&] { ellipse(o, x, -3.0 * x); }), "axis_b is parallel to axis_a: they span no ellipse");

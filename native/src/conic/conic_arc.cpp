@@ -6,7 +6,6 @@
 
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/conic/plane.hpp"
 
 namespace splinecore {
@@ -51,9 +50,9 @@ bool is_one_point(std::span<const glm::dvec4> points) {
 }  // namespace
 
 BezierCurve conic_arc(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& p2, double w1) {
-  require_finite({&p0, 1}, "p0");
-  require_finite({&p1, 1}, "p1");
-  require_finite({&p2, 1}, "p2");
+  require_vector(p0, "p0");
+  require_vector(p1, "p1");
+  require_vector(p2, "p2");
   if (!std::isfinite(w1)) throw InvalidShape("w1 = " + text_of(w1) + " is not finite");
   const glm::dvec4 middle = w1 == 0.0 ? glm::dvec4(0.0) : glm::dvec4(p1, w1);
   return BezierCurve::make({glm::dvec4(p0, 1.0), middle, glm::dvec4(p2, 1.0)});

@@ -7,7 +7,6 @@
 
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/conic/plane.hpp"
 
 namespace splinecore {
@@ -48,9 +47,9 @@ struct Axes {
 };
 
 Axes admitted(const glm::dvec3& centre, const glm::dvec3& a, const glm::dvec3& b) {
-  require_finite({&centre, 1}, "centre");
-  require_finite({&a, 1}, "axis_a");
-  require_finite({&b, 1}, "axis_b");
+  require_vector(centre, "centre");
+  require_vector(a, "axis_a");
+  require_vector(b, "axis_b");
   const double length_a = length_of(a);
   const double length_b = length_of(b);
   if (!std::isnormal(length_a)) throw InvalidShape("axis_a has the length " + text_of(length_a));
@@ -68,7 +67,8 @@ int require_spans(double start, double sweep, int span_count) {
     throw InvalidShape("sweep = " + text_of(sweep) + " is zero or more than a whole turn");
   }
   if (span_count < 0 || span_count > kMostSpans) {
-    throw InvalidShape("span_count = " + std::to_string(span_count) + " is outside [0, " + std::to_string(kMostSpans) + "]");
+    throw InvalidShape("span_count = " + std::to_string(span_count) + " is outside [0, " +
+                       std::to_string(kMostSpans) + "]");
   }
   if (span_count == 1 && is_whole_turn(sweep)) throw InvalidShape("span_count = 1: one span cannot hold a whole turn");
   const double quarters = std::abs(sweep) / (kTurn / 4.0);
@@ -116,7 +116,7 @@ NurbsCurve circle(const glm::dvec3& centre, double radius, const glm::dvec3& nor
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw InvalidShape("radius = " + text_of(radius) + " is not a positive length");
   }
-  require_finite({&centre, 1}, "centre");
+  require_vector(centre, "centre");
   const Plane plane = plane_across(centre, normal);
   return ellipse(centre, radius * plane.x_axis, radius * plane.y_axis, form);
 }

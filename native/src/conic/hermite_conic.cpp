@@ -8,7 +8,6 @@
 
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/curve/casteljau.hpp"

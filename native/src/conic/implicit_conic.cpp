@@ -43,8 +43,9 @@ Spectrum spectrum_of(const Coefficients& k) {
   // Half the angle of (difference, b), without cancellation on either side.
   const double longer = std::sqrt(0.5 * (1.0 + std::abs(difference) / root));
   const double shorter = 0.5 * k.b / (root * longer);
+  const glm::dvec2 steep(std::abs(shorter), std::copysign(longer, k.b));
   glm::dvec2 axis(1.0, 0.0);
-  if (root > 0.0) axis = difference >= 0.0 ? glm::dvec2(longer, shorter) : glm::dvec2(std::abs(shorter), std::copysign(longer, k.b));
+  if (root > 0.0) axis = difference >= 0.0 ? glm::dvec2(longer, shorter) : steep;
   if (std::signbit(sum)) axis = across(axis);
   return {large, determinant / large, determinant, axis, root <= kNoise * std::abs(sum)};
 }
@@ -63,7 +64,8 @@ ConicShape elliptic(const Spectrum& s, const glm::dvec2& centre, double value) {
     const double radius = std::sqrt(-value / (0.5 * (s.large + s.small)));
     return {ConicType::circle, centre, {1.0, 0.0}, radius, radius};
   }
-  return {ConicType::ellipse, centre, oriented(across(s.axis)), std::sqrt(-value / s.small), std::sqrt(-value / s.large)};
+  const double major = std::sqrt(-value / s.small);
+  return {ConicType::ellipse, centre, oriented(across(s.axis)), major, std::sqrt(-value / s.large)};
 }
 
 ConicShape hyperbolic(const Spectrum& s, const glm::dvec2& centre, double value) {

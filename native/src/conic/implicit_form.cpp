@@ -7,7 +7,6 @@
 
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/conic/ellipse.hpp"
 
 namespace splinecore {

@@ -146,8 +146,8 @@ ImplicitConic conic_through(std::span<const glm::dvec3> points, std::optional<do
 
 ImplicitConic conic_by_foci(const glm::dvec3& focus_1, const glm::dvec3& focus_2, double distance,
                             const glm::dvec3& normal) {
-  require_finite({&focus_1, 1}, "focus_1");
-  require_finite({&focus_2, 1}, "focus_2");
+  require_vector(focus_1, "focus_1");
+  require_vector(focus_2, "focus_2");
   require_positive_length(distance, "distance");
   const glm::dvec3 middle = 0.5 * focus_1 + 0.5 * focus_2;
   const Plane across = plane_across(middle, normal);
@@ -165,9 +165,9 @@ ImplicitConic conic_by_foci(const glm::dvec3& focus_1, const glm::dvec3& focus_2
 
 ImplicitConic parabola(const glm::dvec3& focus, const glm::dvec3& directrix_point,
                        const glm::dvec3& directrix_direction) {
-  require_finite({&focus, 1}, "focus");
-  require_finite({&directrix_point, 1}, "directrix_point");
-  require_finite({&directrix_direction, 1}, "directrix_direction");
+  require_vector(focus, "focus");
+  require_vector(directrix_point, "directrix_point");
+  require_vector(directrix_direction, "directrix_direction");
   const double length = length_of(directrix_direction);
   if (!std::isnormal(length)) throw InvalidShape("directrix_direction has the length " + text_of(length));
   const glm::dvec3 along = directrix_direction / length;

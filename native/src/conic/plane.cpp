@@ -15,9 +15,11 @@ namespace {
 
 /// Unit vectors come back bit for bit, so that a plane can be made again from its axes.
 glm::dvec3 unit(const glm::dvec3& v, const char* name) {
-  require_finite({&v, 1}, name);
+  require_vector(v, name);
   const double length = length_of(v);
-  if (!std::isnormal(length)) throw InvalidShape(std::string(name) + " has no direction: its length is " + text_of(length));
+  if (!std::isnormal(length)) {
+    throw InvalidShape(std::string(name) + " has no direction: its length is " + text_of(length));
+  }
   return std::abs(length - 1.0) <= 4.0 * kEpsilon ? v : v / length;
 }
 
@@ -70,7 +72,7 @@ bool is_flat_xy(std::span<const glm::dvec3> points) {
 }  // namespace
 
 Plane plane_along(const glm::dvec3& origin, const glm::dvec3& x_axis, const glm::dvec3& y_axis) {
-  require_finite({&origin, 1}, "origin");
+  require_vector(origin, "origin");
   const glm::dvec3 x = unit(x_axis, "x_axis");
   const glm::dvec3 y = unit(y_axis, "y_axis");
   const double cosine = glm::dot(x, y);

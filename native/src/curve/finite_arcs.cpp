@@ -151,7 +151,8 @@ void append(Chain& chain, std::span<const glm::dvec4> points, Interval range) {
 }
 
 /// Subdivides until all weights have one sign and no control point lies far out.
-void append_positive(Chain& chain, std::span<const glm::dvec4> points, Interval range, const Room& room, const Noise& noise) {
+void append_positive(Chain& chain, std::span<const glm::dvec4> points, Interval range, const Room& room,
+                     const Noise& noise) {
   const double middle = range.middle();
   const bool is_short = !(middle > range.start && middle < range.end);
   if (is_short || (has_one_sign(points) && lies_within(points, room, room.reach(2.0), noise.offset))) {
