@@ -1,6 +1,7 @@
 #include "approximation.hpp"
 #include "arrays.hpp"
 #include "curve_methods.hpp"
+#include "rational.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/convert/to_power.hpp"
@@ -110,6 +111,7 @@ void bind_nurbs(py::module_& module) {
                  "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
   bind_common(cls);
   bind_points(cls);
+  bind_rational_verbs(cls);
   bind_value(cls);
   cls.def_property_readonly("periodic", &NurbsCurve::periodic);
   cls.def_property_readonly("knots", [](const py::object& self) {
@@ -189,6 +191,7 @@ void bind_bezier(py::module_& module) {
   }, py::arg("points"), "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
   bind_common(cls);
   bind_points(cls);
+  bind_rational_verbs(cls);
   bind_value(cls);
   cls.def("split", [](const BezierCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
           py::arg("u"), "(before, after), each over [0, 1] (de Casteljau).");

@@ -14,7 +14,7 @@ import pytest
 import splinecore as sc
 
 PACKAGE = pathlib.Path(sc.__file__).parent
-MODULES = {"__init__": sc, "basis": sc.basis, "build": sc.build}
+MODULES = {"__init__": sc, "basis": sc.basis, "build": sc.build, "conics": sc.conics}
 
 
 def stub_of(name):
@@ -134,5 +134,6 @@ def test_mypy_finds_no_error_in_the_stubs(tmp_path):
         "start: float = curve.domain[0]\n"
         "curve.evaluate(start, side='left', cancel=lambda: False)\n")
     done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "splinecore/__init__.pyi", "splinecore/basis.pyi",
-                           "splinecore/build.pyi", "use.py"], cwd=tmp_path, capture_output=True, text=True)
+                           "splinecore/build.pyi", "splinecore/conics.pyi", "use.py"],
+                          cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout

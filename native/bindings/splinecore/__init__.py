@@ -29,7 +29,7 @@ from ._splinecore import (
     dumps,
     loads,
 )
-from . import basis, build
+from . import basis, build, conics
 
 __all__ = [
     "Approximation",
@@ -50,12 +50,13 @@ __all__ = [
     "ToleranceNotReached",
     "basis",
     "build",
+    "conics",
     "dumps",
     "loads",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name not in ("basis", "build"):
+    if _name not in ("basis", "build", "conics"):
         globals()[_name].__module__ = __name__
 del _name

@@ -1,0 +1,82 @@
+#include "splinecore/curve/casteljau.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "splinecore/base/errors.hpp"
+
+namespace splinecore {
+
+namespace {
+
+double admitted(const BezierCurve& curve, double u) {
+  return curve.nurbs().knot_vector().admit(u, Side::right);
+}
+
+std::optional<Breakdown> direction_among(std::span<const glm::dvec4> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].w != 0.0) continue;
+    return Breakdown{0, static_cast<int>(i),
+                     "weights" + index_text(i) + " = 0: control point " + std::to_string(i) + " is a direction"};
+  }
+  return std::nullopt;
+}
+
+/// Whether the sum of two numbers is zero, or no more than what their rounding leaves.
+bool cancels(double a, double b) {
+  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+  return std::abs(a + b) <= kRounding * (std::abs(a) + std::abs(b));
+}
+
+}  // namespace
+
+Triangle casteljau_triangle(const BezierCurve& curve, double u) {
+  const double t = admitted(curve, u);
+  const auto first = curve.nurbs().homogeneous_points();
+  Triangle rows{{first.begin(), first.end()}};
+  while (rows.back().size() > 1) {
+    const auto& above = rows.back();
+    std::vector<glm::dvec4> row(above.size() - 1);
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = (1.0 - t) * above[i] + t * above[i + 1];
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+RationalTriangle rational_casteljau_triangle(const BezierCurve& curve, double u) {
+  const double t = admitted(curve, u);
+  RationalTriangle triangle{{{curve.points().begin(), curve.points().end()}}, direction_among(curve.points())};
+  if (triangle.breakdown) return {{}, triangle.breakdown};
+  while (triangle.rows.back().size() > 1) {
+    const auto& above = triangle.rows.back();
+    std::vector<glm::dvec4> row(above.size() - 1);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const double before = (1.0 - t) * above[i].w;
+      const double after = t * above[i + 1].w;
+      if (cancels(before, after)) {
+        const int number = static_cast<int>(triangle.rows.size());
+        triangle.breakdown = Breakdown{number, static_cast<int>(i),
+                                       "the weights " + text_of(before) + " and " + text_of(after) + " cancel in row " +
+                                           std::to_string(number) + ", point " + std::to_string(i)};
+        return triangle;
+      }
+      const double s = after / (before + after);
+      row[i] = {(1.0 - s) * glm::dvec3(above[i]) + s * glm::dvec3(above[i + 1]), before + after};
+    }
+    triangle.rows.push_back(std::move(row));
+  }
+  return triangle;
+}
+
+std::pair<HomogeneousPoints, HomogeneousPoints> cut(std::span<const glm::dvec4> points, double u) {
+  HomogeneousPoints before(points.begin(), points.end());
+  HomogeneousPoints after(points.size());
+  const std::size_t last = points.size() - 1;
+  for (std::size_t level = 0; level <= last; ++level) {
+    after[last - level] = before[last];
+    for (std::size_t i = last; i > level; --i) before[i] = (1.0 - u) * before[i - 1] + u * before[i];
+  }
+  return {std::move(before), std::move(after)};
+}
+
+}  // namespace splinecore

@@ -1,0 +1,89 @@
+#include "splinecore/curve/casteljau.hpp"
+
+#include "splinecore/base/points.hpp"
+#include "support.hpp"
+
+namespace splinecore {
+namespace {
+
+using namespace testing;
+
+BezierCurve random_bezier(Random& random, Weights weights) {
+  return BezierCurve::make(random_points(random, integer(random, 2, 10), weights));
+}
+
+TEST(Casteljau, HasRowsOfOnePointLessEachAndEndsInTheCurve) {
+  Random random(500);
+  for (int round = 0; round < 300; ++round) {
+    const BezierCurve curve = random_bezier(random, Weights::any);
+    const double u = real(random, 0, 1);
+    const Triangle rows = casteljau_triangle(curve, u);
+    ASSERT_EQ(rows.size(), curve.points().size());
+    for (std::size_t j = 0; j < rows.size(); ++j) EXPECT_EQ(rows[j].size(), rows.size() - j);
+    EXPECT_LE(largest(rows.back()[0] - homogeneous_at(curve.nurbs(), u)), 1e-14 * size_of(curve.nurbs()));
+  }
+}
+
+TEST(Casteljau, BothAlgorithmsHaveTheSamePointsAndWeights) {
+  Random random(501);
+  for (int round = 0; round < 300; ++round) {
+    const BezierCurve curve = random_bezier(random, Weights::positive);
+    const double u = real(random, 0, 1);
+    const Triangle homogeneous_rows = casteljau_triangle(curve, u);
+    const RationalTriangle rational = rational_casteljau_triangle(curve, u);
+    ASSERT_FALSE(rational.breakdown.has_value());
+    ASSERT_EQ(rational.rows.size(), homogeneous_rows.size());
+    for (std::size_t j = 0; j < homogeneous_rows.size(); ++j) {
+      for (std::size_t i = 0; i < homogeneous_rows[j].size(); ++i) {
+        EXPECT_LE(largest(rational.rows[j][i] - as_given(homogeneous_rows[j][i])), 1e-13 * 10);
+      }
+    }
+  }
+}
+
+// w_i^(1) = (1 - t) 1 + t (-1) is zero at t = 1/2.
+TEST(Casteljau, RationalAlgorithmSaysWhereWeightsCancel) {
+  const BezierCurve curve = BezierCurve::make({{0, 0, 0, 1}, {1, 1, 0, -1}, {2, 0, 0, 1}});
+  const RationalTriangle broken = rational_casteljau_triangle(curve, 0.5);
+  ASSERT_TRUE(broken.breakdown.has_value());
+  EXPECT_EQ(broken.breakdown->row, 1);
+  EXPECT_EQ(broken.breakdown->index, 0);
+  EXPECT_EQ(broken.breakdown->reason, "the weights 0.5 and -0.5 cancel in row 1, point 0");
+  EXPECT_EQ(broken.rows.size(), 1u);
+  EXPECT_EQ(casteljau_triangle(curve, 0.5).size(), 3u);
+  EXPECT_FALSE(rational_casteljau_triangle(curve, 0.25).breakdown.has_value());
+}
+
+TEST(Casteljau, RationalAlgorithmSaysWhichControlPointIsADirection) {
+  const BezierCurve curve = BezierCurve::make({{1, 0, 0, 1}, {0, 1, 0, 0}, {-1, 0, 0, 1}});
+  const RationalTriangle broken = rational_casteljau_triangle(curve, 0.3);
+  ASSERT_TRUE(broken.breakdown.has_value());
+  EXPECT_EQ(broken.breakdown->row, 0);
+  EXPECT_EQ(broken.breakdown->index, 1);
+  EXPECT_EQ(broken.breakdown->reason, "weights[1] = 0: control point 1 is a direction");
+  EXPECT_TRUE(broken.rows.empty());
+  const glm::dvec4 h = casteljau_triangle(curve, 0.3).back()[0];
+  EXPECT_NEAR(std::hypot(h.x, h.y), h.w, 1e-16);
+}
+
+TEST(Casteljau, RefusesParametersOutside) {
+  const BezierCurve line = BezierCurve::make({{0, 0, 0, 1}, {1, 1, 0, 1}});
+  EXPECT_THROW(casteljau_triangle(line, 1.1), InvalidShape);
+  EXPECT_THROW(rational_casteljau_triangle(line, std::nan("")), InvalidShape);
+}
+
+TEST(Cut, PartsAreTheCurve) {
+  Random random(502);
+  for (int round = 0; round < 200; ++round) {
+    const BezierCurve curve = random_bezier(random, Weights::any);
+    const auto points = curve.nurbs().homogeneous_points();
+    const double u = real(random, 0, 1);
+    const auto [before, after] = cut(points, u);
+    EXPECT_EQ(before.back(), after.front());
+    const glm::dvec4 expected = homogeneous_at(curve.nurbs(), 0.5 * u);
+    EXPECT_LE(largest(cut(before, 0.5).first.back() - expected), 1e-14 * size_of(curve.nurbs()));
+  }
+}
+
+}  // namespace
+}  // namespace splinecore
