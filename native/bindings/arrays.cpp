@@ -159,6 +159,10 @@ double real(const py::handle& value, const char* name) {
   throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not finite");
 }
 
+std::optional<double> optional_real(const py::handle& value, const char* name) {
+  return value.is_none() ? std::nullopt : std::optional(real(value, name));
+}
+
 double parameter(const py::handle& value, const splinecore::KnotVector& knots) {
   const double u = real(value, "u");
   require_inside(knots, Doubles(py::float_(u)), splinecore::Side::right, "u");

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,6 +35,9 @@ int integer(const py::handle& value, const char* name);
 
 /// A real number. @throws py::type_error for anything else, InvalidShape if it is not finite.
 double real(const py::handle& value, const char* name);
+
+/// A real number, or none for None.
+std::optional<double> optional_real(const py::handle& value, const char* name);
 
 /// The argument u, a parameter of the domain. @throws InvalidShape if it lies outside.
 double parameter(const py::handle& value, const splinecore::KnotVector& knots);

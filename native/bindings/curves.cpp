@@ -11,6 +11,7 @@
 #include "splinecore/curve/hermite_curve.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "values.hpp"
+#include "verbs.hpp"
 
 namespace bindings {
 
@@ -112,6 +113,7 @@ void bind_nurbs(py::module_& module) {
   bind_common(cls);
   bind_points(cls);
   bind_rational_verbs(cls);
+  bind_verbs(cls);
   bind_value(cls);
   cls.def_property_readonly("periodic", &NurbsCurve::periodic);
   cls.def_property_readonly("knots", [](const py::object& self) {

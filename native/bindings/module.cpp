@@ -21,6 +21,7 @@ PYBIND11_MODULE(_splinecore, module) {
       "A long call was ended by its cancel argument.";
 
   bindings::bind_approximation(module);
+  bindings::bind_continuity(module);
   bindings::bind_basis(module);
   bindings::bind_power(module);
   bindings::bind_curves(module);

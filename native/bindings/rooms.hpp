@@ -6,6 +6,7 @@
 namespace bindings {
 
 void bind_approximation(pybind11::module_& module);
+void bind_continuity(pybind11::module_& module);
 void bind_basis(pybind11::module_& module);
 void bind_power(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);

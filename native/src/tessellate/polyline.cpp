@@ -6,6 +6,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/evaluate.hpp"
+#include "splinecore/curve/finite_arcs.hpp"
 
 namespace splinecore {
 
@@ -43,20 +44,32 @@ void append_finite(const NurbsCurve& curve, const std::vector<double>& parameter
   }
 }
 
+bool runs_to_infinity(const NurbsCurve& curve, Interval piece) {
+  return !is_finite_end(curve, piece.start) || !is_finite_end(curve, piece.end) ||
+         is_at_infinity(curve, piece.start, Side::right) || is_at_infinity(curve, piece.end, Side::left);
+}
+
 /// The samples of one piece that are finite.
 std::vector<double> piece_points(const NurbsCurve& curve, Interval piece, int resolution) {
   // Samples next to infinity are left out, so a piece that runs there needs some more.
   constexpr int kFewest = 4;
-  const bool is_finite = is_finite_end(curve, piece.start) && is_finite_end(curve, piece.end) &&
-                         !is_at_infinity(curve, piece.start, Side::right) &&
-                         !is_at_infinity(curve, piece.end, Side::left);
-  if (!is_finite) resolution = std::max(resolution, kFewest);
+  if (runs_to_infinity(curve, piece)) resolution = std::max(resolution, kFewest);
   std::vector<double> parameters = parameters_of(curve.knot_vector(), piece, resolution);
   if (!is_finite_end(curve, piece.start)) parameters.erase(parameters.begin());
   parameters.pop_back();
   std::vector<double> points;
   append_finite(curve, parameters, Side::right, points);
   if (is_finite_end(curve, piece.end)) append_finite(curve, {piece.end}, Side::left, points);
+  return points;
+}
+
+/// The samples of a piece that is finite everywhere.
+std::vector<double> sampled(const NurbsCurve& curve, Interval piece, int resolution) {
+  std::vector<double> parameters = parameters_of(curve.knot_vector(), piece, resolution);
+  parameters.pop_back();
+  std::vector<double> points;
+  append_finite(curve, parameters, Side::right, points);
+  append_finite(curve, {piece.end}, Side::left, points);
   return points;
 }
 
@@ -68,9 +81,36 @@ bool is_closed(const NurbsCurve& curve, const std::vector<double>& points) {
   return points.size() > 6 && std::equal(points.begin(), points.begin() + 3, points.end() - 3);
 }
 
+/// pieces(), those that run to infinity only as far as the arcs within reach go.
+std::vector<Interval> pieces_within(const NurbsCurve& curve, double reach) {
+  std::vector<Interval> within;
+  std::vector<Interval> arcs;
+  for (const Interval& piece : pieces(curve)) {
+    if (!runs_to_infinity(curve, piece)) {
+      within.push_back(piece);
+      continue;
+    }
+    if (arcs.empty()) {
+      for (const NurbsCurve& arc : finite_arcs(curve, reach)) arcs.push_back(arc.domain());
+    }
+    bool is_open = false;
+    for (const Interval& arc : arcs) {
+      const Interval part{std::max(arc.start, piece.start), std::min(arc.end, piece.end)};
+      if (!(part.start < part.end)) continue;
+      if (is_open && within.back().end == part.start) {
+        within.back().end = part.end;
+      } else {
+        within.push_back(part);
+      }
+      is_open = true;
+    }
+  }
+  return within;
+}
+
 }  // namespace
 
-std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution) {
+std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution, std::optional<double> reach) {
   constexpr int kMaxResolution = 4096;
   constexpr double kMaxSamples = 1 << 22;
   if (resolution < 1 || resolution > kMaxResolution) {
@@ -80,10 +120,10 @@ std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution) {
   if (static_cast<double>(curve.knot_vector().spans().size()) * resolution > kMaxSamples) {
     throw InvalidShape("the polyline would have more than 2^22 points: lower the resolution");
   }
-  const std::vector<Interval> all = pieces(curve);
+  const std::vector<Interval> all = reach ? pieces_within(curve, *reach) : pieces(curve);
   std::vector<Polyline> lines;
   for (const Interval& piece : all) {
-    Polyline line{piece_points(curve, piece, resolution), false};
+    Polyline line{reach ? sampled(curve, piece, resolution) : piece_points(curve, piece, resolution), false};
     if (all.size() == 1 && is_closed(curve, line.points)) {
       line.closed = true;
       line.points.resize(line.points.size() - 3);

@@ -1,0 +1,180 @@
+#include "verbs.hpp"
+
+#include "approximation.hpp"
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/curve/degree.hpp"
+#include "splinecore/curve/distance.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/join.hpp"
+#include "splinecore/curve/removal.hpp"
+#include "splinecore/curve/transform.hpp"
+#include "splinecore/measure/continuity.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::Continuity;
+using splinecore::InvalidShape;
+using splinecore::NurbsCurve;
+using splinecore::Smoothness;
+
+namespace {
+
+/// A length that must not be below 0.
+std::optional<double> tolerance_of(const py::object& value) {
+  const std::optional<double> tolerance = optional_real(value, "tolerance");
+  if (tolerance && *tolerance < 0.0) throw InvalidShape("tolerance = " + splinecore::text_of(*tolerance) + " is below 0");
+  return tolerance;
+}
+
+splinecore::Interval interval_of(const py::object& value, const char* name) {
+  const std::vector<double> ends = numbers(value, name);
+  if (ends.size() != 2) throw InvalidShape(std::string(name) + " has " + std::to_string(ends.size()) + " values, (start, end) is expected");
+  return {ends[0], ends[1]};
+}
+
+Smoothness smoothness_of(const py::object& value) {
+  const std::pair<const char*, Smoothness> known[] = {
+      {"C0", Smoothness::c0}, {"G1", Smoothness::g1}, {"C1", Smoothness::c1}, {"C2", Smoothness::c2}};
+  for (const auto& [name, smoothness] : known) {
+    if (py::isinstance<py::str>(value) && value.cast<std::string>() == name) return smoothness;
+  }
+  throw InvalidShape("continuity = " + std::string(py::repr(value)) + " is not 'C0', 'G1', 'C1' or 'C2'");
+}
+
+/// (3, 3), (3, 4) or (4, 4), which maps columns.
+glm::dmat4 matrix_of(const py::object& value) {
+  const Doubles array = real_array(value, "matrix");
+  const bool is_known = array.ndim() == 2 && ((array.shape(0) == 3 && (array.shape(1) == 3 || array.shape(1) == 4)) ||
+                                              (array.shape(0) == 4 && array.shape(1) == 4));
+  if (!is_known) throw InvalidShape("matrix has shape " + shape_text(array) + ", (3, 3), (3, 4) or (4, 4) is expected");
+  splinecore::require_finite({array.data(), static_cast<std::size_t>(array.size())}, "matrix");
+  glm::dmat4 matrix(1.0);
+  for (py::ssize_t i = 0; i < array.shape(0); ++i) {
+    for (py::ssize_t j = 0; j < array.shape(1); ++j) matrix[static_cast<int>(j)][static_cast<int>(i)] = array.at(i, j);
+  }
+  return matrix;
+}
+
+void bind_knot_verbs(py::class_<NurbsCurve>& cls) {
+  cls.def("remove_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times, const py::object& tolerance) {
+            const double at = real(u, "u");
+            const int count = integer(times, "times");
+            const auto most = tolerance_of(tolerance);
+            return wrap(unlocked([&] { return splinecore::remove_knot(self, at, count, most); }));
+          }, py::arg("u"), py::arg("times") = 1, py::arg("tolerance") = py::none(),
+          "Approximation by the curve with times copies fewer of the inner knot u.\n\n"
+          "The nearest in its control points; those that the knot has no part in stay bit for bit. The error is\n"
+          "the largest distance at equal parameters, at most 1 % too large. InvalidShape if u is no inner knot,\n"
+          "ToleranceNotReached with a tolerance that the error exceeds. The NURBS Book, 5.4; row S15.");
+  cls.def("remove_knots", [](const NurbsCurve& self, const py::object& tolerance) {
+            const double most = real(tolerance, "tolerance");
+            return wrap(unlocked([&] { return splinecore::remove_knots(self, most); }));
+          }, py::arg("tolerance"),
+          "Approximation by the curve without every inner knot that can go within the tolerance, a length.\n"
+          "From the first to the last. Row S15.");
+  cls.def("elevate", [](const NurbsCurve& self, const py::object& times) {
+            const int count = integer(times, "times");
+            return unlocked([&] { return splinecore::elevated(self, count); });
+          }, py::arg("times") = 1,
+          "The same curve of a degree higher by times; every distinct knot has as many copies more.\n"
+          "By blossoms, with convex weights. Row S15.");
+  cls.def("reduce", [](const NurbsCurve& self, const py::object& times, const py::object& tolerance) {
+            const int count = integer(times, "times");
+            const auto most = tolerance_of(tolerance);
+            return wrap(unlocked([&] { return splinecore::reduced(self, count, most); }));
+          }, py::arg("times") = 1, py::arg("tolerance") = py::none(),
+          "Approximation by the nearest curve of a degree lower by times; a plain one keeps its ends, clamped.\n\n"
+          "Nearest in its control points, in the sum of squares. Exact where the degree was raised before. The\n"
+          "error is as of remove_knot(). ToleranceNotReached with a tolerance that it exceeds. Row S15.");
+}
+
+void bind_end_verbs(py::class_<NurbsCurve>& cls) {
+  cls.def("with_domain", [](const NurbsCurve& self, const py::object& domain) {
+            return splinecore::with_domain(self, interval_of(domain, "domain"));
+          }, py::arg("domain"),
+          "The same curve over another domain (start, end): the knots are mapped, the points stay.\n"
+          "InvalidShape unless start < end. Row S15.");
+  cls.def("clamped", [](const NurbsCurve& self) { return splinecore::clamped(self); },
+          "The same curve with both ends in its outer control points; a periodic one is cut at its seam.\nRow S15.");
+  cls.def("unclamped", [](const NurbsCurve& self) { return splinecore::unclamped(self); },
+          "The same curve on knots that go on outside the domain; a periodic one is unrolled.\n"
+          "The NURBS Book, A12.1; row S15.");
+  cls.def("to_periodic", [](const NurbsCurve& self, const py::object& tolerance) {
+            const auto most = tolerance_of(tolerance);
+            return wrap(unlocked([&] { return splinecore::made_periodic(self, most); }));
+          }, py::arg("tolerance") = py::none(),
+          "Approximation by a periodic curve, as smooth at its seam as it is within the tolerance, a length.\n\n"
+          "The default is a few roundings. ToleranceNotReached if the ends lie farther apart, InvalidShape if their\n"
+          "weights differ or one lies at infinity. Row S15.");
+  cls.def("join", [](const NurbsCurve& self, const NurbsCurve& other, const py::object& continuity) {
+            const Smoothness smoothness = smoothness_of(continuity);
+            return wrap(unlocked([&] { return splinecore::joined(self, other, smoothness); }));
+          }, py::arg("other"), py::arg("continuity") = "C0",
+          "Approximation by this curve and then the other as one, 'C0', 'G1', 'C1' or 'C2' at the joint.\n\n"
+          "Points next to the joint move as little as that asks; the error is how far the curves moved. For C1 and\n"
+          "C2 the other's domain is scaled first. InvalidShape if a curve is periodic or an end lies at infinity. Row S7.");
+}
+
+void bind_measures(py::class_<NurbsCurve>& cls) {
+  cls.def("transformed", [](const NurbsCurve& self, const py::object& matrix) {
+            return splinecore::transformed(self, matrix_of(matrix));
+          }, py::arg("matrix"),
+          "The curve under a linear (3, 3), affine (3, 4) or projective (4, 4) map of columns.\n\n"
+          "Under a projective one the weights change; a point that goes to infinity gets weight 0. Rows S9, S15.");
+  cls.def("largest_distance", [](const NurbsCurve& self, const NurbsCurve& other) {
+            return unlocked([&] { return splinecore::largest_distance(self, other); });
+          }, py::arg("other"),
+          "The largest distance of points at equal parameters: an upper bound, at most 1 % above the truth.\n"
+          "Where a curve runs to infinity it is left out. InvalidShape if the domains differ.");
+  cls.def("continuity", [](const NurbsCurve& self, const py::object& u, const py::object& tolerance) {
+            return splinecore::continuity_at(self, real(u, "u"), real(tolerance, "tolerance"));
+          }, py::arg("u"), py::arg("tolerance") = splinecore::kContinuityTolerance,
+          "The Continuity at a parameter inside the domain.\n"
+          "tolerance is relative: below it a difference is called none. Row S16.");
+  cls.def("continuity_to", [](const NurbsCurve& self, const NurbsCurve& other, const py::object& tolerance) {
+            return splinecore::continuity_between(self, other, real(tolerance, "tolerance"));
+          }, py::arg("other"), py::arg("tolerance") = splinecore::kContinuityTolerance,
+          "The Continuity between the end of this curve and the start of the other.\nRow S16.");
+  cls.def("joints", [](const NurbsCurve& self, const py::object& tolerance) {
+            py::list found;
+            for (const auto& joint : splinecore::joints(self, real(tolerance, "tolerance"))) {
+              found.append(py::make_tuple(joint.u, joint.continuity));
+            }
+            return found;
+          }, py::arg("tolerance") = splinecore::kContinuityTolerance,
+          "[(u, Continuity), …] of every inner knot, and of the seam of a closed curve.\n"
+          "Joints at infinity are left out. Row S16.");
+}
+
+}  // namespace
+
+void bind_verbs(py::class_<NurbsCurve>& cls) {
+  bind_knot_verbs(cls);
+  bind_end_verbs(cls);
+  bind_measures(cls);
+}
+
+void bind_continuity(py::module_& module) {
+  py::class_<Continuity> cls(
+      module, "Continuity", py::module_local(),
+      "How smoothly a curve goes on where two of its pieces, or two curves, meet (lecture row S16).\n\n"
+      "gap is a length, angle lies in [0, pi], curvature_difference is the length of the difference of the two\n"
+      "curvature vectors. c counts the derivatives that agree, -1 for a gap; it is the degree where there is no\n"
+      "joint at all. g is -1, 0, 1, 2, or c where that is more.");
+  seal(cls);
+  cls.def_readonly("gap", &Continuity::gap);
+  cls.def_readonly("angle", &Continuity::angle);
+  cls.def_readonly("curvature_difference", &Continuity::curvature_difference);
+  cls.def_readonly("c", &Continuity::c);
+  cls.def_readonly("g", &Continuity::g);
+  cls.def("__repr__", [](const Continuity& self) {
+    const auto text = [](double value) { return splinecore::text_of(value); };
+    return "Continuity(gap=" + text(self.gap) + ", angle=" + text(self.angle) + ", curvature_difference=" +
+           text(self.curvature_difference) + ", c=" + std::to_string(self.c) + ", g=" + std::to_string(self.g) + ")";
+  });
+}
+
+}  // namespace bindings

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace bindings {
+
+/// What changes the knots, degree, ends or place of a NURBS curve, and measures it.
+void bind_verbs(pybind11::class_<splinecore::NurbsCurve>& cls);
+
+}  // namespace bindings
