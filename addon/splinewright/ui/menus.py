@@ -3,6 +3,7 @@
 import bpy
 
 from ..bridge.net import net
+from . import curve_tools
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
@@ -71,6 +72,7 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
         layout.operator_context = 'INVOKE_REGION_WIN'
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
         layout.operator("splinewright.set_knots")
+        layout.menu(curve_tools.SPLINEWRIGHT_MT_curve.bl_idname, icon='CURVE_DATA')
         layout.separator()
         layout.operator("splinewright.make_exact")
         layout.operator("splinewright.to_native")
