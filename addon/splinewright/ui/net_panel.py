@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ..bridge import store
+from ..bridge import recipes, store
 from ..bridge.net import live, net
 from ..core import describe
-from . import net_props, texts
+from . import net_props, recipe_props, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
@@ -23,7 +23,10 @@ def draw(layout, ob):
     if problem:
         texts.draw_problem(layout, problem)
     _draw_points(layout, ob)
-    _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
+    if recipes.kind(owner.data):
+        recipe_props.draw(layout.box(), owner.data)
+    else:
+        _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
 
 
 def _draw_points(layout, ob):

@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
-from ...bridge import shape, store
+from ...bridge import recipes, shape, store
 from ...bridge.net import live, net, net_points
 from ...core import knots
 from ...core.failures import FAILURES, sentence
@@ -71,6 +71,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
                 self.report({'ERROR'}, live.problem(ob))
                 return {'CANCELLED'}
         try:
+            recipes.require_free(owner.data)
             shape.require_untouched(owner.data)
             changed = knots.replaced(store.read(owner.data), self.piece - 1, self._axis(), self.knots)
             shape.set_definition(owner.data, changed)
