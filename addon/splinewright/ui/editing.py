@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import made, recipes, shape
-from ..bridge.net import live, net
+from ..bridge.net import live, net, net_points
 from ..core.failures import FAILURES, sentence
 
 #: Names of the objects that are nets. Only a hint: undo and loading make it anew.
@@ -128,6 +128,23 @@ def put_away(context, ob):
         owner.select_set(True)
         if was_active:
             layer.objects.active = owner
+
+
+def anew(context, nets):
+    """Put the nets away and out again, from what the shapes are now; points stay selected."""
+    selections = {}
+    for ob in nets:
+        owner = net.shape_of(ob)
+        if owner is not None:
+            selections[owner.name] = net_points.selected(ob, live.session(ob.data).net)
+    active = net.shape_of(context.object)
+    leave(context)
+    if active is None or context.view_layer.objects.get(active.name) != active:
+        return
+    context.view_layer.objects.active = active
+    for ob in enter(context, active):
+        numbers = live.session(ob.data).net
+        net_points.select(ob, numbers, selections.get(net.shape_of(ob).name, ()))
 
 
 def sweep():

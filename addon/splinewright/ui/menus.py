@@ -100,6 +100,8 @@ def _draw_object(self, context):
 def _draw_net(self, context):
     if any(net.is_net(ob) for ob in context.objects_in_mode):
         self.layout.operator("splinewright.leave_net")
+        self.layout.operator("splinewright.point_to_infinity")
+        self.layout.operator("splinewright.point_from_infinity")
         self.layout.separator()
 
 

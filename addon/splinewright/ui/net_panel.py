@@ -35,7 +35,7 @@ def _draw_points(layout, ob):
     _, vertices = net_props.chosen(data)
     box = layout.column(align=True)
     if not vertices:
-        box.label(text="Select points to see their numbers")
+        box.label(text="Select points to edit them")
         return
     box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
     numbers = data.splinewright_points
@@ -52,6 +52,9 @@ def _draw_points(layout, ob):
         box.label(text=f"and {hidden} more")
     if len(vertices) > 1 and session.net.weighted[vertices].any():
         box.prop(numbers, "weight", text="All Weights")
+    row = layout.row(align=True)
+    row.operator("splinewright.point_to_infinity", text="To Infinity")
+    row.operator("splinewright.point_from_infinity", text="Back")
 
 
 def _name(numbers, vertex):
