@@ -195,8 +195,22 @@ def to_bezier_chain():
     return lambda curve: curve.to_bezier()
 
 
-def to_hermite():
-    return lambda curve: curve.to_hermite()
+def to_hermite(tolerance):
+    """Of a conic with weights, which no Hermite chain is, cubics within the tolerance, a length."""
+    def verb(curve):
+        return _conic_as_hermite(curve, parameters.exact(tolerance)) if _is_conic(curve) else curve.to_hermite()
+    return verb
+
+
+def _is_conic(curve):
+    return curve.degree == 2 and bool((curve.weights != curve.weights[0]).any())
+
+
+def _conic_as_hermite(curve, tolerance):
+    try:
+        return sc.conics.as_hermite(curve, tolerance)
+    except sc.InvalidShape as error:
+        raise ValueError("it runs to infinity or has a gap: a Hermite chain is finite and connected") from error
 
 
 def to_nurbs():

@@ -136,7 +136,8 @@ class SPLINEWRIGHT_OT_insert_knot(_AtParameter, bpy.types.Operator):
 class SPLINEWRIGHT_OT_remove_knot(_WithinTolerance, _AtParameter, bpy.types.Operator):
     bl_idname = "splinewright.remove_knot"
     bl_label = "Remove Knot"
-    bl_description = "Take copies of an inner knot away, move the control points as little as that asks, and say how far the curve moved"
+    bl_description = ("Take copies of an inner knot away, move the control points as little as that asks, "
+                      "and say how far the curve moved")
     done = "Removed a knot of {}"
 
     parameter: parameter_property()
@@ -243,6 +244,20 @@ class SPLINEWRIGHT_OT_make_periodic(_OnCurves, bpy.types.Operator):
         return verbs.make_periodic(self.tolerance)
 
 
+class SPLINEWRIGHT_OT_to_hermite(_OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.to_hermite"
+    bl_label = "To Hermite"
+    bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
+                      "conics within a tolerance, and say how far they moved")
+    done, already = "Made {} Hermite", "it is Hermite already"
+
+    tolerance: FloatProperty(name="Tolerance", description="How far cubics may lie from a conic, in units of the object",
+                             default=1e-5, min=1e-12, precision=6, step=0.01)
+
+    def verb(self):
+        return verbs.to_hermite(self.tolerance)
+
+
 def _plain(name, label, description, done, already, verb):
     """The operator of a verb without settings."""
     members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
@@ -255,17 +270,17 @@ _PLAIN = tuple(_plain(*row) for row in (
      "Reversed {}", "it is the same in both directions", verbs.reverse),
     ('standard_form', "Standard Form", "Change the parameter so that both end weights are 1; the curve stays the same",
      "Brought {} to standard form", "the end weights are 1 already", verbs.standard_form),
-    ('clamp', "Clamp", "Let the curve begin and end in its outer control points; it stays the same. A periodic one is cut at its seam",
+    ('clamp', "Clamp", "Let the curve begin and end in its outer control points; it stays the same. "
+     "A periodic one is cut at its seam",
      "Clamped {}", "it begins and ends in its outer points already", verbs.clamp),
-    ('unclamp', "Unclamp", "Spread the knots at the ends, so that the curve touches no end point; it stays the same. A periodic one is opened",
+    ('unclamp', "Unclamp", "Spread the knots at the ends, so that the curve touches no end point; it stays the same. "
+     "A periodic one is opened",
      "Unclamped {}", "its knots go on outside the domain already", verbs.unclamp),
     ('to_bezier_chain', "To Bezier Chain", "Make every span a Bezier curve of its own, a piece of the same shape",
      "Made {} Bezier curves", "its pieces are Bezier curves already", verbs.to_bezier_chain),
-    ('to_hermite', "To Hermite", "Make curves of degree 3 or less without weights Hermite chains; they stay the same",
-     "Made {} Hermite", "it is Hermite already", verbs.to_hermite),
     ('to_nurbs', "To NURBS", "Make Bezier curves and Hermite chains NURBS curves; they stay the same",
      "Made {} NURBS", "it is NURBS already", verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
            SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split_curve,
-           SPLINEWRIGHT_OT_reparametrise, SPLINEWRIGHT_OT_make_periodic, *_PLAIN)
+           SPLINEWRIGHT_OT_reparametrise, SPLINEWRIGHT_OT_make_periodic, SPLINEWRIGHT_OT_to_hermite, *_PLAIN)
