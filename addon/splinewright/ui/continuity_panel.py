@@ -8,8 +8,8 @@ from ..bridge import replacing, store, surveys
 from ..bridge.net import live, net
 from . import texts
 
-#: Titles of the columns, and their shares of the width.
-_COLUMNS = (("Joint", 0.28), ("Class", 0.18), ("Gap", 0.18), ("Angle", 0.18), ("Curvature", 0.18))
+#: Characters of a note that fit a line of the sidebar as wide as it opens.
+_WIDTH = 26
 
 
 class SPLINEWRIGHT_PT_continuity(bpy.types.Panel):
@@ -31,11 +31,12 @@ class SPLINEWRIGHT_PT_continuity(bpy.types.Panel):
         except store.UnreadableDefinition:
             return                      # the panel above says it
         if net.is_net(context.object) and live.problem(context.object):
-            texts.draw_note(self.layout, "As it was before the last change, which is not shown")
+            texts.draw_note(self.layout, "As it was before the last change, which is not shown", _WIDTH)
         if not survey.count:
-            self.layout.label(text="No joints: every piece is one span")
+            self.layout.label(text="No joints")
             return
-        _draw_rows(self.layout, survey)
+        _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
+        _draw_joints(self.layout, survey)
 
 
 def _shape_in_hand(ob):
@@ -44,47 +45,46 @@ def _shape_in_hand(ob):
     return owner if replacing.is_curve_shape(owner) else None
 
 
-def _draw_rows(layout, survey):
-    columns = _columns(layout)
-    for column, (title, _) in zip(columns, _COLUMNS):
-        column.label(text=title)
+def _draw_in_columns(layout, items):
+    """One text, or three of which the last has most room."""
+    for item, share in zip(items, (0.3, 0.43, 1.0) if len(items) > 1 else (1.0,)):
+        layout = layout.split(factor=share)
+        layout.label(text=item)
+
+
+def _draw_joints(layout, survey):
     for joint in survey.joints:
-        for column, text in zip(columns, cells(joint)):
-            column.label(text=text)
+        box = layout.box().column(align=True)
+        row = box.split(factor=0.6)
+        row.label(text=joint.place)
+        row.label(text=kind(joint))
+        _draw_in_columns(box, numbers(joint))
     hidden = survey.count - len(survey.joints)
     if hidden:
         layout.label(text=f"and {hidden:,} more")
-    if any(joint.continuity is None for joint in survey.joints):
-        texts.draw_note(layout, "A joint at infinity cannot be measured")
 
 
-def _columns(layout):
-    """Columns side by side with the shares of _COLUMNS."""
-    found, rest, left = [], layout, 1.0
-    for _, share in _COLUMNS[:-1]:
-        split = rest.split(factor=share / left)
-        found.append(split.column(align=True))
-        rest, left = split.row(), left - share
-    return [*found, rest.column(align=True)]
-
-
-def cells(joint):
-    """The texts of a row: place, class, gap, angle in degrees, difference of curvatures."""
+def kind(joint):
+    """Parametric and geometric continuity in one word."""
     measured = joint.continuity
     if measured is None:
-        return [joint.place, "at infinity", "", "", ""]
-    angle = f"{math.degrees(measured.angle):.2g}°"
-    return [joint.place, _class(measured, joint.degree), f"{measured.gap:.2g}", angle,
-            f"{measured.curvature_difference:.2g}"]
-
-
-def _class(measured, degree):
-    """Parametric and geometric continuity in one word."""
+        return ""
     if measured.c < 0:
         return "gap"
-    if measured.c >= degree:
-        return "C∞"
-    return f"C{measured.c} G{measured.g}"
+    return "C∞" if measured.c >= joint.degree else f"C{measured.c} G{measured.g}"
+
+
+def numbers(joint):
+    """Gap, angle in degrees and difference of curvatures as texts; a word for a joint at infinity."""
+    measured = joint.continuity
+    if measured is None:
+        return ["at infinity: not measured"]
+    return [_short(measured.gap), _short(math.degrees(measured.angle)) + "°", _short(measured.curvature_difference)]
+
+
+def _short(number):
+    """At most seven characters."""
+    return f"{number:.3g}" if number == 0 or 1e-3 <= number < 999.5 else f"{number:.0e}"
 
 
 CLASSES = (SPLINEWRIGHT_PT_continuity,)

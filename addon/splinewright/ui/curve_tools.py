@@ -9,7 +9,7 @@ _GROUPS = (
     ("Knots", ('insert_knot', 'remove_knot', 'remove_knots')),
     ("Degree", ('raise_degree', 'lower_degree')),
     ("Pieces", ('split_curve', 'join_ends', 'reverse')),
-    ("Parameter", ('reparametrise', 'standard_form')),
+    ("Speed", ('reparametrise', 'standard_form')),
     ("Ends", ('clamp', 'unclamp', 'make_periodic')),
     ("Kind", ('to_bezier_chain', 'to_hermite', 'to_nurbs')),
 )

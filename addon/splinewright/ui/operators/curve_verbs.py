@@ -234,7 +234,8 @@ class SPLINEWRIGHT_OT_reparametrise(_OnCurves, bpy.types.Operator):
 class SPLINEWRIGHT_OT_make_periodic(_OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.make_periodic"
     bl_label = "Make Periodic"
-    bl_description = "Make a closed curve periodic, as smooth at its seam as it is; a gap within the tolerance is closed"
+    bl_description = ("Make a closed curve periodic, as smooth at its seam as it is; "
+                      "a gap within the tolerance is closed")
     done, already = "Made {} periodic", "it is periodic already"
 
     tolerance: FloatProperty(name="Tolerance", description="How far the ends may lie apart, and the curve move, in "
@@ -251,8 +252,8 @@ class SPLINEWRIGHT_OT_to_hermite(_OnCurves, bpy.types.Operator):
                       "conics within a tolerance, and say how far they moved")
     done, already = "Made {} Hermite", "it is Hermite already"
 
-    tolerance: FloatProperty(name="Tolerance", description="How far cubics may lie from a conic, in units of the object",
-                             default=1e-5, min=1e-12, precision=6, step=0.01)
+    tolerance: FloatProperty(name="Tolerance", description="How far cubics may lie from a conic, in units of the "
+                             "object", default=1e-5, min=1e-12, precision=6, step=0.01)
 
     def verb(self):
         return verbs.to_hermite(self.tolerance)
