@@ -1,6 +1,6 @@
 """Verbs of curves, on the pieces of a definition.
 
-A verb takes a curve and gives a curve, a list of curves that stand for it, or a splinecore Approximation.
+A verb takes a curve and gives a curve, a list of curves that stand for it, or a splinecore Approximation or Near.
 Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does.
 """
 
@@ -11,6 +11,13 @@ import numpy as np
 from . import definition as definitions
 from . import parameters
 from .library import sc
+
+
+class Near(NamedTuple):
+    """A curve that stands for another, as splinecore's Approximation."""
+
+    value: object
+    error: float
 
 
 class Changed(NamedTuple):
@@ -62,7 +69,7 @@ def _done(verb, curve, i, count):
         if count == 1:
             raise
         raise type(error)(f"piece {i + 1}: {error}") from error
-    if isinstance(result, sc.Approximation):
+    if isinstance(result, (sc.Approximation, Near)):
         return [result.value], result.error
     return (result, 0.0) if isinstance(result, list) else ([result], 0.0)
 
@@ -119,7 +126,17 @@ def raise_degree(times):
 
 
 def lower_degree(times, tolerance):
-    return lambda curve: _capable(curve, 'reduce').reduce(times, _length(tolerance))
+    """tolerance: a length, or None."""
+    def verb(curve):
+        result = _capable(curve, 'reduce').reduce(times)
+        if isinstance(curve, sc.BezierCurve):
+            # Its own error adds up those of all steps.
+            result = Near(result.value, curve.to_nurbs().largest_distance(result.value.to_nurbs()))
+        if tolerance is not None and result.error > _length(tolerance):
+            raise ValueError(f"the degree cannot be lowered within {_length(tolerance):.4g}: "
+                             f"the error would be {result.error:.4g}")
+        return result
+    return verb
 
 
 # Parts ---------------------------------------------------------------------------------------------
@@ -198,6 +215,8 @@ def to_bezier_chain():
 def to_hermite(tolerance):
     """Of a conic with weights, which no Hermite chain is, cubics within the tolerance, a length."""
     def verb(curve):
+        if isinstance(curve, sc.HermiteCurve):
+            return curve
         return _conic_as_hermite(curve, parameters.exact(tolerance)) if _is_conic(curve) else curve.to_hermite()
     return verb
 

@@ -23,9 +23,9 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     continuity: EnumProperty(name="Continuity", description="What the curves share where they meet",
                              items=[(name, name, _WORDS[name]) for name in joints.SMOOTHNESS])
     first: IntProperty(name="Piece", description="Which curve of the active shape, counted from 1; 0 for the nearest",
-                       default=0, min=0)
+                       default=0, min=0, options={'SKIP_SAVE'})
     second: IntProperty(name="Other Piece", description="Which other curve of it, or of the other shape, counted "
-                        "from 1; 0 for the nearest", default=0, min=0)
+                        "from 1; 0 for the nearest", default=0, min=0, options={'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):

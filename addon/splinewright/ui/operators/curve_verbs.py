@@ -32,7 +32,7 @@ class _OnCurves(OnSelected):
     fits = staticmethod(replacing.is_curve_shape)
 
     piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1; 0 for all of them",
-                       default=0, min=0)
+                       default=0, min=0, options={'SKIP_SAVE'})
 
     def verb(self):
         """A verb of core.verbs."""
