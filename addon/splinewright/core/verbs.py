@@ -195,7 +195,14 @@ def clamp():
 
 
 def unclamp():
-    return lambda curve: curve.to_nurbs().unclamped()
+    return lambda curve: curve if _is_unclamped(curve) else curve.to_nurbs().unclamped()
+
+
+def _is_unclamped(curve):
+    if not isinstance(curve, sc.NurbsCurve) or curve.periodic:
+        return False
+    outer = np.diff(curve.knots)[[*range(curve.degree), *range(-curve.degree, 0)]]
+    return bool((outer > 0).all())
 
 
 def make_periodic(tolerance):
