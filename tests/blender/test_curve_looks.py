@@ -52,9 +52,10 @@ def test_every_selected_shape_is_done_those_that_share_data_once_and_failures_ar
 # How it looks -----------------------------------------------------------------------------------------------------
 
 
-def dressed(value):
+def dressed(value, reach=10.0):
     """A shape whose splines differ in material, radius, tilt and shading."""
     ob = add(value)
+    ob.data.splinewright.reach = reach
     for i, spline in enumerate(ob.data.splines):
         ob.data.materials.append(bpy.data.materials.new(str(i)))
         spline.material_index, spline.use_smooth = i, bool(i % 2)
@@ -87,20 +88,20 @@ def test_material_radius_tilt_and_shading_stay_with_each_piece(name, settings, e
     assert looks(bpy.data.objects["shape"]) == [look(i) for i in range(3)]
 
 
-def test_the_arms_of_a_hyperbola_keep_their_looks_and_the_reach():
-    ob = dressed([value_of('hyperbola'), value_of('cubic')])
-    ob.data.splinewright.reach = 3.0
-    assert len(ob.data.splines) == 4 and looks(ob) == [look(i) for i in range(4)]
+@pytest.mark.parametrize('reach, arms', ((3.0, 3), (0.1, 2)))
+def test_the_arms_of_a_hyperbola_that_are_within_reach_keep_their_looks(reach, arms):
+    ob = dressed([value_of('hyperbola'), value_of('cubic')], reach)
+    assert looks(ob) == [look(i) for i in range(arms + 1)]
     before = curves_of(ob)[0]
     run('raise_degree')
     require_exact(ob)
-    assert looks(ob) == [look(i) for i in range(4)]
+    assert looks(ob) == [look(i) for i in range(arms + 1)]
     at = np.linspace(0, 1, 41)
     points, was = (curve.evaluate(at, at_infinity='nan') for curve in (curves_of(ob)[0], before))
     assert np.allclose(points, was, rtol=1e-12, atol=1e-12, equal_nan=True)
     run('split_curve', piece=1, parameter=0.5)
     require_exact(ob)
-    assert looks(ob) == [look(0)] * 4 + [look(3)], "two parts of two arms each"
+    assert looks(ob)[-1] == look(arms) and all(worn in [look(i) for i in range(arms)] for worn in looks(ob)[:-1])
 
 
 # The redo panel ---------------------------------------------------------------------------------------------------
