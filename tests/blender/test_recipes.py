@@ -11,7 +11,7 @@ from support import part, splinecore as sc
 
 made, net_points, recipes, shape, store, table = (part(name) for name in (
     'bridge.made', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape', 'bridge.store', 'core.recipes.table'))
-RECIPES = table.RECIPES
+RECIPES = {recipe.kind: recipe for recipe in table.STARTING}
 WITH_POINTS = [kind for kind, recipe in RECIPES.items() if recipe.points]
 
 
