@@ -30,6 +30,15 @@ def _polynomial(points, parametrisation):
     return Made(sc.build.polynomial_through(points, _spacing(points, parametrisation)))
 
 
+def _osculating(points, derivatives):
+    size = 1 + derivatives
+    if len(points) % size or len(points) < 2 * size:
+        raise ValueError(f"{len(points)} points are not two or more groups of {size}: a point and the heads of its derivatives")
+    groups = points.reshape(-1, size, 3).copy()
+    groups[:, 1:] -= groups[:, :1]
+    return Made(sc.build.osculating_polynomial(list(groups), np.linspace(0.0, 1.0, len(groups))))
+
+
 def _spacing(points, parametrisation):
     """Parameters in [0, 1]. Raises ValueError where two points in a row are one."""
     power = {'uniform': 0.0, 'centripetal': 0.5, 'chordal': 1.0}[parametrisation]
@@ -62,6 +71,11 @@ RECIPES = (
             _PARAMETERS, _CLOSED, _ENDS), _kochanek_bartels, _WAVE, True, 16),
     Recipe("polynomial", "Polynomial Through Points", "The one polynomial of lowest degree through points: see how it oscillates",
            (_PARAMETERS,), _polynomial, _WAVE, True, 64),
+    Recipe("osculating", "Osculating Polynomial",
+           "The polynomial of lowest degree with given points and derivatives: each point is followed by the heads of its derivatives",
+           (Parameter("derivatives", "Derivatives", "How many are given at each point, equal parameters apart in [0, 1]",
+                      1, 1, 4),), _osculating,
+           ((-1, 0, 0), (-0.5, 2, 0), (0, 0, 0), (0.5, -2, 0), (1, 0, 0), (1.5, 2, 0)), resolution=48),
     Recipe("helix", "Helix", "A helix or spiral around z",
            (Parameter("radius", "Radius", "At the start", 1.0, 0.0, unit='LENGTH'),
             Parameter("end_radius", "End Radius", "At the end", 1.0, 0.0, unit='LENGTH'),
