@@ -72,7 +72,9 @@ def test_a_typed_number_has_its_digits_in_double_precision():
 @pytest.mark.parametrize('kind, name, value, word', (
     ('formula', 'x', "cos(3*t", "character"), ('formula', 'x', "foo(t)", "unknown name 'foo'"),
     ('formula', 'y', "1/(t - 1)", "t = "), ('formula', 'end', 0.0, "does not increase"),
-    ('formula', 'x', "__import__('os')", "character"), ('circle', 'radius', 0.0, "radius"), ('helix', 'turns', 0.0, "turns"),
+    ('formula', 'x', "__import__('os')", "character"), ('formula', 'constants', "a 2", "no constant"),
+    ('formula', 'constants', "a = b", "unknown name 'b'"), ('formula', 'constants', "2a = 1", "is no name"),
+    ('formula', 'constants', "sin = 1", "name of a function"), ('formula', 'constants', "a = 1/0", "no finite value"), ('circle', 'radius', 0.0, "radius"), ('helix', 'turns', 0.0, "turns"),
     ('equation', 'f', 1.0, "empty"), ('osculating', 'derivatives', 4, "groups of 5")))
 def test_a_number_of_which_nothing_comes_is_refused_with_a_word_and_nothing_changes(kind, name, value, word):
     ob = add_recipe(kind)
@@ -235,3 +237,8 @@ def test_an_osculating_polynomial_has_the_derivatives_of_its_net():
     for u, (point, first, second) in zip((0.0, 1.0), rows.reshape(2, 3, 3)):
         found = curve.derivatives(u, 2, side='left' if u else 'right')
         assert np.allclose(found, [point, first - point, second - point], atol=1e-12)
+
+
+def test_constants_have_names_of_their_own():
+    ob = add_recipe('formula', x="a*t", y="b*t^2", constants="a = 2, b = a*pi", start=0.0, end=1.0)
+    assert np.allclose(ob.data.splinewright.value.evaluate([0.5]), [(1.0, np.pi / 2, 0.0)], atol=1e-15)

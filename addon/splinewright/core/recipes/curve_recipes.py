@@ -58,8 +58,26 @@ def _helix(points, radius, end_radius, height, turns, tolerance):
         ["(r + d*t)*cos(q*t)", "(r + d*t)*sin(q*t)", "h*t"], (0.0, 1.0), tolerance=tolerance, constants=constants))
 
 
-def _formula(points, x, y, z, start, end, tolerance):
-    return Made(*sc.build.curve_from_formulas([x, y, z], (start, end), tolerance=tolerance))
+def _formula(points, x, y, z, start, end, constants, tolerance):
+    return Made(*sc.build.curve_from_formulas([x, y, z], (start, end), tolerance=tolerance,
+                                              constants=constants_of(constants)))
+
+
+def constants_of(text):
+    """The numbers by name in a text such as "a = 2, b = pi/3"; a number may use those before it.
+
+    Raises ValueError where one has no name or no value.
+    """
+    found = {}
+    for part in filter(str.strip, text.replace(";", ",").split(",")):
+        name, equals, value = part.partition("=")
+        if not equals:
+            raise ValueError(f"'{part.strip()}' is no constant: write a name, = and a number")
+        number = float(sc.Formula(value, ("_",), found).evaluate(0.0, at_undefined="nan"))
+        if not np.isfinite(number):
+            raise ValueError(f"the constant {name.strip()} has no finite value")
+        found[name.strip()] = number
+    return found
 
 
 RECIPES = (
@@ -84,6 +102,7 @@ RECIPES = (
     Recipe("formula", "From Formula", "A curve from formulas in t: exact for polynomials, otherwise within a tolerance",
            (Parameter("x", "x(t)", "Numbers, t, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "cos(3*t)"),
             Parameter("y", "y(t)", "As x", "sin(2*t)"), Parameter("z", "z(t)", "As x", "0"),
-            Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi), _TOLERANCE), _formula,
+            Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi),
+            Parameter("constants", "Constants", "Numbers with names of your own: a = 2, b = pi/3", ""), _TOLERANCE), _formula,
            resolution=8),
 )

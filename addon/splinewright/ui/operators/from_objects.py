@@ -1,9 +1,10 @@
 """An operator for each recipe that makes a shape from selected objects, made from the table; Follow Object is its own."""
 
 import bpy
+import numpy as np
 from mathutils import Matrix
 
-from ...bridge import derived, follow
+from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES, sentence
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import recipe_props
@@ -55,10 +56,16 @@ def _sources(context):
 
 
 def _below(source, ob):
-    """What moves a new object to where it lies under its source, in the source's x and y."""
-    corners, own = ([[corner[axis] for corner in one.bound_box] for axis in range(3)] for one in (source, ob))
-    gap = 0.3 * (max(own[1]) - min(own[1]))
-    return Matrix.Translation((min(corners[0]) - min(own[0]), min(corners[1]) - gap - max(own[1]), 0.0))
+    """What moves a new shape to where it lies under its source, in the source's x and y."""
+    around, own = _corners(source), shape.points_of(ob.data)
+    gap = 0.3 * np.ptp(own[:, 1])
+    x, y = around.min(axis=0)[:2] - (own[:, 0].min(), gap + own[:, 1].max())
+    return Matrix.Translation((x, y, 0.0))
+
+
+def _corners(ob):
+    """(n, 3): points around an object; the box of a shape that was not drawn yet is stale."""
+    return shape.points_of(ob.data) if shape.has_shape(ob) else np.array(ob.bound_box)
 
 
 def _class_for(recipe):
