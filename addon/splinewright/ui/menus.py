@@ -4,6 +4,7 @@ import bpy
 
 from ..bridge.net import net
 from ..core.recipes.table import DERIVED, FOLLOW, STARTING
+from . import curve_tools
 
 _ICONS = {'circle': 'MESH_CIRCLE', 'arc': 'SPHERECURVE', 'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
           'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE'}
@@ -78,6 +79,7 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
         layout.operator_context = 'INVOKE_REGION_WIN'
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
         layout.operator("splinewright.set_knots")
+        layout.menu(curve_tools.SPLINEWRIGHT_MT_curve.bl_idname, icon='CURVE_DATA')
         layout.separator()
         layout.operator("splinewright.make_exact")
         layout.operator("splinewright.to_native")

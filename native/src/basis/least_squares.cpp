@@ -31,17 +31,18 @@ Points descent(const PointMatrix& matrix, const Points& residual, std::span<cons
   return gradient;
 }
 
-/// One run of conjugate gradients.
+/// One run of conjugate gradients. Below the rounding of the points a gradient is noise, along which steps grow
+/// without end.
 void improve(const PointMatrix& matrix, std::span<const glm::dvec4> points, std::span<const int> fixed, Points& found) {
-  constexpr double kGain = 1e-30;  // of the squared gradient: rounding stops the run before
+  constexpr double kRounding = 1e-30;  // of the squared points
   Points residual(points.begin(), points.end());
   add(residual, -1.0, image(matrix, found));
   Points gradient = descent(matrix, residual, fixed);
   Points direction = gradient;
-  const double begin = squared(gradient);
-  double length = begin;
+  const double least = kRounding * squared({points.begin(), points.end()});
+  double length = squared(gradient);
   const std::size_t most = 2 * found.size() + 50;
-  for (std::size_t i = 0; i < most && length > kGain * begin; ++i) {
+  for (std::size_t i = 0; i < most && length > least; ++i) {
     const Points step = image(matrix, direction);
     const double size = squared(step);
     if (size == 0.0) return;
