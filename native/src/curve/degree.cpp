@@ -5,6 +5,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
+#include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/elevation.hpp"
 #include "splinecore/basis/least_squares.hpp"
 #include "splinecore/basis/refinement.hpp"
@@ -15,6 +16,9 @@ namespace splinecore {
 
 NurbsCurve elevated(const NurbsCurve& curve, int times) {
   if (times < 0) throw InvalidShape("times = " + std::to_string(times) + " is below 0");
+  if (times > kMaxDegree - curve.degree()) {
+    throw InvalidShape("times = " + std::to_string(times) + ": the degree would exceed " + std::to_string(kMaxDegree));
+  }
   NurbsCurve raised = curve;
   for (int i = 0; i < times; ++i) raised = applied(elevation(raised.knot_vector()), raised);
   return raised;

@@ -51,11 +51,17 @@ glm::dvec3 end_derivative(const NurbsCurve& curve, double u, Side side) {
 /// b over a domain that begins where a ends and on which both derivatives at the joint have one length.
 NurbsCurve scaled_to_meet(const NurbsCurve& a, const NurbsCurve& b, bool is_scaled) {
   const double start = a.domain().end;
+  // Already in its place: moving it would cost a rounding.
+  if (!is_scaled && b.domain().start == start) return b;
   double length = b.domain().length();
   if (is_scaled) {
     const double speed_a = glm::length(end_derivative(a, start, Side::left));
     const double speed_b = glm::length(end_derivative(b, b.domain().start, Side::right));
     if (speed_a > 0.0 && speed_b > 0.0) length *= speed_b / speed_a;
+    if (!(start + length > start) || !std::isfinite(start + length)) {
+      throw InvalidShape("the derivatives at the joint differ too much in length: " + text_of(speed_a) + " and " +
+                         text_of(speed_b));
+    }
   }
   return with_domain(b, {start, start + length});
 }
@@ -160,7 +166,11 @@ void align(NurbsCurve& a, NurbsCurve& b) {
   const double length_b = glm::length(leg_b);
   const glm::dvec3 between = length_a > 0.0 && length_b > 0.0 ? leg_a / length_a + leg_b / length_b : glm::dvec3(0.0);
   const double length = glm::length(between);
-  if (length == 0.0) throw InvalidShape("the curves leave the joint the same way: no direction lies between them");
+  constexpr double kRounding = 0x1p-48;
+  if (!(length_a > 0.0 && length_b > 0.0)) throw InvalidShape("a curve leaves the joint in no direction");
+  if (length <= kRounding) {
+    throw InvalidShape("the curves leave the joint the same way: no direction lies between them");
+  }
   const glm::dvec3 direction = between / length;
   a = with_point(with_point(a, last, joint), last - 1, joint - length_a * direction);
   b = with_point(with_point(b, 0, joint), 1, joint + length_b * direction);
