@@ -26,7 +26,7 @@ def scan():
     problems.clear()
     _owners.clear()
     for blocks in (bpy.data.meshes, bpy.data.curves):
-        known.update(_key(data) for data in blocks if recipes.has(data))
+        known.update(_key(data) for data in blocks if recipes.follows(data))
 
 
 def new_follower(source, resolution, depsgraph):
@@ -97,7 +97,7 @@ def refresh(changed, depsgraph):
 def _note(blocks):
     """Add the followers among changed blocks, which may be new to the file."""
     for block in blocks:
-        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and recipes.has(block):
+        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and recipes.follows(block):
             known.add(_key(block))
 
 
@@ -111,7 +111,7 @@ def refresh_all(depsgraph):
 
 def problem(data):
     """Why a follower does not follow, or ""."""
-    if not recipes.has(data):
+    if not recipes.follows(data):
         return ""
     source = recipes.read_input(data)
     if source is None or not source.users_scene:
@@ -203,7 +203,7 @@ def _in_order():
 
 def _blocks():
     blocks = [_block(key) for key in sorted(known)]
-    if all(data is not None and recipes.has(data) for data in blocks):
+    if all(data is not None and recipes.follows(data) for data in blocks):
         return blocks
     scan()                              # one was renamed or removed
     return [_block(key) for key in sorted(known)]
@@ -211,7 +211,7 @@ def _blocks():
 
 def _input(data):
     try:
-        return recipes.read_input(data) if recipes.has(data) else None
+        return recipes.read_input(data)
     except store.UnreadableDefinition as error:
         problems[_key(data)] = str(error)
         return None

@@ -19,8 +19,7 @@ def join(active, others):
     for ob in [active, *others]:
         if ob.library or ob.override_library or ob.data.library:
             raise ValueError(f"{ob.name} is linked from another file")
-        if recipes.has(ob.data):
-            raise ValueError(f"{ob.name} follows another object: use Make Editable first")
+        recipes.require_free(ob.data)
         shape.require_untouched(ob.data)
     into = np.array(active.matrix_world, dtype=np.float64)
     if np.linalg.det(into[:3, :3]) == 0:

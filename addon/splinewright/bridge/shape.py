@@ -50,6 +50,7 @@ def set_value(data, value):
 
     Raises TypeError or ValueError, and changes nothing, if the value does not fit.
     """
+    recipes.require_free(data)
     set_definition(data, definitions.from_value(value))
 
 
@@ -119,7 +120,7 @@ def evaluated(data, definition):
     if definition.has_curves:
         value = definitions.to_value(definition)
         curves = value if isinstance(value, list) else [value]
-        lines = [line for curve in curves for line in curve.polylines(settings.resolution_u)]
+        lines = [line for curve in curves for line in curve.polylines(settings.resolution_u, settings.reach)]
         if not lines:
             raise sc.InvalidShape("no piece of the curve is finite")
         lines = [(_single(points), closed) for points, closed in lines]

@@ -4,7 +4,7 @@ import numpy as np
 from mathutils import Matrix
 
 from ..core import transform
-from . import animation, shape, stamp, store
+from . import animation, recipes, shape, stamp, store
 
 _CURES = "Restore throws the changes away, Detach keeps them"
 
@@ -19,6 +19,7 @@ def apply(ob, location, rotation, scale):
         raise ValueError("it is linked from another file")
     if data.users - data.use_fake_user > 1:
         raise ValueError(f"{data.users} users show the same data: make it single-user first")
+    recipes.require_free(data)
     _require_still(ob, location, rotation, scale)
     shape.require_writable(data)
     shape.require_untouched(data)
@@ -71,6 +72,7 @@ def adopt(data):
 
     Raises ValueError where the geometry is not an affine image of what the definition shows.
     """
+    recipes.require_free(data)
     shape.require_writable(data)
     if not shape.is_touched(data):
         raise ValueError("it is as Splinewright wrote it: there is nothing to adopt")

@@ -11,6 +11,8 @@ import numpy as np
 from .library import sc
 
 CURVES = (sc.BezierCurve, sc.HermiteCurve, sc.NurbsCurve)
+#: What from_value() takes: a power curve is kept as the NURBS curve that it is.
+ANY_CURVES = (*CURVES, sc.PowerCurve)
 PATCHES = (sc.BezierPatch, sc.HermitePatch, sc.NurbsPatch)
 
 
@@ -60,6 +62,12 @@ class Definition:
     def has_curves(self):
         return self.form in ('curve', 'curves')
 
+    @property
+    def runs_to_infinity(self):
+        """Whether it may: curves with weights that are not all above 0."""
+        used = [piece.indices.ravel() for piece in self.pieces if piece.kind != 'hermite']
+        return self.has_curves and bool(used) and bool((self.pool[np.concatenate(used), 3] <= 0).any())
+
     def require_consistent(self):
         """Raises ValueError or TypeError unless this could have come from a value."""
         if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:
@@ -74,21 +82,25 @@ class Definition:
 
 def from_value(value):
     """The definition of a splinecore value: a curve, a list of curves, a patch or a PatchSet."""
-    if isinstance(value, CURVES):
-        return _from_curves('curve', [value])
+    if isinstance(value, ANY_CURVES):
+        return _from_curves('curve', [_kept(value)])
     if isinstance(value, PATCHES):
         return _from_patch_set('patch', sc.PatchSet.from_patches([value], merge=False))
     if isinstance(value, sc.PatchSet):
         return _from_patch_set('patch_set', value)
     if isinstance(value, (list, tuple)):
         for i, item in enumerate(value):
-            if not isinstance(item, CURVES):
+            if not isinstance(item, ANY_CURVES):
                 raise TypeError(f"value[{i}] is a {type(item).__name__}, a list holds curves only")
         if not value:
             raise ValueError("value is an empty list: a shape needs one curve or more")
-        return _from_curves('curves', value)
+        return _from_curves('curves', list(map(_kept, value)))
     raise TypeError(f"value is of type {type(value).__name__}: a curve, a list of curves, a patch "
                     "or a PatchSet is expected")
+
+
+def _kept(curve):
+    return curve.to_nurbs() if isinstance(curve, sc.PowerCurve) else curve
 
 
 def to_value(definition):

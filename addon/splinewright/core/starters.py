@@ -83,6 +83,12 @@ def hermite_patch(count_u, count_v):
     return sc.HermitePatch(points, tangents_u, tangents_v)
 
 
+def runge(count):
+    """(count, 3): equally spaced points of y = 1 / (1 + 25 x²), through which polynomials oscillate (S3)."""
+    x = np.linspace(-1.0, 1.0, count)
+    return np.column_stack([x, 1.0 / (1.0 + 25.0 * x * x), np.zeros(count)])
+
+
 def teapot():
     """Newell's teapot of 1975, z up, standing on z = 0, with a body of radius 1."""
     data = json.loads(Path(__file__).with_name("teapot.json").read_text())

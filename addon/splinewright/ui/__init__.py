@@ -8,9 +8,9 @@ from . import preferences
 
 def _rooms():
     """Modules with CLASSES and, some, register() and unregister(); imported only with the library."""
-    from . import handlers, keymaps, menus, net_props, overlay, panels, props
-    from .operators import add_curve, add_patch, edit, exchange, follow, life, native, set_knots
-    return (props, net_props, add_curve, add_patch, exchange, edit, set_knots, life, follow, native, panels, menus,
+    from . import handlers, keymaps, menus, net_props, overlay, panels, props, recipe_props
+    from .operators import add_curve, add_patch, add_recipe, edit, exchange, follow, infinity, life, native, set_knots
+    return (props, net_props, recipe_props, add_curve, add_recipe, add_patch, exchange, edit, set_knots, infinity, life, follow, native, panels, menus,
             keymaps, overlay, handlers)
 
 

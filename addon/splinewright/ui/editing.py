@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..bridge import recipes, shape, store
-from ..bridge.net import live, net
+from ..bridge import made, recipes, shape
+from ..bridge.net import live, net, net_points
 from ..core.failures import FAILURES, sentence
 
 #: Names of the objects that are nets. Only a hint: undo and loading make it anew.
@@ -16,8 +16,10 @@ def why_not(ob):
         return "Select a Splinewright shape"
     if ob.library or ob.data.library or ob.data.override_library:
         return "The shape is linked from another file: make it local first"
-    if recipes.has(ob.data):
+    if recipes.follows(ob.data):
         return "The shape follows another object: edit that, or use Make Editable first"
+    if recipes.kind(ob.data) and not len(recipes.points(ob.data)):
+        return "The shape is made by its numbers: change them in the panel, or use Make Editable first"
     return ""
 
 
@@ -49,44 +51,44 @@ def enter(context, active, progress=shape.no_progress):
     """
     chosen = [active] + [ob for ob in context.selected_objects
                          if ob != active and ob.type == active.type and not why_not(ob) and not shape.is_touched(ob.data)]
-    made, seen = [], set()
+    put_out, seen = [], set()
     try:
         for ob in chosen:
             if ob.data.name not in seen:
                 seen.add(ob.data.name)
-                made.append(_made(context, ob))
-                progress(len(made))
+                put_out.append(_put_out(context, ob))
+                progress(len(put_out))
     except Exception:
-        for ob in made:
+        for ob in put_out:
             net.remove(ob)
         raise
-    net.remember(made[0], [ob.name for ob in context.selected_objects if ob not in chosen])
+    net.remember(put_out[0], [ob.name for ob in context.selected_objects if ob not in chosen])
     for ob in context.selected_objects:
         ob.select_set(False)
-    for ob in made:
+    for ob in put_out:
         ob.select_set(True)
         known.add(ob.name)
-    context.view_layer.objects.active = made[0]
+    context.view_layer.objects.active = put_out[0]
     bpy.ops.object.mode_set(mode='EDIT')
-    if made[0].mode != 'EDIT':
-        for ob in made:
+    if put_out[0].mode != 'EDIT':
+        for ob in put_out:
             put_away(context, ob)
         raise ValueError(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
-    return made
+    return put_out
 
 
-def _made(context, ob):
+def _put_out(context, ob):
     data = ob.data
     shape.require_writable(data)
     shape.require_untouched(data)
-    definition = store.read(data)
+    definition = made.edited(data)
     numbers = net.numbers(definition)
-    made = net.make(ob, definition, numbers, context.scene)
-    live.begin(made.data, numbers)
+    held = net.make(ob, definition, numbers, context.scene)
+    live.begin(held.data, numbers)
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
-        made.local_view_set(space, True)
-    return made
+        held.local_view_set(space, True)
+    return held
 
 
 def leave(context, progress=shape.no_progress):
@@ -126,6 +128,23 @@ def put_away(context, ob):
         owner.select_set(True)
         if was_active:
             layer.objects.active = owner
+
+
+def anew(context, nets):
+    """Put the nets away and out again, from what the shapes are now; points stay selected."""
+    selections = {}
+    for ob in nets:
+        owner = net.shape_of(ob)
+        if owner is not None:
+            selections[owner.name] = net_points.selected(ob, live.session(ob.data).net)
+    active = net.shape_of(context.object)
+    leave(context)
+    if active is None or context.view_layer.objects.get(active.name) != active:
+        return
+    context.view_layer.objects.active = active
+    for ob in enter(context, active):
+        numbers = live.session(ob.data).net
+        net_points.select(ob, numbers, selections.get(net.shape_of(ob).name, ()))
 
 
 def sweep():

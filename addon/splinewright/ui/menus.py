@@ -3,6 +3,10 @@
 import bpy
 
 from ..bridge.net import net
+from ..core.recipes.table import RECIPES
+
+_ICONS = {'circle': 'MESH_CIRCLE', 'arc': 'SPHERECURVE', 'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
+          'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE'}
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
@@ -15,6 +19,9 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
         layout.operator("splinewright.add_bezier_curve", text="Bezier Curve", icon='CURVE_BEZCURVE')
         layout.operator("splinewright.add_hermite_curve", text="Hermite Chain", icon='CURVE_PATH')
         layout.operator("splinewright.add_nurbs_curve", text="NURBS Curve", icon='CURVE_NCURVE')
+        layout.separator()
+        for recipe in RECIPES.values():
+            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS.get(recipe.kind, 'CURVE_DATA'))
 
 
 class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
@@ -93,6 +100,8 @@ def _draw_object(self, context):
 def _draw_net(self, context):
     if any(net.is_net(ob) for ob in context.objects_in_mode):
         self.layout.operator("splinewright.leave_net")
+        self.layout.operator("splinewright.point_to_infinity")
+        self.layout.operator("splinewright.point_from_infinity")
         self.layout.separator()
 
 

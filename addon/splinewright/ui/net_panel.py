@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ..bridge import store
+from ..bridge import recipes, store
 from ..bridge.net import live, net
 from ..core import describe
-from . import net_props, texts
+from . import net_props, recipe_props, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
@@ -23,7 +23,10 @@ def draw(layout, ob):
     if problem:
         texts.draw_problem(layout, problem)
     _draw_points(layout, ob)
-    _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
+    if recipes.kind(owner.data):
+        recipe_props.draw(layout.box(), owner.data)
+    else:
+        _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
 
 
 def _draw_points(layout, ob):
@@ -32,7 +35,7 @@ def _draw_points(layout, ob):
     _, vertices = net_props.chosen(data)
     box = layout.column(align=True)
     if not vertices:
-        box.label(text="Select points to see their numbers")
+        box.label(text="Select points to edit them")
         return
     box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
     numbers = data.splinewright_points
@@ -49,6 +52,9 @@ def _draw_points(layout, ob):
         box.label(text=f"and {hidden} more")
     if len(vertices) > 1 and session.net.weighted[vertices].any():
         box.prop(numbers, "weight", text="All Weights")
+    row = layout.row(align=True)
+    row.operator("splinewright.point_to_infinity", text="To Infinity")
+    row.operator("splinewright.point_from_infinity", text="Back")
 
 
 def _name(numbers, vertex):

@@ -5,7 +5,7 @@ import bpy
 from ..bridge import follow, recipes, shape, store
 from ..bridge.net import net
 from ..core import describe
-from . import net_panel, texts
+from . import net_panel, recipe_props, texts
 
 
 class _ShapePanel:
@@ -35,8 +35,8 @@ def _draw_state(layout, ob):
     data = ob.data
     if ob.mode == 'EDIT':
         texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net")
-    elif recipes.has(data):
-        _draw_recipe(layout, data)
+    elif recipes.follows(data):
+        _draw_following(layout, data)
     elif shape.is_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
@@ -45,9 +45,19 @@ def _draw_state(layout, ob):
         column.operator("splinewright.detach", text="Detach: keep them, end the shape")
     else:
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
+        if recipes.kind(data):
+            _draw_recipe(layout, data)
 
 
 def _draw_recipe(layout, data):
+    try:
+        recipe_props.draw(layout.box(), data)
+    except store.UnreadableDefinition as error:
+        texts.draw_problem(layout, str(error))
+    layout.operator("splinewright.make_editable")
+
+
+def _draw_following(layout, data):
     try:
         source = recipes.read_input(data)
     except store.UnreadableDefinition as error:
@@ -77,6 +87,8 @@ def _draw_settings(layout, data, definition):
     column = layout.column(align=True)
     if definition.has_curves:
         column.prop(settings, "resolution_u", text="Resolution")
+        if definition.runs_to_infinity:
+            column.prop(settings, "reach")
     else:
         column.prop(settings, "resolution_u")
         column.prop(settings, "resolution_v", text="V")

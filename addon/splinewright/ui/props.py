@@ -36,6 +36,9 @@ class SplinewrightShape(bpy.types.PropertyGroup):
     sharp_angle: FloatProperty(
         name="Sharp Angle", description="Edges across which the exact normals differ by more are marked sharp",
         default=math.radians(1.0), min=0.0, max=math.pi, subtype='ANGLE', update=_resolution_changed)
+    reach: FloatProperty(
+        name="Reach", description="How far beyond its points a curve that runs to infinity is shown",
+        default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_resolution_changed)
     problem: StringProperty(
         name="Problem", description="Why the last change of a setting shows nothing new",
         options={'HIDDEN', 'SKIP_SAVE'})

@@ -33,7 +33,7 @@ def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
     steps = data.splinewright.resolution_u
     curves = [value] if isinstance(value, CURVES) else value
-    dress, undressed = _dress(data, [len(curve.polylines(steps)) for curve in curves])
+    dress, undressed = _dress(data, [len(curve.polylines(steps, data.splinewright.reach)) for curve in curves])
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
     shape.detach(data)

@@ -13,7 +13,7 @@ from ...core import definition as definitions
 from ...core.failures import FAILURES, sentence
 from ...core.library import sc
 from ...core.net import net as nets
-from .. import shape, stamp, store, write_mesh
+from .. import made, recipes, shape, stamp, store, write_mesh
 from . import net as bridge
 
 
@@ -115,7 +115,11 @@ def pull(ob):
         current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
         definition = nets.read(current.net, current.state)
         current.problem = ""
-        return owner.data if _show(owner.data, definition, current) else None
+        if recipes.kind(owner.data):
+            is_changed = made.follow_net(owner.data, definition)
+        else:
+            is_changed = _show(owner.data, definition, current)
+        return owner.data if is_changed else None
     except FAILURES as error:
         current.problem = sentence(error)
         return None

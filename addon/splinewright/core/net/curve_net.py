@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..infinity import foot_of
 from .net import Spline
 from .net_vertices import Vertices
 
@@ -57,13 +58,9 @@ def _polygon(vertices, piece):
 
 
 def _arrows(vertices, piece):
-    """An arrow for each direction at infinity, from the middle of the finite points beside it."""
-    weights = vertices.pool[piece.indices, 3]
-    finite = np.flatnonzero(weights)
-    for i in np.flatnonzero(weights == 0):
-        beside = np.concatenate([finite[finite < i][-1:], finite[finite > i][:1]])
-        feet = vertices.pool[piece.indices[beside], :3]
-        vertices.arrow(piece.indices[i], feet.mean(0) if len(feet) else np.zeros(3))
+    """An arrow for each direction at infinity."""
+    for i in np.flatnonzero(vertices.pool[piece.indices, 3] == 0):
+        vertices.arrow(piece.indices[i], foot_of(vertices.pool, piece.indices, (i,), piece.periodic))
         yield Spline('POLY', 2)
 
 

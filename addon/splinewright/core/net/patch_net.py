@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..infinity import foot_of
 from .net_vertices import Vertices
 
 
@@ -72,28 +73,14 @@ def _unique(pairs):
 
 
 def _arrows(vertices, pieces, nets):
-    """An arrow for each direction at infinity, from the middle of the finite points beside it."""
+    """An arrow for each direction at infinity."""
     pool, known = vertices.pool, set()
     for piece, net in zip(pieces, nets):
         for place in np.argwhere(pool[net, 3] == 0):
             row = net[tuple(place)]
-            if row in known:
-                continue
-            known.add(row)
-            beside = [other for other in _neighbours(net, place, piece.periodic or (False, False))
-                      if pool[other, 3] != 0]
-            vertices.arrow(row, pool[beside, :3].mean(0) if beside else np.zeros(3))
-
-
-def _neighbours(net, place, periodic):
-    for axis in (0, 1):
-        for step in (-1, 1):
-            other = place.copy()
-            other[axis] += step
-            if periodic[axis]:
-                other[axis] %= net.shape[axis]
-            if 0 <= other[axis] < net.shape[axis]:
-                yield net[tuple(other)]
+            if row not in known:
+                known.add(row)
+                vertices.arrow(row, foot_of(pool, net, place, piece.periodic))
 
 
 class _Handles:

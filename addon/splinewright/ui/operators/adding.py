@@ -39,14 +39,17 @@ class AddShape(AddObjectHelper):
     def value(self):
         raise NotImplementedError("value: each operator says what it adds")
 
+    def new_data(self, step):
+        """The Mesh or Curve of what is added."""
+        return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), self.resolution(), step)
+
     def resolution(self):
         return self.resolution_u, self.resolution_u
 
     def execute(self, context):
         try:
-            value = starters.scaled(self.value(), self.size)
             with progress.shown(context, shape.STEPS) as step:
-                data = shape.new_data(self.shape_name, value, self.resolution(), step)
+                data = self.new_data(step)
         except FAILURES as error:
             self.report({'ERROR'}, sentence(error))
             return {'CANCELLED'}
@@ -76,11 +79,14 @@ class AddShape(AddObjectHelper):
         layout.use_property_split = True
         layout.use_property_decorate = False
         self.draw_shape(layout)
-        layout.prop(self, "size")
+        self.draw_size(layout)
         layout.separator()
         layout.prop(self, "align")
         layout.prop(self, "location")
         layout.prop(self, "rotation")
+
+    def draw_size(self, layout):
+        layout.prop(self, "size")
 
 
 def resolution_property(axis="", default=12):

@@ -8,7 +8,7 @@ from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from ...bridge import blocks, shape
 from ...core import bpt
-from ...core.definition import CURVES
+from ...core.definition import ANY_CURVES
 from ...core.failures import FAILURES, sentence
 from ...core.library import sc
 from .. import progress
@@ -129,7 +129,7 @@ class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
     bl_description = "Export the patches of the active shape as Bezier patches, exactly"
 
     def text(self, value):
-        if isinstance(value, (*CURVES, list)):
+        if isinstance(value, (*ANY_CURVES, list)):
             raise TypeError("BPT holds patches, this is a curve")
         if self.flip:
             value = value.flipped() if isinstance(value, sc.PatchSet) else value.swapped()
@@ -145,8 +145,8 @@ class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
         value = sc.loads(text)
         if not isinstance(value, list):
             return [value]
-        curves = [item for item in value if isinstance(item, CURVES)]
-        patches = [item for item in value if not isinstance(item, CURVES)]
+        curves = [item for item in value if isinstance(item, ANY_CURVES)]
+        patches = [item for item in value if not isinstance(item, ANY_CURVES)]
         if not value:
             raise ValueError("the file holds an empty list")
         return ([curves] if curves else []) + patches

@@ -37,12 +37,12 @@ class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
 class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.make_editable"
     bl_label = "Make Editable"
-    bl_description = "Stop following another object; the definition stays as it is and can be edited"
+    bl_description = "Drop the recipe, or stop following another object; the definition stays and can be edited"
     done = "{} can be edited"
 
     def work(self, context, ob):
         if not recipes.has(ob.data):
-            raise ValueError("it follows nothing and is editable already")
+            raise ValueError("it follows nothing, has no recipe and is editable already")
         shape.require_writable(ob.data)
         recipes.remove(ob.data)
 

@@ -3,8 +3,8 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
-from ...bridge import shape, store
-from ...bridge.net import live, net, net_points
+from ...bridge import recipes, shape, store
+from ...bridge.net import live, net
 from ...core import knots
 from ...core.failures import FAILURES, sentence
 from .. import editing
@@ -71,6 +71,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
                 self.report({'ERROR'}, live.problem(ob))
                 return {'CANCELLED'}
         try:
+            recipes.require_free(owner.data)
             shape.require_untouched(owner.data)
             changed = knots.replaced(store.read(owner.data), self.piece - 1, self._axis(), self.knots)
             shape.set_definition(owner.data, changed)
@@ -78,7 +79,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             self.report({'ERROR'}, sentence(error))
             return {'CANCELLED'}
         if editing_nets:
-            _edit_anew(context, editing_nets)
+            editing.anew(context, editing_nets)
         return {'FINISHED'}
 
     def _axis(self):
@@ -91,23 +92,6 @@ def _shape_in_hand(context):
     if net.is_net(ob) and ob.mode == 'EDIT':
         return net.shape_of(ob)
     return ob if shape.has_shape(ob) and ob.mode == 'OBJECT' and not editing.why_not(ob) else None
-
-
-def _edit_anew(context, nets):
-    """Put the nets away and out again, from what the shapes are now; points stay selected."""
-    selections = {}
-    for ob in nets:
-        owner = net.shape_of(ob)
-        if owner is not None:
-            selections[owner.name] = net_points.selected(ob, live.session(ob.data).net)
-    active = net.shape_of(context.object)
-    editing.leave(context)
-    if active is None or context.view_layer.objects.get(active.name) != active:
-        return
-    context.view_layer.objects.active = active
-    for ob in editing.enter(context, active):
-        numbers = live.session(ob.data).net
-        net_points.select(ob, numbers, selections.get(net.shape_of(ob).name, ()))
 
 
 CLASSES = (SPLINEWRIGHT_OT_set_knots,)

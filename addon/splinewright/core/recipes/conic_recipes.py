@@ -1,0 +1,73 @@
+"""Conics (lecture row S10)."""
+
+import math
+
+from ..library import sc
+from .recipe import Made, Parameter, Recipe
+
+_FORM = Parameter("form", "Form", "Which of the usual NURBS forms", "square", choices=(
+    ("square", "Square", "Four quarters with their outer points on a square"),
+    ("triangle", "Triangle", "Three thirds with their outer points on a triangle"),
+    ("halves", "Halves", "Two halves, each with a point at infinity"),
+    ("single", "Single", "One span of degree 5, all weights positive")))
+
+
+def _by_weight(points, weight):
+    return Made(sc.conics.conic_arc(*points, weight))
+
+
+def _five_points(points):
+    return _whole(sc.conics.through_points(points))
+
+
+def _ellipse(points, form):
+    centre, end_a, end_b = points
+    return Made(sc.conics.ellipse(centre, end_a - centre, end_b - centre, form))
+
+
+def _foci(points, distance):
+    return _whole(sc.conics.by_foci(*points, distance))
+
+
+def _parabola(points):
+    focus, first, second = points
+    return _whole(sc.conics.parabola(focus, first, second - first))
+
+
+def _circle(points, radius, form):
+    return Made(sc.conics.circle((0, 0, 0), radius, form=form))
+
+
+def _arc(points, radius, start, sweep):
+    return Made(sc.conics.arc((0, 0, 0), (radius, 0, 0), (0, radius, 0), start, sweep))
+
+
+def _whole(conic):
+    curves = sc.conics.from_implicit(conic)
+    if not curves:
+        raise ValueError(f"the conic has no curve to show: it is {conic.type}")
+    return Made(curves if len(curves) > 1 else curves[0])
+
+
+RECIPES = (
+    Recipe("conic", "Conic by Weight",
+           "An arc of a conic from three points: the weight of the middle one makes it an ellipse, a parabola, a hyperbola",
+           (Parameter("weight", "Weight", "1 is a parabola, below 1 an ellipse, above 1 a hyperbola; below 0 the rest of it",
+                      math.sqrt(0.5), -10.0, 10.0),),
+           _by_weight, ((1, 0, 0), (1, 1, 0), (0, 1, 0))),
+    Recipe("five_points", "Conic Through Five Points", "The one conic through five points of a plane", (), _five_points,
+           ((-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0))),
+    Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM,), _ellipse,
+           ((0, 0, 0), (1, 0, 0), (0, 0.6, 0))),
+    Recipe("foci", "Conic by Foci", "The ellipse or hyperbola of points whose distances from two foci have one sum or difference",
+           (Parameter("distance", "Sum or Difference", "More than the distance of the foci: an ellipse; less: a hyperbola",
+                      2.5, 0.0, unit='LENGTH'),), _foci, ((-1, 0, 0), (1, 0, 0))),
+    Recipe("parabola", "Parabola", "The points as far from a focus as from the line through two others", (), _parabola,
+           ((0, 0.25, 0), (-1, -0.25, 0), (1, -0.25, 0))),
+    Recipe("circle", "Circle", "An exact circle in one of the usual NURBS forms",
+           (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'), _FORM), _circle),
+    Recipe("arc", "Circular Arc", "An exact arc of a circle",
+           (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'),
+            Parameter("start", "Start", "Angle from the x axis", 0.0, unit='ROTATION'),
+            Parameter("sweep", "Sweep", "Angle of the arc", math.pi / 2, -2 * math.pi, 2 * math.pi, unit='ROTATION')), _arc),
+)

@@ -1,0 +1,75 @@
+"""Curves through points (lecture rows S3, S5) and from formulas (S1)."""
+
+import numpy as np
+
+from ..library import sc
+from .recipe import Made, Parameter, Recipe
+
+_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from the formulas", 1e-6, 1e-12, unit='LENGTH')
+_PARAMETERS = Parameter("parametrisation", "Parameters", "How the parameters of the points are spaced", "centripetal", choices=(
+    ("uniform", "Uniform", "One apart"),
+    ("centripetal", "Centripetal", "By the square roots of the distances: no loops where points crowd"),
+    ("chordal", "Chordal", "By the distances")))
+_ENDS = Parameter("ends", "Ends", "The direction at an open end", "parabola", choices=(
+    ("parabola", "Parabola", "Of the parabola through three points"), ("chord", "Chord", "Towards the next point"),
+    ("natural", "Natural", "Without curvature")))
+_CLOSED = Parameter("closed", "Closed", "Go back to the first point", False)
+_TENSION = Parameter("tension", "Tension", "0 is Catmull-Rom; 1 makes corners at all points", 0.0, -5.0, 5.0)
+_WAVE = ((-1, 0, 0), (-0.5, 0.5, 0), (0, -0.3, 0), (0.5, 0.5, 0), (1, 0, 0))
+
+
+def _catmull_rom(points, parametrisation, tension, closed, ends):
+    return Made(sc.build.catmull_rom(points, parametrisation, tension, closed, ends))
+
+
+def _kochanek_bartels(points, tension, continuity, bias, parametrisation, closed, ends):
+    return Made(sc.build.kochanek_bartels(points, tension, continuity, bias, parametrisation, closed, ends))
+
+
+def _polynomial(points, parametrisation):
+    return Made(sc.build.polynomial_through(points, _spacing(points, parametrisation)))
+
+
+def _spacing(points, parametrisation):
+    """Parameters in [0, 1]. Raises ValueError where two points in a row are one."""
+    power = {'uniform': 0.0, 'centripetal': 0.5, 'chordal': 1.0}[parametrisation]
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1) ** power
+    if not steps.all():
+        raise ValueError(f"points {np.argmin(steps) + 1} and {np.argmin(steps) + 2} are one: choose uniform parameters")
+    knots = np.concatenate([[0.0], np.cumsum(steps)])
+    return knots / knots[-1]
+
+
+def _helix(points, radius, end_radius, height, turns, tolerance):
+    sweep = 2 * np.pi * turns
+    if sweep == 0.0:
+        raise ValueError("a helix needs some turns")
+    constants = {'r': radius, 'd': end_radius - radius, 'h': height, 'q': sweep}
+    return Made(*sc.build.curve_from_formulas(
+        ["(r + d*t)*cos(q*t)", "(r + d*t)*sin(q*t)", "h*t"], (0.0, 1.0), tolerance=tolerance, constants=constants))
+
+
+def _formula(points, x, y, z, start, end, tolerance):
+    return Made(*sc.build.curve_from_formulas([x, y, z], (start, end), tolerance=tolerance))
+
+
+RECIPES = (
+    Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbours",
+           (_PARAMETERS, _TENSION, _CLOSED, _ENDS), _catmull_rom, _WAVE, True, 16),
+    Recipe("kochanek_bartels", "Kochanek-Bartels Spline", "A Catmull-Rom spline with tension, continuity and bias",
+           (_TENSION, Parameter("continuity", "Continuity", "Below and above 0: corners inwards, outwards", 0.0, -5.0, 5.0),
+            Parameter("bias", "Bias", "Above 0 overshoots before, below 0 after a point", 0.0, -5.0, 5.0),
+            _PARAMETERS, _CLOSED, _ENDS), _kochanek_bartels, _WAVE, True, 16),
+    Recipe("polynomial", "Polynomial Through Points", "The one polynomial of lowest degree through points: see how it oscillates",
+           (_PARAMETERS,), _polynomial, _WAVE, True, 64),
+    Recipe("helix", "Helix", "A helix or spiral around z",
+           (Parameter("radius", "Radius", "At the start", 1.0, 0.0, unit='LENGTH'),
+            Parameter("end_radius", "End Radius", "At the end", 1.0, 0.0, unit='LENGTH'),
+            Parameter("height", "Height", "From start to end", 2.0, unit='LENGTH'),
+            Parameter("turns", "Turns", "How often around; below 0 the other way", 3.0, -1000.0, 1000.0), _TOLERANCE), _helix, resolution=8),
+    Recipe("formula", "From Formula", "A curve from formulas in t: exact for polynomials, otherwise within a tolerance",
+           (Parameter("x", "x(t)", "Numbers, t, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "cos(3*t)"),
+            Parameter("y", "y(t)", "As x", "sin(2*t)"), Parameter("z", "z(t)", "As x", "0"),
+            Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi), _TOLERANCE), _formula,
+           resolution=8),
+)

@@ -1,0 +1,59 @@
+"""An Add operator for each recipe, made from the table."""
+
+import bpy
+from bpy.props import IntProperty
+
+from ...bridge import made
+from ...core import starters
+from ...core.recipes.table import RECIPES
+from .. import recipe_props
+from .adding import AddShape, resolution_property
+
+
+class _AddRecipe(AddShape):
+    """`recipe` is what it adds."""
+
+    recipe = None
+
+    def new_data(self, step):
+        recipe = self.recipe
+        values = {parameter.name: recipe_props.as_typed(parameter, getattr(self, parameter.name))
+                  for parameter in recipe.parameters}
+        points = recipe.start * self.size
+        if recipe.has_any_count:
+            points = _spread(points, self.count)
+        return made.new_data(recipe.label, recipe, values, points, self.resolution())
+
+    def draw_shape(self, layout):
+        for parameter in self.recipe.parameters:
+            layout.prop(self, parameter.name)
+        if self.recipe.has_any_count:
+            layout.prop(self, "count")
+        layout.prop(self, "resolution_u", text="Resolution")
+
+    def draw_size(self, layout):
+        if self.recipe.points:
+            layout.prop(self, "size")
+
+
+def _spread(points, count):
+    """So many of the points, or more on the curve y = 1 / (1 + 25 x²), Runge's, where they are not enough."""
+    if count == len(points):
+        return points
+    return starters.runge(count) * abs(points).max()
+
+
+def _class_for(recipe):
+    annotations = {parameter.name: recipe_props.property_of(parameter) for parameter in recipe.parameters}
+    annotations['resolution_u'] = resolution_property(default=recipe.resolution)
+    if recipe.has_any_count:
+        annotations['count'] = IntProperty(
+            name="Points", description="How many; other than at first they lie on Runge's curve, 1 / (1 + 25 x²)",
+            default=len(recipe.points), min=3, max=200, soft_max=32)
+    name = f"SPLINEWRIGHT_OT_add_{recipe.kind}"
+    return type(name, (_AddRecipe, bpy.types.Operator), {
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': f"Add {recipe.label}",
+        'bl_description': recipe.description, 'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
+
+
+CLASSES = tuple(map(_class_for, RECIPES.values()))

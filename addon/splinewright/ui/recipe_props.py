@@ -1,0 +1,93 @@
+"""The parameters of recipes in panels and operators, made from the table of recipes.
+
+Numbers are kept in float64 beside the definition; properties only show and change them.
+"""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
+
+from ..bridge import made, recipes
+from ..core.failures import FAILURES, sentence
+from ..core.recipes.table import RECIPES
+
+
+def property_of(parameter, **access):
+    """Blender's property for a parameter. access: get and set, where it keeps nothing itself."""
+    named = {'name': parameter.label, 'description': parameter.description}
+    default = {} if access else {'default': parameter.default}
+    if parameter.choices:
+        return EnumProperty(items=parameter.choices, **named, **default, **access)
+    if isinstance(parameter.default, bool):
+        return BoolProperty(**named, **default, **access)
+    if isinstance(parameter.default, str):
+        return StringProperty(**named, **default, **access)
+    return FloatProperty(min=parameter.least, max=parameter.most, unit=parameter.unit, precision=5, step=1,
+                         **named, **default, **access)
+
+
+def as_typed(parameter, value):
+    """The value as the user typed it: of a float32 the shortest decimal that is it."""
+    if not isinstance(parameter.default, float):
+        return value
+    return parameter.default if np.float32(value) == np.float32(parameter.default) else float(str(np.float32(value)))
+
+
+def name_of(recipe, parameter):
+    """The attribute of a parameter among those of all recipes."""
+    return f"{recipe.kind}_{parameter.name}"
+
+
+def _getter(recipe, parameter):
+    def get(self):
+        data = self.id_data
+        value = recipes.parameters(data)[parameter.name] if recipes.kind(data) == recipe.kind else parameter.default
+        return [choice[0] for choice in parameter.choices].index(value) if parameter.choices else value
+    return get
+
+
+def _setter(recipe, parameter):
+    def set_it(self, value):
+        data = self.id_data
+        if recipes.kind(data) != recipe.kind:
+            return
+        value = parameter.choices[value][0] if parameter.choices else as_typed(parameter, value)
+        if value == recipes.parameters(data)[parameter.name]:
+            return
+        try:
+            made.set_parameter(data, parameter.name, value)
+            data.splinewright.problem = ""
+        except FAILURES as error:
+            data.splinewright.problem = sentence(error)
+    return set_it
+
+
+class SplinewrightRecipe(bpy.types.PropertyGroup):
+    """Parameters of the recipe that makes a shape."""
+
+    __annotations__ = {
+        name_of(recipe, parameter): property_of(parameter, get=_getter(recipe, parameter), set=_setter(recipe, parameter))
+        for recipe in RECIPES.values() for parameter in recipe.parameters}
+
+
+def draw(layout, data):
+    """The parameters of the recipe that makes a data-block."""
+    recipe = recipes.of(data)
+    layout.label(text=recipe.label, icon='PROPERTIES')
+    column = layout.column(align=True)
+    for parameter in recipe.parameters:
+        column.prop(data.splinewright_recipe, name_of(recipe, parameter))
+    error = recipes.error(data)
+    if error:
+        layout.label(text=f"Within {error:.1e} of the formulas", icon='INFO')
+
+
+CLASSES = (SplinewrightRecipe,)
+
+
+def register():
+    bpy.types.Curve.splinewright_recipe = PointerProperty(type=SplinewrightRecipe)
+
+
+def unregister():
+    del bpy.types.Curve.splinewright_recipe

@@ -1,0 +1,216 @@
+"""Recipes: their numbers stay what one edits, in the panel, by the net, for ever."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select, shown
+from support import part, splinecore as sc
+
+made, net_points, recipes, shape, store, table = (part(name) for name in (
+    'bridge.made', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape', 'bridge.store', 'core.recipes.table'))
+RECIPES = table.RECIPES
+WITH_POINTS = [kind for kind, recipe in RECIPES.items() if recipe.points]
+
+
+def add_recipe(kind, **numbers):
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}"), **numbers) == {'FINISHED'}
+    bpy.ops.ed.undo_push(message="add")
+    return bpy.context.object
+
+
+def numbers(ob):
+    return ob.data.splinewright_recipe
+
+
+@pytest.mark.parametrize('kind', RECIPES)
+def test_what_a_recipe_adds_is_what_its_numbers_say_and_stays_so_in_a_file(kind, tmp_path):
+    ob = add_recipe(kind)
+    recipe = RECIPES[kind]
+    assert ob.data.splinewright.value == recipe.make(recipe.start, **recipe.defaults).value
+    require_exact(ob)
+    value, name = ob.data.splinewright.value, ob.name
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "recipe.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "recipe.blend"))
+    ob = bpy.data.objects[name]
+    assert recipes.kind(ob.data) == kind and ob.data.splinewright.value == value
+    assert recipes.parameters(ob.data) == recipe.defaults
+
+
+OTHER = {'conic': ('weight', 2.0), 'ellipse': ('form', 'halves'), 'foci': ('distance', 1.5), 'circle': ('radius', 3.0),
+         'arc': ('sweep', 3.0), 'catmull_rom': ('closed', True), 'kochanek_bartels': ('bias', 0.5),
+         'polynomial': ('parametrisation', 'uniform'), 'helix': ('turns', -2.0), 'formula': ('y', 't^2')}
+
+
+@pytest.mark.parametrize('kind', OTHER)
+def test_a_number_is_changed_in_the_panel_and_the_change_undone(kind):
+    ob = add_recipe(kind)
+    before, (name, value) = ob.data.splinewright.value, OTHER[kind]
+    setattr(numbers(ob), f"{kind}_{name}", value)
+    assert getattr(numbers(ob), f"{kind}_{name}") == value and recipes.parameters(ob.data)[name] == value
+    after, object_name = ob.data.splinewright.value, ob.name
+    assert after != before
+    require_exact(ob)
+    bpy.ops.ed.undo_push(message="number")
+    bpy.ops.ed.undo()
+    assert bpy.data.objects[object_name].data.splinewright.value == before
+    bpy.ops.ed.redo()
+    assert bpy.data.objects[object_name].data.splinewright.value == after
+
+
+def test_a_typed_number_has_its_digits_in_double_precision():
+    ob = add_recipe('circle')
+    numbers(ob).circle_radius = 0.1
+    assert recipes.parameters(ob.data)['radius'] == 0.1
+    ob = add_recipe('circle', radius=0.3)
+    assert ob.data.splinewright.value == sc.conics.circle((0, 0, 0), 0.3)
+
+
+@pytest.mark.parametrize('kind, name, value, word', (
+    ('formula', 'x', "cos(3*t", "character"), ('formula', 'x', "foo(t)", "unknown name 'foo'"),
+    ('formula', 'y', "1/(t - 1)", "t = "), ('formula', 'end', 0.0, "does not increase"),
+    ('formula', 'x', "__import__('os')", "character"), ('circle', 'radius', 0.0, "radius"), ('helix', 'turns', 0.0, "turns")))
+def test_a_number_of_which_nothing_comes_is_refused_with_a_word_and_nothing_changes(kind, name, value, word):
+    ob = add_recipe(kind)
+    before, points = ob.data.splinewright.value, shown(ob).copy()
+    setattr(numbers(ob), f"{kind}_{name}", value)
+    assert word in ob.data.splinewright.problem
+    assert ob.data.splinewright.value == before and np.array_equal(shown(ob), points)
+    assert recipes.parameters(ob.data) == RECIPES[kind].defaults
+    with pytest.raises(RuntimeError, match="(?s)" + word.replace("(", r"\(")):
+        add_recipe(kind, **{name: value})
+
+
+@pytest.mark.parametrize('kind', WITH_POINTS)
+def test_the_net_of_a_recipe_is_its_points_and_the_shape_follows(kind):
+    ob = add_recipe(kind)
+    before, points, name = ob.data.splinewright.value, recipes.points(ob.data), ob.name
+    held = enter()
+    assert len(numbers_of(held).rows) == len(points)
+    select(held, 1)
+    move(0.25, 0.125, 0)
+    moved = bpy.data.objects[name]
+    expected = points.copy()
+    expected[1] += (0.25, 0.125, 0)
+    assert np.allclose(recipes.points(moved.data), expected, atol=1e-7)
+    assert np.array_equal(recipes.points(moved.data)[[0, *range(2, len(points))]], points[[0, *range(2, len(points))]])
+    assert moved.data.splinewright.value != before
+    require_exact(moved)
+    bpy.ops.ed.undo()
+    assert bpy.data.objects[name].data.splinewright.value == before
+    bpy.ops.ed.redo()
+    leave()
+    ob = bpy.data.objects[name]
+    assert bpy.context.object == ob and recipes.kind(ob.data) == kind and ob.data.splinewright.value != before
+
+
+def test_points_of_which_nothing_comes_leave_the_last_good_shape_and_say_why():
+    ob = add_recipe('five_points')
+    before = ob.data.splinewright.value
+    held = enter()
+    start = recipes.points(ob.data)
+    select(held, 1)
+    move(*(start[0] - start[1]))
+    assert part('bridge.net.live').problem(held)
+    assert bpy.data.objects[ob.name].data.splinewright.value == before
+    select(held, 1)
+    move(0.01, 0.6, 0)
+    assert not part('bridge.net.live').problem(held)
+    assert bpy.data.objects[ob.name].data.splinewright.value != before
+
+
+def test_recipes_of_numbers_alone_have_no_net_and_say_so():
+    for kind in set(RECIPES) - set(WITH_POINTS):
+        add_recipe(kind)
+        assert not bpy.ops.splinewright.edit_net.poll()
+        assert "in the panel" in part('ui.editing').why_not(bpy.context.object)
+
+
+def test_the_weight_of_a_conic_goes_through_all_its_classes_without_a_stray_line():
+    ob = add_recipe('conic')
+    ob.data.splinewright.reach = 5.0
+    counts = {}
+    for weight in np.linspace(-3, 3, 61):
+        numbers(ob).conic_weight = weight
+        points = shown(ob)
+        assert np.abs(points).max() <= 6.001, weight
+        for spline in ob.data.splines:
+            line = np.array([point.co[:3] for point in spline.points])
+            assert np.linalg.norm(np.diff(line, axis=0), axis=1).max() < 6.0, weight
+        counts[round(float(weight), 2)] = len(ob.data.splines)
+    assert (counts[-3.0], counts[-1.0], counts[-0.5], counts[0.5], counts[1.0], counts[3.0]) == (3, 2, 1, 1, 1, 1)
+
+
+def test_reach_says_how_far_a_curve_that_runs_to_infinity_is_shown():
+    ob = add(sc.BezierCurve([(1, 0), (1, 1), (0, 1)], [1, -2, 1]))
+    farthest = []
+    for reach in (1.0, 10.0, 1000.0):
+        ob.data.splinewright.reach = reach
+        require_exact(ob)
+        farthest.append(np.abs(shown(ob)).max())
+        assert len(ob.data.splines) == 3
+    assert np.allclose(farthest, (2, 11, 1001), rtol=1e-3)
+
+
+def test_make_editable_drops_the_recipe_and_keeps_every_digit():
+    ob = add_recipe('catmull_rom')
+    value = ob.data.splinewright.value
+    assert op(bpy.ops.splinewright.make_editable) == {'FINISHED'}
+    assert not recipes.has(ob.data) and ob.data.splinewright.value == value
+    held = enter()
+    assert len(numbers_of(held).rows) == 3 * len(value.points)
+
+
+def test_what_would_be_lost_at_the_next_change_is_refused_with_a_word():
+    ob, other = add_recipe('catmull_rom'), add(VALUES['nurbs']())
+    activate(ob, other)
+    with pytest.raises(RuntimeError, match="Make Editable"):
+        op(bpy.ops.splinewright.join)
+    activate(ob)
+    with pytest.raises(RuntimeError, match="Make Editable"):
+        op(bpy.ops.splinewright.apply_transform)
+    with pytest.raises(RuntimeError, match="Make Editable"):
+        op(bpy.ops.splinewright.set_knots, knots="0 1")
+    value = ob.data.splinewright.value
+    with pytest.raises(ValueError, match="made by a recipe"):
+        ob.data.splinewright.value = VALUES['nurbs']()
+    assert ob.data.splinewright.value == value
+
+
+def test_a_copy_has_a_recipe_of_its_own_and_a_follower_follows_it():
+    ob = add_recipe('helix')
+    op(bpy.ops.object.duplicate)
+    copy = bpy.context.object
+    numbers(copy).helix_turns = 1.0
+    assert numbers(ob).helix_turns == 3.0 and ob.data.splinewright.value != copy.data.splinewright.value
+    op(bpy.ops.splinewright.follow_object)
+    follower = bpy.context.object
+    numbers(copy).helix_height = 5.0
+    bpy.context.view_layer.update()
+    assert follower.data.splinewright.value == copy.data.splinewright.value
+
+
+def test_more_points_lie_on_runges_curve_where_the_polynomial_oscillates_and_a_spline_does_not():
+    polynomial, spline = (add_recipe(kind, count=15, parametrisation='uniform') for kind in ('polynomial', 'catmull_rom'))
+    at = np.linspace(-1, 1, 15)
+    assert np.allclose(recipes.points(polynomial.data)[:, 1], 1 / (1 + 25 * at ** 2))
+    assert shown(polynomial)[:, 1].max() > 5 and np.abs(shown(spline)[:, 1] - 0.5).max() < 0.6
+
+
+def test_a_recipe_of_a_newer_version_is_shown_and_read_only_with_a_word():
+    ob = add_recipe('conic')
+    value = ob.data.splinewright.value
+    ob.data[recipes.KEY]['kind'] = "clothoid"
+    with pytest.raises(store.UnreadableDefinition, match="newer Splinewright"):
+        recipes.of(ob.data)
+    numbers(ob).conic_weight = 3.0
+    assert ob.data.splinewright.value == value
+    assert op(bpy.ops.splinewright.make_editable) == {'FINISHED'}
+
+
+def test_angles_are_angles_and_a_quarter_is_a_quarter():
+    ob = add_recipe('arc', sweep=math.pi)
+    assert np.allclose(shown(ob)[-1], (-1, 0, 0), atol=1e-6)
+    assert recipes.parameters(add_recipe('arc', sweep=math.pi / 2).data)['sweep'] == math.pi / 2
