@@ -74,3 +74,17 @@ def error(before, after, at=lambda u: u):
     u = parameters(before)
     far = np.abs(homogeneous(before, u) - homogeneous(after, at(u))).max()
     return far / np.abs(before.homogeneous_points).max()
+
+
+def sampled_distance(before, after, count=200):
+    """The largest distance found at many parameters of every span of both, both sides of each knot among them."""
+    start, end = before.domain
+    knots = np.r_[before.knots, after.knots]
+    knots = np.unique(np.r_[start, knots[(knots > start) & (knots < end)], end])
+    u = (knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0, 1, count + 1)[1:-1]).ravel()
+
+    def distance(at, side):
+        gap = before.evaluate(at, side=side, at_infinity="nan") - after.evaluate(at, side=side, at_infinity="nan")
+        return np.linalg.norm(gap, axis=-1)
+
+    return max(np.nanmax(distance(at, side)) for at, side in ((u, "right"), (knots[1:], "left"), (knots[:-1], "right")))

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <queue>
 
@@ -18,56 +20,92 @@ using Points = std::vector<glm::dvec4>;
 
 /// The difference of two curves where both are one piece: a rational Bezier curve of its own.
 struct Piece {
-  Points points;           ///< homogeneous
-  double smallest_weight;  ///< what counts as finite; 0 where everything does
-  double rounding;         ///< a length below which the hull tells nothing
+  Points points;                   ///< homogeneous
+  std::vector<glm::dvec2> weights;  ///< of both curves, the largest on their span 1
+  double limit;                    ///< points of which both weights are below it are left out
+  double rounding;                 ///< of the homogeneous coordinates
   double bound = 0.0;
   bool operator<(const Piece& other) const { return bound < other.bound; }
 };
 
-double largest_weight(const Points& points) {
-  double largest = 0.0;
-  for (const glm::dvec4& p : points) largest = std::max(largest, std::abs(p.w));
-  return largest;
-}
-
 double length_of(const glm::dvec4& p) { return std::hypot(p.x, p.y, p.z); }
 
 /// Whether no weight is zero or of the other sign, by more than rounding.
-bool has_one_sign(const Points& points) {
+template <class Range, class Weight>
+bool has_one_sign(const Range& points, Weight weight) {
   constexpr double kNoise = 0x1p-44;
-  const double noise = kNoise * largest_weight(points);
-  const auto [low, high] = std::ranges::minmax(points, {}, &glm::dvec4::w);
-  return low.w > noise || high.w < -noise;
+  const auto [low, high] = std::ranges::minmax(points, {}, weight);
+  const double noise = kNoise * std::max(std::abs(std::invoke(weight, low)), std::abs(std::invoke(weight, high)));
+  return std::invoke(weight, low) > noise || std::invoke(weight, high) < -noise;
+}
+
+bool is_left_out(const glm::dvec2& weights, double limit) {
+  return std::abs(weights.x) < limit && std::abs(weights.y) < limit;
+}
+
+bool is_left_out(const Piece& piece) {
+  return std::ranges::all_of(piece.weights, [&](const glm::dvec2& pair) { return is_left_out(pair, piece.limit); });
+}
+
+/// Whether one curve runs to infinity in the piece and the other stays in sight.
+bool has_lone_pole(const Piece& piece) {
+  if (!(piece.points.front().w * piece.points.back().w < 0.0)) return false;
+  const auto stays = [&](double glm::dvec2::*weight) {
+    return has_one_sign(piece.weights, weight) &&
+           std::ranges::all_of(piece.weights, [&](const auto& pair) { return std::abs(pair.*weight) >= piece.limit; });
+  };
+  return stays(&glm::dvec2::x) || stays(&glm::dvec2::y);
 }
 
 /// The length up to which the hull of a piece reaches from the origin.
 double hull_bound(const Piece& piece) {
-  if (!has_one_sign(piece.points)) return HUGE_VAL;
+  if (!has_one_sign(piece.points, &glm::dvec4::w)) return HUGE_VAL;
   double bound = 0.0;
   for (const glm::dvec4& p : piece.points) bound = std::max(bound, length_of(p) / std::abs(p.w));
   return bound;
 }
 
-double end_distance(const Piece& piece) {
-  const auto at = [&](const glm::dvec4& p) {
-    return p.w == 0.0 || std::abs(p.w) < piece.smallest_weight ? 0.0 : length_of(p) / std::abs(p.w);
-  };
-  return std::max(at(piece.points.front()), at(piece.points.back()));
+/// Whether the hull of a piece tells of nothing but rounding.
+bool is_settled(const Piece& piece) {
+  double least = HUGE_VAL;
+  for (const glm::dvec4& p : piece.points) least = std::min(least, std::abs(p.w));
+  return piece.bound * std::max(least, piece.limit * piece.limit) <= piece.rounding;
 }
 
-/// de Casteljau at the middle.
-std::pair<Piece, Piece> halved(const Piece& whole) {
-  Points row = whole.points;
-  Piece left{{}, whole.smallest_weight, whole.rounding};
-  Piece right{Points(row.size()), whole.smallest_weight, whole.rounding};
-  left.points.reserve(row.size());
+/// A distance that is certainly reached.
+double known_distance(const Piece& piece) {
+  if (has_lone_pole(piece)) return HUGE_VAL;
+  const auto at = [&](const glm::dvec4& p, const glm::dvec2& weights) {
+    if (is_left_out(weights, piece.limit)) return 0.0;
+    return p.w == 0.0 ? HUGE_VAL : length_of(p) / std::abs(p.w);
+  };
+  return std::max(at(piece.points.front(), piece.weights.front()), at(piece.points.back(), piece.weights.back()));
+}
+
+/// de Casteljau at the middle: the left half stays in `row`, the right one is returned.
+template <class Point>
+std::vector<Point> halve(std::vector<Point>& row) {
+  std::vector<Point> left;
+  std::vector<Point> right(row.size());
+  left.reserve(row.size());
   for (std::size_t size = row.size(); size > 0; --size) {
-    left.points.push_back(row.front());
-    right.points[size - 1] = row[size - 1];
+    left.push_back(row.front());
+    right[size - 1] = row[size - 1];
     for (std::size_t i = 0; i + 1 < size; ++i) row[i] = 0.5 * row[i] + 0.5 * row[i + 1];
   }
+  row = std::move(left);
+  return right;
+}
+
+std::pair<Piece, Piece> halved(Piece left) {
+  Piece right{halve(left.points), halve(left.weights), left.limit, left.rounding};
   return {std::move(left), std::move(right)};
+}
+
+double largest_weight(const Points& points) {
+  double largest = 0.0;
+  for (const glm::dvec4& p : points) largest = std::max(largest, std::abs(p.w));
+  return largest;
 }
 
 /// With the largest weight 1, so that products of weights stay in the range of numbers.
@@ -93,7 +131,9 @@ double product_share(int p, int i, int j) {
 /// (A W_B - B W_A) / (W_A W_B), as homogeneous points; `sizes` takes what the terms amount to.
 Points difference(const Points& a, const Points& b, std::vector<double>& sizes) {
   const int p = static_cast<int>(a.size()) - 1;
-  const glm::dvec3 centre = a[p / 2].w == 0.0 ? glm::dvec3(0.0) : project(a[p / 2]);
+  const auto weight = [](const glm::dvec4& point) { return std::abs(point.w); };
+  const glm::dvec4& heaviest = *std::ranges::max_element(a, {}, weight);
+  const glm::dvec3 centre = heaviest.w == 0.0 ? glm::dvec3(0.0) : project(heaviest);
   const auto seen = [&](const glm::dvec4& point) { return glm::dvec3(point) - point.w * centre; };
   if (are_weights_equal(a) && are_weights_equal(b) && a[0].w * b[0].w != 0.0) {
     Points points;
@@ -118,17 +158,14 @@ Points difference(const Points& a, const Points& b, std::vector<double>& sizes) 
 /// @param a,b  Bezier points of both curves on one span
 Piece piece_of(Points a, Points b) {
   constexpr double kRounding = 0x1p-48;
-  constexpr double kFinite = 0x1p-8;
+  constexpr double kFinite = 0x1p-4;
   normalise(a);
   normalise(b);
   std::vector<double> sizes;
-  Piece piece{difference(a, b, sizes), 0.0, 0.0};
-  const double largest = largest_weight(piece.points);
-  if (!has_one_sign(piece.points)) piece.smallest_weight = kFinite * largest;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const double weight = std::max(std::abs(piece.points[i].w), piece.smallest_weight);
-    if (weight > 0.0) piece.rounding = std::max(piece.rounding, kRounding * sizes[i] / weight);
-  }
+  Piece piece{difference(a, b, sizes), {}, 0.0, 0.0};
+  if (!has_one_sign(a, &glm::dvec4::w) && !has_one_sign(b, &glm::dvec4::w)) piece.limit = kFinite;
+  for (std::size_t i = 0; i < a.size(); ++i) piece.weights.emplace_back(a[i].w, b[i].w);
+  piece.rounding = kRounding * *std::ranges::max_element(sizes);
   return piece;
 }
 
@@ -179,10 +216,10 @@ double largest_distance(const NurbsCurve& a, const NurbsCurve& b) {
   double settled = 0.0;
   std::priority_queue<Piece> open;
   const auto push = [&](Piece piece) {
-    if (largest_weight(piece.points) < piece.smallest_weight) return;
-    certain = std::max(certain, end_distance(piece));
+    if (is_left_out(piece)) return;
+    certain = std::max(certain, known_distance(piece));
     piece.bound = hull_bound(piece);
-    if (piece.bound <= piece.rounding) {
+    if (is_settled(piece)) {
       settled = std::max(settled, piece.bound);
     } else {
       open.push(std::move(piece));

@@ -31,7 +31,9 @@ NurbsCurve with_domain(const NurbsCurve& curve, Interval domain) {
   std::inclusive_scan(knots.begin(), knots.end(), knots.begin(), [](double a, double b) { return std::max(a, b); });
   const auto given = curve.knot_vector().knots();
   for (std::size_t i = 1; i < knots.size(); ++i) {
-    if (given[i - 1] < given[i] && !(knots[i - 1] < knots[i])) throw refused(" is so narrow that knots would become equal");
+    if (given[i - 1] < given[i] && !(knots[i - 1] < knots[i])) {
+      throw refused(" is so narrow that knots would become equal");
+    }
   }
   return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()),
                           {curve.points().begin(), curve.points().end()});

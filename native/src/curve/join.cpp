@@ -15,6 +15,7 @@
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/removal.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -22,7 +23,9 @@ namespace {
 
 constexpr int kMostConditions = 3;
 
-int conditions_of(Smoothness smoothness) { return smoothness == Smoothness::c2 ? 3 : smoothness == Smoothness::c1 ? 2 : 1; }
+int conditions_of(Smoothness smoothness) {
+  return smoothness == Smoothness::c2 ? 3 : smoothness == Smoothness::c1 ? 2 : 1;
+}
 
 NurbsCurve with_point(const NurbsCurve& curve, std::size_t i, const glm::dvec3& place) {
   std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
@@ -204,11 +207,7 @@ NurbsCurve without_needless_copies(NurbsCurve curve, double joint) {
   return curve;
 }
 
-}  // namespace
-
-Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& second, Smoothness smoothness) {
-  NurbsCurve a = first;
-  NurbsCurve b = second;
+Approximation<NurbsCurve> joined_near_one(NurbsCurve a, NurbsCurve b, Smoothness smoothness) {
   prepare(a, b, smoothness);
   b = scaled_to_meet(a, b, smoothness >= Smoothness::c1);
   const NurbsCurve old_a = a;
@@ -220,6 +219,15 @@ Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& seco
   }
   const double error = std::max(largest_distance(old_a, a), largest_distance(old_b, b));
   return {without_needless_copies(in_a_row(a, b), a.domain().end), error};
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& second, Smoothness smoothness) {
+  const int size = shared_scales(first, second).coordinates;
+  const Scales scales{.coordinates = size};
+  auto [value, error] = joined_near_one(divided(first, scales), divided(second, scales), smoothness);
+  return {divided(value, {.coordinates = -size}), std::scalbn(error, size)};
 }
 
 }  // namespace splinecore

@@ -9,6 +9,7 @@
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/evaluate.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -156,12 +157,36 @@ Continuity compared(const End& left, const End& right, int degree, double tolera
 
 int order_for(int degree) { return std::min(std::max(degree, 2), kMaxOrder); }
 
-Continuity measured(const NurbsCurve& curve, double u, const Sizes& sizes, double tolerance) {
-  const Interval domain = curve.domain();
-  const int order = order_for(curve.degree());
+/// A curve brought to the size of one, and what rounding is relative to on it.
+struct Measured {
+  NurbsCurve curve;
+  Sizes sizes;
+  Scales scales;
+
+  Measured(const NurbsCurve& given, const Scales& by) : curve(divided(given, by)), sizes(sizes_of(curve)), scales(by) {}
+  explicit Measured(const NurbsCurve& given) : Measured(given, scales_of(given)) {}
+
+  /// Lengths in the units of the given curve.
+  Continuity in_units(Continuity found) const {
+    found.gap = std::scalbn(found.gap, scales.coordinates);
+    found.curvature_difference = std::scalbn(found.curvature_difference, -scales.coordinates);
+    return found;
+  }
+};
+
+Continuity at_parameter(const Measured& on, double u, double tolerance) {
+  const Interval domain = on.curve.domain();
+  const int order = order_for(on.curve.degree());
   const double before = u == domain.start ? domain.end : u;
-  return compared(end_of(curve, before, Side::left, order, sizes), end_of(curve, u, Side::right, order, sizes),
-                  curve.degree(), tolerance);
+  return on.in_units(compared(end_of(on.curve, before, Side::left, order, on.sizes),
+                              end_of(on.curve, u, Side::right, order, on.sizes), on.curve.degree(), tolerance));
+}
+
+Continuity between(const Measured& a, const Measured& b, double tolerance) {
+  const int degree = std::max(a.curve.degree(), b.curve.degree());
+  const int order = order_for(degree);
+  return a.in_units(compared(end_of(a.curve, a.curve.domain().end, Side::left, order, a.sizes),
+                             end_of(b.curve, b.curve.domain().start, Side::right, order, b.sizes), degree, tolerance));
 }
 
 }  // namespace
@@ -173,35 +198,41 @@ Continuity continuity_at(const NurbsCurve& curve, double u, double tolerance) {
   if (!curve.periodic() && (at == domain.start || at == domain.end)) {
     throw InvalidShape("u = " + text_of(u) + " is an end of the curve");
   }
-  return measured(curve, at, sizes_of(curve), tolerance);
+  const Measured on(curve);
+  try {
+    return at_parameter(on, std::scalbn(at, -on.scales.parameters), tolerance);
+  } catch (const PointAtInfinity&) {
+    throw PointAtInfinity(u);
+  }
 }
 
 Continuity continuity_between(const NurbsCurve& a, const NurbsCurve& b, double tolerance) {
   require_tolerance(tolerance);
-  const int degree = std::max(a.degree(), b.degree());
-  const int order = order_for(degree);
-  return compared(end_of(a, a.domain().end, Side::left, order, sizes_of(a)),
-                  end_of(b, b.domain().start, Side::right, order, sizes_of(b)), degree, tolerance);
+  const Scales of_a = shared_scales(a, b);
+  const Scales of_b = shared_scales(b, a);
+  return between(Measured(a, of_a), Measured(b, of_b), tolerance);
 }
 
 std::vector<Joint> joints(const NurbsCurve& curve, double tolerance) {
   require_tolerance(tolerance);
   std::vector<Joint> found;
-  const Sizes sizes = sizes_of(curve);
-  const Interval domain = curve.domain();
+  const Measured on(curve);
   const KnotVector& knots = curve.knot_vector();
+  const KnotVector& divided_knots = on.curve.knot_vector();
+  const Interval domain = curve.domain();
   const auto add = [&](double u, auto measure) {
     try {
       found.push_back({u, measure()});
     } catch (const PointAtInfinity&) {
     }
   };
-  for (std::size_t i = 0; i < knots.spans().size(); ++i) {
-    const double u = knots.span_interval(static_cast<int>(i)).start;
-    if (u > domain.start || curve.periodic()) add(u, [&] { return measured(curve, u, sizes, tolerance); });
+  for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+    const double u = knots.span_interval(i).start;
+    const double at = divided_knots.span_interval(i).start;
+    if (u > domain.start || curve.periodic()) add(u, [&] { return at_parameter(on, at, tolerance); });
   }
   if (!curve.periodic()) {
-    add(domain.start, [&] { return continuity_between(curve, curve, tolerance); });
+    add(domain.start, [&] { return between(on, on, tolerance); });
     if (!found.empty() && found.back().u == domain.start && found.back().continuity.c < 0) found.pop_back();
   }
   return found;
