@@ -92,7 +92,7 @@ def test_directions_are_turned_and_not_moved():
 
 REFUSED = [
     (np.eye(2), r"matrix has shape \(2, 2\)"), (np.eye(5), r"matrix has shape \(5, 5\)"),
-    (np.ones(3), r"matrix has shape \(3\)"),
+    (np.ones(3), r"matrix has shape \(3,\)"),
     (np.eye(4)[None], r"matrix has shape \(1, 4, 4\)"), (np.eye(4, 3), r"matrix has shape \(4, 3\)"),
     (np.diag([1, np.nan, 1]), r"matrix\[1, 1\] = nan is not finite"),
     (np.diag([1, 1, 1, -np.inf]), r"matrix\[3, 3\] = -inf is not finite"),

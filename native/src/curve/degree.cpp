@@ -68,7 +68,7 @@ NurbsCurve reduced_once(const NurbsCurve& curve) {
     start.front() = points.front();
     start.back() = points.back();
   }
-  std::vector<glm::dvec4> found = as_given(closest_preimage(matrix, points, std::move(start), fixed));
+  std::vector<glm::dvec4> found = as_given_from(curve, closest_preimage(matrix, points, std::move(start), fixed));
   if (!curve.periodic()) {
     found.front() = curve.points().front();
     found.back() = curve.points().back();

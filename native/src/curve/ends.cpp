@@ -100,7 +100,7 @@ NurbsCurve unclamped(const NurbsCurve& curve) {
   std::vector<glm::dvec4> points = homogeneous(whole.points());
   unclamp_start(p, old.span_interval(0).length(), knots, points);
   unclamp_end(p, old.span_interval(static_cast<int>(old.spans().size()) - 1).length(), knots, points);
-  points = as_given(points);
+  points = as_given_from(whole, points);
   for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) points[i] = whole.points()[i];
   return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(points));
 }
@@ -142,14 +142,11 @@ Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<d
   const NurbsCurve plain = clamped(curve);
   const double gap = gap_of(plain);
   if (!(gap <= slack)) throw ToleranceNotReached("the ends do not meet", slack, gap);
-  Approximation<NurbsCurve> best{closed_up(plain), 0.5 * gap};
+  Approximation<NurbsCurve> best{closed_up(plain), 0.0};
+  if (gap > 0.0) best.error = largest_distance(curve, best.value);
+  if (best.error > slack) throw ToleranceNotReached("the ends do not meet", slack, best.error);
   const double seam = plain.domain().start;
-  while (multiplicity(best.value.knot_vector(), seam) > 1) {
-    NurbsCurve next = remove_knot(best.value, seam).value;
-    const double error = largest_distance(curve, next);
-    if (error > slack) break;
-    best = {std::move(next), error};
-  }
+  while (auto next = removed_within(best.value, seam, curve, slack)) best = std::move(*next);
   return best;
 }
 

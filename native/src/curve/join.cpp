@@ -122,8 +122,8 @@ void meet(NurbsCurve& a, NurbsCurve& b, int count) {
   EndFunctions at_b = end_functions(b, u, Side::right, count);
   std::array<glm::dvec3, kMostConditions> left;
   std::array<glm::dvec3, kMostConditions> right;
-  derivatives(a, {&u, 1}, kMostConditions - 1, std::span(&left[0].x, 9), {.side = Side::left});
-  derivatives(b, {&u, 1}, kMostConditions - 1, std::span(&right[0].x, 9), {.side = Side::right});
+  derivatives(a, {&u, 1}, count - 1, std::span(&left[0].x, 3 * count), {.side = Side::left});
+  derivatives(b, {&u, 1}, count - 1, std::span(&right[0].x, 3 * count), {.side = Side::right});
   // Derivatives grow with the inverse of the span: each condition is scaled to the size of its shares.
   std::array<std::array<double, kMostConditions>, kMostConditions> rows{};
   std::array<glm::dvec3, kMostConditions> wanted{};
@@ -196,15 +196,12 @@ NurbsCurve in_a_row(const NurbsCurve& a, const NurbsCurve& b) {
 }
 
 /// Without the copies of the joint's knot that nothing but rounding asks for.
-NurbsCurve without_needless_copies(NurbsCurve curve, double joint) {
-  constexpr double kRounding = 0x1p-44;
+Approximation<NurbsCurve> without_needless_copies(const NurbsCurve& curve, double joint) {
+  constexpr double kRounding = 0x1p-42;
   const double tolerance = kRounding * largest_coordinate(curve.points());
-  while (multiplicity(curve.knot_vector(), joint) > 0) {
-    Approximation<NurbsCurve> fewer = remove_knot(curve, joint);
-    if (fewer.error > tolerance) break;
-    curve = std::move(fewer.value);
-  }
-  return curve;
+  Approximation<NurbsCurve> best{curve, 0.0};
+  while (auto next = removed_within(best.value, joint, curve, tolerance)) best = std::move(*next);
+  return best;
 }
 
 Approximation<NurbsCurve> joined_near_one(NurbsCurve a, NurbsCurve b, Smoothness smoothness) {
@@ -218,16 +215,23 @@ Approximation<NurbsCurve> joined_near_one(NurbsCurve a, NurbsCurve b, Smoothness
     meet(a, b, conditions_of(smoothness));
   }
   const double error = std::max(largest_distance(old_a, a), largest_distance(old_b, b));
-  return {without_needless_copies(in_a_row(a, b), a.domain().end), error};
+  auto [value, rounding] = without_needless_copies(in_a_row(a, b), a.domain().end);
+  return {std::move(value), error + rounding};
 }
 
 }  // namespace
 
 Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& second, Smoothness smoothness) {
-  const int size = shared_scales(first, second).coordinates;
-  const Scales scales{.coordinates = size};
-  auto [value, error] = joined_near_one(divided(first, scales), divided(second, scales), smoothness);
-  return {divided(value, {.coordinates = -size}), std::scalbn(error, size)};
+  const Scales shared = shared_scales(first, second);
+  // Where b's domain is scaled anyway, each can have its own.
+  const bool is_scaled = smoothness >= Smoothness::c1;
+  const int on_a = is_scaled ? scales_of(first).parameters : shared.parameters;
+  const int on_b = is_scaled ? scales_of(second).parameters : shared.parameters;
+  auto [value, error] = joined_near_one(divided(first, {.coordinates = shared.coordinates, .parameters = on_a}),
+                                        divided(second, {.coordinates = shared.coordinates, .parameters = on_b}),
+                                        smoothness);
+  return {divided(value, {.coordinates = -shared.coordinates, .parameters = -on_a}),
+          std::scalbn(error, shared.coordinates)};
 }
 
 }  // namespace splinecore

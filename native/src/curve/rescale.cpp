@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "splinecore/base/points.hpp"
 
@@ -23,16 +24,22 @@ class Exponents {
   int most() const { return most_; }
 
   /// The one nearest to `wanted` by which all of the numbers can be divided without a loss.
-  int allowed(int wanted) const {
-    constexpr int kRange = 1020;
-    return std::max(std::min(wanted, least_ + kRange), most_ - kRange);
-  }
+  int allowed(int wanted) const { return without_overflow(std::min(wanted, least_ + kRange)); }
+
+  int without_overflow(int wanted) const { return std::max(wanted, most_ - kRange); }
 
  private:
+  static constexpr int kRange = 1020;
   int least_ = 0;
   int most_ = 0;
   bool any_ = false;
 };
+
+/// 0 where products of a few numbers stay in range as they are.
+int needed(int exponent) {
+  constexpr int kNear = 100;
+  return std::abs(exponent) < kNear ? 0 : exponent;
+}
 
 }  // namespace
 
@@ -52,7 +59,8 @@ Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b) {
   Exponents sizes;
   sizes.add(std::max(largest_coordinate(a.points()), largest_coordinate(b.points())));
   const int lengths = std::ilogb(a.domain().length()) + std::ilogb(b.domain().length());
-  return {coordinates.allowed(sizes.most()), weights.allowed(weights.most()), knots.allowed(lengths / 2)};
+  return {coordinates.without_overflow(needed(sizes.most())), weights.allowed(needed(weights.most())),
+          knots.allowed(needed(lengths / 2))};
 }
 
 NurbsCurve divided(const NurbsCurve& curve, const Scales& scales) {

@@ -63,9 +63,13 @@ std::vector<double> roundings(const NurbsCurve& curve, double u, Side side, cons
   return roundings;
 }
 
+void require_in_sight(const NurbsCurve& curve, double u, Side side) {
+  if (is_at_infinity(curve, u, side)) throw PointAtInfinity(u);
+}
+
 End end_of(const NurbsCurve& curve, double u, Side side, int order, const Sizes& sizes) {
   constexpr double kGap = 0x1p-44;
-  if (is_at_infinity(curve, u, side)) throw PointAtInfinity(u);
+  require_in_sight(curve, u, side);
   End end;
   end.derivatives.resize(order + 1);
   derivatives(curve, {&u, 1}, order, std::span(&end.derivatives[0].x, 3 * (order + 1)), {side, AtInfinity::nan});
@@ -198,16 +202,16 @@ Continuity continuity_at(const NurbsCurve& curve, double u, double tolerance) {
   if (!curve.periodic() && (at == domain.start || at == domain.end)) {
     throw InvalidShape("u = " + text_of(u) + " is an end of the curve");
   }
+  require_in_sight(curve, at == domain.start ? domain.end : at, Side::left);
+  require_in_sight(curve, at, Side::right);
   const Measured on(curve);
-  try {
-    return at_parameter(on, std::scalbn(at, -on.scales.parameters), tolerance);
-  } catch (const PointAtInfinity&) {
-    throw PointAtInfinity(u);
-  }
+  return at_parameter(on, std::scalbn(at, -on.scales.parameters), tolerance);
 }
 
 Continuity continuity_between(const NurbsCurve& a, const NurbsCurve& b, double tolerance) {
   require_tolerance(tolerance);
+  require_in_sight(a, a.domain().end, Side::left);
+  require_in_sight(b, b.domain().start, Side::right);
   const Scales of_a = shared_scales(a, b);
   const Scales of_b = shared_scales(b, a);
   return between(Measured(a, of_a), Measured(b, of_b), tolerance);
