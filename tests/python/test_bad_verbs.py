@@ -52,7 +52,8 @@ def test_bad_numbers_raise_invalid_shape_that_names_them(call, words):
 
 NOT_A_NUMBER = ["1", [1, 2], 1j, object(), {}, b"1", True]
 TAKES_A_NUMBER = {
-    "u": [lambda bad: circle().remove_knot(bad), lambda bad: circle().split(bad), lambda bad: circle().insert_knot(bad)],
+    "u": [lambda bad: circle().remove_knot(bad), lambda bad: circle().split(bad),
+          lambda bad: circle().insert_knot(bad)],
     "times": [lambda bad: circle().elevate(bad), lambda bad: circle().reduce(bad),
               lambda bad: circle().remove_knot(1, bad)],
     "tolerance": [lambda bad: circle().remove_knot(1, 1, bad), lambda bad: circle().reduce(1, bad),
@@ -93,7 +94,8 @@ VERBS = {
 @pytest.mark.parametrize("scale", [1e-300, 1e-150, 1e150, 1e300])
 @pytest.mark.parametrize("verb", VERBS)
 def test_verbs_do_not_depend_on_the_units(verb, scale):
-    base = sc.NurbsCurve(3, [0] * 4 + [0.5] + [1] * 4, np.random.default_rng(2).uniform(-1, 1, (5, 3)), [1, 2, 0.5, 1, 1])
+    points = np.random.default_rng(2).uniform(-1, 1, (5, 3))
+    base = sc.NurbsCurve(3, [0] * 4 + [0.5] + [1] * 4, points, [1, 2, 0.5, 1, 1])
     changed = VERBS[verb](base.with_points(base.points * scale))
     curve, bound = changed if isinstance(changed, sc.Approximation) else (changed, 0)
     u = np.linspace(0, 1, 33)

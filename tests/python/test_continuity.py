@@ -179,7 +179,8 @@ def test_measures_do_not_depend_on_the_units(scale):
 
 
 REFUSED = [
-    (lambda: circle().continuity(0), "u = 0 is an end of the curve"), (lambda: circle().continuity(4), "u = 4 is an end"),
+    (lambda: circle().continuity(0), "u = 0 is an end of the curve"),
+    (lambda: circle().continuity(4), "u = 4 is an end"),
     (lambda: circle().continuity(4.5), r"u = 4.5 is outside the domain \[0, 4\]"),
     (lambda: circle().continuity(math.nan), "u = nan"), (lambda: circle().continuity(1, -1e-9), "tolerance = -1e-09"),
     (lambda: circle().continuity(1, math.nan), "tolerance = nan"), (lambda: circle().joints(-1), "tolerance = -1"),

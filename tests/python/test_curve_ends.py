@@ -139,6 +139,6 @@ def test_what_is_no_pair_of_numbers_raises_type_error(bad):
 
 
 def test_an_end_that_moves_may_move_the_curve_by_more_where_weights_are_negative():
-    curve = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (2, -1), (0, 0.01)], [1, -0.6, 1, 1])
+    curve = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (2, -1), (0, 0.01)], [1, -0.3, 1, 1])
     value, bound = curve.to_periodic(1)
     assert 0.005 < bound <= 1 and sampled_distance(curve, value) <= bound * (1 + 1e-9)

@@ -94,7 +94,8 @@ def test_a_farther_reach_keeps_what_the_nearer_one_showed():
 
 
 def test_a_periodic_curve_that_runs_through_infinity_is_open():
-    ring = sc.NurbsCurve(2, range(7), np.random.default_rng(1).uniform(-1, 1, (6, 3)), [1, 1, -2, 1, 1, 1], periodic=True)
+    points = np.random.default_rng(1).uniform(-1, 1, (6, 3))
+    ring = sc.NurbsCurve(2, range(7), points, [1, 1, -2, 1, 1, 1], periodic=True)
     lines = ring.polylines(16, 3)
     assert lines and not any(closed for _, closed in lines)
     assert all(box_distance(ring, points) <= 3 * (1 + 1e-6) for points, _ in lines)

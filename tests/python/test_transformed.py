@@ -119,4 +119,5 @@ def test_huge_and_small_maps_are_exact(scale):
     image = circle().transformed(np.diag([scale] * 3))
     assert np.array_equal(image.points, circle().points * scale)
     u = np.linspace(0, 4, 9)
-    assert np.allclose(circle().transformed(np.diag([1, 1, 1, scale])).evaluate(u) * scale, circle().evaluate(u), atol=1e-15)
+    divided_by = circle().transformed(np.diag([1, 1, 1, scale]))
+    assert np.allclose(divided_by.evaluate(u) * scale, circle().evaluate(u), atol=1e-15)

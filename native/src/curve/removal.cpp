@@ -68,7 +68,8 @@ NurbsCurve removed(const NurbsCurve& curve, double u, int times) {
   const std::vector<glm::dvec4> points = homogeneous(curve.points());
   Kept kept = kept_points(matrix, points);
   const Kept given = kept_points(matrix, {curve.points().begin(), curve.points().end()});
-  std::vector<glm::dvec4> found = as_given_from(curve, closest_preimage(matrix, points, std::move(kept.start), kept.fixed));
+  const std::vector<glm::dvec4> nearest = closest_preimage(matrix, points, std::move(kept.start), kept.fixed);
+  std::vector<glm::dvec4> found = as_given_from(curve, nearest);
   for (const int i : kept.fixed) found[i] = given.start[i];
   return NurbsCurve::make(target, std::move(found));
 }

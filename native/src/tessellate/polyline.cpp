@@ -81,7 +81,8 @@ bool is_closed(const NurbsCurve& curve, const std::vector<double>& points) {
   return points.size() > 6 && std::equal(points.begin(), points.begin() + 3, points.end() - 3);
 }
 
-/// Where the arcs within reach lie in the domain; those of a periodic curve may begin in one period and end in the next.
+/// Where the arcs within reach lie in the domain; those of a periodic curve may begin in one period and end in the
+/// next.
 std::vector<Interval> arcs_within(const NurbsCurve& curve, double reach) {
   std::vector<Interval> arcs;
   for (const NurbsCurve& arc : finite_arcs(curve, reach)) arcs.push_back(arc.domain());
