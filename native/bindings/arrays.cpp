@@ -150,6 +150,7 @@ int integer(const py::handle& value, const char* name) {
 }
 
 double real(const py::handle& value, const char* name) {
+  if (value.is_none()) throw py::type_error(std::string(name) + " is missing: a number is expected, not None");
   const Doubles array = real_array(value, name);
   if (array.ndim() != 0 && array.size() != 1) {
     throw py::type_error(std::string(name) + " must be one number, not an array of shape " + shape_text(array));

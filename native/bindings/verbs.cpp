@@ -1,5 +1,7 @@
 #include "verbs.hpp"
 
+#include <cmath>
+
 #include "approximation.hpp"
 #include "arrays.hpp"
 #include "rooms.hpp"
@@ -25,14 +27,14 @@ namespace {
 /// A length that must not be below 0.
 std::optional<double> tolerance_of(const py::object& value) {
   const std::optional<double> tolerance = optional_real(value, "tolerance");
-  if (tolerance && *tolerance < 0.0) throw InvalidShape("tolerance = " + splinecore::text_of(*tolerance) + " is below 0");
-  return tolerance;
+  if (!tolerance || *tolerance >= 0.0) return tolerance;
+  throw InvalidShape("tolerance = " + splinecore::text_of(*tolerance) + " is below 0");
 }
 
 splinecore::Interval interval_of(const py::object& value, const char* name) {
   const std::vector<double> ends = numbers(value, name);
-  if (ends.size() != 2) throw InvalidShape(std::string(name) + " has " + std::to_string(ends.size()) + " values, (start, end) is expected");
-  return {ends[0], ends[1]};
+  if (ends.size() == 2) return {ends[0], ends[1]};
+  throw InvalidShape(std::string(name) + " has " + std::to_string(ends.size()) + " values, (start, end) is expected");
 }
 
 Smoothness smoothness_of(const py::object& value) {
@@ -50,7 +52,11 @@ glm::dmat4 matrix_of(const py::object& value) {
   const bool is_known = array.ndim() == 2 && ((array.shape(0) == 3 && (array.shape(1) == 3 || array.shape(1) == 4)) ||
                                               (array.shape(0) == 4 && array.shape(1) == 4));
   if (!is_known) throw InvalidShape("matrix has shape " + shape_text(array) + ", (3, 3), (3, 4) or (4, 4) is expected");
-  splinecore::require_finite({array.data(), static_cast<std::size_t>(array.size())}, "matrix");
+  for (py::ssize_t k = 0; k < array.size(); ++k) {
+    if (std::isfinite(array.data()[k])) continue;
+    throw InvalidShape("matrix" + splinecore::index_text(k, array.shape(1)) + " = " +
+                       splinecore::text_of(array.data()[k]) + " is not finite");
+  }
   glm::dmat4 matrix(1.0);
   for (py::ssize_t i = 0; i < array.shape(0); ++i) {
     for (py::ssize_t j = 0; j < array.shape(1); ++j) matrix[static_cast<int>(j)][static_cast<int>(i)] = array.at(i, j);
@@ -59,7 +65,8 @@ glm::dmat4 matrix_of(const py::object& value) {
 }
 
 void bind_knot_verbs(py::class_<NurbsCurve>& cls) {
-  cls.def("remove_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times, const py::object& tolerance) {
+  cls.def("remove_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times,
+                            const py::object& tolerance) {
             const double at = real(u, "u");
             const int count = integer(times, "times");
             const auto most = tolerance_of(tolerance);
@@ -115,7 +122,8 @@ void bind_end_verbs(py::class_<NurbsCurve>& cls) {
           }, py::arg("other"), py::arg("continuity") = "C0",
           "Approximation by this curve and then the other as one, 'C0', 'G1', 'C1' or 'C2' at the joint.\n\n"
           "Points next to the joint move as little as that asks; the error is how far the curves moved. For C1 and\n"
-          "C2 the other's domain is scaled first. InvalidShape if a curve is periodic or an end lies at infinity. Row S7.");
+          "C2 the other's domain is scaled first. InvalidShape if a curve is periodic or an end lies at infinity.\n"
+          "Row S7.");
 }
 
 void bind_measures(py::class_<NurbsCurve>& cls) {
@@ -128,7 +136,8 @@ void bind_measures(py::class_<NurbsCurve>& cls) {
             return unlocked([&] { return splinecore::largest_distance(self, other); });
           }, py::arg("other"),
           "The largest distance of points at equal parameters: an upper bound, at most 1 % above the truth.\n"
-          "Where a curve runs to infinity it is left out. InvalidShape if the domains differ.");
+          "Where both run to infinity they are left out; where one does alone the distance is inf.\n"
+          "InvalidShape if the domains differ.");
   cls.def("continuity", [](const NurbsCurve& self, const py::object& u, const py::object& tolerance) {
             return splinecore::continuity_at(self, real(u, "u"), real(tolerance, "tolerance"));
           }, py::arg("u"), py::arg("tolerance") = splinecore::kContinuityTolerance,

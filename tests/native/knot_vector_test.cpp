@@ -107,7 +107,7 @@ TEST(KnotVectorAdmit, TakesAPeriodicParameterModuloThePeriod) {
   EXPECT_EQ(knots.admit(3e15 + 1, Side::right), 1.0);
   EXPECT_EQ(knots.admit(5, Side::right), -1.0);
   EXPECT_EQ(knots.admit(5, Side::left), 2.0);
-  EXPECT_EQ(refusal([&] { knots.admit(kInfinity, Side::right); }), "u[0] = inf is outside the domain [-1, 2]");
+  EXPECT_EQ(refusal([&] { knots.admit(kInfinity, Side::right); }), "u = inf is outside the domain [-1, 2]");
 }
 
 TEST(KnotVectorAdmit, GivesAParameterOfTheDomainForTheLargestDoubles) {

@@ -37,6 +37,12 @@ std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points) {
   return given;
 }
 
+std::vector<glm::dvec4> as_given_polynomial(std::span<const glm::dvec4> points) {
+  std::vector<glm::dvec4> given = as_given(points);
+  for (glm::dvec4& point : given) point.w = 1.0;
+  return given;
+}
+
 bool is_rational(std::span<const glm::dvec4> points) noexcept {
   return std::ranges::any_of(points, [](const glm::dvec4& p) { return p.w != 1.0; });
 }

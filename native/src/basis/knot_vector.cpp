@@ -175,7 +175,7 @@ Interval KnotVector::span_interval(int i) const noexcept {
   return {state_->unrolled[k], state_->unrolled[k + 1]};
 }
 
-double KnotVector::admit(double u, Side side, std::size_t index, const char* name) const {
+double KnotVector::admit(double u, Side side, std::optional<std::size_t> index, const char* name) const {
   const Interval range = domain();
   if (u > range.start && u < range.end) return u;
   if (periodic() && std::isfinite(u)) {
@@ -191,7 +191,7 @@ double KnotVector::admit(double u, Side side, std::size_t index, const char* nam
   if (u >= range.start - slack && u <= range.end + slack) {
     return std::clamp(u, range.start, range.end);
   }
-  throw InvalidShape(name + index_text(index) + " = " + text_of(u) + " is outside the domain [" +
+  throw InvalidShape(name + (index ? index_text(*index) : "") + " = " + text_of(u) + " is outside the domain [" +
                      text_of(range.start) + ", " + text_of(range.end) + "]");
 }
 

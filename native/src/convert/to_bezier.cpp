@@ -51,7 +51,7 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
       for (std::size_t j = 0; j < columns; ++j) net[i * columns + j] += weight * half[k * columns + j];
     }
   }
-  net = as_given(net);
+  net = patch.rational() ? as_given(net) : as_given_polynomial(net);
   for (std::size_t i = 0; i < rows; ++i) {
     const int row = copied_point(matrix_u.subspan(i * rows, rows));
     if (row < 0) continue;
@@ -77,7 +77,7 @@ std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
     const auto matrix = knots.bezier_matrix(static_cast<int>(span));
     const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
     for (std::size_t j = 0; j < order; ++j) points[j] = weighted_sum(matrix.subspan(j * order, order), first);
-    std::vector<glm::dvec4> given = as_given(points);
+    std::vector<glm::dvec4> given = as_given_from(curve, points);
     keep_points(curve.points(), matrix, knots.spans()[span] - knots.degree(), knots.count(), given);
     beziers.push_back(BezierCurve::make(std::move(given)));
   }

@@ -5,6 +5,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
+#include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/elevation.hpp"
 #include "splinecore/basis/least_squares.hpp"
 #include "splinecore/basis/refinement.hpp"
@@ -15,6 +16,9 @@ namespace splinecore {
 
 NurbsCurve elevated(const NurbsCurve& curve, int times) {
   if (times < 0) throw InvalidShape("times = " + std::to_string(times) + " is below 0");
+  if (times > kMaxDegree - curve.degree()) {
+    throw InvalidShape("times = " + std::to_string(times) + ": the degree would exceed " + std::to_string(kMaxDegree));
+  }
   NurbsCurve raised = curve;
   for (int i = 0; i < times; ++i) raised = applied(elevation(raised.knot_vector()), raised);
   return raised;
@@ -64,7 +68,7 @@ NurbsCurve reduced_once(const NurbsCurve& curve) {
     start.front() = points.front();
     start.back() = points.back();
   }
-  std::vector<glm::dvec4> found = as_given(closest_preimage(matrix, points, std::move(start), fixed));
+  std::vector<glm::dvec4> found = as_given_from(curve, closest_preimage(matrix, points, std::move(start), fixed));
   if (!curve.periodic()) {
     found.front() = curve.points().front();
     found.back() = curve.points().back();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <numeric>
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -13,9 +13,11 @@
 namespace splinecore {
 
 NurbsCurve with_domain(const NurbsCurve& curve, Interval domain) {
-  if (!std::isfinite(domain.start) || !std::isfinite(domain.end) || !(domain.start < domain.end)) {
-    throw InvalidShape("the domain from " + text_of(domain.start) + " to " + text_of(domain.end) + " is empty");
-  }
+  const auto refused = [&](const char* why) {
+    return InvalidShape("the domain from " + text_of(domain.start) + " to " + text_of(domain.end) + why);
+  };
+  if (!(domain.start < domain.end)) throw refused(" is empty");
+  if (!std::isfinite(domain.length())) throw refused(" is not finite");
   const Interval old = curve.domain();
   std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
   const double scale = domain.length() / old.length();
@@ -23,14 +25,18 @@ NurbsCurve with_domain(const NurbsCurve& curve, Interval domain) {
     // Relative to the nearer end, so that both ends are met.
     const bool is_late = knot - old.start > old.end - knot;
     knot = is_late ? domain.end + (knot - old.end) * scale : domain.start + (knot - old.start) * scale;
+    if (!std::isfinite(knot)) throw refused(" takes knots out of the range of numbers");
   }
-  NurbsCurve mapped = NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()),
-                                       {curve.points().begin(), curve.points().end()});
-  if (mapped.knot_vector().spans().size() != curve.knot_vector().spans().size()) {
-    throw InvalidShape("the domain from " + text_of(domain.start) + " to " + text_of(domain.end) +
-                       " is so narrow that knots would become equal");
+  // Rounding may bring two neighbours in the middle out of order by an ulp.
+  std::inclusive_scan(knots.begin(), knots.end(), knots.begin(), [](double a, double b) { return std::max(a, b); });
+  const auto given = curve.knot_vector().knots();
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    if (given[i - 1] < given[i] && !(knots[i - 1] < knots[i])) {
+      throw refused(" is so narrow that knots would become equal");
+    }
   }
-  return mapped;
+  return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()),
+                          {curve.points().begin(), curve.points().end()});
 }
 
 namespace {
@@ -94,7 +100,7 @@ NurbsCurve unclamped(const NurbsCurve& curve) {
   std::vector<glm::dvec4> points = homogeneous(whole.points());
   unclamp_start(p, old.span_interval(0).length(), knots, points);
   unclamp_end(p, old.span_interval(static_cast<int>(old.spans().size()) - 1).length(), knots, points);
-  points = as_given(points);
+  points = as_given_from(whole, points);
   for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) points[i] = whole.points()[i];
   return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(points));
 }
@@ -103,14 +109,15 @@ namespace {
 
 /// How far a clamped curve's end lies from its start. @throws InvalidShape if it is no end in sight.
 double gap_of(const NurbsCurve& curve) {
+  constexpr double kRounding = 0x1p-46;
   const glm::dvec4& first = curve.points().front();
   const glm::dvec4& last = curve.points().back();
   if (first.w == 0.0 || last.w == 0.0) throw InvalidShape("an end of the curve lies at infinity");
-  if (first.w != last.w) {
+  if (std::abs(first.w - last.w) > kRounding * std::abs(first.w)) {
     throw InvalidShape("the weights at the ends are " + text_of(first.w) + " and " + text_of(last.w) +
                        ": a periodic curve needs equal ones, as in standard form");
   }
-  return glm::length(glm::dvec3(first) - glm::dvec3(last));
+  return std::hypot(first.x - last.x, first.y - last.y, first.z - last.z);
 }
 
 /// A clamped curve whose ends meet as a periodic one with a seam of `degree` equal knots.
@@ -122,7 +129,7 @@ NurbsCurve closed_up(const NurbsCurve& curve) {
   for (int i = 0; i < count; ++i) points[(i + degree - 1) % count] = curve.points()[i];
   const glm::dvec4& last = curve.points().back();
   glm::dvec4& seam = points[(degree - 1) % count];
-  if (seam != last) seam = 0.5 * (seam + last);
+  if (seam != last) seam = 0.5 * seam + 0.5 * last;
   return NurbsCurve::make(KnotVector::make(degree, {knots.begin() + 1, knots.begin() + count + 2}, true), points);
 }
 
@@ -135,14 +142,11 @@ Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<d
   const NurbsCurve plain = clamped(curve);
   const double gap = gap_of(plain);
   if (!(gap <= slack)) throw ToleranceNotReached("the ends do not meet", slack, gap);
-  Approximation<NurbsCurve> best{closed_up(plain), 0.5 * gap};
+  Approximation<NurbsCurve> best{closed_up(plain), 0.0};
+  if (gap > 0.0) best.error = largest_distance(curve, best.value);
+  if (best.error > slack) throw ToleranceNotReached("the ends do not meet", slack, best.error);
   const double seam = plain.domain().start;
-  while (multiplicity(best.value.knot_vector(), seam) > 1) {
-    NurbsCurve next = remove_knot(best.value, seam).value;
-    const double error = largest_distance(curve, next);
-    if (error > slack) break;
-    best = {std::move(next), error};
-  }
+  while (auto next = removed_within(best.value, seam, curve, slack)) best = std::move(*next);
   return best;
 }
 

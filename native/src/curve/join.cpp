@@ -15,6 +15,7 @@
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/removal.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -22,7 +23,9 @@ namespace {
 
 constexpr int kMostConditions = 3;
 
-int conditions_of(Smoothness smoothness) { return smoothness == Smoothness::c2 ? 3 : smoothness == Smoothness::c1 ? 2 : 1; }
+int conditions_of(Smoothness smoothness) {
+  return smoothness == Smoothness::c2 ? 3 : smoothness == Smoothness::c1 ? 2 : 1;
+}
 
 NurbsCurve with_point(const NurbsCurve& curve, std::size_t i, const glm::dvec3& place) {
   std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
@@ -51,11 +54,17 @@ glm::dvec3 end_derivative(const NurbsCurve& curve, double u, Side side) {
 /// b over a domain that begins where a ends and on which both derivatives at the joint have one length.
 NurbsCurve scaled_to_meet(const NurbsCurve& a, const NurbsCurve& b, bool is_scaled) {
   const double start = a.domain().end;
+  // Already in its place: moving it would cost a rounding.
+  if (!is_scaled && b.domain().start == start) return b;
   double length = b.domain().length();
   if (is_scaled) {
     const double speed_a = glm::length(end_derivative(a, start, Side::left));
     const double speed_b = glm::length(end_derivative(b, b.domain().start, Side::right));
     if (speed_a > 0.0 && speed_b > 0.0) length *= speed_b / speed_a;
+    if (!(start + length > start) || !std::isfinite(start + length)) {
+      throw InvalidShape("the derivatives at the joint differ too much in length: " + text_of(speed_a) + " and " +
+                         text_of(speed_b));
+    }
   }
   return with_domain(b, {start, start + length});
 }
@@ -113,8 +122,8 @@ void meet(NurbsCurve& a, NurbsCurve& b, int count) {
   EndFunctions at_b = end_functions(b, u, Side::right, count);
   std::array<glm::dvec3, kMostConditions> left;
   std::array<glm::dvec3, kMostConditions> right;
-  derivatives(a, {&u, 1}, kMostConditions - 1, std::span(&left[0].x, 9), {.side = Side::left});
-  derivatives(b, {&u, 1}, kMostConditions - 1, std::span(&right[0].x, 9), {.side = Side::right});
+  derivatives(a, {&u, 1}, count - 1, std::span(&left[0].x, 3 * count), {.side = Side::left});
+  derivatives(b, {&u, 1}, count - 1, std::span(&right[0].x, 3 * count), {.side = Side::right});
   // Derivatives grow with the inverse of the span: each condition is scaled to the size of its shares.
   std::array<std::array<double, kMostConditions>, kMostConditions> rows{};
   std::array<glm::dvec3, kMostConditions> wanted{};
@@ -160,7 +169,11 @@ void align(NurbsCurve& a, NurbsCurve& b) {
   const double length_b = glm::length(leg_b);
   const glm::dvec3 between = length_a > 0.0 && length_b > 0.0 ? leg_a / length_a + leg_b / length_b : glm::dvec3(0.0);
   const double length = glm::length(between);
-  if (length == 0.0) throw InvalidShape("the curves leave the joint the same way: no direction lies between them");
+  constexpr double kRounding = 0x1p-48;
+  if (!(length_a > 0.0 && length_b > 0.0)) throw InvalidShape("a curve leaves the joint in no direction");
+  if (length <= kRounding) {
+    throw InvalidShape("the curves leave the joint the same way: no direction lies between them");
+  }
   const glm::dvec3 direction = between / length;
   a = with_point(with_point(a, last, joint), last - 1, joint - length_a * direction);
   b = with_point(with_point(b, 0, joint), 1, joint + length_b * direction);
@@ -183,22 +196,15 @@ NurbsCurve in_a_row(const NurbsCurve& a, const NurbsCurve& b) {
 }
 
 /// Without the copies of the joint's knot that nothing but rounding asks for.
-NurbsCurve without_needless_copies(NurbsCurve curve, double joint) {
-  constexpr double kRounding = 0x1p-44;
+Approximation<NurbsCurve> without_needless_copies(const NurbsCurve& curve, double joint) {
+  constexpr double kRounding = 0x1p-42;
   const double tolerance = kRounding * largest_coordinate(curve.points());
-  while (multiplicity(curve.knot_vector(), joint) > 0) {
-    Approximation<NurbsCurve> fewer = remove_knot(curve, joint);
-    if (fewer.error > tolerance) break;
-    curve = std::move(fewer.value);
-  }
-  return curve;
+  Approximation<NurbsCurve> best{curve, 0.0};
+  while (auto next = removed_within(best.value, joint, curve, tolerance)) best = std::move(*next);
+  return best;
 }
 
-}  // namespace
-
-Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& second, Smoothness smoothness) {
-  NurbsCurve a = first;
-  NurbsCurve b = second;
+Approximation<NurbsCurve> joined_near_one(NurbsCurve a, NurbsCurve b, Smoothness smoothness) {
   prepare(a, b, smoothness);
   b = scaled_to_meet(a, b, smoothness >= Smoothness::c1);
   const NurbsCurve old_a = a;
@@ -209,7 +215,23 @@ Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& seco
     meet(a, b, conditions_of(smoothness));
   }
   const double error = std::max(largest_distance(old_a, a), largest_distance(old_b, b));
-  return {without_needless_copies(in_a_row(a, b), a.domain().end), error};
+  auto [value, rounding] = without_needless_copies(in_a_row(a, b), a.domain().end);
+  return {std::move(value), error + rounding};
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> joined(const NurbsCurve& first, const NurbsCurve& second, Smoothness smoothness) {
+  const Scales shared = shared_scales(first, second);
+  // Where b's domain is scaled anyway, each can have its own.
+  const bool is_scaled = smoothness >= Smoothness::c1;
+  const int on_a = is_scaled ? scales_of(first).parameters : shared.parameters;
+  const int on_b = is_scaled ? scales_of(second).parameters : shared.parameters;
+  auto [value, error] = joined_near_one(divided(first, {.coordinates = shared.coordinates, .parameters = on_a}),
+                                        divided(second, {.coordinates = shared.coordinates, .parameters = on_b}),
+                                        smoothness);
+  return {divided(value, {.coordinates = -shared.coordinates, .parameters = -on_a}),
+          std::scalbn(error, shared.coordinates)};
 }
 
 }  // namespace splinecore

@@ -40,10 +40,14 @@ NurbsCurve NurbsCurve::from_homogeneous(KnotVector knots, std::span<const glm::d
   return make(std::move(knots), as_given(points));
 }
 
+std::vector<glm::dvec4> as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points) {
+  return curve.rational() ? as_given(points) : as_given_polynomial(points);
+}
+
 NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve) {
   std::vector<glm::dvec4> points(matrix.knots().count());
   matrix.apply(curve.homogeneous_points().data(), 1, points.data(), 1);
-  points = as_given(points);
+  points = as_given_from(curve, points);
   matrix.keep_untouched(curve.points().data(), 1, points.data(), 1);
   return NurbsCurve::make(matrix.knots(), std::move(points));
 }

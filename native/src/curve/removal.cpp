@@ -68,7 +68,8 @@ NurbsCurve removed(const NurbsCurve& curve, double u, int times) {
   const std::vector<glm::dvec4> points = homogeneous(curve.points());
   Kept kept = kept_points(matrix, points);
   const Kept given = kept_points(matrix, {curve.points().begin(), curve.points().end()});
-  std::vector<glm::dvec4> found = as_given(closest_preimage(matrix, points, std::move(kept.start), kept.fixed));
+  const std::vector<glm::dvec4> nearest = closest_preimage(matrix, points, std::move(kept.start), kept.fixed);
+  std::vector<glm::dvec4> found = as_given_from(curve, nearest);
   for (const int i : kept.fixed) found[i] = given.start[i];
   return NurbsCurve::make(target, std::move(found));
 }
@@ -89,18 +90,27 @@ Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int tim
   return {std::move(result), error};
 }
 
+std::optional<Approximation<NurbsCurve>> removed_within(const NurbsCurve& curve, double u, const NurbsCurve& original,
+                                                        double tolerance) {
+  try {
+    const NurbsCurve whole = curve.periodic() ? with_whole_seam(curve) : curve;
+    if (removable(whole, u) < 1) return std::nullopt;
+    Approximation<NurbsCurve> found{removed(whole, u, 1), 0.0};
+    found.error = largest_distance(original, found.value);
+    if (found.error <= tolerance) return found;
+  } catch (const InvalidShape&) {
+    // A weight that falls to nearly zero throws its point out of the range of numbers.
+  }
+  return std::nullopt;
+}
+
 Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance) {
   if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
   Approximation<NurbsCurve> best{curve.periodic() ? with_whole_seam(curve) : curve, 0.0};
   std::vector<double> distinct(best.value.knot_vector().knots().begin(), best.value.knot_vector().knots().end());
   distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
   for (const double u : distinct) {
-    while (removable(best.value, u) > 0) {
-      NurbsCurve next = removed(best.value, u, 1);
-      const double error = largest_distance(curve, next);
-      if (error > tolerance) break;
-      best = {std::move(next), error};
-    }
+    while (auto next = removed_within(best.value, u, curve, tolerance)) best = std::move(*next);
   }
   return best;
 }

@@ -7,7 +7,9 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
+#include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/evaluate.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -20,19 +22,64 @@ struct End {
   double sign = 1.0;             ///< -1 where the curve arrives: odd derivatives point backwards
 };
 
-End end_of(const NurbsCurve& curve, double u, Side side, int order) {
-  constexpr double kRounding = 0x1p-44;
+/// What rounding is relative to, for a whole curve.
+struct Sizes {
+  double coordinate;
+  double weight;
+};
+
+Sizes sizes_of(const NurbsCurve& curve) {
+  Sizes sizes{largest_coordinate(curve.points()), 0.0};
+  for (const glm::dvec4& p : curve.points()) sizes.weight = std::max(sizes.weight, std::abs(p.w));
+  return sizes;
+}
+
+/// How far rounding may move each derivative: the quotient rule once more, on the errors of what goes in.
+std::vector<double> roundings(const NurbsCurve& curve, double u, Side side, const std::vector<glm::dvec3>& values,
+                              const Sizes& sizes) {
+  constexpr double kRounding = 0x1p-49;
+  const int order = static_cast<int>(values.size()) - 1;
+  Stencil at(curve.knot_vector(), order);
+  at.move_to(curve.knot_vector().admit(u, side), side);
+  const auto points = curve.homogeneous_points().subspan(at.first(), at.weights(0).size());
+  double largest = 0.0;
+  for (const glm::dvec4& p : points) largest = std::max(largest, glm::length(glm::dvec3(p)));
+  std::vector<double> weights;
+  std::vector<double> errors;
+  std::vector<double> roundings;
+  for (int k = 0; k <= order; ++k) {
+    double sum = 0.0;
+    for (const double weight : at.weights(k)) sum += std::abs(weight);
+    errors.push_back(kRounding * sum);
+    weights.push_back(std::abs(weighted_sum(at.weights(k), points.data()).w));
+    double rounding = errors[k] * largest + errors[0] * sizes.weight * glm::length(values[k]);
+    double choose = 1.0;
+    for (int i = 1; i <= k && curve.rational(); ++i) {
+      choose *= static_cast<double>(k - i + 1) / i;
+      rounding += choose * (weights[i] * roundings[k - i] + errors[i] * sizes.weight * glm::length(values[k - i]));
+    }
+    roundings.push_back(rounding / weights[0]);
+  }
+  return roundings;
+}
+
+void require_in_sight(const NurbsCurve& curve, double u, Side side) {
+  if (is_at_infinity(curve, u, side)) throw PointAtInfinity(u);
+}
+
+End end_of(const NurbsCurve& curve, double u, Side side, int order, const Sizes& sizes) {
+  constexpr double kGap = 0x1p-44;
+  require_in_sight(curve, u, side);
   End end;
   end.derivatives.resize(order + 1);
-  derivatives(curve, {&u, 1}, order, std::span(&end.derivatives[0].x, 3 * (order + 1)), {.side = side});
-  const KnotVector& knots = curve.knot_vector();
-  const double span = knots.span_interval(knots.span_of(knots.admit(u, side), side)).length();
-  double size = std::max(extent(curve.points()), kRounding * largest_coordinate(curve.points()));
-  for (int k = 0; k <= order; ++k) {
-    end.rounding.push_back(kRounding * size);
-    size *= 2.0 * (curve.degree() + 1) / span;
-  }
-  end.rounding[0] = kRounding * std::max(size == 0.0 ? 0.0 : extent(curve.points()), largest_coordinate(curve.points()));
+  derivatives(curve, {&u, 1}, order, std::span(&end.derivatives[0].x, 3 * (order + 1)), {side, AtInfinity::nan});
+  if (!is_finite(end.derivatives[0])) throw PointAtInfinity(u);
+  // On a tiny span high derivatives leave the range of numbers: they tell nothing.
+  const auto is_out_of_range = [](const glm::dvec3& p) { return !is_finite(p) || !std::isfinite(glm::length(p)); };
+  end.derivatives.erase(std::find_if(end.derivatives.begin() + 1, end.derivatives.end(), is_out_of_range),
+                        end.derivatives.end());
+  end.rounding = roundings(curve, u, side, end.derivatives, sizes);
+  end.rounding[0] = std::max(end.rounding[0], kGap * sizes.coordinate);
   end.sign = side == Side::left ? -1.0 : 1.0;
   return end;
 }
@@ -42,6 +89,7 @@ struct Limit {
   glm::dvec3 direction{0.0};
   glm::dvec3 curvature{0.0};
   bool is_regular = false;  ///< the first derivative is not zero
+  bool is_bent = false;     ///< the curvature grows beyond all bounds
 };
 
 double factorial(int n) { return std::tgamma(n + 1.0); }
@@ -65,14 +113,14 @@ Limit limit_of(const End& end) {
     const double b = glm::length(across);
     if (b <= std::max(end.rounding[k], kContinuityTolerance * length(k))) continue;
     if (k == 2 * m) limit.curvature = 2.0 * across / factorial(k) / (a * a);
-    if (k < 2 * m) limit.curvature = across / b * HUGE_VAL;
+    limit.is_bent = k < 2 * m;
     break;
   }
   return limit;
 }
 
 int common_derivatives(const End& left, const End& right, double tolerance) {
-  const int order = static_cast<int>(left.derivatives.size()) - 1;
+  const int order = static_cast<int>(std::min(left.derivatives.size(), right.derivatives.size())) - 1;
   for (int k = 0; k <= order; ++k) {
     const double size = std::max(glm::length(left.derivatives[k]), glm::length(right.derivatives[k]));
     const double slack = k == 0 ? 0.0 : tolerance * size;
@@ -86,59 +134,109 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-Continuity compared(const End& left, const End& right, double tolerance) {
+void require_tolerance(double tolerance) {
+  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
+}
+
+Continuity compared(const End& left, const End& right, int degree, double tolerance) {
   const Limit before = limit_of(left);
   const Limit after = limit_of(right);
   Continuity found;
   found.gap = glm::length(right.derivatives[0] - left.derivatives[0]);
   found.angle = angle_between(before.direction, after.direction);
-  found.curvature_difference = before.curvature == after.curvature ? 0.0 : glm::length(after.curvature - before.curvature);
-  found.c = common_derivatives(left, right, tolerance);
+  const bool is_bent = before.is_bent || after.is_bent;
+  found.curvature_difference = is_bent ? HUGE_VAL : glm::length(after.curvature - before.curvature);
+  found.c = std::min(common_derivatives(left, right, tolerance), degree);
   if (found.c < 0) return found;
   found.g = 0;
-  if (!(found.angle <= std::sqrt(tolerance))) return found;
+  const auto rests = [](const Limit& limit) { return limit.direction == glm::dvec3(0.0); };
+  if (rests(before) != rests(after) || !(found.angle <= std::sqrt(tolerance))) return found;
   found.g = 1;
+  if (is_bent) return found;
   const double largest = std::max(glm::length(before.curvature), glm::length(after.curvature));
   if (!(found.curvature_difference <= std::sqrt(tolerance) * largest)) return found;
   found.g = before.is_regular && after.is_regular ? std::max(2, found.c) : 2;
   return found;
 }
 
+int order_for(int degree) { return std::min(std::max(degree, 2), kMaxOrder); }
+
+/// A curve brought to the size of one, and what rounding is relative to on it.
+struct Measured {
+  NurbsCurve curve;
+  Sizes sizes;
+  Scales scales;
+
+  Measured(const NurbsCurve& given, const Scales& by) : curve(divided(given, by)), sizes(sizes_of(curve)), scales(by) {}
+  explicit Measured(const NurbsCurve& given) : Measured(given, scales_of(given)) {}
+
+  /// Lengths in the units of the given curve.
+  Continuity in_units(Continuity found) const {
+    found.gap = std::scalbn(found.gap, scales.coordinates);
+    found.curvature_difference = std::scalbn(found.curvature_difference, -scales.coordinates);
+    return found;
+  }
+};
+
+Continuity at_parameter(const Measured& on, double u, double tolerance) {
+  const Interval domain = on.curve.domain();
+  const int order = order_for(on.curve.degree());
+  const double before = u == domain.start ? domain.end : u;
+  return on.in_units(compared(end_of(on.curve, before, Side::left, order, on.sizes),
+                              end_of(on.curve, u, Side::right, order, on.sizes), on.curve.degree(), tolerance));
+}
+
+Continuity between(const Measured& a, const Measured& b, double tolerance) {
+  const int degree = std::max(a.curve.degree(), b.curve.degree());
+  const int order = order_for(degree);
+  return a.in_units(compared(end_of(a.curve, a.curve.domain().end, Side::left, order, a.sizes),
+                             end_of(b.curve, b.curve.domain().start, Side::right, order, b.sizes), degree, tolerance));
+}
+
 }  // namespace
 
 Continuity continuity_at(const NurbsCurve& curve, double u, double tolerance) {
+  require_tolerance(tolerance);
   const double at = curve.knot_vector().admit(u, Side::right);
   const Interval domain = curve.domain();
   if (!curve.periodic() && (at == domain.start || at == domain.end)) {
     throw InvalidShape("u = " + text_of(u) + " is an end of the curve");
   }
-  const int order = std::min(std::max(curve.degree(), 2), kMaxOrder);
-  const double before = at == domain.start ? domain.end : at;
-  return compared(end_of(curve, before, Side::left, order), end_of(curve, at, Side::right, order), tolerance);
+  require_in_sight(curve, at == domain.start ? domain.end : at, Side::left);
+  require_in_sight(curve, at, Side::right);
+  const Measured on(curve);
+  return at_parameter(on, std::scalbn(at, -on.scales.parameters), tolerance);
 }
 
 Continuity continuity_between(const NurbsCurve& a, const NurbsCurve& b, double tolerance) {
-  const int order = std::min(std::max({a.degree(), b.degree(), 2}), kMaxOrder);
-  return compared(end_of(a, a.domain().end, Side::left, order), end_of(b, b.domain().start, Side::right, order),
-                  tolerance);
+  require_tolerance(tolerance);
+  require_in_sight(a, a.domain().end, Side::left);
+  require_in_sight(b, b.domain().start, Side::right);
+  const Scales of_a = shared_scales(a, b);
+  const Scales of_b = shared_scales(b, a);
+  return between(Measured(a, of_a), Measured(b, of_b), tolerance);
 }
 
 std::vector<Joint> joints(const NurbsCurve& curve, double tolerance) {
+  require_tolerance(tolerance);
   std::vector<Joint> found;
-  const Interval domain = curve.domain();
+  const Measured on(curve);
   const KnotVector& knots = curve.knot_vector();
+  const KnotVector& divided_knots = on.curve.knot_vector();
+  const Interval domain = curve.domain();
   const auto add = [&](double u, auto measure) {
     try {
       found.push_back({u, measure()});
     } catch (const PointAtInfinity&) {
     }
   };
-  for (std::size_t i = 0; i < knots.spans().size(); ++i) {
-    const double u = knots.span_interval(static_cast<int>(i)).start;
-    if (u > domain.start || curve.periodic()) add(u, [&] { return continuity_at(curve, u, tolerance); });
+  for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+    const double u = knots.span_interval(i).start;
+    const double at = divided_knots.span_interval(i).start;
+    if (u > domain.start || curve.periodic()) add(u, [&] { return at_parameter(on, at, tolerance); });
   }
   if (!curve.periodic()) {
-    add(domain.start, [&] { return continuity_between(curve, curve, tolerance); });
+    add(domain.start, [&] { return between(on, on, tolerance); });
     if (!found.empty() && found.back().u == domain.start && found.back().continuity.c < 0) found.pop_back();
   }
   return found;

@@ -95,7 +95,7 @@ NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> in
   for (std::size_t i = 0; i < lines; ++i) {
     matrix.apply(old_points.data() + i * old_line, stride, points.data() + i * line, stride);
   }
-  points = as_given(points);
+  points = patch.rational() ? as_given(points) : as_given_polynomial(points);
   for (std::size_t i = 0; i < lines; ++i) {
     matrix.keep_untouched(patch.points().data() + i * old_line, stride, points.data() + i * line, stride);
   }

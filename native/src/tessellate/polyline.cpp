@@ -81,6 +81,20 @@ bool is_closed(const NurbsCurve& curve, const std::vector<double>& points) {
   return points.size() > 6 && std::equal(points.begin(), points.begin() + 3, points.end() - 3);
 }
 
+/// Where the arcs within reach lie in the domain; those of a periodic curve may begin in one period and end in the
+/// next.
+std::vector<Interval> arcs_within(const NurbsCurve& curve, double reach) {
+  std::vector<Interval> arcs;
+  for (const NurbsCurve& arc : finite_arcs(curve, reach)) arcs.push_back(arc.domain());
+  if (!curve.periodic()) return arcs;
+  const double period = curve.domain().length();
+  for (std::size_t i = 0, count = arcs.size(); i < count; ++i) {
+    arcs.push_back({arcs[i].start - period, arcs[i].end - period});
+  }
+  std::ranges::sort(arcs, {}, &Interval::start);
+  return arcs;
+}
+
 /// pieces(), those that run to infinity only as far as the arcs within reach go.
 std::vector<Interval> pieces_within(const NurbsCurve& curve, double reach) {
   std::vector<Interval> within;
@@ -90,9 +104,7 @@ std::vector<Interval> pieces_within(const NurbsCurve& curve, double reach) {
       within.push_back(piece);
       continue;
     }
-    if (arcs.empty()) {
-      for (const NurbsCurve& arc : finite_arcs(curve, reach)) arcs.push_back(arc.domain());
-    }
+    if (arcs.empty()) arcs = arcs_within(curve, reach);
     bool is_open = false;
     for (const Interval& arc : arcs) {
       const Interval part{std::max(arc.start, piece.start), std::min(arc.end, piece.end)};
@@ -120,11 +132,14 @@ std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution, std::op
   if (static_cast<double>(curve.knot_vector().spans().size()) * resolution > kMaxSamples) {
     throw InvalidShape("the polyline would have more than 2^22 points: lower the resolution");
   }
+  if (reach && !(*reach > 0.0 && std::isfinite(*reach))) {
+    throw InvalidShape("reach = " + text_of(*reach) + " is not a positive length");
+  }
   const std::vector<Interval> all = reach ? pieces_within(curve, *reach) : pieces(curve);
   std::vector<Polyline> lines;
   for (const Interval& piece : all) {
     Polyline line{reach ? sampled(curve, piece, resolution) : piece_points(curve, piece, resolution), false};
-    if (all.size() == 1 && is_closed(curve, line.points)) {
+    if (all.size() == 1 && piece == curve.domain() && is_closed(curve, line.points)) {
       line.closed = true;
       line.points.resize(line.points.size() - 3);
     }

@@ -26,6 +26,9 @@ inline glm::dvec4 as_given(const glm::dvec4& point) noexcept {
 std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given);
 std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points);
 
+/// The same of points whose w are 1 but for rounding: they come out 1.
+std::vector<glm::dvec4> as_given_polynomial(std::span<const glm::dvec4> points);
+
 /// True unless every w is 1.
 bool is_rational(std::span<const glm::dvec4> points) noexcept;
 

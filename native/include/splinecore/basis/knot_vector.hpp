@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -64,7 +65,7 @@ class KnotVector {
   /// The parameter moved into the domain: modulo the period, or clamped where it lies outside
   /// by at most 4 ulp of the domain's larger end.
   /// @throws InvalidShape naming u and its index if it lies outside, or is not finite.
-  double admit(double u, Side side, std::size_t index = 0, const char* name = "u") const;
+  double admit(double u, Side side, std::optional<std::size_t> index = {}, const char* name = "u") const;
 
   /// Position in spans() of the span that holds an admitted parameter. At a knot Side::right
   /// takes the span that starts there, Side::left the one that ends there.

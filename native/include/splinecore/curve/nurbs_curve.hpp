@@ -53,6 +53,10 @@ class NurbsCurve {
   bool rational_ = false;
 };
 
+/// Homogeneous points as a curve takes them that were made of the points of another. Weights that were all 1 are 1
+/// again: a polynomial curve stays one.
+std::vector<glm::dvec4> as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points);
+
 /// The points that a matrix makes of the curve's, on its new knots; what stays is copied bit for bit.
 NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve);
 

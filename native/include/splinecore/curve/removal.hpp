@@ -16,6 +16,11 @@ namespace splinecore {
 Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int times = 1,
                                       std::optional<double> tolerance = {});
 
+/// One copy of a knot fewer, with the distance from `original`, if that is within the tolerance and what is left
+/// is a valid curve at all.
+std::optional<Approximation<NurbsCurve>> removed_within(const NurbsCurve& curve, double u, const NurbsCurve& original,
+                                                        double tolerance);
+
 /// The curve without every inner knot that can go while the error stays within the tolerance.
 /// @throws InvalidShape unless tolerance >= 0.
 Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance);

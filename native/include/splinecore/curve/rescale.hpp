@@ -1,0 +1,24 @@
+#pragma once
+
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace splinecore {
+
+/// Powers of two near the largest coordinate and weight, and near the length of the domain.
+struct Scales {
+  int coordinates = 0;
+  int weights = 0;
+  int parameters = 0;
+};
+
+/// None that would take another number of the curve out of the range of numbers.
+Scales scales_of(const NurbsCurve& curve);
+
+/// Those that two curves can share, all but the weights, which are a's.
+Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b);
+
+/// The curve with coordinates, weights and knots divided by these powers of two: to the digit, and of a
+/// size that products of a few numbers stay in range.
+NurbsCurve divided(const NurbsCurve& curve, const Scales& scales);
+
+}  // namespace splinecore

@@ -1,0 +1,77 @@
+#include "splinecore/curve/rescale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "splinecore/base/points.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Smallest and largest exponent of numbers that are not zero.
+class Exponents {
+ public:
+  void add(double value) {
+    if (value == 0.0) return;
+    const int exponent = std::ilogb(value);
+    least_ = any_ ? std::min(least_, exponent) : exponent;
+    most_ = any_ ? std::max(most_, exponent) : exponent;
+    any_ = true;
+  }
+
+  int most() const { return most_; }
+
+  /// The one nearest to `wanted` by which all of the numbers can be divided without a loss.
+  int allowed(int wanted) const { return without_overflow(std::min(wanted, least_ + kRange)); }
+
+  int without_overflow(int wanted) const { return std::max(wanted, most_ - kRange); }
+
+ private:
+  static constexpr int kRange = 1020;
+  int least_ = 0;
+  int most_ = 0;
+  bool any_ = false;
+};
+
+/// 0 where products of a few numbers stay in range as they are.
+int needed(int exponent) {
+  constexpr int kNear = 100;
+  return std::abs(exponent) < kNear ? 0 : exponent;
+}
+
+}  // namespace
+
+Scales scales_of(const NurbsCurve& curve) { return shared_scales(curve, curve); }
+
+Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b) {
+  Exponents coordinates;
+  Exponents knots;
+  Exponents weights;
+  for (const NurbsCurve* curve : {&a, &b}) {
+    for (const glm::dvec4& point : curve->points()) {
+      for (int axis = 0; axis < 3; ++axis) coordinates.add(point[axis]);
+    }
+    for (const double knot : curve->knot_vector().knots()) knots.add(knot);
+  }
+  for (const glm::dvec4& point : a.points()) weights.add(point.w);
+  Exponents sizes;
+  sizes.add(std::max(largest_coordinate(a.points()), largest_coordinate(b.points())));
+  const int lengths = std::ilogb(a.domain().length()) + std::ilogb(b.domain().length());
+  return {coordinates.without_overflow(needed(sizes.most())), weights.allowed(needed(weights.most())),
+          knots.allowed(needed(lengths / 2))};
+}
+
+NurbsCurve divided(const NurbsCurve& curve, const Scales& scales) {
+  std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
+  for (double& knot : knots) knot = std::scalbn(knot, -scales.parameters);
+  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
+  for (glm::dvec4& point : points) {
+    for (int axis = 0; axis < 3; ++axis) point[axis] = std::scalbn(point[axis], -scales.coordinates);
+    point.w = std::scalbn(point.w, -scales.weights);
+  }
+  return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()), std::move(points));
+}
+
+}  // namespace splinecore
