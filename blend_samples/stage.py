@@ -7,13 +7,17 @@ import tempfile
 import time
 from pathlib import Path
 
+import bmesh
 import bpy
-from mathutils import Vector
+from mathutils import Matrix, Vector
 
 PALETTE = {
     'clay': (0.72, 0.22, 0.09), 'sea': (0.10, 0.36, 0.52), 'moss': (0.24, 0.42, 0.16),
-    'sand': (0.75, 0.50, 0.18), 'plum': (0.33, 0.10, 0.30), 'snow': (0.62, 0.62, 0.60),
+    'sand': (0.75, 0.50, 0.18), 'plum': (0.33, 0.10, 0.30), 'snow': (0.62, 0.62, 0.60), 'ink': (0.05, 0.05, 0.06),
+    'paper': (0.95, 0.95, 0.92),
 }
+#: Where the paper of a drawing lies.
+PAPER = -0.05
 _rows = []
 _started = time.perf_counter()
 
@@ -49,6 +53,51 @@ def add(operator, name, place=(0, 0, 0), rotation=(0, 0, 0), color='snow', **set
     return ob
 
 
+def shape(value, name, place=(0, 0, 0), color='snow', **settings):
+    """An object of any splinecore curve or list of curves."""
+    ob = add('add_bezier_curve', name, place, color=color, **settings)
+    ob.data.splinewright.value = value
+    return ob
+
+
+def polygon(points, name, place=(0, 0, 0), color='ink', radius=0.008):
+    """Blender's own poly curve through points, thin."""
+    data = bpy.data.curves.new(name, 'CURVE')
+    data.dimensions, data.bevel_depth = '3D', radius
+    spline = data.splines.new('POLY')
+    spline.points.add(len(points) - 1)
+    for point, co in zip(spline.points, points):
+        point.co = (*co, 1.0)
+    return _plain(name, data, place, color)
+
+
+def beads(points, name, place=(0, 0, 0), color='ink', radius=0.04):
+    """A little ball at each point."""
+    ball = bpy.data.meshes.new(name)
+    form = bmesh.new()
+    for point in points:
+        bmesh.ops.create_icosphere(form, subdivisions=3, radius=radius, matrix=Matrix.Translation(point))
+    for face in form.faces:
+        face.smooth = True
+    form.to_mesh(ball)
+    form.free()
+    return _plain(name, ball, place, color)
+
+
+def label(text, place, size=0.16, align='LEFT'):
+    data = bpy.data.curves.new(text, 'FONT')
+    data.body, data.size, data.align_x, data.align_y = text, size, align, 'CENTER'
+    return _plain(text, data, (*place, PAPER + 0.002), 'ink')
+
+
+def _plain(name, data, place, color):
+    ob = bpy.data.objects.new(name, data)
+    ob.location = place
+    data.materials.append(paint(color))
+    bpy.context.scene.collection.objects.link(ob)
+    return ob
+
+
 def tube(ob, radius=0.03):
     """Give a curve shape thickness, so that it is seen in a render."""
     ob.data.bevel_depth, ob.data.bevel_resolution = radius, 4
@@ -67,10 +116,10 @@ def paint(color):
     return material
 
 
-def ground(height=0.0, size=400.0):
+def ground(height=0.0, size=400.0, color='snow'):
     bpy.ops.mesh.primitive_plane_add(size=size, location=(0, 0, height))
     bpy.context.object.name = "Ground"
-    bpy.context.object.data.materials.append(paint('snow'))
+    bpy.context.object.data.materials.append(paint(color))
 
 
 def camera(place, target, lens=50):
@@ -83,6 +132,25 @@ def camera(place, target, lens=50):
     bpy.context.scene.camera = ob
 
 
+def drawing(centre, width):
+    """Seen straight from above, in flat colours, as on paper that is `width` wide."""
+    ground(PAPER, color='paper')
+    for material in bpy.data.materials:
+        _flatten(material)
+    camera((*centre, 20.0), (*centre, 0.0))
+    bpy.context.scene.camera.data.type = 'ORTHO'
+    bpy.context.scene.camera.data.ortho_scale = width
+    bpy.context.scene.render.dither_intensity = 0.0
+
+
+def _flatten(material):
+    """Let a material look the same in any light."""
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    light = nodes.new('ShaderNodeEmission')
+    light.inputs["Color"].default_value = material.diffuse_color
+    links.new(light.outputs["Emission"], nodes["Material Output"].inputs["Surface"])
+
+
 def finish(name, samples=40, size=(960, 600)):
     """Save NAME.blend, render NAME.png, print what was made."""
     output = Path(sys.argv[sys.argv.index('--') + 1])
@@ -91,6 +159,7 @@ def finish(name, samples=40, size=(960, 600)):
     scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = 'CPU', samples, False
     scene.render.resolution_x, scene.render.resolution_y = size
     scene.view_settings.view_transform = 'Standard'
+    scene.render.image_settings.compression = 100
     for setting in dir(scene.render):       # pictures carry no dates and no paths
         if setting.startswith('use_stamp_'):
             setattr(scene.render, setting, False)

@@ -11,7 +11,7 @@ from support import part, splinecore as sc
 
 made, net_points, recipes, shape, store, table = (part(name) for name in (
     'bridge.made', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape', 'bridge.store', 'core.recipes.table'))
-RECIPES = table.RECIPES
+RECIPES = {recipe.kind: recipe for recipe in table.STARTING}
 WITH_POINTS = [kind for kind, recipe in RECIPES.items() if recipe.points]
 
 
@@ -41,7 +41,8 @@ def test_what_a_recipe_adds_is_what_its_numbers_say_and_stays_so_in_a_file(kind,
 
 OTHER = {'conic': ('weight', 2.0), 'ellipse': ('form', 'halves'), 'foci': ('distance', 1.5), 'circle': ('radius', 3.0),
          'arc': ('sweep', 3.0), 'catmull_rom': ('closed', True), 'kochanek_bartels': ('bias', 0.5),
-         'polynomial': ('parametrisation', 'uniform'), 'helix': ('turns', -2.0), 'formula': ('y', 't^2')}
+         'polynomial': ('parametrisation', 'uniform'), 'helix': ('turns', -2.0), 'formula': ('y', 't^2'),
+         'equation': ('c', -4.0), 'osculating': ('derivatives', 2)}
 
 
 @pytest.mark.parametrize('kind', OTHER)
@@ -71,7 +72,10 @@ def test_a_typed_number_has_its_digits_in_double_precision():
 @pytest.mark.parametrize('kind, name, value, word', (
     ('formula', 'x', "cos(3*t", "character"), ('formula', 'x', "foo(t)", "unknown name 'foo'"),
     ('formula', 'y', "1/(t - 1)", "t = "), ('formula', 'end', 0.0, "does not increase"),
-    ('formula', 'x', "__import__('os')", "character"), ('circle', 'radius', 0.0, "radius"), ('helix', 'turns', 0.0, "turns")))
+    ('formula', 'x', "__import__('os')", "character"), ('formula', 'constants', "a 2", "no constant"),
+    ('formula', 'constants', "a = b", "unknown name 'b'"), ('formula', 'constants', "2a = 1", "is no name"),
+    ('formula', 'constants', "sin = 1", "name of a function"), ('formula', 'constants', "a = 1/0", "no finite value"), ('circle', 'radius', 0.0, "radius"), ('helix', 'turns', 0.0, "turns"),
+    ('equation', 'f', 1.0, "empty"), ('osculating', 'derivatives', 4, "groups of 5")))
 def test_a_number_of_which_nothing_comes_is_refused_with_a_word_and_nothing_changes(kind, name, value, word):
     ob = add_recipe(kind)
     before, points = ob.data.splinewright.value, shown(ob).copy()
@@ -214,3 +218,27 @@ def test_angles_are_angles_and_a_quarter_is_a_quarter():
     ob = add_recipe('arc', sweep=math.pi)
     assert np.allclose(shown(ob)[-1], (-1, 0, 0), atol=1e-6)
     assert recipes.parameters(add_recipe('arc', sweep=math.pi / 2).data)['sweep'] == math.pi / 2
+
+
+def test_the_curve_of_an_equation_lies_on_it():
+    numbers_of = {'a': 2.0, 'b': 1.0, 'c': -1.5, 'd': 0.5, 'e': -1.0, 'f': 3.0}
+    ob = add_recipe('equation', **numbers_of)
+    for curve in ob.data.splinewright.value:
+        for points, _ in curve.polylines(32, 20.0):
+            x, y, z = points.T
+            terms = np.array([2 * x * x, x * y, -1.5 * y * y, 0.5 * x, -y, 3 + 0 * x])
+            assert (abs(terms.sum(axis=0)) <= 1e-12 * abs(terms).sum(axis=0)).all() and not z.any()
+
+
+def test_an_osculating_polynomial_has_the_derivatives_of_its_net():
+    ob = add_recipe('osculating', derivatives=2)
+    curve, rows = ob.data.splinewright.value, recipes.points(ob.data)
+    assert curve.degree == 5
+    for u, (point, first, second) in zip((0.0, 1.0), rows.reshape(2, 3, 3)):
+        found = curve.derivatives(u, 2, side='left' if u else 'right')
+        assert np.allclose(found, [point, first - point, second - point], atol=1e-12)
+
+
+def test_constants_have_names_of_their_own():
+    ob = add_recipe('formula', x="a*t", y="b*t^2", constants="a = 2, b = a*pi", start=0.0, end=1.0)
+    assert np.allclose(ob.data.splinewright.value.evaluate([0.5]), [(1.0, np.pi / 2, 0.0)], atol=1e-15)

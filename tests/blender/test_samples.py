@@ -13,7 +13,7 @@ NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.
 
 
 def test_there_are_samples():
-    assert {'gallery', 'teapot', 'vase'} <= set(NAMES)
+    assert {'gallery', 'teapot', 'vase', 'conics', 'moebius', 'knots', 'points', 'runge', 'joins'} <= set(NAMES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -34,7 +34,7 @@ def test_every_shape_of_a_sample_shows_its_definition(name):
         settings, value = ob.data.splinewright, ob.data.splinewright.value
         if ob.type == 'CURVE':
             curves = value if isinstance(value, list) else [value]
-            lines = [points for curve in curves for points, _ in curve.polylines(settings.resolution_u)]
+            lines = [points for curve in curves for points, _ in curve.polylines(settings.resolution_u, settings.reach)]
             assert len(lines) == len(ob.data.splines)
             for spline, points in zip(ob.data.splines, lines):
                 assert np.allclose(curve_points(spline), points, atol=1e-6), ob.name

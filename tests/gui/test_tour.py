@@ -113,6 +113,65 @@ def native(view):
     view.press('TAB')
     yield 0.8
     assert bpy.context.object == ob
+    ob.hide_set(True)
+
+
+def teaching(view):
+    """Basis functions and the construction of a point beside a curve; both follow while a point is dragged."""
+    with view.override():
+        bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True, count=7)
+        curve = bpy.context.object
+        curve.data.bevel_depth = 0.012
+        made = []
+        for operator in (bpy.ops.splinewright.add_basis, bpy.ops.splinewright.add_construction):
+            bpy.ops.object.select_all(action='DESELECT')
+            curve.select_set(True)
+            bpy.context.view_layer.objects.active = curve
+            operator('EXEC_DEFAULT', True)
+            made.append(bpy.context.object)
+            made[-1].data.bevel_depth = 0.006
+        bpy.ops.object.select_all(action='SELECT')
+        bpy.ops.view3d.view_axis(type='TOP')
+    yield from frame(view)
+    with view.override():
+        bpy.ops.object.select_all(action='DESELECT')
+        curve.select_set(True)
+        bpy.context.view_layer.objects.active = curve
+    before = [ob.data.splinewright.value for ob in made]
+    view.press('TAB')
+    yield 0.8
+    with view.override():
+        select_points(3)
+        bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0.4, 0))
+    yield 0.8
+    assert made[0].data.splinewright.value == before[0] and made[1].data.splinewright.value != before[1]
+    view.press('TAB')
+    yield 0.8
+    with view.override():
+        curve.select_set(False)
+        made[1].select_set(True)
+        bpy.context.view_layer.objects.active = made[1]
+    yield 0.6
+    save_picture(OUTPUT / "tour-teaching.png")
+    for ob in (curve, *made):
+        ob.hide_set(True)
+
+
+def conics(view):
+    """The weight of a conic is a number in the panel, also a week later; beyond -1 no line is drawn across infinity."""
+    with view.override():
+        bpy.ops.splinewright.add_conic('EXEC_DEFAULT', True, size=2.0)
+        ob = bpy.context.object
+        ob.data.bevel_depth = 0.02
+        bpy.ops.view3d.view_axis(type='TOP')
+    for weight in (1.0, 3.0, -0.7, -2.0):
+        ob.data.splinewright_recipe.conic_weight = weight
+        ob.data.splinewright.reach = 3.0
+        yield 0.3
+    assert len(ob.data.splines) == 3
+    yield from frame(view)
+    save_picture(OUTPUT / "tour-conic.png")
+    ob.hide_set(True)
 
 
 def steps():
@@ -121,7 +180,7 @@ def steps():
     view.open_sidebar()
     view.move(420, 420)
     yield 0.8
-    for stop in (teapot, knots, following, native):
+    for stop in (teapot, knots, following, native, teaching, conics):
         yield from stop(view)
     print("the tour is as the README says:", bpy.app.version_string, flush=True)
 

@@ -1,6 +1,7 @@
 """What holds for every curve, on examples that Hypothesis invents."""
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -147,3 +148,15 @@ def test_json_and_pickle_give_back_every_bit(curve):
         assert again == curve and hash(again) == hash(curve)
         for name in ("knots", "points", "weights"):
             assert getattr(again, name).tobytes() == getattr(curve, name).tobytes()
+
+
+@pytest.mark.parametrize('seed', range(40))
+def test_the_nearest_curve_of_fewer_knots_or_a_lower_degree_stays_near_where_knots_are_full(seed):
+    """Once errors of 1e18 and points that are no numbers came out: steps along rounding grew without end."""
+    random = np.random.default_rng(seed)
+    chain = sc.HermiteCurve(random.uniform(-1, 1, (4, 3)), random.uniform(-1, 1, (4, 3)), [0, 0.1, 1 / 3, 2])
+    curve = chain.to_nurbs()
+    size = np.ptp(curve.points, axis=0).max()
+    assert curve.remove_knots(0.5).error <= 0.5
+    assert curve.reduce().error < 2 * size
+    assert curve.elevate().reduce().error < 1e-13

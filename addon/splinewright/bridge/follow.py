@@ -1,13 +1,15 @@
 """Shapes that follow an object: which they are, in which order, and how they are brought up to date."""
 
+import contextlib
+import graphlib
+
 import bpy
 import numpy as np
 
 from ..core import definition as definitions
-from ..core import transform
 from ..core.failures import FAILURES, sentence
-from . import recipes, shape, store
-from .native import read_native
+from ..core.recipes.table import FOLLOW
+from . import derived, recipes, shape, store
 
 #: (is it a curve, name) of data-blocks that follow something. Only a hint: scan() makes it anew.
 known = set()
@@ -29,19 +31,17 @@ def scan():
         known.update(_key(data) for data in blocks if recipes.follows(data))
 
 
-def new_follower(source, resolution, depsgraph):
-    """A new object, not linked to a scene, that follows `source` and lies where it lies.
+def new_object(recipe, values, sources, resolution, depsgraph):
+    """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies.
 
-    Raises ValueError if it cannot be followed.
+    Raises ValueError or ArithmeticError if it cannot be made.
     """
-    _require_followable(source)
-    definition = _definition_of(source, depsgraph)
-    data = shape.new_data(f"{source.name} Exact", definitions.to_value(definition), resolution)
+    made = derived.made(recipe, values, sources, sources[0], depsgraph)
+    name = f"{sources[0].name} {recipe.label if recipe.parameters else 'Exact'}"
+    data = shape.new_data(name, definitions.to_value(made.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
-    ob.matrix_world = source.matrix_world
-    for material in source.data.materials:
-        data.materials.append(material)
-    _write(data, source)
+    ob.matrix_world = sources[0].matrix_world
+    _write(data, recipe, values, sources, made.error)
     return ob
 
 
@@ -50,33 +50,41 @@ def attach(ob, source, depsgraph):
 
     Raises Cycle if that follows the shape itself, ValueError if it cannot be followed.
     """
-    _require_followable(source)
     if not shape.has_shape(ob):
         raise ValueError(f"{ob.name} is no Splinewright shape: it cannot follow anything")
     require_no_cycle(ob.data, source)
     shape.require_writable(ob.data)
-    shape.set_definition(ob.data, current(ob, source, depsgraph))
-    _write(ob.data, source)
+    made = derived.made(FOLLOW, {}, [source], ob, depsgraph)
+    shape.set_definition(ob.data, made.definition)
+    _write(ob.data, FOLLOW, {}, [source], made.error)
 
 
-def _require_followable(source):
-    if not shape.has_shape(source) and source.type not in ('CURVE', 'SURFACE'):
-        raise ValueError(f"{source.name} is no curve, surface or Splinewright shape")
+def set_parameter(data, name, value, depsgraph):
+    """Change one number or text of what is made from objects. Raises, and changes nothing, where nothing comes of it."""
+    owner, sources = owner_of(data), recipes.read_inputs(data)
+    if owner is None or None in sources:
+        raise ValueError("an object it is made from was deleted: it stays as it was last")
+    recipe, values = recipes.of(data), {**recipes.parameters(data), name: value}
+    made = derived.made(recipe, values, sources, owner, depsgraph)
+    shape.set_definition(data, made.definition)
+    recipes.write_derived(data, recipe, values, sources, made.error)
 
 
-def _write(data, source):
-    recipes.write(data, source)
+def _write(data, recipe, values, sources, error):
+    recipes.write_derived(data, recipe, values, sources, error)
     known.add(_key(data))
 
 
 def require_no_cycle(data, source):
-    """Raises Cycle if `source` shows `data`, or follows what does."""
-    seen = set()
-    while source is not None and source.name not in seen:
-        if source.data == data:
-            raise Cycle(f"{source.name} would follow itself")
-        seen.add(source.name)
-        source = _input(source.data) if source.data else None
+    """Raises Cycle if `source` shows `data`, or is made from what does."""
+    waiting, seen = [source], set()
+    while waiting:
+        ob = waiting.pop()
+        if ob.data == data:
+            raise Cycle(f"{ob.name} would follow itself")
+        if ob.name not in seen and ob.data:
+            waiting += _inputs(ob.data)
+        seen.add(ob.name)
 
 
 def refresh(changed, depsgraph):
@@ -86,12 +94,16 @@ def refresh(changed, depsgraph):
         return
     changed = set(changed)
     for data in _in_order():
-        source, owner = _input(data), owner_of(data)
-        if source is None or owner is None:
+        sources, owner = _inputs(data), owner_of(data)
+        if not sources or owner is None:
             continue
-        if not changed.isdisjoint((source, source.data, owner, getattr(source.data, 'shape_keys', None))):
-            if _update(data, owner, source, depsgraph):
-                changed.add(data)
+        causes = {owner, *(cause for source in sources for cause in _causes(source))}
+        if not changed.isdisjoint(causes) and _update(data, owner, sources, depsgraph):
+            changed.add(data)
+
+
+def _causes(source):
+    return source, source.data, getattr(source.data, 'shape_keys', None)
 
 
 def _note(blocks):
@@ -104,24 +116,18 @@ def _note(blocks):
 def refresh_all(depsgraph):
     """Bring every follower up to date: another frame, another file."""
     for data in _in_order():
-        source, owner = _input(data), owner_of(data)
-        if source is not None and owner is not None:
-            _update(data, owner, source, depsgraph)
+        sources, owner = _inputs(data), owner_of(data)
+        if sources and owner is not None:
+            _update(data, owner, sources, depsgraph)
 
 
 def problem(data):
     """Why a follower does not follow, or ""."""
     if not recipes.follows(data):
         return ""
-    source = recipes.read_input(data)
-    if source is None or not source.users_scene:
+    if not all(source is not None and source.users_scene for source in recipes.read_inputs(data)):
         return "The object it follows was deleted, or is in no scene: it stays as it was last"
     return problems.get(_key(data), "")
-
-
-def not_followed(source):
-    """What of an object has no effect on what follows it: short sentences."""
-    return [] if shape.has_shape(source) else read_native.not_followed(source)
 
 
 def owner_of(data):
@@ -139,39 +145,22 @@ def _find_owner(data):
     return min(users, key=lambda ob: ob.name) if users else None
 
 
-def current(owner, source, depsgraph):
-    """The definition of what `source` is now, in the space of `owner`. Raises ValueError."""
-    into = np.array(_matrix(owner, depsgraph).inverted_safe() @ _matrix(source, depsgraph))
-    return transform.transformed(_definition_of(source, depsgraph), into)
-
-
-def _definition_of(source, depsgraph):
-    """What an object is now, in its own space. Raises ValueError if it shows nothing."""
-    if shape.has_shape(source):
-        return store.read(source.data)
-    reading = read_native.read(source, depsgraph)
-    if reading.value is None:
-        raise ValueError(f"{source.name} shows nothing that could be followed")
-    return definitions.from_value(reading.value)
-
-
-def _matrix(ob, depsgraph):
-    return ob.evaluated_get(depsgraph).matrix_world
-
-
-def _update(data, owner, source, depsgraph):
+def _update(data, owner, sources, depsgraph):
     """Whether the follower changed."""
     key = _key(data)
     try:
-        if not source.users_scene:
+        if not all(source.users_scene for source in sources):
             return False
-        if recipes.follows_a_shape(data) and not shape.has_shape(source):
-            raise ValueError(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        definition = current(owner, source, depsgraph)
+        for i, source in enumerate(sources):
+            if recipes.was_shape(data, i) and not shape.has_shape(source):
+                raise ValueError(f"{source.name} is no Splinewright shape any more: it stays as it was last")
+        made = derived.made(recipes.of(data), recipes.parameters(data), sources, owner, depsgraph)
+        definition = made.definition
         problems.pop(key, None)
         if _same(store.read(data), definition) and not shape.is_touched(data):
             return False
         shape.set_definition(data, definition)
+        recipes.write_error(data, made.error)
         return True
     except FAILURES as error:
         problems[key] = sentence(error)
@@ -188,17 +177,19 @@ def _same(a, b):
 
 def _in_order():
     """The followers, each after the shape that it follows. Those of a cycle are left out."""
-    blocks = _blocks()
-    depths = []
-    for data in blocks:
-        depth, source = 0, _input(data)
-        while source is not None and depth <= len(blocks):
-            depth, source = depth + 1, _input(source.data) if source.data else None
-        if depth <= len(blocks):
-            depths.append((depth, data))
-        else:
-            problems[_key(data)] = "It follows itself, in a circle: it stays as it was last"
-    return [data for _, data in sorted(depths, key=lambda pair: pair[0])]
+    blocks = {_key(data): data for data in _blocks()}
+    sorter = graphlib.TopologicalSorter(
+        {key: {_key(source.data) for source in _inputs(data) if source.data} for key, data in blocks.items()})
+    with contextlib.suppress(graphlib.CycleError):
+        sorter.prepare()
+    order = []
+    while sorter.is_active():
+        ready = sorter.get_ready()
+        order += [blocks.pop(key) for key in sorted(ready) if key in blocks]
+        sorter.done(*ready)
+    for key in blocks:
+        problems[key] = "It follows itself, in a circle: it stays as it was last"
+    return order
 
 
 def _blocks():
@@ -209,12 +200,14 @@ def _blocks():
     return [_block(key) for key in sorted(known)]
 
 
-def _input(data):
+def _inputs(data):
+    """The objects that a shape is made from; [] where it is made from none, or one is missing or unknown."""
     try:
-        return recipes.read_input(data)
+        sources = recipes.read_inputs(data)
     except store.UnreadableDefinition as error:
         problems[_key(data)] = str(error)
-        return None
+        return []
+    return [] if None in sources else sources
 
 
 def _key(data):

@@ -1,12 +1,13 @@
 """Several shapes become one."""
 
 import functools
+from typing import NamedTuple
 
 import bpy
 import numpy as np
 
-from ..core import transform
-from . import blocks, mesh_looks, recipes, shape, store, write_curve
+from ..core import joints, transform
+from . import blocks, mesh_looks, recipes, replacing, shape, store, write_curve
 
 
 def join(active, others):
@@ -15,6 +16,37 @@ def join(active, others):
     Each piece keeps its material, splines their radius and tilt. Raises ValueError, and changes nothing, where one
     cannot be read or changed.
     """
+    definition = together(active, others)
+    looks = _looks([active, *others])
+    shape.set_definition(active.data, definition)
+    _give_looks(active.data, looks)
+    _remove(others)
+
+
+def join_ends(active, other, first, second, smoothness):
+    """join() of two curve shapes in which a piece of one and a piece of the other are then one curve.
+
+    Returns the definition before the two pieces are one, and the core.verbs.Changed. Raises, and changes nothing,
+    as join() and core.joints.joined() do.
+    """
+    definition = together(active, [other])
+    parted = len(store.read(active.data).pieces)
+    changed = joints.joined(definition, first, second, smoothness, linear_of(active), parted)
+    looks = _looks([active, other])
+    worn = replacing.carried(looks.worn, definition, changed, active.data.splinewright)
+    shape.set_definition(active.data, changed.definition)
+    _give_looks(active.data, looks._replace(worn=worn))
+    _remove([other])
+    return definition, changed
+
+
+def linear_of(ob):
+    """(3, 3) float64: what takes lengths of an object to the world."""
+    return np.array(ob.matrix_world, dtype=np.float64)[:3, :3]
+
+
+def together(active, others):
+    """The definition of all pieces in the space of the active shape. Raises ValueError as join() does."""
     shape.require_writable(active.data)
     for ob in [active, *others]:
         if ob.library or ob.override_library or ob.data.library:
@@ -28,17 +60,24 @@ def join(active, others):
     parts = [store.read(active.data)]
     for ob in others:
         parts.append(transform.transformed(store.read(ob.data), into @ np.array(ob.matrix_world, dtype=np.float64)))
-    looks = _looks([active, *others])
-    shape.set_definition(active.data, transform.joined(parts))
-    for ob in others:
+    return transform.joined(parts)
+
+
+def _remove(obs):
+    for ob in obs:
         data = ob.data
         bpy.data.objects.remove(ob)
         blocks.remove(data)
-    looks(active.data)
+
+
+class _Looks(NamedTuple):
+    materials: list
+    of_pieces: list             # a mesh_looks.Look for each piece of a mesh
+    worn: list                  # a write_curve.Dress for each spline of a curve
 
 
 def _looks(obs):
-    """What gives the joined shape the materials, radii and tilts of its parts."""
+    """The materials of all parts, and which of them each wears."""
     materials = list(obs[0].data.materials)
     of_pieces, worn = [], []
     for ob in obs:
@@ -52,7 +91,7 @@ def _looks(obs):
             known = mesh_looks.looks_by_patch(data)
             looks = [known.get(i, mesh_looks.Look()) for i in range(len(store.read(data).pieces))]
             of_pieces += [look._replace(material_index=slot(look.material_index)) for look in looks]
-    return functools.partial(_give_looks, materials=materials, of_pieces=of_pieces, worn=worn)
+    return _Looks(materials, of_pieces, worn)
 
 
 def _slot(slots, index):
@@ -60,11 +99,11 @@ def _slot(slots, index):
     return slots[min(index, len(slots) - 1)]
 
 
-def _give_looks(data, materials, of_pieces, worn):
-    for material in materials[len(data.materials):]:
+def _give_looks(data, looks):
+    for material in looks.materials[len(data.materials):]:
         data.materials.append(material)
     if isinstance(data, bpy.types.Curve):
-        if len(worn) == len(data.splines):
-            write_curve.put_on(data, worn)
+        if len(looks.worn) == len(data.splines):
+            write_curve.put_on(data, looks.worn)
     else:
-        mesh_looks.set_looks(data, dict(enumerate(of_pieces)))
+        mesh_looks.set_looks(data, dict(enumerate(looks.of_pieces)))

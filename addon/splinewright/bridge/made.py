@@ -1,4 +1,4 @@
-"""Shapes that recipes make from numbers and points."""
+"""Shapes that recipes make from numbers and points of their own."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from . import recipes, shape, store
 
 
 def new_data(name, recipe, values, points, resolution):
-    """A new Curve that a recipe makes. Raises ValueError or ArithmeticError."""
+    """A new Curve that a recipe makes of points. Raises ValueError or ArithmeticError."""
     made = recipe.make(points, **values)
     data = shape.new_data(name, made.value, resolution)
     recipes.write_made(data, recipe, values, points, made.error)
@@ -16,7 +16,7 @@ def new_data(name, recipe, values, points, resolution):
 
 
 def set_parameter(data, name, value):
-    """Change one number or text of a recipe. Raises, and changes nothing, where nothing comes of it."""
+    """Change one number or text of a recipe of points. Raises, and changes nothing, where nothing comes of it."""
     values = {**recipes.parameters(data), name: value}
     _remake(data, values, recipes.points(data))
 
@@ -29,13 +29,13 @@ def set_points(data, points):
 def _remake(data, values, points):
     recipe = recipes.of(data)
     made = recipe.make(points, **values)
-    shape.set_definition(data, definitions.from_value(made.value))
+    shape.set_definition(data, made.definition)
     recipes.write_made(data, recipe, values, points, made.error)
 
 
 def edited(data):
     """The definition that the net of a shape edits: its own, or the polygon of its recipe's points."""
-    if not recipes.kind(data):
+    if not recipes.has_points(data):
         return store.read(data)
     points = recipes.points(data)
     knots = np.concatenate([[0.0], np.arange(len(points)), [len(points) - 1.0]])

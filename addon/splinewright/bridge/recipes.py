@@ -8,7 +8,8 @@ from . import store
 
 KEY = "splinewright_recipe"
 VERSION = 2
-_FOLLOW = 'follow'
+#: Keys of the pointers to the objects that a shape is made from, and of whether each was a shape then.
+_INPUTS = (('input', 'shape'), ('input_2', 'shape_2'))
 
 
 def has(data):
@@ -16,13 +17,18 @@ def has(data):
 
 
 def kind(data):
-    """The kind of a recipe of numbers and points, or ""."""
-    found = data[KEY]['kind'] if has(data) else ""
-    return "" if found == _FOLLOW else found
+    """The kind of a recipe, or ""."""
+    return data[KEY]['kind'] if has(data) else ""
 
 
 def follows(data):
-    return has(data) and not kind(data)
+    """Whether the shape is made from other objects."""
+    return has(data) and _INPUTS[0][1] in data[KEY].keys()
+
+
+def has_points(data):
+    """Whether the shape is made from points of its own, which its net shows."""
+    return has(data) and not follows(data) and len(points(data)) > 0
 
 
 def remove(data):
@@ -38,33 +44,39 @@ def require_free(data):
         raise ValueError(f"{data.name} is made by a recipe: change its numbers in the panel, or use Make Editable first")
 
 
-def read_input(data):
-    """The object that the shape follows, None where it follows none.
+def read_inputs(data):
+    """The objects that a shape is made from, None for one that was deleted; [] where there are none.
 
     Raises UnreadableDefinition for a recipe of a newer Splinewright.
     """
     if not follows(data):
-        return None
-    _require_known(data)
-    return data[KEY].get('input')
+        return []
+    return [data[KEY].get(pointer) for pointer, _ in _INPUTS[:len(of(data).inputs)]]
 
 
-def follows_a_shape(data):
-    """Whether what it follows was a shape when it began to."""
-    return bool(data[KEY].get('shape', False))
+def was_shape(data, number):
+    """Whether an input was a shape when it was chosen."""
+    return bool(data[KEY].get(_INPUTS[number][1], False))
 
 
-def write(data, source):
-    """Make the shape follow an object from now on.
+def write_derived(data, recipe, values, sources, error):
+    """Make a shape from objects from now on.
 
-    The pointer also tells Blender's depsgraph to evaluate what is followed where it is hidden, in renders, too.
+    The pointers also tell Blender's depsgraph to evaluate what is followed where it is hidden, in renders, too.
     """
-    store.assign(data, KEY, {'version': VERSION, 'kind': _FOLLOW, 'input': source,
-                             'shape': store.has_definition(source.data)})
+    group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error)}
+    for (pointer, flag), source in zip(_INPUTS, sources):
+        group.update({pointer: source, flag: store.has_definition(source.data)})
+    store.assign(data, KEY, group)
+
+
+def write_error(data, error):
+    """Keep how far what a recipe made may lie from what it should be."""
+    data[KEY]['error'] = float(error)
 
 
 def of(data):
-    """The Recipe of numbers and points, or None. Raises UnreadableDefinition for one of a newer Splinewright."""
+    """The Recipe, or None. Raises UnreadableDefinition for one of a newer Splinewright."""
     if not kind(data):
         return None
     _require_known(data)
@@ -73,14 +85,14 @@ def of(data):
 
 def parameters(data):
     """The numbers and texts of a recipe, by name."""
-    recipe, group = of(data), data[KEY]['parameters']
+    recipe, group = of(data), data[KEY].get('parameters', {})
     return {name: type(default)(group[name]) if name in group.keys() else default
             for name, default in recipe.defaults.items()}
 
 
 def points(data):
-    """(n, 3) float64: the points of a recipe."""
-    return np.array(data[KEY]['points'], dtype=np.float64).reshape(-1, 3)
+    """(n, 3) float64: the points of a recipe; none where it has inputs."""
+    return np.array(data[KEY].get('points', ()), dtype=np.float64).reshape(-1, 3)
 
 
 def write_made(data, recipe, values, rows, error):
@@ -90,9 +102,9 @@ def write_made(data, recipe, values, rows, error):
 
 
 def error(data):
-    return data[KEY]['error']
+    return data[KEY].get('error', 0.0)
 
 
 def _require_known(data):
-    if data[KEY].get('version', 0) > VERSION or kind(data) not in ("", *RECIPES):
+    if data[KEY].get('version', 0) > VERSION or kind(data) not in RECIPES:
         raise store.UnreadableDefinition(f"{data.name} has a recipe of a newer Splinewright: it is shown as it was last")

@@ -18,7 +18,7 @@ def why_not(ob):
         return "The shape is linked from another file: make it local first"
     if recipes.follows(ob.data):
         return "The shape follows another object: edit that, or use Make Editable first"
-    if recipes.kind(ob.data) and not len(recipes.points(ob.data)):
+    if recipes.has(ob.data) and not recipes.has_points(ob.data):
         return "The shape is made by its numbers: change them in the panel, or use Make Editable first"
     return ""
 

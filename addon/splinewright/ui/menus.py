@@ -3,7 +3,8 @@
 import bpy
 
 from ..bridge.net import net
-from ..core.recipes.table import RECIPES
+from ..core.recipes.table import DERIVED, FOLLOW, STARTING
+from . import curve_tools
 
 _ICONS = {'circle': 'MESH_CIRCLE', 'arc': 'SPHERECURVE', 'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
           'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE'}
@@ -20,7 +21,7 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
         layout.operator("splinewright.add_hermite_curve", text="Hermite Chain", icon='CURVE_PATH')
         layout.operator("splinewright.add_nurbs_curve", text="NURBS Curve", icon='CURVE_NCURVE')
         layout.separator()
-        for recipe in RECIPES.values():
+        for recipe in STARTING:
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS.get(recipe.kind, 'CURVE_DATA'))
 
 
@@ -78,11 +79,16 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
         layout.operator_context = 'INVOKE_REGION_WIN'
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
         layout.operator("splinewright.set_knots")
+        layout.menu(curve_tools.SPLINEWRIGHT_MT_curve.bl_idname, icon='CURVE_DATA')
         layout.separator()
         layout.operator("splinewright.make_exact")
         layout.operator("splinewright.to_native")
         layout.operator("splinewright.follow_object", icon='LINKED')
         layout.operator("splinewright.make_editable")
+        layout.separator()
+        for recipe in DERIVED:
+            if recipe is not FOLLOW:
+                layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label)
         layout.separator()
         layout.operator("splinewright.join")
         layout.operator("splinewright.apply_transform")

@@ -23,7 +23,7 @@ def draw(layout, ob):
     if problem:
         texts.draw_problem(layout, problem)
     _draw_points(layout, ob)
-    if recipes.kind(owner.data):
+    if recipes.has(owner.data):
         recipe_props.draw(layout.box(), owner.data)
     else:
         _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import follow, recipes, shape, store
+from ..bridge import derived, follow, recipes, shape, store
 from ..bridge.net import net
 from ..core import describe
 from . import net_panel, recipe_props, texts
@@ -45,7 +45,7 @@ def _draw_state(layout, ob):
         column.operator("splinewright.detach", text="Detach: keep them, end the shape")
     else:
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
-        if recipes.kind(data):
+        if recipes.has(data):
             _draw_recipe(layout, data)
 
 
@@ -59,16 +59,18 @@ def _draw_recipe(layout, data):
 
 def _draw_following(layout, data):
     try:
-        source = recipes.read_input(data)
+        sources = recipes.read_inputs(data)
+        recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
         return
-    layout.label(text=f"Follows {source.name if source else 'nothing any more'}", icon='LINKED')
+    names = " and ".join(source.name for source in sources if source)
+    layout.label(text=f"Follows {names or 'nothing any more'}", icon='LINKED')
     problem = follow.problem(data)
     if problem:
         texts.draw_problem(layout, problem)
-    elif source is not None:
-        for text in follow.not_followed(source):
+    else:
+        for text in (text for source in sources for text in derived.not_followed(source)):
             texts.draw_note(layout, f"Not followed: {text}")
     layout.operator("splinewright.make_editable")
 

@@ -5,9 +5,9 @@ Numbers are kept in float64 beside the definition; properties only show and chan
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import made, recipes
+from ..bridge import follow, made, recipes
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
 
@@ -22,6 +22,8 @@ def property_of(parameter, **access):
         return BoolProperty(**named, **default, **access)
     if isinstance(parameter.default, str):
         return StringProperty(**named, **default, **access)
+    if isinstance(parameter.default, int):
+        return IntProperty(min=int(parameter.least), max=int(parameter.most), **named, **default, **access)
     return FloatProperty(min=parameter.least, max=parameter.most, unit=parameter.unit, precision=5, step=1,
                          **named, **default, **access)
 
@@ -31,6 +33,11 @@ def as_typed(parameter, value):
     if not isinstance(parameter.default, float):
         return value
     return parameter.default if np.float32(value) == np.float32(parameter.default) else float(str(np.float32(value)))
+
+
+def typed(recipe, properties):
+    """The values of a recipe's parameters, from an operator's properties."""
+    return {parameter.name: as_typed(parameter, getattr(properties, parameter.name)) for parameter in recipe.parameters}
 
 
 def name_of(recipe, parameter):
@@ -55,11 +62,18 @@ def _setter(recipe, parameter):
         if value == recipes.parameters(data)[parameter.name]:
             return
         try:
-            made.set_parameter(data, parameter.name, value)
+            _set_parameter(data, parameter.name, value)
             data.splinewright.problem = ""
         except FAILURES as error:
             data.splinewright.problem = sentence(error)
     return set_it
+
+
+def _set_parameter(data, name, value):
+    if recipes.follows(data):
+        follow.set_parameter(data, name, value, bpy.context.evaluated_depsgraph_get())
+    else:
+        made.set_parameter(data, name, value)
 
 
 class SplinewrightRecipe(bpy.types.PropertyGroup):
@@ -71,8 +85,10 @@ class SplinewrightRecipe(bpy.types.PropertyGroup):
 
 
 def draw(layout, data):
-    """The parameters of the recipe that makes a data-block."""
+    """The parameters of the recipe that makes a data-block, if it has any."""
     recipe = recipes.of(data)
+    if not recipe.parameters:
+        return
     layout.label(text=recipe.label, icon='PROPERTIES')
     column = layout.column(align=True)
     for parameter in recipe.parameters:
@@ -86,8 +102,10 @@ CLASSES = (SplinewrightRecipe,)
 
 
 def register():
-    bpy.types.Curve.splinewright_recipe = PointerProperty(type=SplinewrightRecipe)
+    for data in (bpy.types.Curve, bpy.types.Mesh):
+        data.splinewright_recipe = PointerProperty(type=SplinewrightRecipe)
 
 
 def unregister():
-    del bpy.types.Curve.splinewright_recipe
+    for data in (bpy.types.Curve, bpy.types.Mesh):
+        del data.splinewright_recipe

@@ -14,8 +14,8 @@ def draw_problem(layout, text, width=_WIDTH):
         column.label(text=line, icon='ERROR' if i == 0 else 'BLANK1')
 
 
-def draw_note(layout, text):
-    """A sentence that is no trouble."""
+def draw_note(layout, text, width=_WIDTH):
+    """A sentence that is no trouble, `width` characters to a line."""
     column = layout.column(align=True)
-    for i, line in enumerate(textwrap.wrap(text, _WIDTH)):
+    for i, line in enumerate(textwrap.wrap(text, width)):
         column.label(text=line, icon='INFO' if i == 0 else 'BLANK1')

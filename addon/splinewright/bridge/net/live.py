@@ -115,7 +115,7 @@ def pull(ob):
         current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
         definition = nets.read(current.net, current.state)
         current.problem = ""
-        if recipes.kind(owner.data):
+        if recipes.has_points(owner.data):
             is_changed = made.follow_net(owner.data, definition)
         else:
             is_changed = _show(owner.data, definition, current)

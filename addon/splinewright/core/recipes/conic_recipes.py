@@ -34,6 +34,10 @@ def _parabola(points):
     return _whole(sc.conics.parabola(focus, first, second - first))
 
 
+def _equation(points, **coefficients):
+    return _whole(sc.conics.ImplicitConic([coefficients[name] for name in "abcdef"]))
+
+
 def _circle(points, radius, form):
     return Made(sc.conics.circle((0, 0, 0), radius, form=form))
 
@@ -64,6 +68,10 @@ RECIPES = (
                       2.5, 0.0, unit='LENGTH'),), _foci, ((-1, 0, 0), (1, 0, 0))),
     Recipe("parabola", "Parabola", "The points as far from a focus as from the line through two others", (), _parabola,
            ((0, 0.25, 0), (-1, -0.25, 0), (1, -0.25, 0))),
+    Recipe("equation", "Conic From Equation", "The curve of a x² + b xy + c y² + d x + e y + f = 0",
+           tuple(Parameter(name, name, f"The factor of {term}", default) for name, term, default in (
+               ("a", "x²", 1.0), ("b", "xy", 0.0), ("c", "y²", 4.0), ("d", "x", 0.0), ("e", "y", 0.0),
+               ("f", "1", -1.0))), _equation),
     Recipe("circle", "Circle", "An exact circle in one of the usual NURBS forms",
            (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'), _FORM), _circle),
     Recipe("arc", "Circular Arc", "An exact arc of a circle",

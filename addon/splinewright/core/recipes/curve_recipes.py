@@ -30,6 +30,15 @@ def _polynomial(points, parametrisation):
     return Made(sc.build.polynomial_through(points, _spacing(points, parametrisation)))
 
 
+def _osculating(points, derivatives):
+    size = 1 + derivatives
+    if len(points) % size or len(points) < 2 * size:
+        raise ValueError(f"{len(points)} points are not two or more groups of {size}: a point and the heads of its derivatives")
+    groups = points.reshape(-1, size, 3).copy()
+    groups[:, 1:] -= groups[:, :1]
+    return Made(sc.build.osculating_polynomial(list(groups), np.linspace(0.0, 1.0, len(groups))))
+
+
 def _spacing(points, parametrisation):
     """Parameters in [0, 1]. Raises ValueError where two points in a row are one."""
     power = {'uniform': 0.0, 'centripetal': 0.5, 'chordal': 1.0}[parametrisation]
@@ -49,8 +58,26 @@ def _helix(points, radius, end_radius, height, turns, tolerance):
         ["(r + d*t)*cos(q*t)", "(r + d*t)*sin(q*t)", "h*t"], (0.0, 1.0), tolerance=tolerance, constants=constants))
 
 
-def _formula(points, x, y, z, start, end, tolerance):
-    return Made(*sc.build.curve_from_formulas([x, y, z], (start, end), tolerance=tolerance))
+def _formula(points, x, y, z, start, end, constants, tolerance):
+    return Made(*sc.build.curve_from_formulas([x, y, z], (start, end), tolerance=tolerance,
+                                              constants=constants_of(constants)))
+
+
+def constants_of(text):
+    """The numbers by name in a text such as "a = 2, b = pi/3"; a number may use those before it.
+
+    Raises ValueError where one has no name or no value.
+    """
+    found = {}
+    for part in filter(str.strip, text.replace(";", ",").split(",")):
+        name, equals, value = part.partition("=")
+        if not equals:
+            raise ValueError(f"'{part.strip()}' is no constant: write a name, = and a number")
+        number = float(sc.Formula(value, ("_",), found).evaluate(0.0, at_undefined="nan"))
+        if not np.isfinite(number):
+            raise ValueError(f"the constant {name.strip()} has no finite value")
+        found[name.strip()] = number
+    return found
 
 
 RECIPES = (
@@ -62,6 +89,11 @@ RECIPES = (
             _PARAMETERS, _CLOSED, _ENDS), _kochanek_bartels, _WAVE, True, 16),
     Recipe("polynomial", "Polynomial Through Points", "The one polynomial of lowest degree through points: see how it oscillates",
            (_PARAMETERS,), _polynomial, _WAVE, True, 64),
+    Recipe("osculating", "Osculating Polynomial",
+           "The polynomial of lowest degree with given points and derivatives: each point is followed by the heads of its derivatives",
+           (Parameter("derivatives", "Derivatives", "How many are given at each point, equal parameters apart in [0, 1]",
+                      1, 1, 4),), _osculating,
+           ((-1, 0, 0), (-0.5, 2, 0), (0, 0, 0), (0.5, -2, 0), (1, 0, 0), (1.5, 2, 0)), resolution=48),
     Recipe("helix", "Helix", "A helix or spiral around z",
            (Parameter("radius", "Radius", "At the start", 1.0, 0.0, unit='LENGTH'),
             Parameter("end_radius", "End Radius", "At the end", 1.0, 0.0, unit='LENGTH'),
@@ -70,6 +102,7 @@ RECIPES = (
     Recipe("formula", "From Formula", "A curve from formulas in t: exact for polynomials, otherwise within a tolerance",
            (Parameter("x", "x(t)", "Numbers, t, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "cos(3*t)"),
             Parameter("y", "y(t)", "As x", "sin(2*t)"), Parameter("z", "z(t)", "As x", "0"),
-            Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi), _TOLERANCE), _formula,
+            Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi),
+            Parameter("constants", "Constants", "Numbers with names of your own: a = 2, b = pi/3", ""), _TOLERANCE), _formula,
            resolution=8),
 )

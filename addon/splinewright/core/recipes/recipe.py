@@ -5,6 +5,8 @@ from typing import Callable, NamedTuple
 
 import numpy as np
 
+from .. import definition as definitions
+
 
 @dataclass(frozen=True)
 class Parameter:
@@ -23,8 +25,13 @@ class Parameter:
 class Made(NamedTuple):
     """What a recipe made, and how far that may lie from what was asked for: 0 where it is exact."""
 
-    value: object
+    value: object                       # a splinecore value or a Definition
     error: float = 0.0
+
+    @property
+    def definition(self):
+        is_one = isinstance(self.value, definitions.Definition)
+        return self.value if is_one else definitions.from_value(self.value)
 
 
 @dataclass(frozen=True)
@@ -33,10 +40,13 @@ class Recipe:
     label: str
     description: str
     parameters: tuple                   # of Parameter
-    make: Callable                      # (points (n, 3), **parameters) -> Made; raises ValueError or ArithmeticError
-    points: tuple = ()                  # rows to start from; none where the parameters say all
+    make: Callable                      # (points or inputs, **parameters) -> Made; raises ValueError or ArithmeticError
+    points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters say all
     has_any_count: bool = False         # of points
     resolution: int = 32
+    inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
+                                        # points: "one curve"; make() takes a list of their Definitions
+    is_beside: bool = False             # what it makes is put beside its first input, not over it
 
     @property
     def defaults(self):

@@ -1,11 +1,11 @@
-"""An Add operator for each recipe, made from the table."""
+"""An Add operator for each recipe that starts from nothing, made from the table."""
 
 import bpy
 from bpy.props import IntProperty
 
 from ...bridge import made
 from ...core import starters
-from ...core.recipes.table import RECIPES
+from ...core.recipes.table import STARTING
 from .. import recipe_props
 from .adding import AddShape, resolution_property
 
@@ -17,8 +17,7 @@ class _AddRecipe(AddShape):
 
     def new_data(self, step):
         recipe = self.recipe
-        values = {parameter.name: recipe_props.as_typed(parameter, getattr(self, parameter.name))
-                  for parameter in recipe.parameters}
+        values = recipe_props.typed(recipe, self)
         points = recipe.start * self.size
         if recipe.has_any_count:
             points = _spread(points, self.count)
@@ -56,4 +55,4 @@ def _class_for(recipe):
         'bl_description': recipe.description, 'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
 
 
-CLASSES = tuple(map(_class_for, RECIPES.values()))
+CLASSES = tuple(map(_class_for, STARTING))

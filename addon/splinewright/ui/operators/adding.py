@@ -21,6 +21,15 @@ def can_add(cls, context):
     return True
 
 
+def add_in_front(context, ob, sources):
+    """Put a new object into the scene, selected and active in place of those it was made from."""
+    context.collection.objects.link(ob)
+    for source in sources:
+        source.select_set(False)
+    ob.select_set(True)
+    context.view_layer.objects.active = ob
+
+
 class AddShape(AddObjectHelper):
     """Adds the object of value(), at the 3D cursor or where align, location and rotation say."""
 

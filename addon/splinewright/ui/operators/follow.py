@@ -3,15 +3,11 @@
 import bpy
 from bpy.props import StringProperty
 
-from ...bridge import follow, shape
+from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES, sentence
+from ...core.recipes.table import FOLLOW
 from . import polls
-from .adding import resolution_property
-
-
-def followable(ob):
-    """Whether an object can be followed."""
-    return ob is not None and (ob.type in ('CURVE', 'SURFACE') or shape.has_shape(ob))
+from .adding import add_in_front, resolution_property
 
 
 class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
@@ -29,7 +25,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
     def poll(cls, context):
         if not polls.in_object_mode(cls, context):
             return False
-        if not followable(context.object):
+        if not derived.is_possible(context.object):
             cls.poll_message_set("Select a curve, a surface or a Splinewright shape")
             return False
         return True
@@ -39,11 +35,11 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         try:
             target, source = self._chosen(context)
             if target is None:
-                target = follow.new_follower(source, (self.resolution_u, self.resolution_v), depsgraph)
-                context.collection.objects.link(target)
-                target.select_set(True)
-                source.select_set(False)
-                context.view_layer.objects.active = target
+                resolution = self.resolution_u, self.resolution_v
+                target = follow.new_object(FOLLOW, {}, [source], resolution, depsgraph)
+                for material in source.data.materials:
+                    target.data.materials.append(material)
+                add_in_front(context, target, [source])
             else:
                 follow.attach(target, source, depsgraph)
         except FAILURES as error:
@@ -60,7 +56,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
                 raise ValueError(f"there is no object named {self.source} in this scene")
             is_target = shape.has_shape(context.object) and source != context.object
             return (context.object if is_target else None), source
-        others = [ob for ob in context.selected_objects if ob != context.object and followable(ob)]
+        others = [ob for ob in context.selected_objects if ob != context.object and derived.is_possible(ob)]
         if shape.has_shape(context.object) and len(others) == 1:
             return context.object, others[0]
         return None, context.object

@@ -1,0 +1,60 @@
+"""A curve shape is given other pieces, and its splines keep their look."""
+
+from ..core import verbs
+from . import recipes, shape, store, write_curve
+
+
+def is_curve_shape(ob):
+    """Whether the object is a shape of curves."""
+    return shape.has_shape(ob) and ob.type == 'CURVE'
+
+
+def require_changeable(data):
+    """Raises ValueError where the definition is not to be changed, or cannot be."""
+    recipes.require_free(data)
+    shape.require_writable(data)
+    shape.require_untouched(data)
+
+
+def do(data, number, verb, already):
+    """Do a verb with a piece of a curve shape, or with all where the number is 0.
+
+    Returns the definition before and the verbs.Changed. Raises, and changes nothing, as verbs.changed() and
+    shape.set_definition() do.
+    """
+    require_changeable(data)
+    before = store.read(data)
+    changed = verbs.changed(before, number, verb, already)
+    put(data, before, changed)
+    return before, changed
+
+
+def put(data, before, changed):
+    """Write the verbs.Changed of the definition `before`, which the data-block has."""
+    worn = carried(write_curve.dresses(data), before, changed, data.splinewright)
+    shape.set_definition(data, changed.definition)
+    if len(worn) == len(data.splines):
+        write_curve.put_on(data, worn)
+
+
+def carried(worn, before, changed, settings):
+    """The dresses of the splines of a changed definition: each piece wears what the piece wore that it came from.
+
+    A piece may be shown by several splines, or none, where it runs to infinity. [] if the dresses are not of `before`.
+    """
+    of_pieces, first = [], 0
+    for count in _spline_counts(before, settings):
+        of_pieces.append(worn[first:first + count])
+        first += count
+    if first != len(worn):
+        return []
+    result = []
+    for parent, count in zip(changed.parents, _spline_counts(changed.definition, settings)):
+        was = of_pieces[parent]
+        result += was if len(was) == count else (was[:1] or [write_curve.Dress()]) * count
+    return result
+
+
+def _spline_counts(definition, settings):
+    """For each piece, as shape.evaluated() shows it."""
+    return [len(curve.polylines(settings.resolution_u, settings.reach)) for curve in verbs.curves_of(definition)]

@@ -1,0 +1,128 @@
+"""How smoothly the curves of a definition go on: each inside, at its knots, and from one to the next."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import joints, parameters, verbs
+from .library import sc
+
+#: Ends meet if they are nearer to each other than this part of the smaller piece.
+_NEAR = 1e-3
+#: Ends are sorted along it: on a grid no two of them come together there.
+_SLANT = np.array([0.269, 0.535, 0.801])
+#: Of ends in one place each is compared with so many others.
+_MOST_NEIGHBOURS = 16
+
+
+class Joint(NamedTuple):
+    """A place where a curve goes on, by itself or by another."""
+
+    place: str                          # in words
+    continuity: object                  # a splinecore Continuity; None at infinity
+    degree: int                         # of the curve, or the higher of two: so many derivatives are all
+
+
+class Survey(NamedTuple):
+    """The joints of a definition."""
+
+    joints: tuple                       # the first ones
+    count: int                          # of all
+
+
+def surveyed(definition, limit):
+    """The Survey of a definition of curves, piece by piece, of so many joints at most.
+
+    A place is a parameter or "seam", after the number of the piece where there are several; of two pieces their
+    numbers and the way each runs: in "1 → → 2" the second goes on where the first ends, "1 → ← 2" end both.
+    """
+    curves = verbs.curves_of(definition)
+    ends = np.array([joints.ends_of(curve) for curve in curves])
+    near = _NEAR * np.array([_size(definition.pool, piece) for piece in definition.pieces])
+    places = [[_Inside(i, u) for u in _parameters(curves[i], ends[i], near[i])] for i in range(len(curves))]
+    for between in _meetings(ends, np.minimum(near, np.median(near))):
+        places[between.piece].append(between)
+    places = sum(places, [])
+    return Survey(tuple(place.joint(curves) for place in places[:limit]), len(places))
+
+
+class _Inside(NamedTuple):
+    """The parameter of a piece; None for the seam of one that is not periodic."""
+
+    piece: int
+    u: float
+
+    def joint(self, curves):
+        nurbs = curves[self.piece].to_nurbs()
+        is_seam = self.u is None or self.u == nurbs.domain[0]
+        where = "seam" if is_seam else f"{self.u:.4g}"
+        place = f"{self.piece + 1}: {where}" if len(curves) > 1 else where
+        return _measured(place, nurbs.degree, lambda: _at(nurbs, self.u))
+
+
+class _Between(NamedTuple):
+    """Two pieces, and of each whether it is its start (0) or its end (1)."""
+
+    piece: int
+    end: int
+    other: int
+    other_end: int
+
+    def joint(self, curves):
+        before, after = curves[self.piece].to_nurbs(), curves[self.other].to_nurbs()
+        degree = max(before.degree, after.degree)
+        if (self.end, self.other_end) == (0, 1):
+            return _measured(f"{self.other + 1} → → {self.piece + 1}", degree, lambda: after.continuity_to(before))
+        place = f"{self.piece + 1} {'←→'[self.end]} {'→←'[self.other_end]} {self.other + 1}"
+        before = before if self.end else before.reversed()
+        after = after.reversed() if self.other_end else after
+        return _measured(place, degree, lambda: before.continuity_to(after))
+
+
+def _at(nurbs, u):
+    return nurbs.continuity_to(nurbs) if u is None else nurbs.continuity(u)
+
+
+def _measured(place, degree, measure):
+    try:
+        return Joint(place, measure(), degree)
+    except sc.PointAtInfinity:
+        return Joint(place, None, degree)
+
+
+def _parameters(curve, ends, near):
+    """Those of the joints inside a curve; None stands for the seam of a closed one."""
+    if isinstance(curve, sc.BezierCurve):
+        inner = []
+    else:
+        inner = parameters.inner_knots(curve).tolist()
+    if getattr(curve, 'periodic', False):
+        return [curve.domain[0], *inner]
+    return [*inner, None] if np.linalg.norm(ends[1] - ends[0]) <= near else inner
+
+
+def _size(pool, piece):
+    """The diagonal of the box around the finite points of a piece."""
+    rows = pool[piece.indices[0] if piece.kind == 'hermite' else piece.indices]
+    points = rows[rows[:, 3] != 0, :3]
+    return np.linalg.norm(np.ptp(points, axis=0)) if len(points) else 0.0
+
+
+def _meetings(ends, near):
+    """A _Between for two ends of different pieces that meet, in the order of the pieces.
+
+    ends: (n, 2, 3), nan where there is none. near: (n,), how near to each other the ends of each are to lie.
+    """
+    pieces, sides = np.nonzero(np.isfinite(ends).all(-1))
+    places, near = ends[pieces, sides], near[pieces]
+    along = places @ _SLANT
+    order = np.argsort(along, kind='stable')
+    found = []
+    for step in range(1, min(len(order), _MOST_NEIGHBOURS + 1)):
+        a, b = order[:-step], order[step:]
+        if (along[b] - along[a]).min() > near.max():
+            break
+        meet = np.linalg.norm(places[a] - places[b], axis=1) <= np.minimum(near[a], near[b])
+        first, second = np.minimum(a, b)[meet], np.maximum(a, b)[meet]
+        found += zip(pieces[first].tolist(), sides[first].tolist(), pieces[second].tolist(), sides[second].tolist())
+    return [_Between(*row) for row in sorted(found) if row[0] != row[2]]

@@ -1,0 +1,96 @@
+"""Where the ends of two curves meet: which ends are nearest, and the curves as one."""
+
+import numpy as np
+
+from . import definition as definitions
+from . import verbs
+
+#: For continuity, in the order in which it asks for more.
+SMOOTHNESS = ('C0', 'G1', 'C1', 'C2')
+
+_START, _END = 0, 1
+
+
+def joined(definition, first, second, smoothness, linear=np.eye(3), parted=None):
+    """The verbs.Changed definition in which two pieces are one, at the place of the former.
+
+    first, second: numbers of the pieces, counted from 1; 0 for the one whose end is nearest to the other.
+    linear: (3, 3), what takes the points to the space in which distances are measured.
+    parted: `first` is one of so many pieces at the beginning, `second` one of the rest, counted from there.
+
+    The two nearest ends meet; a piece is reversed where it must be. The parameter of the first goes on in that
+    of the second. Raises ValueError where a piece has no ends or they lie at infinity.
+    """
+    curves = verbs.curves_of(definition)
+    count = len(curves)
+    if count < 2:
+        raise ValueError("it has one piece: Make Periodic closes it, and two shapes are joined if both are selected")
+    rows = _chosen(curves[:parted], first)
+    columns = _chosen(curves[parted or 0:], second) + (parted or 0)
+    a, end_a, b, end_b = _nearest_ends(curves, rows, columns, linear)
+    result = _in_a_row(curves[a], end_a, curves[b], end_b, smoothness)
+    after, parents = list(curves), list(range(count))
+    after[a] = result.value
+    del after[b], parents[b]
+    value = after[0] if len(after) == 1 else after
+    return verbs.Changed(definitions.from_value(value), tuple(parents), result.error)
+
+
+def _chosen(curves, number):
+    """Numbers, counted from 0, of the pieces that are meant."""
+    if number == 0:
+        return np.arange(len(curves))
+    verbs.require_piece(curves, number)
+    return np.array([number - 1])
+
+
+def _nearest_ends(curves, rows, columns, linear):
+    """(piece, end, another piece, end) of the two that lie nearest to each other; of equal ones those that need no
+    reversal, if the first piece's end is one of them."""
+    ends = np.full((len(curves), 2, 3), np.nan)
+    for i in {*rows, *columns}:
+        ends[i] = ends_of(curves[i]) @ linear.T
+    best = None
+    for a in rows:
+        others = columns[columns != a]
+        if not len(others):
+            continue
+        gaps = np.linalg.norm(ends[a][None, ::-1, None] - ends[others][:, None], axis=-1)
+        gaps[np.isnan(gaps)] = np.inf
+        i, end_a, end_b = np.unravel_index(gaps.argmin(), gaps.shape)
+        if np.isfinite(gaps.min()) and (best is None or gaps.min() < best[0]):
+            best = gaps.min(), (int(a), 1 - int(end_a), int(others[i]), int(end_b))
+    if best is None:
+        _refuse(curves, rows, columns)
+    return best[1]
+
+
+def _refuse(curves, rows, columns):
+    """Raises ValueError: no two ends can meet."""
+    if len(rows) == len(columns) == 1 and rows[0] == columns[0]:
+        raise ValueError("a piece is not joined to itself: Make Periodic closes it")
+    for i in (*rows, *columns):
+        if getattr(curves[i], 'periodic', False):
+            raise ValueError(f"piece {i + 1} is periodic: it has no end to join")
+    raise ValueError("the ends of the pieces lie at infinity")
+
+
+def ends_of(curve):
+    """(2, 3): where a curve starts and ends; nan for an end at infinity, and where a curve is periodic."""
+    if getattr(curve, 'periodic', False):
+        return np.full((2, 3), np.nan)
+    start, end = curve.domain
+    return np.concatenate([curve.evaluate([start], at_infinity='nan'),
+                           curve.evaluate([end], side='left', at_infinity='nan')])
+
+
+def _in_a_row(a, end_a, b, end_b, smoothness):
+    """The Approximation of both by one curve."""
+    a, b = a.to_nurbs(), b.to_nurbs()
+    if end_a == _START and end_b == _END:
+        return b.join(a, smoothness)
+    if end_a == _START:
+        a = a.reversed()
+    if end_b == _END:
+        b = b.reversed()
+    return a.join(b, smoothness)

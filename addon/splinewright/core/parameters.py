@@ -1,0 +1,55 @@
+"""Parameters that come from Blender's properties, which are float32, and the float64 knots that are meant."""
+
+import numpy as np
+
+
+def exact(number):
+    """The shortest decimal of a float32 number, as float64: 0.1 typed into a property is 0.1."""
+    return float(str(np.float32(number)))
+
+
+def snapped(number, knots):
+    """exact(), or of the knots that are this number as float32 the one nearest to it.
+
+    So a knot such as 1/3 can be named in a property that holds float32.
+    """
+    number = exact(number)
+    with np.errstate(over='ignore'):
+        same = knots[knots.astype(np.float32) == np.float32(number)]
+    return float(same[np.abs(same - number).argmin()]) if len(same) else number
+
+
+def knots_of(curve):
+    """The float64 parameters of a curve that a number may mean: its knots; of a Bezier curve its ends."""
+    return np.asarray(curve.to_nurbs().knots)
+
+
+def inner_knots(curve):
+    """The distinct knots inside the domain of a curve, growing."""
+    start, end = curve.domain
+    knots = np.unique(knots_of(curve))
+    return knots[(knots > start) & (knots < end)]
+
+
+def middle(curve):
+    """The parameter in the middle of the domain."""
+    start, end = curve.domain
+    return start + (end - start) / 2
+
+
+def middle_of_widest_span(curve):
+    """The parameter in the middle of the widest span; of equal ones, the one nearest to middle()."""
+    middles, widths = _spans(curve)
+    widest = middles[widths >= widths.max() * (1 - 1e-9)]
+    return float(widest[np.abs(widest - middle(curve)).argmin()])
+
+
+def span_middles(curve):
+    """The parameter in the middle of every span."""
+    return _spans(curve)[0]
+
+
+def _spans(curve):
+    start, end = curve.domain
+    ends = np.concatenate([[start], inner_knots(curve), [end]])
+    return ends[:-1] + np.diff(ends) / 2, np.diff(ends)

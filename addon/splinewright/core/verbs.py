@@ -1,0 +1,247 @@
+"""Verbs of curves, on the pieces of a definition.
+
+A verb takes a curve and gives a curve, a list of curves that stand for it, or a splinecore Approximation or Near.
+Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import definition as definitions
+from . import parameters
+from .library import sc
+
+
+class Near(NamedTuple):
+    """A curve that stands for another, as splinecore's Approximation."""
+
+    value: object
+    error: float
+
+
+class Changed(NamedTuple):
+    """What became of a definition."""
+
+    definition: definitions.Definition
+    parents: tuple              # for each piece, the number of the piece it came from, counted from 0
+    error: float                # how far the shape is from what it was, at most; 0 where nothing but rounding was lost
+
+
+def changed(definition, number, verb, already="nothing changes"):
+    """The Changed definition, after a verb was done with one piece, counted from 1, or with all where `number` is 0.
+
+    Raises ValueError or ArithmeticError, naming the piece where there are several, if a curve refuses; ValueError
+    with the sentence `already` if every curve came out as it went in.
+    """
+    before = curves_of(definition)
+    require_piece(before, number, least=0)
+    after, parents, error = [], [], 0.0
+    for i, curve in enumerate(before):
+        values, piece_error = _done(verb, curve, i, len(before)) if number in (0, i + 1) else ([curve], 0.0)
+        after += values
+        parents += [i] * len(values)
+        error = max(error, piece_error)
+    if after == before:
+        raise ValueError(already)
+    value = after[0] if definition.form == 'curve' and len(after) == 1 else after
+    return Changed(definitions.from_value(value), tuple(parents), error)
+
+
+def curves_of(definition):
+    """The curves of a definition, as a list."""
+    value = definitions.to_value(definition)
+    return value if isinstance(value, list) else [value]
+
+
+def require_piece(curves, number, least=1):
+    """Raises ValueError unless there is a piece of this number, counted from 1."""
+    count = len(curves)
+    if not least <= number <= count:
+        raise ValueError(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {number}")
+
+
+def _done(verb, curve, i, count):
+    """(the curves that stand for a curve, the error)."""
+    try:
+        result = verb(curve)
+    except (ValueError, ArithmeticError) as error:
+        if count == 1:
+            raise
+        raise type(error)(f"piece {i + 1}: {error}") from error
+    if isinstance(result, (sc.Approximation, Near)):
+        return [result.value], result.error
+    return (result, 0.0) if isinstance(result, list) else ([result], 0.0)
+
+
+def _capable(curve, name):
+    """The curve, or its NURBS form if that alone has the method."""
+    return curve if hasattr(curve, name) else curve.to_nurbs()
+
+
+# Knots ---------------------------------------------------------------------------------------------
+
+
+def insert_knot(parameter, times):
+    def verb(curve):
+        return curve.to_nurbs().insert_knot(parameters.snapped(parameter, parameters.knots_of(curve)), times)
+    return verb
+
+
+def insert_span_middles(times):
+    return lambda curve: curve.to_nurbs().refine(np.repeat(parameters.span_middles(curve), times))
+
+
+def remove_knot(parameter, is_nearest, times, tolerance):
+    """is_nearest: the inner knot nearest to the parameter is meant. tolerance: a length, or None."""
+    def verb(curve):
+        knot = parameters.snapped(parameter, parameters.knots_of(curve))
+        if is_nearest:
+            knot = _nearest_removable(curve, knot)
+        return curve.to_nurbs().remove_knot(knot, times, _length(tolerance))
+    return verb
+
+
+def _nearest_removable(curve, parameter):
+    knots = parameters.inner_knots(curve)
+    if not len(knots):
+        raise ValueError("there is no inner knot")
+    return float(knots[np.abs(knots - parameter).argmin()])
+
+
+def remove_knots(tolerance):
+    """Of Bezier curves, which have none, nothing; other curves stay as they are where no knot can go."""
+    def verb(curve):
+        nurbs = curve.to_nurbs()
+        result = nurbs.remove_knots(_length(tolerance))
+        return curve if result.value == nurbs else result
+    return verb
+
+
+# Degree --------------------------------------------------------------------------------------------
+
+
+def raise_degree(times):
+    return lambda curve: _capable(curve, 'elevate').elevate(times)
+
+
+def lower_degree(times, tolerance):
+    """tolerance: a length, or None."""
+    def verb(curve):
+        result = _capable(curve, 'reduce').reduce(times)
+        if isinstance(curve, sc.BezierCurve):
+            # Its own error adds up those of all steps.
+            result = Near(result.value, curve.to_nurbs().largest_distance(result.value.to_nurbs()))
+        if tolerance is not None and result.error > _length(tolerance):
+            raise ValueError(f"the degree cannot be lowered within {_length(tolerance):.4g}: "
+                             f"the error would be {result.error:.4g}")
+        return result
+    return verb
+
+
+# Parts ---------------------------------------------------------------------------------------------
+
+
+def split(parameter):
+    """A periodic curve is opened there."""
+    return lambda curve: list(curve.split(parameters.snapped(parameter, parameters.knots_of(curve))))
+
+
+def split_at_knots():
+    """A periodic curve is opened at its seam first."""
+    def verb(curve):
+        opened = curve.clamped() if getattr(curve, 'periodic', False) else curve
+        return _split_at(opened, parameters.inner_knots(opened))
+    return verb
+
+
+def _split_at(curve, knots):
+    """By halves: to cut off one part after the other would copy the rest each time."""
+    if not len(knots):
+        return [curve]
+    middle = len(knots) // 2
+    before, after = curve.split(knots[middle])
+    return _split_at(before, knots[:middle]) + _split_at(after, knots[middle + 1:])
+
+
+def reverse():
+    return lambda curve: curve.reversed()
+
+
+# Parameters ----------------------------------------------------------------------------------------
+
+
+def set_domain(start, end):
+    def verb(curve):
+        domain = parameters.exact(start), parameters.exact(end)
+        return curve if curve.domain == domain else curve.to_nurbs().with_domain(domain)
+    return verb
+
+
+def moebius(rho):
+    return lambda curve: _capable(curve, 'moebius').moebius(parameters.exact(rho))
+
+
+def standard_form():
+    return lambda curve: curve.standard_form() if curve.is_rational else curve
+
+
+# Ends ----------------------------------------------------------------------------------------------
+
+
+def clamp():
+    """Bezier curves and Hermite chains begin and end in their outer points already."""
+    return lambda curve: curve.clamped() if isinstance(curve, sc.NurbsCurve) else curve
+
+
+def unclamp():
+    return lambda curve: curve if _is_unclamped(curve) else curve.to_nurbs().unclamped()
+
+
+def _is_unclamped(curve):
+    if not isinstance(curve, sc.NurbsCurve) or curve.periodic:
+        return False
+    outer = np.diff(curve.knots)[[*range(curve.degree), *range(-curve.degree, 0)]]
+    return bool((outer > 0).all())
+
+
+def make_periodic(tolerance):
+    def verb(curve):
+        is_periodic = getattr(curve, 'periodic', False)
+        return curve if is_periodic else curve.to_nurbs().to_periodic(_length(tolerance))
+    return verb
+
+
+# Kinds ---------------------------------------------------------------------------------------------
+
+
+def to_bezier_chain():
+    return lambda curve: curve.to_bezier()
+
+
+def to_hermite(tolerance):
+    """Of a conic with weights, which no Hermite chain is, cubics within the tolerance, a length."""
+    def verb(curve):
+        if isinstance(curve, sc.HermiteCurve):
+            return curve
+        return _conic_as_hermite(curve, parameters.exact(tolerance)) if _is_conic(curve) else curve.to_hermite()
+    return verb
+
+
+def _is_conic(curve):
+    return curve.degree == 2 and bool((curve.weights != curve.weights[0]).any())
+
+
+def _conic_as_hermite(curve, tolerance):
+    try:
+        return sc.conics.as_hermite(curve, tolerance)
+    except sc.InvalidShape as error:
+        raise ValueError("it runs to infinity or has a gap: a Hermite chain is finite and connected") from error
+
+
+def to_nurbs():
+    return lambda curve: curve.to_nurbs()
+
+
+def _length(tolerance):
+    return None if tolerance is None else parameters.exact(tolerance)

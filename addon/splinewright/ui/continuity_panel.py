@@ -1,0 +1,90 @@
+"""How smoothly a curve shape goes on at its joints, in the sidebar."""
+
+import math
+
+import bpy
+
+from ..bridge import replacing, store, surveys
+from ..bridge.net import live, net
+from . import texts
+
+#: Characters of a note that fit a line of the sidebar as wide as it opens.
+_WIDTH = 26
+
+
+class SPLINEWRIGHT_PT_continuity(bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_continuity"
+    bl_label = "Continuity"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'UI'
+    bl_category = "Splinewright"
+    bl_parent_id = "SPLINEWRIGHT_PT_shape"
+    bl_options = {'DEFAULT_CLOSED'}
+
+    @classmethod
+    def poll(cls, context):
+        return _shape_in_hand(context.object) is not None
+
+    def draw(self, context):
+        try:
+            survey = surveys.survey_of(_shape_in_hand(context.object).data)
+        except store.UnreadableDefinition:
+            return                      # the panel above says it
+        if net.is_net(context.object) and live.problem(context.object):
+            texts.draw_note(self.layout, "As it was before the last change, which is not shown", _WIDTH)
+        if not survey.count:
+            self.layout.label(text="No joints")
+            return
+        _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
+        _draw_joints(self.layout, survey)
+
+
+def _shape_in_hand(ob):
+    """The curve shape that is active, or whose net is; None where there is none."""
+    owner = net.shape_of(ob) if ob is not None and net.is_net(ob) else ob
+    return owner if replacing.is_curve_shape(owner) else None
+
+
+def _draw_in_columns(layout, items):
+    """One text, or three of which the last has most room."""
+    for item, share in zip(items, (0.3, 0.43, 1.0) if len(items) > 1 else (1.0,)):
+        layout = layout.split(factor=share)
+        layout.label(text=item)
+
+
+def _draw_joints(layout, survey):
+    for joint in survey.joints:
+        box = layout.box().column(align=True)
+        row = box.split(factor=0.6)
+        row.label(text=joint.place)
+        row.label(text=kind(joint))
+        _draw_in_columns(box, numbers(joint))
+    hidden = survey.count - len(survey.joints)
+    if hidden:
+        layout.label(text=f"and {hidden:,} more")
+
+
+def kind(joint):
+    """Parametric and geometric continuity in one word."""
+    measured = joint.continuity
+    if measured is None:
+        return ""
+    if measured.c < 0:
+        return "gap"
+    return "C∞" if measured.c >= joint.degree else f"C{measured.c} G{measured.g}"
+
+
+def numbers(joint):
+    """Gap, angle in degrees and difference of curvatures as texts; a word for a joint at infinity."""
+    measured = joint.continuity
+    if measured is None:
+        return ["at infinity: not measured"]
+    return [_short(measured.gap), _short(math.degrees(measured.angle)) + "°", _short(measured.curvature_difference)]
+
+
+def _short(number):
+    """At most seven characters."""
+    return f"{number:.3g}" if number == 0 or 1e-3 <= number < 999.5 else f"{number:.0e}"
+
+
+CLASSES = (SPLINEWRIGHT_PT_continuity,)

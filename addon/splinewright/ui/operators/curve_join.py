@@ -1,0 +1,68 @@
+"""Join Ends: two curves become one where their nearest ends meet."""
+
+import bpy
+from bpy.props import EnumProperty, IntProperty
+
+from ...bridge import joining, replacing, store
+from ...core import joints
+from ...core.failures import FAILURES, sentence
+from . import polls
+from .curve_verbs import told
+
+_WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",
+          'C1': "They share the first derivative", 'C2': "They share the first two derivatives"}
+
+
+class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
+    bl_idname = "splinewright.join_ends"
+    bl_label = "Join Ends"
+    bl_description = ("Make two curves one where their nearest ends meet, and say how far they moved: "
+                      "two pieces of the active shape, or one of each of two selected shapes")
+    bl_options = {'REGISTER', 'UNDO'}
+
+    continuity: EnumProperty(name="Continuity", description="What the curves share where they meet",
+                             items=[(name, name, _WORDS[name]) for name in joints.SMOOTHNESS])
+    first: IntProperty(name="Piece", description="Which curve of the active shape, counted from 1; 0 for the nearest",
+                       default=0, min=0, options={'SKIP_SAVE'})
+    second: IntProperty(name="Other Piece", description="Which other curve of it, or of the other shape, counted "
+                        "from 1; 0 for the nearest", default=0, min=0, options={'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        chosen = context.selected_objects
+        if context.object not in chosen or len(chosen) > 2 or not all(map(replacing.is_curve_shape, chosen)):
+            cls.poll_message_set("Select one or two curve shapes")
+            return False
+        return True
+
+    def execute(self, context):
+        ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
+        try:
+            outcome = self._joined(ob, others)
+        except FAILURES as error:
+            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
+            return {'CANCELLED'}
+        self.report({'INFO'}, f"Joined ends of {ob.name}" + told([outcome]))
+        return {'FINISHED'}
+
+    def _joined(self, ob, others):
+        """(the definition before, the verbs.Changed)."""
+        if others:
+            return joining.join_ends(ob, others[0], self.first, self.second, self.continuity)
+        replacing.require_changeable(ob.data)
+        before = store.read(ob.data)
+        changed = joints.joined(before, self.first, self.second, self.continuity, joining.linear_of(ob))
+        replacing.put(ob.data, before, changed)
+        return before, changed
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.row().prop(self, "continuity", expand=True)
+        layout.prop(self, "first")
+        layout.prop(self, "second")
+
+
+CLASSES = (SPLINEWRIGHT_OT_join_ends,)

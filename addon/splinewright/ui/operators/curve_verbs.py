@@ -1,0 +1,287 @@
+"""Verbs of curve shapes: knots, degree, parts, parameters, ends and kinds, in Object Mode.
+
+A number in the redo panel is float32. It stands for the shortest decimal that it is, and for a knot of the curve
+that is the same number as float32: core.parameters.snapped().
+"""
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+
+from ...bridge import replacing, store
+from ...core import parameters, verbs
+from ...core.failures import FAILURES
+from .selected import OnSelected
+
+PARAMETER = "; a knot of the curve is met where both are equal in single precision"
+
+
+def parameter_property():
+    """Its first value in a session of the redo panel is the operator's invoke() to find."""
+    return FloatProperty(name="Parameter", description="Parameter u on the curve" + PARAMETER, default=0.5,
+                         precision=5, step=1, options={'SKIP_SAVE'})
+
+
+def times_property(what):
+    return IntProperty(name="Times", description=what, default=1, min=1, soft_max=8)
+
+
+class _OnCurves(OnSelected):
+    """Does verb() with pieces of every selected curve shape; `already` is said where that changes nothing."""
+
+    needs, already = "Select a curve shape", "nothing changes"
+    fits = staticmethod(replacing.is_curve_shape)
+
+    piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1; 0 for all of them",
+                       default=0, min=0, options={'SKIP_SAVE'})
+
+    def verb(self):
+        """A verb of core.verbs."""
+        raise NotImplementedError
+
+    def settings(self):
+        """Names of the properties in the redo panel above the piece."""
+        return [name for name in type(self).__annotations__ if name != 'piece']
+
+    def work(self, context, ob):
+        return replacing.do(ob.data, self.piece, self.verb(), self.already)
+
+    def report_done(self, outcomes):
+        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        for name in (*self.settings(), 'piece'):
+            self.layout.prop(self, name)
+
+
+def told(outcomes):
+    """What changed, for pairs of a definition and the verbs.Changed that came of it."""
+    outcomes = list(outcomes)
+    texts = []
+    if len(outcomes) == 1:
+        before, changed = outcomes[0]
+        for count, noun in ((lambda d: len(d.pieces), "piece"), (points, "point")):
+            old, new = count(before), count(changed.definition)
+            if old != new:
+                texts.append(f"{old} {noun}{'s' if old > 1 else ''} became {new}")
+    error = max(changed.error for _, changed in outcomes)
+    if error > 0:
+        texts.append(f"largest distance {error:.2g}")
+    return ": " + ", ".join(texts) if texts else ""
+
+
+def points(definition):
+    """How many control points the pieces have; of Hermite chains, how many points."""
+    return sum(piece.indices.shape[-1] for piece in definition.pieces)
+
+
+class _AtParameter(_OnCurves):
+    """Begins with the parameter that fits the active curve."""
+
+    @staticmethod
+    def first_parameter(curve):
+        return parameters.middle(curve)
+
+    def invoke(self, context, event):
+        if not self.properties.is_property_set('parameter'):
+            try:
+                curves = verbs.curves_of(store.read(self._a_shape(context).data))
+                self.parameter = self.first_parameter(curves[max(self.piece, 1) - 1])
+            except (*FAILURES, IndexError):
+                pass                    # execute() says it
+        return self.execute(context)
+
+    def _a_shape(self, context):
+        return [ob for ob in self._in_order(context) if self.fits(ob)][-1]
+
+
+class _WithinTolerance:
+    """An error that is allowed, if the user wants a limit."""
+
+    limited: BoolProperty(name="Limit Error", description="Refuse what moves the curve farther than the tolerance")
+    tolerance: FloatProperty(name="Tolerance", description="Largest distance that is allowed, in units of the object",
+                             default=1e-4, min=0.0, precision=6, step=0.01)
+
+    @property
+    def allowed(self):
+        return self.tolerance if self.limited else None
+
+    def limits(self):
+        return ['limited', 'tolerance'] if self.limited else ['limited']
+
+
+class SPLINEWRIGHT_OT_insert_knot(_AtParameter, bpy.types.Operator):
+    bl_idname = "splinewright.insert_knot"
+    bl_label = "Insert Knot"
+    bl_description = "Add a knot, and with it a control point; the curve stays the same"
+    done = "Inserted knots into {}"
+
+    where: EnumProperty(name="Where", items=(
+        ('PARAMETER', "At Parameter", "At one parameter"),
+        ('SPANS', "In Every Span", "In the middle of every span")))
+    parameter: parameter_property()
+    times: times_property("How many copies of the knot are added")
+
+    first_parameter = staticmethod(parameters.middle_of_widest_span)
+
+    def settings(self):
+        return ['where', 'parameter', 'times'] if self.where == 'PARAMETER' else ['where', 'times']
+
+    def verb(self):
+        if self.where == 'SPANS':
+            return verbs.insert_span_middles(self.times)
+        return verbs.insert_knot(self.parameter, self.times)
+
+
+class SPLINEWRIGHT_OT_remove_knot(_WithinTolerance, _AtParameter, bpy.types.Operator):
+    bl_idname = "splinewright.remove_knot"
+    bl_label = "Remove Knot"
+    bl_description = ("Take copies of an inner knot away, move the control points as little as that asks, "
+                      "and say how far the curve moved")
+    done = "Removed a knot of {}"
+
+    parameter: parameter_property()
+    nearest: BoolProperty(name="Nearest", description="Take the inner knot that is nearest to the parameter; "
+                          "otherwise there must be one at it", default=True)
+    times: times_property("How many copies of the knot are taken away")
+
+    def settings(self):
+        return ['parameter', 'nearest', 'times', *self.limits()]
+
+    def verb(self):
+        return verbs.remove_knot(self.parameter, self.nearest, self.times, self.allowed)
+
+
+class SPLINEWRIGHT_OT_remove_knots(_OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.remove_knots"
+    bl_label = "Remove Knots"
+    bl_description = "Take every inner knot away that can go while the curve moves no farther than a tolerance"
+    done, already = "Removed knots of {}", "no knot can go within the tolerance"
+
+    tolerance: FloatProperty(name="Tolerance", description="Largest distance that is allowed, in units of the object",
+                             default=1e-6, min=0.0, precision=6, step=0.01)
+
+    def verb(self):
+        return verbs.remove_knots(self.tolerance)
+
+
+class SPLINEWRIGHT_OT_raise_degree(_OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.raise_degree"
+    bl_label = "Raise Degree"
+    bl_description = "Give the curve a higher degree and more control points; it stays the same"
+    done = "Raised the degree of {}"
+
+    times: times_property("By how much the degree is raised")
+
+    def verb(self):
+        return verbs.raise_degree(self.times)
+
+
+class SPLINEWRIGHT_OT_lower_degree(_WithinTolerance, _OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.lower_degree"
+    bl_label = "Lower Degree"
+    bl_description = "Take the nearest curve of a lower degree, and say how far it lies from the present one"
+    done = "Lowered the degree of {}"
+
+    times: times_property("By how much the degree is lowered")
+
+    def settings(self):
+        return ['times', *self.limits()]
+
+    def verb(self):
+        return verbs.lower_degree(self.times, self.allowed)
+
+
+class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
+    bl_idname = "splinewright.split_curve"
+    bl_label = "Split"
+    bl_description = "Cut curves into more pieces of the same shape; a periodic curve is opened"
+    done, already = "Split {}", "there is no inner knot to split at"
+
+    where: EnumProperty(name="Where", items=(
+        ('PARAMETER', "At Parameter", "At one parameter"),
+        ('KNOTS', "At Every Knot", "At every inner knot; a periodic curve also at its seam")))
+    parameter: parameter_property()
+
+    def settings(self):
+        return ['where', 'parameter'] if self.where == 'PARAMETER' else ['where']
+
+    def verb(self):
+        return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(self.parameter)
+
+
+class SPLINEWRIGHT_OT_reparametrise(_OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.reparametrise"
+    bl_label = "Reparametrise"
+    bl_description = "Give the curve another domain, or another speed along it; it stays the same"
+    done, already = "Reparametrised {}", "the parameters are these already"
+
+    how: EnumProperty(name="How", items=(
+        ('AFFINE', "New Domain", "Map the domain to another one; control points and weights stay"),
+        ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly")))
+    start: FloatProperty(name="Start", description="Where the new domain starts", default=0.0, precision=5)
+    end: FloatProperty(name="End", description="Where the new domain ends", default=1.0, precision=5)
+    rho: FloatProperty(name="Rho", description="Ratio of the speeds at both ends; above 0, 1 changes nothing",
+                       default=2.0, soft_min=0.01, soft_max=100.0, precision=5)
+
+    def settings(self):
+        return ['how', 'start', 'end'] if self.how == 'AFFINE' else ['how', 'rho']
+
+    def verb(self):
+        return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)
+
+
+class SPLINEWRIGHT_OT_make_periodic(_OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.make_periodic"
+    bl_label = "Make Periodic"
+    bl_description = ("Make a closed curve periodic, as smooth at its seam as it is; "
+                      "a gap within the tolerance is closed")
+    done, already = "Made {} periodic", "it is periodic already"
+
+    tolerance: FloatProperty(name="Tolerance", description="How far the ends may lie apart, and the curve move, in "
+                             "units of the object", default=1e-6, min=0.0, precision=6, step=0.01)
+
+    def verb(self):
+        return verbs.make_periodic(self.tolerance)
+
+
+class SPLINEWRIGHT_OT_to_hermite(_OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.to_hermite"
+    bl_label = "To Hermite"
+    bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
+                      "conics within a tolerance, and say how far they moved")
+    done, already = "Made {} Hermite", "it is Hermite already"
+
+    tolerance: FloatProperty(name="Tolerance", description="How far cubics may lie from a conic, in units of the "
+                             "object", default=1e-5, min=1e-12, precision=6, step=0.01)
+
+    def verb(self):
+        return verbs.to_hermite(self.tolerance)
+
+
+def _plain(name, label, description, done, already, verb):
+    """The operator of a verb without settings."""
+    members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
+               'already': already, 'verb': lambda self: verb(), '__annotations__': {}}
+    return type(f"SPLINEWRIGHT_OT_{name}", (_OnCurves, bpy.types.Operator), members)
+
+
+_PLAIN = tuple(_plain(*row) for row in (
+    ('reverse', "Reverse", "Let curves run the other way over the same domain",
+     "Reversed {}", "it is the same in both directions", verbs.reverse),
+    ('standard_form', "Standard Form", "Change the parameter so that both end weights are 1; the curve stays the same",
+     "Brought {} to standard form", "the end weights are 1 already", verbs.standard_form),
+    ('clamp', "Clamp", "Let the curve begin and end in its outer control points; it stays the same. "
+     "A periodic one is cut at its seam",
+     "Clamped {}", "it begins and ends in its outer points already", verbs.clamp),
+    ('unclamp', "Unclamp", "Spread the knots at the ends, so that the curve touches no end point; it stays the same. "
+     "A periodic one is opened",
+     "Unclamped {}", "its knots go on outside the domain already", verbs.unclamp),
+    ('to_bezier_chain', "To Bezier Chain", "Make every span a Bezier curve of its own, a piece of the same shape",
+     "Made {} Bezier curves", "its pieces are Bezier curves already", verbs.to_bezier_chain),
+    ('to_nurbs', "To NURBS", "Make Bezier curves and Hermite chains NURBS curves; they stay the same",
+     "Made {} NURBS", "it is NURBS already", verbs.to_nurbs)))
+
+CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
+           SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split_curve,
+           SPLINEWRIGHT_OT_reparametrise, SPLINEWRIGHT_OT_make_periodic, SPLINEWRIGHT_OT_to_hermite, *_PLAIN)

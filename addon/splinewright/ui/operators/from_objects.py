@@ -1,0 +1,79 @@
+"""An operator for each recipe that makes a shape from selected objects, made from the table; Follow Object is its own."""
+
+import bpy
+import numpy as np
+from mathutils import Matrix
+
+from ...bridge import derived, follow, shape
+from ...core.failures import FAILURES, sentence
+from ...core.recipes.table import DERIVED, FOLLOW
+from .. import recipe_props
+from . import polls
+from .adding import add_in_front, resolution_property
+
+
+class _FromObjects:
+    """`recipe` is what it makes, from the selected objects, the active one first."""
+
+    bl_options = {'REGISTER', 'UNDO'}
+    recipe = None
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        wanted = cls.recipe.inputs
+        if len(_sources(context)) != len(wanted):
+            cls.poll_message_set(f"Select {' and '.join(wanted)}")
+            return False
+        return True
+
+    def execute(self, context):
+        sources, recipe = _sources(context), self.recipe
+        values, resolution = recipe_props.typed(recipe, self), (self.resolution_u, self.resolution_u)
+        try:
+            ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
+        except FAILURES as error:
+            self.report({'ERROR'}, f"{sources[0].name}: {sentence(error)}")
+            return {'CANCELLED'}
+        if recipe.is_beside:
+            ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
+        add_in_front(context, ob, sources)
+        return {'FINISHED'}
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        for parameter in self.recipe.parameters:
+            layout.prop(self, parameter.name)
+        layout.prop(self, "resolution_u", text="Resolution")
+
+
+def _sources(context):
+    """The selected objects that a shape can be made from, the active one first."""
+    chosen = [ob for ob in context.selected_objects if derived.is_possible(ob)]
+    return sorted(chosen, key=lambda ob: ob != context.object)
+
+
+def _below(source, ob):
+    """What moves a new shape to where it lies under its source, in the source's x and y."""
+    around, own = _corners(source), shape.points_of(ob.data)
+    gap = 0.3 * np.ptp(own[:, 1])
+    x, y = around.min(axis=0)[:2] - (own[:, 0].min(), gap + own[:, 1].max())
+    return Matrix.Translation((x, y, 0.0))
+
+
+def _corners(ob):
+    """(n, 3): points around an object; the box of a shape that was not drawn yet is stale."""
+    return shape.points_of(ob.data) if shape.has_shape(ob) else np.array(ob.bound_box)
+
+
+def _class_for(recipe):
+    annotations = {parameter.name: recipe_props.property_of(parameter) for parameter in recipe.parameters}
+    annotations['resolution_u'] = resolution_property(default=recipe.resolution)
+    return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (_FromObjects, bpy.types.Operator), {
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': recipe.label, 'bl_description': recipe.description,
+        'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
+
+
+CLASSES = tuple(_class_for(recipe) for recipe in DERIVED if recipe is not FOLLOW)
