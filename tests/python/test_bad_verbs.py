@@ -146,9 +146,9 @@ def test_a_polynomial_curve_stays_one(curve):
 def test_no_call_of_modelling_takes_long():
     rng = np.random.default_rng(4)
     wild = sc.NurbsCurve(9, np.r_[[0] * 9, range(92), [91] * 9], rng.normal(size=(100, 3)), rng.uniform(0.1, 4, 100))
-    begin = time.perf_counter()
+    begin = time.process_time()
     wild.elevate(3).largest_distance(wild.with_points(wild.points + 0.1))
     wild.reduce(2)
     wild.remove_knots(0.5)
     wild.join(wild, "C2").value.joints()
-    assert time.perf_counter() - begin < 5
+    assert time.process_time() - begin < 5

@@ -209,7 +209,7 @@ def test_a_thousand_knots_are_removed_in_seconds():
     knots = np.r_[[0] * 3, range(998), [997] * 3]
     wild = sc.NurbsCurve(3, knots, rng.normal(size=(1000, 3)))
     tame = sc.NurbsCurve(3, [0] * 4 + [997] * 4, rng.normal(size=(4, 3)), [1, 2, 1, 1]).refine(np.arange(1, 997))
-    begin = time.perf_counter()
+    begin = time.process_time()
     assert len(tame.remove_knots(1e-9).value.points) == 4
     assert len(wild.remove_knots(1e-9).value.points) == 1000
-    assert time.perf_counter() - begin < 15
+    assert time.process_time() - begin < 15
