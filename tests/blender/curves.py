@@ -29,7 +29,8 @@ def value_of(kind):
 def run(name, **settings):
     """With the defaults of what is not given: Blender remembers the last ones."""
     operator = getattr(bpy.ops.splinewright, name)
-    defaults = {p.identifier: p.default for p in operator.get_rna_type().properties if p.identifier != 'rna_type'}
+    defaults = {p.identifier: tuple(p.default_array) if getattr(p, 'is_array', False) else p.default
+                for p in operator.get_rna_type().properties if p.identifier != 'rna_type'}
     return op(operator, **{**defaults, **settings})
 
 

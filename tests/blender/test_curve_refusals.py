@@ -31,6 +31,8 @@ REFUSED = (
     ('raise_degree', {'times': 1000}, 'cubic', "times = 1000"),
     ('split_curve', {'parameter': 2.0}, 'cubic', "u = 2"), ('split_curve', {'parameter': 1.0}, 'nurbs', "u = 1"),
     ('split_curve', {'where': 'KNOTS'}, 'cubic', "no inner knot"),
+    ('split_curve', {'where': 'FLAT', 'tolerance': 100.0}, 'cubic', "flat already"),
+    ('split_curve', {'where': 'FLAT'}, 'hyperbola', "infinity"), ('project_curve', {'eye': (1, 2, 0)}, 'cubic', "eye"),
     ('reparametrise', {'start': 1.0, 'end': 1.0}, 'nurbs', "domain"),
     ('reparametrise', {'start': 2.0, 'end': 1.0}, 'hermite', "domain"),
     ('reparametrise', {'start': 0.0, 'end': 1.0}, 'nurbs', "these already"),

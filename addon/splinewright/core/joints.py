@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import definition as definitions
-from . import verbs
+from . import parameters, verbs
 
 #: For continuity, in the order in which it asks for more.
 SMOOTHNESS = ('C0', 'G1', 'C1', 'C2')
@@ -94,3 +94,66 @@ def _in_a_row(a, end_a, b, end_b, smoothness):
     if end_b == _END:
         b = b.reversed()
     return a.join(b, smoothness)
+
+
+def chained(definition, tolerance):
+    """The verbs.Changed definition in which pieces whose ends lie within the tolerance, a length, are one.
+
+    A joint where the directions agree is made C1: the parameter of the later piece is scaled for that. Then knots
+    go as far as the tolerance allows, so that a chain of Bezier curves is the B-spline again that it came from (S8).
+    Raises ValueError where no two ends meet.
+    """
+    curves, length = verbs.curves_of(definition), parameters.exact(tolerance)
+    rows = _rows(np.array([ends_of(curve) for curve in curves]), length)
+    if len(rows) == len(curves):
+        raise ValueError(f"no two ends of its pieces lie within {length:.4g} of each other")
+    after, error = [], 0.0
+    for row in rows:
+        value, moved = _as_one(curves, row, length) if len(row) > 1 else (curves[row[0][0]], 0.0)
+        after.append(value)
+        error = max(error, moved)
+    value = after[0] if len(after) == 1 else after
+    return verbs.Changed(definitions.from_value(value), tuple(row[0][0] for row in rows), error)
+
+
+def _rows(ends, tolerance):
+    """Lists of (piece, is it reversed), each a row of pieces that go on from one another."""
+    free, rows = set(range(len(ends))), []
+    while free:
+        row = [(min(free), False)]
+        free.discard(row[0][0])
+        for is_forward in (True, False):
+            while (found := _next(ends, row, is_forward, free, tolerance)) is not None:
+                row.insert(len(row) if is_forward else 0, found)
+                free.discard(found[0])
+        rows.append(row)
+    return rows
+
+
+def _next(ends, row, is_forward, free, tolerance):
+    """The (piece, is it reversed) that goes on at the end or the start of a row, or None."""
+    piece, is_reversed = row[-1 if is_forward else 0]
+    here = ends[piece, _START if is_forward == is_reversed else _END]
+    others = np.array(sorted(free), dtype=int)
+    if not len(others):
+        return None
+    gaps = np.linalg.norm(ends[others] - here, axis=-1)
+    gaps[np.isnan(gaps)] = np.inf
+    i, end = np.unravel_index(gaps.argmin(), gaps.shape)
+    return (int(others[i]), bool(end == _START) != is_forward) if gaps[i, end] <= tolerance else None
+
+
+def _as_one(curves, row, tolerance):
+    """(the NURBS curve of a row of pieces, how far it lies from them)."""
+    whole, error = None, 0.0
+    for piece, is_reversed in row:
+        curve = curves[piece].to_nurbs()
+        curve = curve.reversed() if is_reversed else curve
+        if whole is None:
+            whole = curve
+            continue
+        is_smooth = whole.continuity_to(curve).g >= 1
+        whole, moved = whole.join(curve, 'C1' if is_smooth else 'C0')
+        error += moved
+    whole, moved = whole.remove_knots(tolerance)
+    return whole, error + moved

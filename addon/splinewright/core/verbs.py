@@ -155,6 +155,16 @@ def split_at_knots():
     return verb
 
 
+def split_until_flat(tolerance):
+    """Halved until every part lies within the tolerance, a length, of its chord (S6)."""
+    def verb(curve):
+        length = parameters.exact(tolerance)
+        parts = [part.to_bezier()[0] for bezier in curve.to_bezier()
+                 for part in _split_at(bezier.to_nurbs(), bezier.flatten(length)[0][1:-1])]
+        return [curve] if len(parts) == 1 else parts
+    return verb
+
+
 def _split_at(curve, knots):
     """By halves: to cut off one part after the other would copy the rest each time."""
     if not len(knots):
@@ -209,6 +219,21 @@ def make_periodic(tolerance):
     def verb(curve):
         is_periodic = getattr(curve, 'periodic', False)
         return curve if is_periodic else curve.to_nurbs().to_periodic(_length(tolerance))
+    return verb
+
+
+# Place ---------------------------------------------------------------------------------------------
+
+
+def project(eye):
+    """The image on the plane z = 0, seen from a point: new weights are what the perspective does (S9)."""
+    x, y, z = map(parameters.exact, eye)
+    matrix = [[z, 0, -x, 0], [0, z, -y, 0], [0, 0, 0, 0], [0, 0, -1, z]]
+
+    def verb(curve):
+        if z == 0.0:
+            raise ValueError("the eye lies in the plane of the image, z = 0")
+        return curve.to_nurbs().transformed(matrix)
     return verb
 
 

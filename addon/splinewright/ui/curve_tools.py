@@ -8,9 +8,10 @@ from ..bridge import replacing
 _GROUPS = (
     ("Knots", ('insert_knot', 'remove_knot', 'remove_knots')),
     ("Degree", ('raise_degree', 'lower_degree')),
-    ("Pieces", ('split_curve', 'join_ends', 'reverse')),
+    ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'reverse')),
     ("Speed", ('reparametrise', 'standard_form')),
     ("Ends", ('clamp', 'unclamp', 'make_periodic')),
+    ("Place", ('project_curve',)),
     ("Kind", ('to_bezier_chain', 'to_hermite', 'to_nurbs')),
 )
 

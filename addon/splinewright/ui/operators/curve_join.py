@@ -1,13 +1,14 @@
-"""Join Ends: two curves become one where their nearest ends meet."""
+"""Curves become one where their ends meet."""
 
 import bpy
-from bpy.props import EnumProperty, IntProperty
+from bpy.props import EnumProperty, FloatProperty, IntProperty
 
 from ...bridge import joining, replacing, store
 from ...core import joints
 from ...core.failures import FAILURES, sentence
 from . import polls
 from .curve_verbs import told
+from .selected import OnSelected
 
 _WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",
           'C1': "They share the first derivative", 'C2': "They share the first two derivatives"}
@@ -65,4 +66,26 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
         layout.prop(self, "second")
 
 
-CLASSES = (SPLINEWRIGHT_OT_join_ends,)
+class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
+    bl_idname = "splinewright.join_pieces"
+    bl_label = "Join Pieces"
+    bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
+                      "The way back from To Bezier Chain")
+    needs, done = "Select a curve shape", "Joined pieces of {}"
+    fits = staticmethod(replacing.is_curve_shape)
+
+    tolerance: FloatProperty(name="Tolerance", description="How far apart ends may lie, and how far the curve may move, "
+                             "in units of the object", default=1e-6, min=0.0, precision=6, step=0.01)
+
+    def work(self, context, ob):
+        replacing.require_changeable(ob.data)
+        before = store.read(ob.data)
+        changed = joints.chained(before, self.tolerance)
+        replacing.put(ob.data, before, changed)
+        return before, changed
+
+    def report_done(self, outcomes):
+        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+
+
+CLASSES = (SPLINEWRIGHT_OT_join_ends, SPLINEWRIGHT_OT_join_pieces)

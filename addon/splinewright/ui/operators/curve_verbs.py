@@ -5,7 +5,7 @@ that is the same number as float32: core.parameters.snapped().
 """
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
 from ...bridge import replacing, store
 from ...core import parameters, verbs
@@ -25,7 +25,7 @@ def times_property(what):
     return IntProperty(name="Times", description=what, default=1, min=1, soft_max=8)
 
 
-class _OnCurves(OnSelected):
+class OnCurves(OnSelected):
     """Does verb() with pieces of every selected curve shape; `already` is said where that changes nothing."""
 
     needs, already = "Select a curve shape", "nothing changes"
@@ -75,7 +75,7 @@ def points(definition):
     return sum(piece.indices.shape[-1] for piece in definition.pieces)
 
 
-class _AtParameter(_OnCurves):
+class _AtParameter(OnCurves):
     """Begins with the parameter that fits the active curve."""
 
     @staticmethod
@@ -152,7 +152,7 @@ class SPLINEWRIGHT_OT_remove_knot(_WithinTolerance, _AtParameter, bpy.types.Oper
         return verbs.remove_knot(self.parameter, self.nearest, self.times, self.allowed)
 
 
-class SPLINEWRIGHT_OT_remove_knots(_OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_remove_knots(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.remove_knots"
     bl_label = "Remove Knots"
     bl_description = "Take every inner knot away that can go while the curve moves no farther than a tolerance"
@@ -165,7 +165,7 @@ class SPLINEWRIGHT_OT_remove_knots(_OnCurves, bpy.types.Operator):
         return verbs.remove_knots(self.tolerance)
 
 
-class SPLINEWRIGHT_OT_raise_degree(_OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_raise_degree(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.raise_degree"
     bl_label = "Raise Degree"
     bl_description = "Give the curve a higher degree and more control points; it stays the same"
@@ -177,7 +177,7 @@ class SPLINEWRIGHT_OT_raise_degree(_OnCurves, bpy.types.Operator):
         return verbs.raise_degree(self.times)
 
 
-class SPLINEWRIGHT_OT_lower_degree(_WithinTolerance, _OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_lower_degree(_WithinTolerance, OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.lower_degree"
     bl_label = "Lower Degree"
     bl_description = "Take the nearest curve of a lower degree, and say how far it lies from the present one"
@@ -196,21 +196,32 @@ class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
     bl_idname = "splinewright.split_curve"
     bl_label = "Split"
     bl_description = "Cut curves into more pieces of the same shape; a periodic curve is opened"
-    done, already = "Split {}", "there is no inner knot to split at"
+    done = "Split {}"
 
     where: EnumProperty(name="Where", items=(
         ('PARAMETER', "At Parameter", "At one parameter"),
-        ('KNOTS', "At Every Knot", "At every inner knot; a periodic curve also at its seam")))
+        ('KNOTS', "At Every Knot", "At every inner knot; a periodic curve also at its seam"),
+        ('FLAT', "Until Flat", "By halves, into Bezier curves that lie within the tolerance of their chords")))
     parameter: parameter_property()
+    tolerance: FloatProperty(name="Tolerance", description="How far a part may lie from its chord, in units of the "
+                             "object", default=0.01, min=1e-9, precision=6, step=0.01)
+
+    _SETTINGS = {'PARAMETER': ['where', 'parameter'], 'KNOTS': ['where'], 'FLAT': ['where', 'tolerance']}
+
+    @property
+    def already(self):
+        return "it is flat already" if self.where == 'FLAT' else "there is no inner knot to split at"
 
     def settings(self):
-        return ['where', 'parameter'] if self.where == 'PARAMETER' else ['where']
+        return self._SETTINGS[self.where]
 
     def verb(self):
+        if self.where == 'FLAT':
+            return verbs.split_until_flat(self.tolerance)
         return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(self.parameter)
 
 
-class SPLINEWRIGHT_OT_reparametrise(_OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_reparametrise(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.reparametrise"
     bl_label = "Reparametrise"
     bl_description = "Give the curve another domain, or another speed along it; it stays the same"
@@ -231,7 +242,7 @@ class SPLINEWRIGHT_OT_reparametrise(_OnCurves, bpy.types.Operator):
         return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)
 
 
-class SPLINEWRIGHT_OT_make_periodic(_OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.make_periodic"
     bl_label = "Make Periodic"
     bl_description = ("Make a closed curve periodic, as smooth at its seam as it is; "
@@ -245,7 +256,27 @@ class SPLINEWRIGHT_OT_make_periodic(_OnCurves, bpy.types.Operator):
         return verbs.make_periodic(self.tolerance)
 
 
-class SPLINEWRIGHT_OT_to_hermite(_OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
+    bl_idname = "splinewright.project_curve"
+    bl_label = "Perspective Image"
+    bl_description = ("Project curves from a point onto their object's plane z = 0: a rational curve with other weights, "
+                      "exact. Called from a menu, the point is the active camera")
+    done = "Projected {}"
+
+    eye: FloatVectorProperty(name="Eye", description="Where it is seen from, in the object's own space",
+                             default=(0.0, 0.0, 10.0), subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+
+    def verb(self):
+        return verbs.project(self.eye)
+
+    def invoke(self, context, event):
+        camera, ob = context.scene.camera, context.object
+        if camera and ob and not self.properties.is_property_set('eye'):
+            self.eye = ob.matrix_world.inverted_safe() @ camera.matrix_world.translation
+        return self.execute(context)
+
+
+class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.to_hermite"
     bl_label = "To Hermite"
     bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
@@ -263,7 +294,7 @@ def _plain(name, label, description, done, already, verb):
     """The operator of a verb without settings."""
     members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
                'already': already, 'verb': lambda self: verb(), '__annotations__': {}}
-    return type(f"SPLINEWRIGHT_OT_{name}", (_OnCurves, bpy.types.Operator), members)
+    return type(f"SPLINEWRIGHT_OT_{name}", (OnCurves, bpy.types.Operator), members)
 
 
 _PLAIN = tuple(_plain(*row) for row in (
@@ -284,4 +315,5 @@ _PLAIN = tuple(_plain(*row) for row in (
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
            SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split_curve,
-           SPLINEWRIGHT_OT_reparametrise, SPLINEWRIGHT_OT_make_periodic, SPLINEWRIGHT_OT_to_hermite, *_PLAIN)
+           SPLINEWRIGHT_OT_reparametrise, SPLINEWRIGHT_OT_make_periodic, SPLINEWRIGHT_OT_project_curve,
+           SPLINEWRIGHT_OT_to_hermite, *_PLAIN)
