@@ -206,14 +206,12 @@ class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
     tolerance: FloatProperty(name="Tolerance", description="How far a part may lie from its chord, in units of the "
                              "object", default=0.01, min=1e-9, precision=6, step=0.01)
 
-    _SETTINGS = {'PARAMETER': ['where', 'parameter'], 'KNOTS': ['where'], 'FLAT': ['where', 'tolerance']}
-
     @property
     def already(self):
         return "it is flat already" if self.where == 'FLAT' else "there is no inner knot to split at"
 
     def settings(self):
-        return self._SETTINGS[self.where]
+        return ['where', *{'PARAMETER': ['parameter'], 'KNOTS': [], 'FLAT': ['tolerance']}[self.where]]
 
     def verb(self):
         if self.where == 'FLAT':
