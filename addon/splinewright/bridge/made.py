@@ -10,7 +10,7 @@ from . import recipes, shape, store
 def new_data(name, recipe, values, points, resolution):
     """A new Curve that a recipe makes of points. Raises ValueError or ArithmeticError."""
     made = recipe.make(points, **values)
-    data = shape.new_data(name, made.value, resolution)
+    data = shape.new_data(name, made.value, resolution, around=points if recipe.is_endless else None)
     recipes.write_made(data, recipe, values, points, made.error)
     return data
 
@@ -29,7 +29,7 @@ def set_points(data, points):
 def _remake(data, values, points):
     recipe = recipes.of(data)
     made = recipe.make(points, **values)
-    shape.set_definition(data, made.definition)
+    shape.set_definition(data, made.definition, around=points if recipe.is_endless else None)
     recipes.write_made(data, recipe, values, points, made.error)
 
 

@@ -44,6 +44,8 @@ class Recipe:
     points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters say all
     has_any_count: bool = False         # of points
     resolution: int = 32
+    count_for: Callable | None = None   # (values) -> how many of the points to start from
+    is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points: "one curve"; make() takes a list of their Definitions
     is_beside: bool = False             # what it makes is put beside its first input, not over it
@@ -56,3 +58,7 @@ class Recipe:
     def start(self):
         """(n, 3) float64: the points to start from."""
         return np.array(self.points, dtype=np.float64).reshape(-1, 3)
+
+    def start_for(self, values):
+        """start, or as many of them as these values of the parameters ask for."""
+        return self.start[:self.count_for(values)] if self.count_for else self.start
