@@ -5,6 +5,7 @@ import numpy as np
 from mathutils import Vector
 
 from . import net as bridge
+from . import points_net
 
 
 def selected(ob, net):
@@ -33,8 +34,12 @@ def place(ob, net, vertices, rows):
 
     Raises ChangedNet where the net has not its points.
     """
-    bridge.read(ob, net)
-    bridge.add_typed(ob.data, np.column_stack([vertices, rows]))
+    if points_net.is_free(ob.data):
+        numbers = points_net.numbers(ob.data)[vertices]
+    else:
+        bridge.read(ob, net)
+        numbers = vertices
+    bridge.add_typed(ob.data, np.column_stack([numbers, rows]))
     values = dict(zip(vertices, rows))
     if ob.type == 'CURVE':
         _place_on_curve(ob.data, net, values)
@@ -62,6 +67,9 @@ def _curve_vertices(curve, net):
     vertex = 0
     for spline, part in zip(curve.splines, net.splines):
         handles = ('_left_handle', '_control_point', '_right_handle') if part.kind == 'BEZIER' else ('',)
+        if (spline.type == 'BEZIER') != (part.kind == 'BEZIER'):
+            vertex += len(handles) * part.count
+            continue                    # of another type now
         for i in range(part.count):
             for handle in handles:
                 yield spline, handle, i, vertex

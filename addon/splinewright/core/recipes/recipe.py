@@ -49,10 +49,20 @@ class Recipe:
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points: "one curve"; make() takes a list of their Definitions
     is_beside: bool = False             # what it makes is put beside its first input, not over it
+    has_groups: bool = False            # of points, any number of them; make() refuses parts of one
 
     @property
     def defaults(self):
         return {parameter.name: parameter.default for parameter in self.parameters}
+
+    @property
+    def can_gain_points(self):
+        return self.has_any_count or self.has_groups
+
+    @property
+    def can_close(self):
+        """Whether a parameter says that it is closed."""
+        return 'closed' in self.defaults
 
     @property
     def start(self):
