@@ -28,15 +28,6 @@ def test_another_domain_keeps_the_points_and_maps_the_knots():
         assert np.abs(far).max() <= 1e-12 * np.abs(curve.homogeneous_points).max(), index
 
 
-def test_a_domain_of_twice_the_length_has_the_same_points_to_the_digit():
-    for curve in random_curves(34, 100):
-        start, end = curve.domain
-        u = parameters(curve)
-        after = curve.with_domain((2 * start, 2 * end))
-        if after.domain[1] - after.domain[0] == 2 * (end - start) and np.array_equal(after.knots, 2 * curve.knots):
-            assert np.array_equal(homogeneous(curve, u), homogeneous(after, 2 * u))
-
-
 def test_the_same_domain_is_the_same_curve():
     for curve in (circle(), cubic(), closed_cubic()):
         assert curve.with_domain(curve.domain) == curve

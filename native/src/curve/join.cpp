@@ -61,7 +61,8 @@ double rounding_of_speed(const NurbsCurve& curve, Side side) {
   return kRounding * curve.degree() * largest_coordinate(curve.points()) / width;
 }
 
-/// b over a domain that begins where a ends and on which both derivatives at the joint have one length.
+/// b over a domain that begins where a ends and on which both derivatives at the joint have one length,
+/// as long as it was where they have it but for rounding.
 NurbsCurve scaled_to_meet(const NurbsCurve& a, const NurbsCurve& b, bool is_scaled) {
   const double start = a.domain().end;
   double length = b.domain().length();
