@@ -65,7 +65,14 @@ NurbsCurve clamped(const NurbsCurve& curve) {
 
 namespace {
 
-/// Spreads the first knots as wide as the first span, and moves the points so that the curve stays.
+/// How far apart the outer knots go. As wide as the span, the points would lie up to 10^7 times their old
+/// distance away at degree 9, and their rounding with them; so it is 200 times at most.
+double outer_step(int degree, double span) {
+  constexpr double kFull = 3.0;
+  return degree <= kFull ? span : span * (kFull / degree) * (kFull / degree);
+}
+
+/// Spreads the first knots, and moves the points so that the curve stays.
 void unclamp_start(int p, double step, std::vector<double>& u, std::vector<glm::dvec4>& points) {
   for (int i = p - 1; i >= 0; --i) u[i] = u[i + 1] - step;
   for (int i = 0; i <= p - 2; ++i) {
@@ -98,8 +105,9 @@ NurbsCurve unclamped(const NurbsCurve& curve) {
   const int p = whole.degree();
   std::vector<double> knots(old.knots().begin(), old.knots().end());
   std::vector<glm::dvec4> points = homogeneous(whole.points());
-  unclamp_start(p, old.span_interval(0).length(), knots, points);
-  unclamp_end(p, old.span_interval(static_cast<int>(old.spans().size()) - 1).length(), knots, points);
+  const int last = static_cast<int>(old.spans().size()) - 1;
+  unclamp_start(p, outer_step(p, old.span_interval(0).length()), knots, points);
+  unclamp_end(p, outer_step(p, old.span_interval(last).length()), knots, points);
   points = as_given_from(whole, points);
   for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) points[i] = whole.points()[i];
   return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(points));

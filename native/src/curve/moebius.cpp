@@ -21,7 +21,10 @@ class Map {
 
   double at(double u) const {
     if (u == domain_.start || u == domain_.end) return u;
-    return domain_.start + (u - domain_.start) / denominator(u);
+    // From the nearer end, so that rounding is relative to the shorter way.
+    const double late = rho_ * (domain_.end - u);
+    const double early = u - domain_.start;
+    return late < early ? domain_.end - late / denominator(u) : domain_.start + early / denominator(u);
   }
 
   /// What one factor of a polar form at u is multiplied by.
