@@ -94,15 +94,20 @@ class SplinewrightRecipe(bpy.types.PropertyGroup):
         for recipe in RECIPES.values() for parameter in recipe.parameters}
 
 
-def draw(layout, data):
-    """The parameters of the recipe that makes a data-block, if it has any."""
+def draw(layout, data, is_net_out=False):
+    """The parameters of the recipe that makes a data-block, if it has any.
+
+    While its net is out only what the net shows can be changed: Edit Mode's undo would not bring the rest back.
+    """
     recipe = recipes.of(data)
     if not recipe.parameters:
         return
     layout.label(text=recipe.label, icon='PROPERTIES')
     column = layout.column(align=True)
     for parameter in recipe.parameters:
-        column.prop(data.splinewright_recipe, name_of(recipe, parameter))
+        row = column.row(align=True)
+        row.enabled = not is_net_out or parameter.name == 'closed'
+        row.prop(data.splinewright_recipe, name_of(recipe, parameter))
     error = recipes.error(data)
     if error:
         layout.label(text=f"Within {error:.1e} of what is asked for", icon='INFO')
