@@ -20,8 +20,8 @@ NATIVE_ARROWS = {
     'conic': {'base', 'basis', 'curve', 'convert'},
     'tessellate': {'base', 'basis', 'curve', 'patch'},
     'formula': {'base'},
-    'measure': {'base', 'basis', 'curve'},
-    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'formula'},
+    'measure': {'base', 'basis', 'curve', 'patch'},
+    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }
 # A room of the add-on may import itself and these.
