@@ -100,8 +100,8 @@ TEST(PatchIsocurve, OfABezierPatchIsABezierCurve) {
 }
 
 TEST(PatchIsocurve, RefusesParametersOutsideAndCurvesAtInfinity) {
-  const NurbsPatch patch =
-      NurbsPatch::make(KnotVector::bezier(1), KnotVector::bezier(1), {{0, 0, 0, 1}, {0, 1, 0, 1}, {1, 0, 0, 0}, {1, 1, 1, 0}});
+  const KnotVector line = KnotVector::bezier(1);
+  const NurbsPatch patch = NurbsPatch::make(line, line, {{0, 0, 0, 1}, {0, 1, 0, 1}, {1, 0, 0, 0}, {1, 1, 1, 0}});
   EXPECT_EQ(refusal([&] { isocurve(patch, Axis::v, 1.5); }), "u = 1.5 is outside the domain [0, 1]");
   EXPECT_EQ(refusal([&] { isocurve(patch, Axis::v, std::nan("")); }), "u = nan is outside the domain [0, 1]");
   EXPECT_EQ(refusal([&] { boundary(patch, Border::u_end); }), "weights are all zero: no point of the shape is finite");

@@ -140,8 +140,11 @@ TEST(PatchMoebius, KeepsTheSurfaceUnderTheMapOfItsParameter) {
       const double old_at = domain.start + s * domain.length();
       const double at = domain.start + t * domain.length();
       const double other = inside(random, patch.knot_vector(axis == Axis::u ? Axis::v : Axis::u).domain());
-      const glm::dvec4 expected = axis == Axis::u ? homogeneous_at(patch, old_at, other) : homogeneous_at(patch, other, old_at);
-      const glm::dvec4 found = axis == Axis::u ? homogeneous_at(mapped, at, other) : homogeneous_at(mapped, other, at);
+      const auto point = [&](const NurbsPatch& on, double u) {
+        return axis == Axis::u ? homogeneous_at(on, u, other) : homogeneous_at(on, other, u);
+      };
+      const glm::dvec4 expected = point(patch, old_at);
+      const glm::dvec4 found = point(mapped, at);
       const bool is_clear = largest(expected) > 0.05 * size_of(patch);
       EXPECT_TRUE(!is_clear || misfit(expected, found) <= 1e-12) << round;
     }
@@ -236,7 +239,8 @@ TEST(BezierPatchDegree, IsRaisedAndLoweredInEachDirection) {
 }
 
 TEST(PatchVerbs, RefuseWhatCannotBe) {
-  const NurbsPatch patch = BezierPatch::make(3, 2, {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}, {0, 2, 0, 1}, {1, 2, 0, 1}}).nurbs();
+  std::vector<glm::dvec4> arch{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}, {0, 2, 0, 1}, {1, 2, 0, 1}};
+  const NurbsPatch patch = NurbsPatch::make(KnotVector::bezier(2), KnotVector::bezier(1), arch);
   EXPECT_EQ(refusal([&] { elevated(patch, Axis::u, -1); }), "times = -1 is outside [0, 253]");
   EXPECT_EQ(refusal([&] { elevated(patch, Axis::v, 255); }), "times = 255 is outside [0, 254]");
   EXPECT_EQ(refusal([&] { reduced(patch, Axis::v); }), "times = 1 is outside [1, 0]: a curve needs degree 1 or more");

@@ -67,7 +67,7 @@ MoebiusKnots moebius(const KnotVector& knots, double rho) {
   for (int i = 0; i < knots.count(); ++i) {
     for (int j = 1; j <= knots.degree(); ++j) factors[i] *= map.factor(old[i + j]);
   }
-  return {KnotVector::make(knots.degree(), std::move(moved)), std::move(factors)};
+  return {std::move(moved), std::move(factors)};
 }
 
 glm::dvec4 multiplied(const glm::dvec4& given, double factor, std::size_t index, std::size_t row_length) {
@@ -75,8 +75,8 @@ glm::dvec4 multiplied(const glm::dvec4& given, double factor, std::size_t index,
   const glm::dvec4 point = is_direction ? factor * given : glm::dvec4(glm::dvec3(given), factor * given.w);
   const bool vanished = !is_direction && !std::isnormal(point.w);
   if (std::isfinite(factor) && !vanished) return point;
-  throw InvalidShape("weights" + index_text(index, row_length) + " = " + text_of(given.w) + " times " + text_of(factor) +
-                     " leaves the range of numbers");
+  throw InvalidShape("weights" + index_text(index, row_length) + " = " + text_of(given.w) + " times " +
+                     text_of(factor) + " leaves the range of numbers");
 }
 
 }  // namespace splinecore

@@ -64,7 +64,7 @@ NurbsCurve moebius(const NurbsCurve& curve, double rho) {
   for (std::size_t i = 0; i < plain.points().size(); ++i) {
     points.push_back(multiplied(plain.points()[i], mapped.factors[i], i));
   }
-  return NurbsCurve::make(std::move(mapped.knots), std::move(points));
+  return NurbsCurve::make(plain.degree(), std::move(mapped.knots), std::move(points));
 }
 
 BezierCurve moebius(const BezierCurve& curve, double rho) {

@@ -14,7 +14,9 @@ namespace splinecore {
 
 namespace {
 
-BezierCurve as_bezier(const NurbsCurve& line) { return BezierCurve::make({line.points().begin(), line.points().end()}); }
+BezierCurve as_bezier(const NurbsCurve& line) {
+  return BezierCurve::make({line.points().begin(), line.points().end()});
+}
 
 constexpr const char* kRefusal = "the degree cannot be lowered";
 

@@ -19,7 +19,7 @@ NurbsPatch moebius(const NurbsPatch& patch, Axis axis, double rho) {
   const bool reaches_pole = has_moebius_pole(patch.knot_vector(axis), rho);
   const bool is_ready = !reaches_pole && !patch.knot_vector(axis).periodic();
   const NurbsPatch plain = is_ready ? patch : clamped(patch, axis);
-  const MoebiusKnots mapped = moebius(plain.knot_vector(axis), rho);
+  MoebiusKnots mapped = moebius(plain.knot_vector(axis), rho);
   const Lines lines = lines_of(plain, axis);
   std::vector<glm::dvec4> points(plain.points().begin(), plain.points().end());
   for (std::size_t line = 0; line < lines.count; ++line) {
@@ -28,7 +28,8 @@ NurbsPatch moebius(const NurbsPatch& patch, Axis axis, double rho) {
       points[at] = multiplied(points[at], mapped.factors[i], at, plain.count(Axis::v));
     }
   }
-  return with_axis(plain, axis, mapped.knots, std::move(points));
+  const int degree = plain.knot_vector(axis).degree();
+  return with_axis(plain, axis, KnotVector::make(degree, std::move(mapped.knots)), std::move(points));
 }
 
 }  // namespace splinecore

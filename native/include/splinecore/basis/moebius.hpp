@@ -10,7 +10,7 @@ namespace splinecore {
 /// Knots under t = rho u / ((1 - u) + rho u), u and t in [0, 1] over the domain, which stays; and what each
 /// homogeneous control point is multiplied by (Lee and Lucian 1991; The NURBS Book, 6.4; lecture row S12).
 struct MoebiusKnots {
-  KnotVector knots;
+  std::vector<double> knots;  ///< not yet a vector: rounding may have brought too many together
   std::vector<double> factors;
 };
 
