@@ -1,58 +1,67 @@
 #include "splinecore/patch/distance.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <queue>
 
-#include "difference.hpp"
+#include "lines.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/basis/difference.hpp"
+#include "splinecore/patch/degree.hpp"
+#include "splinecore/patch/ends.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// The search for the largest length, in the piece first that may have it.
-class Search {
- public:
-  void add(DifferencePiece piece) {
-    if (piece.is_left_out()) return;
-    known_ = std::max(known_, piece.known());
-    const double bound = piece.bound();
-    const bool tells_nothing_new = bound <= kSlack * known_ || piece.is_rounding();
-    if (tells_nothing_new && std::isfinite(bound)) {
-      settled_ = std::max(settled_, bound);
-    } else {
-      open_.push({bound, std::move(piece)});
+/// The patch with every knot of either patch along an axis as often as it falls apart there.
+NurbsPatch chopped(const NurbsPatch& patch, const NurbsPatch& other, Axis axis) {
+  const KnotVector& own = patch.knot_vector(axis);
+  std::vector<double> knots;
+  std::ranges::merge(own.knots(), other.knot_vector(axis).knots(), std::back_inserter(knots));
+  knots.erase(std::ranges::unique(knots).begin(), knots.end());
+  std::vector<double> missing;
+  for (const double u : knots) missing.insert(missing.end(), missing_for_cut(own, u), u);
+  return missing.empty() ? patch : refine(patch, axis, missing);
+}
+
+/// Brings both patches to one degree and one set of spans along an axis.
+void make_alike(NurbsPatch& a, NurbsPatch& b, Axis axis) {
+  a = clamped(a, axis);
+  b = clamped(b, axis);
+  const int more = a.knot_vector(axis).degree() - b.knot_vector(axis).degree();
+  if (more < 0) a = elevated(a, axis, -more);
+  if (more > 0) b = elevated(b, axis, more);
+  NurbsPatch pieces = chopped(a, b, axis);
+  b = chopped(b, a, axis);
+  a = std::move(pieces);
+}
+
+/// The homogeneous points of one piece of a patch that is chopped in both directions.
+Net<glm::dvec4> net_of(const NurbsPatch& patch, int span_u, int span_v) {
+  const KnotVector& u = patch.knot_vector(Axis::u);
+  const KnotVector& v = patch.knot_vector(Axis::v);
+  Net<glm::dvec4> net{static_cast<std::size_t>(u.degree()) + 1, static_cast<std::size_t>(v.degree()) + 1, {}};
+  for (int i = u.spans()[span_u] - u.degree(); i <= u.spans()[span_u]; ++i) {
+    for (int j = v.spans()[span_v] - v.degree(); j <= v.spans()[span_v]; ++j) {
+      net.values.push_back(patch.homogeneous_points()[i * v.count() + j]);
     }
   }
+  return net;
+}
 
-  void run() {
-    constexpr double kMaxWork = 1e8;  // multiplications: less than a second, which no patch of modelling needs
-    for (double work = 0.0; !is_done() && work < kMaxWork;) {
-      const DifferencePiece worst = open_.top().piece;
-      open_.pop();
-      work += worst.work();
-      for (DifferencePiece& quarter : worst.quarters()) add(std::move(quarter));
+/// Where two patches differ, piece by piece; pieces that are equal bit for bit are left out.
+std::vector<DifferencePiece> difference_pieces(NurbsPatch a, NurbsPatch b) {
+  make_alike(a, b, Axis::u);
+  make_alike(a, b, Axis::v);
+  std::vector<DifferencePiece> pieces;
+  for (int i = 0; i < static_cast<int>(a.knot_vector(Axis::u).spans().size()); ++i) {
+    for (int j = 0; j < static_cast<int>(a.knot_vector(Axis::v).spans().size()); ++j) {
+      Net<glm::dvec4> on_a = net_of(a, i, j);
+      Net<glm::dvec4> on_b = net_of(b, i, j);
+      if (on_a.values != on_b.values) pieces.push_back(difference(std::move(on_a), std::move(on_b)));
     }
   }
-
-  double result() const { return std::max({known_, settled_, open_.empty() ? 0.0 : open_.top().bound}); }
-
- private:
-  static constexpr double kSlack = 1.02;
-
-  struct Open {
-    double bound;
-    DifferencePiece piece;
-    bool operator<(const Open& other) const { return bound < other.bound; }
-  };
-
-  bool is_done() const { return open_.empty() || open_.top().bound <= kSlack * std::max(known_, settled_); }
-
-  double known_ = 0.0;
-  double settled_ = 0.0;
-  std::priority_queue<Open> open_;
-};
+  return pieces;
+}
 
 }  // namespace
 
@@ -60,10 +69,8 @@ double largest_distance(const NurbsPatch& a, const NurbsPatch& b) {
   for (const Axis axis : {Axis::u, Axis::v}) {
     if (a.knot_vector(axis).domain() != b.knot_vector(axis).domain()) throw InvalidShape("the domains differ");
   }
-  Search search;
-  for (DifferencePiece& piece : difference_pieces(a, b)) search.add(std::move(piece));
-  search.run();
-  return search.result();
+  constexpr double kSlack = 1.02;
+  return largest_length(difference_pieces(a, b), kSlack);
 }
 
 }  // namespace splinecore

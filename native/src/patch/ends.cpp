@@ -12,7 +12,9 @@
 namespace splinecore {
 
 NurbsPatch with_domain(const NurbsPatch& patch, Axis axis, Interval domain) {
-  return along(patch, axis, [&](const NurbsCurve& line) { return with_domain(line, domain); });
+  const KnotVector& knots = patch.knot_vector(axis);
+  const NurbsCurve line = NurbsCurve::make(knots, std::vector(knots.count(), glm::dvec4(0.0, 0.0, 0.0, 1.0)));
+  return with_axis(patch, axis, with_domain(line, domain).knot_vector(), {patch.points().begin(), patch.points().end()});
 }
 
 NurbsPatch clamped(const NurbsPatch& patch, Axis axis) {

@@ -1,16 +1,12 @@
-#include "difference.hpp"
+#include "splinecore/basis/difference.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <queue>
 
-#include "lines.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
-#include "splinecore/basis/bernstein.hpp"
-#include "splinecore/patch/degree.hpp"
-#include "splinecore/patch/ends.hpp"
 
 namespace splinecore {
 
@@ -29,26 +25,39 @@ bool has_one_sign(const std::vector<Value>& values, Weight weight) {
   return std::invoke(weight, low) > noise || std::invoke(weight, high) < -noise;
 }
 
-/// de Casteljau at the middle of every line along an axis: the first halves stay, the second ones are returned.
+/// Parallel lines of a net.
+struct Lines {
+  std::size_t count;  ///< of lines
+  std::size_t size;   ///< points of a line
+  std::size_t step;   ///< from one point of a line to the next
+  std::size_t next;   ///< from one line to the next
+};
+
 template <class Value>
-Net<Value> halve(Net<Value>& net, Axis axis) {
+Lines down(const Net<Value>& net) {
+  return {net.columns, net.rows, net.columns, 1};
+}
+
+template <class Value>
+Lines across(const Net<Value>& net) {
+  return {net.rows, net.columns, 1, net.columns};
+}
+
+/// de Casteljau at the middle of every line: the first halves stay, the second ones are returned.
+template <class Value>
+Net<Value> halve(Net<Value>& net, const Lines& lines) {
   Net<Value> second = net;
-  const bool is_u = axis == Axis::u;
-  const Lines lines(axis, is_u ? net.columns : net.rows, is_u ? net.rows : net.columns);
   for (std::size_t line = 0; line < lines.count; ++line) {
-    for (std::size_t size = lines.size; size > 1; --size) {
-      for (std::size_t i = 0; i + 1 < size; ++i) {
-        Value& value = second.values[lines.at(line, i)];
-        value = 0.5 * value + 0.5 * second.values[lines.at(line, i + 1)];
+    Value* const row = second.values.data() + line * lines.next;
+    Value* const first = net.values.data() + line * lines.next;
+    for (std::size_t done = 1; done < lines.size; ++done) {
+      for (std::size_t i = 0; i + done < lines.size; ++i) {
+        row[i * lines.step] = 0.5 * row[i * lines.step] + 0.5 * row[(i + 1) * lines.step];
       }
-      net.values[lines.at(line, lines.size - size + 1)] = second.values[lines.at(line, 0)];
+      first[done * lines.step] = row[0];
     }
   }
   return second;
-}
-
-DifferencePiece halve(DifferencePiece& piece, Axis axis) {
-  return {halve(piece.points, axis), halve(piece.weights, axis), piece.limit, piece.rounding};
 }
 
 /// With the largest weight 1, so that products of weights stay in the range of numbers.
@@ -122,63 +131,11 @@ Points rational_difference(const Points& a, const Points& b, double& size) {
   return result;
 }
 
-DifferencePiece piece_of(Points a, Points b) {
-  constexpr double kRounding = 0x1p-48;
-  constexpr double kFinite = 0x1p-4;
-  normalise(a);
-  normalise(b);
-  double size = 0.0;
-  DifferencePiece piece;
-  piece.points = are_weights_equal(a, b) ? plain_difference(a, b, size) : rational_difference(a, b, size);
-  piece.weights = {a.rows, a.columns, {}};
-  for (std::size_t i = 0; i < a.values.size(); ++i) piece.weights.values.emplace_back(a.values[i].w, b.values[i].w);
-  const bool may_vanish = !has_one_sign(a.values, &glm::dvec4::w) && !has_one_sign(b.values, &glm::dvec4::w);
-  piece.limit = may_vanish ? kFinite : 0.0;
-  piece.rounding = kRounding * size;
-  return piece;
-}
-
-/// The patch with every knot of either patch along an axis as often as it falls apart there.
-NurbsPatch chopped(const NurbsPatch& patch, const NurbsPatch& other, Axis axis) {
-  const KnotVector& own = patch.knot_vector(axis);
-  std::vector<double> knots;
-  std::ranges::merge(own.knots(), other.knot_vector(axis).knots(), std::back_inserter(knots));
-  knots.erase(std::ranges::unique(knots).begin(), knots.end());
-  std::vector<double> missing;
-  for (const double u : knots) missing.insert(missing.end(), missing_for_cut(own, u), u);
-  return missing.empty() ? patch : refine(patch, axis, missing);
-}
-
-/// The homogeneous points of one piece of a patch that is chopped in both directions.
-Points net_of(const NurbsPatch& patch, int span_u, int span_v) {
-  const KnotVector& u = patch.knot_vector(Axis::u);
-  const KnotVector& v = patch.knot_vector(Axis::v);
-  Points net{static_cast<std::size_t>(u.degree()) + 1, static_cast<std::size_t>(v.degree()) + 1, {}};
-  for (int i = u.spans()[span_u] - u.degree(); i <= u.spans()[span_u]; ++i) {
-    for (int j = v.spans()[span_v] - v.degree(); j <= v.spans()[span_v]; ++j) {
-      net.values.push_back(patch.homogeneous_points()[i * v.count() + j]);
-    }
-  }
-  return net;
-}
-
-/// Brings both patches to one degree and one set of spans along an axis.
-void make_alike(NurbsPatch& a, NurbsPatch& b, Axis axis) {
-  a = clamped(a, axis);
-  b = clamped(b, axis);
-  const int more = a.knot_vector(axis).degree() - b.knot_vector(axis).degree();
-  if (more < 0) a = elevated(a, axis, -more);
-  if (more > 0) b = elevated(b, axis, more);
-  NurbsPatch pieces = chopped(a, b, axis);
-  b = chopped(b, a, axis);
-  a = std::move(pieces);
-}
-
 bool is_small(const glm::dvec2& weights, double limit) {
   return std::abs(weights.x) < limit && std::abs(weights.y) < limit;
 }
 
-/// Whether one patch runs to infinity in the piece and the other stays in sight.
+/// Whether one of the two runs to infinity in the piece and the other stays in sight.
 bool has_lone_pole(const DifferencePiece& piece) {
   const auto changes_sign = [&](double glm::dvec2::*weight) {
     const auto corners = piece.weights.corners();
@@ -209,7 +166,7 @@ double DifferencePiece::bound() const {
     for (const glm::dvec4& p : points.values) longest = std::max(longest, length_of(p) / std::abs(p.w));
     return longest;
   }
-  // Points that are not left out have no smaller weight where the patches are the same but for rounding.
+  // Points that are not left out have no smaller weight where both are the same but for rounding.
   return is_rounding() && limit > 0.0 ? rounding / (limit * limit) : HUGE_VAL;
 }
 
@@ -225,12 +182,20 @@ double DifferencePiece::known() const {
   return longest;
 }
 
-std::array<DifferencePiece, 4> DifferencePiece::quarters() const {
-  DifferencePiece first = *this;
-  DifferencePiece second = halve(first, Axis::u);
-  DifferencePiece after_first = halve(first, Axis::v);
-  DifferencePiece after_second = halve(second, Axis::v);
-  return {std::move(first), std::move(after_first), std::move(second), std::move(after_second)};
+std::vector<DifferencePiece> DifferencePiece::parts() const {
+  std::vector<DifferencePiece> found{*this};
+  const auto halve_all = [&](auto lines_of) {
+    const std::size_t count = found.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      DifferencePiece& piece = found[i];
+      Net<glm::dvec4> second = halve(piece.points, lines_of(piece.points));
+      Net<glm::dvec2> second_weights = halve(piece.weights, lines_of(piece.weights));
+      found.push_back({std::move(second), std::move(second_weights), limit, rounding});
+    }
+  };
+  if (points.rows > 1) halve_all([](const auto& net) { return down(net); });
+  if (points.columns > 1) halve_all([](const auto& net) { return across(net); });
+  return found;
 }
 
 double DifferencePiece::work() const {
@@ -238,18 +203,75 @@ double DifferencePiece::work() const {
   return 4.0 * size * static_cast<double>(points.rows + points.columns) + 200.0;
 }
 
-std::vector<DifferencePiece> difference_pieces(NurbsPatch a, NurbsPatch b) {
-  make_alike(a, b, Axis::u);
-  make_alike(a, b, Axis::v);
-  std::vector<DifferencePiece> pieces;
-  for (int i = 0; i < static_cast<int>(a.knot_vector(Axis::u).spans().size()); ++i) {
-    for (int j = 0; j < static_cast<int>(a.knot_vector(Axis::v).spans().size()); ++j) {
-      Points on_a = net_of(a, i, j);
-      Points on_b = net_of(b, i, j);
-      if (on_a.values != on_b.values) pieces.push_back(piece_of(std::move(on_a), std::move(on_b)));
+DifferencePiece difference(Net<glm::dvec4> a, Net<glm::dvec4> b) {
+  constexpr double kRounding = 0x1p-48;
+  constexpr double kFinite = 0x1p-4;
+  normalise(a);
+  normalise(b);
+  double size = 0.0;
+  DifferencePiece piece;
+  piece.points = are_weights_equal(a, b) ? plain_difference(a, b, size) : rational_difference(a, b, size);
+  piece.weights = {a.rows, a.columns, {}};
+  for (std::size_t i = 0; i < a.values.size(); ++i) piece.weights.values.emplace_back(a.values[i].w, b.values[i].w);
+  const bool may_vanish = !has_one_sign(a.values, &glm::dvec4::w) && !has_one_sign(b.values, &glm::dvec4::w);
+  piece.limit = may_vanish ? kFinite : 0.0;
+  piece.rounding = kRounding * size;
+  return piece;
+}
+
+namespace {
+
+/// The search for the largest length, in the piece first that may have it.
+class Search {
+ public:
+  explicit Search(double slack) : slack_(slack) {}
+
+  void add(DifferencePiece piece) {
+    if (piece.is_left_out()) return;
+    known_ = std::max(known_, piece.known());
+    const double bound = piece.bound();
+    const bool tells_nothing_new = bound <= slack_ * known_ || piece.is_rounding();
+    if (tells_nothing_new && std::isfinite(bound)) {
+      settled_ = std::max(settled_, bound);
+    } else {
+      open_.push({bound, std::move(piece)});
     }
   }
-  return pieces;
+
+  void run() {
+    constexpr double kMaxWork = 1e8;  // multiplications: less than a second, which no shape of modelling needs
+    for (double work = 0.0; !is_done() && work < kMaxWork;) {
+      const DifferencePiece worst = open_.top().piece;
+      open_.pop();
+      work += worst.work();
+      for (DifferencePiece& part : worst.parts()) add(std::move(part));
+    }
+  }
+
+  double result() const { return std::max({known_, settled_, open_.empty() ? 0.0 : open_.top().bound}); }
+
+ private:
+  struct Open {
+    double bound;
+    DifferencePiece piece;
+    bool operator<(const Open& other) const { return bound < other.bound; }
+  };
+
+  bool is_done() const { return open_.empty() || open_.top().bound <= slack_ * std::max(known_, settled_); }
+
+  double slack_;
+  double known_ = 0.0;
+  double settled_ = 0.0;
+  std::priority_queue<Open> open_;
+};
+
+}  // namespace
+
+double largest_length(std::vector<DifferencePiece> pieces, double slack) {
+  Search search(slack);
+  for (DifferencePiece& piece : pieces) search.add(std::move(piece));
+  search.run();
+  return search.result();
 }
 
 }  // namespace splinecore
