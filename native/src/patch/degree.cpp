@@ -18,6 +18,12 @@ BezierCurve as_bezier(const NurbsCurve& line) {
   return BezierCurve::make({line.points().begin(), line.points().end()});
 }
 
+void require_lower(int times, int degree) {
+  if (times >= 1 && times < degree) return;
+  throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " + std::to_string(degree - 1) +
+                     "]: a patch needs degree 1 or more");
+}
+
 constexpr const char* kRefusal = "the degree cannot be lowered";
 
 }  // namespace
@@ -34,6 +40,7 @@ NurbsPatch elevated(const NurbsPatch& patch, Axis axis, int times) {
 
 Approximation<NurbsPatch> reduced(const NurbsPatch& patch, Axis axis, int times, std::optional<double> tolerance) {
   require_tolerance(tolerance);
+  require_lower(times, patch.knot_vector(axis).degree());
   NurbsPatch lower = along(patch, axis, [&](const NurbsCurve& line) { return reduced(line, times).value; });
   return within(tolerance, patch, std::move(lower), kRefusal);
 }
@@ -46,6 +53,7 @@ BezierPatch elevated(const BezierPatch& patch, Axis axis, int times) {
 
 Approximation<BezierPatch> reduced(const BezierPatch& patch, Axis axis, int times, std::optional<double> tolerance) {
   require_tolerance(tolerance);
+  require_lower(times, patch.degree(axis));
   NurbsPatch lower = along(patch.nurbs(), axis, [&](const NurbsCurve& line) {
     return reduced(as_bezier(line), times).value.nurbs();
   });
