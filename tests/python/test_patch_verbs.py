@@ -288,7 +288,8 @@ def test_a_tolerance_that_is_not_reached_says_what_would_be():
 
 
 def test_sides_at_infinity_are_refused_and_lines_at_infinity_are_not():
-    cone = sc.NurbsPatch((1, 1), ([0, 0, 1, 1],) * 2, [[(0, 0, 0), (1, 0, 0)], [(0, 0, 1), (0, 1, 1)]], [[1, 1], [0, 0]])
+    points = [[(0, 0, 0), (1, 0, 0)], [(0, 0, 1), (0, 1, 1)]]
+    cone = sc.NurbsPatch((1, 1), ([0, 0, 1, 1],) * 2, points, [[1, 1], [0, 0]])
     with pytest.raises(sc.InvalidShape, match="weights are all zero"):
         cone.boundary("u_end")
     raised = cone.elevate("v")

@@ -14,7 +14,8 @@ namespace splinecore {
 NurbsPatch with_domain(const NurbsPatch& patch, Axis axis, Interval domain) {
   const KnotVector& knots = patch.knot_vector(axis);
   const NurbsCurve line = NurbsCurve::make(knots, std::vector(knots.count(), glm::dvec4(0.0, 0.0, 0.0, 1.0)));
-  return with_axis(patch, axis, with_domain(line, domain).knot_vector(), {patch.points().begin(), patch.points().end()});
+  const std::vector<glm::dvec4> points(patch.points().begin(), patch.points().end());
+  return with_axis(patch, axis, with_domain(line, domain).knot_vector(), points);
 }
 
 NurbsPatch clamped(const NurbsPatch& patch, Axis axis) {
