@@ -15,7 +15,7 @@ NATIVE_ARROWS = {
     'base': set(),
     'basis': {'base'},
     'curve': {'base', 'basis'},
-    'patch': {'base', 'basis'},
+    'patch': {'base', 'basis', 'curve'},
     'convert': {'base', 'basis', 'curve', 'patch'},
     'conic': {'base', 'basis', 'curve', 'convert'},
     'tessellate': {'base', 'basis', 'curve', 'patch'},
