@@ -7,6 +7,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
+#include "splinecore/basis/selection.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/removal.hpp"
 
@@ -130,15 +131,13 @@ double gap_of(const NurbsCurve& curve) {
 
 /// A clamped curve whose ends meet as a periodic one with a seam of `degree` equal knots.
 NurbsCurve closed_up(const NurbsCurve& curve) {
-  const auto knots = curve.knot_vector().knots();
-  const int degree = curve.degree();
-  const int count = curve.knot_vector().count() - 1;
-  std::vector<glm::dvec4> points(count);
-  for (int i = 0; i < count; ++i) points[(i + degree - 1) % count] = curve.points()[i];
+  Selection selection = closed_up(curve.knot_vector());
+  std::vector<glm::dvec4> points;
+  for (const int i : selection.indices) points.push_back(curve.points()[i]);
   const glm::dvec4& last = curve.points().back();
-  glm::dvec4& seam = points[(degree - 1) % count];
+  glm::dvec4& seam = points[(curve.degree() - 1) % points.size()];
   if (seam != last) seam = 0.5 * seam + 0.5 * last;
-  return NurbsCurve::make(KnotVector::make(degree, {knots.begin() + 1, knots.begin() + count + 2}, true), points);
+  return NurbsCurve::make(std::move(selection.knots), std::move(points));
 }
 
 }  // namespace
