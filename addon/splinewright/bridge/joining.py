@@ -33,7 +33,7 @@ def join_ends(active, other, first, second, smoothness):
     parted = len(store.read(active.data).pieces)
     changed = joints.joined(definition, first, second, smoothness, linear_of(active), parted)
     looks = _looks([active, other])
-    worn = replacing.carried(looks.worn, definition, changed, active.data.splinewright)
+    worn = replacing.carried(looks.worn, definition, changed, active.data)
     shape.set_definition(active.data, changed.definition)
     _give_looks(active.data, looks._replace(worn=worn))
     _remove([other])

@@ -31,30 +31,30 @@ def do(data, number, verb, already):
 
 def put(data, before, changed):
     """Write the verbs.Changed of the definition `before`, which the data-block has."""
-    worn = carried(write_curve.dresses(data), before, changed, data.splinewright)
+    worn = carried(write_curve.dresses(data), before, changed, data)
     shape.set_definition(data, changed.definition)
     if len(worn) == len(data.splines):
         write_curve.put_on(data, worn)
 
 
-def carried(worn, before, changed, settings):
+def carried(worn, before, changed, data):
     """The dresses of the splines of a changed definition: each piece wears what the piece wore that it came from.
 
     A piece may be shown by several splines, or none, where it runs to infinity. [] if the dresses are not of `before`.
     """
     of_pieces, first = [], 0
-    for count in _spline_counts(before, settings):
+    for count in _spline_counts(before, data):
         of_pieces.append(worn[first:first + count])
         first += count
     if first != len(worn):
         return []
     result = []
-    for parent, count in zip(changed.parents, _spline_counts(changed.definition, settings)):
+    for parent, count in zip(changed.parents, _spline_counts(changed.definition, data)):
         was = of_pieces[parent]
         result += was if len(was) == count else (was[:1] or [write_curve.Dress()]) * count
     return result
 
 
-def _spline_counts(definition, settings):
+def _spline_counts(definition, data):
     """For each piece, as shape.evaluated() shows it."""
-    return [len(curve.polylines(settings.resolution_u, settings.reach)) for curve in verbs.curves_of(definition)]
+    return [len(shape.lines_of(data, curve)) for curve in verbs.curves_of(definition)]

@@ -123,8 +123,7 @@ def evaluated(data, definition, around=None):
     if definition.has_curves:
         value = definitions.to_value(definition)
         curves = value if isinstance(value, list) else [value]
-        reach = settings.resolution_u, settings.reach, around
-        lines = [line for curve in curves for line in curve.polylines(*reach)]
+        lines = [line for curve in curves for line in lines_of(data, curve, around)]
         if not lines:
             raise sc.InvalidShape("no piece of the curve lies within reach")
         lines = [(_single(points), closed) for points, closed in lines]
@@ -135,6 +134,11 @@ def evaluated(data, definition, around=None):
     _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.sharp_angle)
     return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp))
+
+
+def lines_of(data, curve, around=None):
+    """The polylines by which a data-block shows one of its curves; around as of set_definition()."""
+    return curve.polylines(data.splinewright.resolution_u, data.splinewright.reach, around)
 
 
 def points_of(data):

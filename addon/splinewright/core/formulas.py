@@ -28,6 +28,10 @@ def conic_lines(curve):
         conic = conic_of(curve)
     except (ValueError, ArithmeticError):
         return []
+    return _lines_of(curve, conic)
+
+
+def _lines_of(curve, conic):
     found = [("Class", sc.conics.class_of(curve).replace("_", " "))] if _is_one_arc(curve) else []
     found += [("Conic", conic.type.replace("_", " ")), ("Equation", equation(conic))]
     if conic.eccentricity is not None:
@@ -101,10 +105,11 @@ def _power(curve):
 
 def _conic(curve):
     """Lecture row S10."""
-    lines = [f"  {label}: {value}" for label, value in conic_lines(curve)]
-    if not lines:
+    try:
+        conic = conic_of(curve)
+    except (ValueError, ArithmeticError):
         return []
-    conic = conic_of(curve)
+    lines = [f"  {label}: {value}" for label, value in _lines_of(curve, conic)]
     plane = (f"  x and y from {_vector(conic.origin)} along {_vector(conic.x_axis)} and {_vector(conic.y_axis)}")
     return ["Conic:", *lines, plane]
 

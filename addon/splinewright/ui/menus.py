@@ -6,6 +6,8 @@ from ..bridge.net import net
 from ..core.recipes.table import DERIVED, FOLLOW, STARTING
 from . import curve_tools
 
+#: Conics come before it, splines and formulas from it on.
+_FIRST_SPLINE = 'catmull_rom'
 _ICONS = {'circle': 'MESH_CIRCLE', 'arc': 'SPHERECURVE', 'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
           'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE'}
 
@@ -22,6 +24,8 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
         layout.operator("splinewright.add_nurbs_curve", text="NURBS Curve", icon='CURVE_NCURVE')
         layout.separator()
         for recipe in STARTING:
+            if recipe.kind == _FIRST_SPLINE:
+                layout.separator()
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS.get(recipe.kind, 'CURVE_DATA'))
 
 

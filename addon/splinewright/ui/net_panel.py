@@ -22,14 +22,14 @@ def draw(layout, ob):
     problem = live.problem(ob)
     if problem:
         texts.draw_problem(layout, problem)
-    _draw_points(layout, ob)
+    _draw_points(layout, ob, has_weights=not recipes.has(owner.data))
     if recipes.has(owner.data):
         recipe_props.draw(layout.box(), owner.data, is_net_out=True)
     else:
         _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
 
 
-def _draw_points(layout, ob):
+def _draw_points(layout, ob, has_weights):
     data = ob.data
     session = live.session(data)
     _, vertices = net_props.chosen(data)
@@ -45,11 +45,13 @@ def _draw_points(layout, ob):
         row = column.row(align=True)
         for axis in range(3):
             row.prop(numbers, "numbers", index=4 * i + axis, text="")
-        if session.net.weighted[vertex]:
+        if has_weights and session.net.weighted[vertex]:
             column.prop(numbers, "numbers", index=4 * i + 3, text="Weight")
     hidden = len(vertices) - net_props.SHOWN
     if hidden > 0:
         box.label(text=f"and {hidden} more")
+    if not has_weights:
+        return
     if len(vertices) > 1 and session.net.weighted[vertices].any():
         box.prop(numbers, "weight", text="All Weights")
     row = layout.row(align=True)

@@ -61,7 +61,7 @@ def _curve(context, ob, reading, users):
         lost.append("the animation of single points")
     data.splinewright.set_resolution(steps, steps)
     shape.set_value(data, reading.value)
-    native_dress.put_on(data, dress, [len(curve.polylines(steps, data.splinewright.reach)) for curve in reading.pieces])
+    native_dress.put_on(data, dress, [len(shape.lines_of(data, curve)) for curve in reading.pieces])
     return lost
 
 

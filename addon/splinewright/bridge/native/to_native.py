@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...core.definition import CURVES
-from .. import mesh_looks, shape
+from .. import mesh_looks, recipes, shape
 from . import native_dress, native_links, retype, write_native
 from .make_exact import Outcome
 
@@ -33,7 +33,8 @@ def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
     steps = data.splinewright.resolution_u
     curves = [value] if isinstance(value, CURVES) else value
-    dress, undressed = _dress(data, [len(curve.polylines(steps, data.splinewright.reach)) for curve in curves])
+    around = recipes.around(data)
+    dress, undressed = _dress(data, [len(shape.lines_of(data, curve, around)) for curve in curves])
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
     shape.detach(data)

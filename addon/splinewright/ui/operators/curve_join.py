@@ -1,13 +1,13 @@
 """Curves become one where their ends meet."""
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty, IntProperty
+from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing, store
 from ...core import joints
 from ...core.failures import FAILURES, sentence
 from . import polls
-from .curve_verbs import told
+from .curve_verbs import tolerance_property, told
 from .selected import OnSelected
 
 _WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",
@@ -74,8 +74,7 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
 
-    tolerance: FloatProperty(name="Tolerance", description="How far apart ends may lie, and how far the curve may move, "
-                             "in units of the object", default=1e-6, min=0.0, precision=6, step=0.01)
+    tolerance: tolerance_property("How far apart ends may lie, and how far the curve may move", 1e-6)
 
     def work(self, context, ob):
         replacing.require_changeable(ob.data)

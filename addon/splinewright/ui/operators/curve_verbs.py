@@ -25,6 +25,11 @@ def times_property(what):
     return IntProperty(name="Times", description=what, default=1, min=1, soft_max=8)
 
 
+def tolerance_property(what, default, least=0.0):
+    return FloatProperty(name="Tolerance", description=f"{what}, in units of the object", default=default, min=least,
+                         precision=6, step=0.01)
+
+
 class OnCurves(OnSelected):
     """Does verb() with pieces of every selected curve shape; `already` is said where that changes nothing."""
 
@@ -99,8 +104,7 @@ class _WithinTolerance:
     """An error that is allowed, if the user wants a limit."""
 
     limited: BoolProperty(name="Limit Error", description="Refuse what moves the curve farther than the tolerance")
-    tolerance: FloatProperty(name="Tolerance", description="Largest distance that is allowed, in units of the object",
-                             default=1e-4, min=0.0, precision=6, step=0.01)
+    tolerance: tolerance_property("Largest distance that is allowed", 1e-4)
 
     @property
     def allowed(self):
@@ -159,8 +163,7 @@ class SPLINEWRIGHT_OT_remove_knots(OnCurves, bpy.types.Operator):
                       "a Hermite chain becomes NURBS")
     done, already = "Removed knots of {}", "no knot can go within the tolerance"
 
-    tolerance: FloatProperty(name="Tolerance", description="Largest distance that is allowed, in units of the object",
-                             default=1e-6, min=0.0, precision=6, step=0.01)
+    tolerance: tolerance_property("Largest distance that is allowed", 1e-6)
 
     def verb(self):
         return verbs.remove_knots(self.tolerance)
@@ -204,8 +207,7 @@ class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
         ('KNOTS', "At Every Knot", "At every inner knot; a periodic curve also at its seam"),
         ('FLAT', "Until Flat", "By halves, into Bezier curves that lie within the tolerance of their chords")))
     parameter: parameter_property()
-    tolerance: FloatProperty(name="Tolerance", description="How far a part may lie from its chord, in units of the "
-                             "object", default=0.01, min=1e-9, precision=6, step=0.01)
+    tolerance: tolerance_property("How far a part may lie from its chord", 0.01, least=1e-9)
 
     @property
     def already(self):
@@ -249,8 +251,7 @@ class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):
                       "a gap within the tolerance is closed")
     done, already = "Made {} periodic", "it is periodic already"
 
-    tolerance: FloatProperty(name="Tolerance", description="How far the ends may lie apart, and the curve move, in "
-                             "units of the object", default=1e-6, min=0.0, precision=6, step=0.01)
+    tolerance: tolerance_property("How far the ends may lie apart, and the curve move", 1e-6)
 
     def verb(self):
         return verbs.make_periodic(self.tolerance)
@@ -287,8 +288,7 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
                       "conics within a tolerance, and say how far they moved")
     done, already = "Made {} Hermite", "it is Hermite already"
 
-    tolerance: FloatProperty(name="Tolerance", description="How far cubics may lie from a conic, in units of the "
-                             "object", default=1e-5, min=1e-12, precision=6, step=0.01)
+    tolerance: tolerance_property("How far cubics may lie from a conic", 1e-5, least=1e-12)
 
     def verb(self):
         return verbs.to_hermite(self.tolerance)

@@ -1,22 +1,14 @@
-"""The formulas of a curve: a few in the sidebar, all of them as a text."""
+"""The formulas of a curve as a text."""
 
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ..bridge import shape, store
-from ..core import definition as definitions
-from ..core import formulas, teaching
-from ..core.failures import FAILURES, sentence
-from .sub_panel import SubPanel
+from ...bridge import replacing, store
+from ...core import formulas, teaching
+from ...core.failures import FAILURES, sentence
 
 #: On a text that we wrote: the object it is about.
 _OWNER = "splinewright_formulas_of"
-#: Curves with more control points than this are no conic that one would call so.
-_MOST_POINTS = 16
-
-
-def _is_curve(ob):
-    return shape.has_shape(ob) and ob.type == 'CURVE'
 
 
 class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
@@ -32,7 +24,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not _is_curve(context.object):
+        if not replacing.is_curve_shape(context.object):
             cls.poll_message_set("Select a curve shape")
             return False
         return True
@@ -61,32 +53,4 @@ def _text_for(ob):
     return text
 
 
-class SPLINEWRIGHT_PT_formulas(SubPanel, bpy.types.Panel):
-    bl_idname = "SPLINEWRIGHT_PT_formulas"
-    bl_label = "Formulas"
-
-    @classmethod
-    def poll(cls, context):
-        return _is_curve(context.object)
-
-    def draw(self, context):
-        column = self.layout.column(align=True)
-        for label, text in _conic(context.object.data):
-            row = column.split(factor=0.3)
-            row.label(text=label)
-            row.label(text=text)
-        self.layout.operator("splinewright.write_formulas", icon='TEXT')
-
-
-def _conic(data):
-    try:
-        definition = store.read(data)
-    except store.UnreadableDefinition:
-        return []
-    if len(definition.pieces) > 2 or len(definition.pool) > _MOST_POINTS:
-        return []
-    value = definitions.to_value(definition)
-    return formulas.conic_lines((value[0] if isinstance(value, list) else value).to_nurbs())
-
-
-CLASSES = (SPLINEWRIGHT_OT_write_formulas, SPLINEWRIGHT_PT_formulas)
+CLASSES = (SPLINEWRIGHT_OT_write_formulas,)

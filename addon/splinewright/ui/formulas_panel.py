@@ -1,0 +1,42 @@
+"""What conic a curve is, in the sidebar."""
+
+import bpy
+
+from ..bridge import replacing, store
+from ..core import definition as definitions
+from ..core import formulas
+from .sub_panel import SubPanel
+
+#: Curves with more control points than this are no conic that one would call so.
+_MOST_POINTS = 16
+
+
+class SPLINEWRIGHT_PT_formulas(SubPanel, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_formulas"
+    bl_label = "Formulas"
+
+    @classmethod
+    def poll(cls, context):
+        return replacing.is_curve_shape(context.object)
+
+    def draw(self, context):
+        column = self.layout.column(align=True)
+        for label, text in _conic(context.object.data):
+            row = column.split(factor=0.3)
+            row.label(text=label)
+            row.label(text=text)
+        self.layout.operator("splinewright.write_formulas", icon='TEXT')
+
+
+def _conic(data):
+    try:
+        definition = store.read(data)
+    except store.UnreadableDefinition:
+        return []
+    if len(definition.pieces) > 2 or len(definition.pool) > _MOST_POINTS:
+        return []
+    value = definitions.to_value(definition)
+    return formulas.conic_lines((value[0] if isinstance(value, list) else value).to_nurbs())
+
+
+CLASSES = (SPLINEWRIGHT_PT_formulas,)
