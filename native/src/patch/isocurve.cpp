@@ -1,0 +1,56 @@
+#include "splinecore/patch/isocurve.hpp"
+
+#include <algorithm>
+
+#include "lines.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/basis/samples.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// The point that a stencil makes of a line; `points` lie `step` apart and repeat.
+glm::dvec4 given_point(const Stencil& stencil, std::span<const glm::dvec4> given, const Lines& lines, std::size_t line) {
+  const auto weights = stencil.weights(0);
+  const auto point = [&](std::size_t i) { return given[lines.at(line, (stencil.first() + i) % lines.size)]; };
+  const auto copied = std::ranges::find(weights, 1.0);
+  if (copied != weights.end()) return point(copied - weights.begin());
+  glm::dvec4 sum(0.0);
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * homogeneous(point(i));
+  return as_given(sum);
+}
+
+BezierCurve as_bezier(const NurbsCurve& curve) {
+  return BezierCurve::make({curve.points().begin(), curve.points().end()});
+}
+
+}  // namespace
+
+NurbsCurve isocurve(const NurbsPatch& patch, Axis axis, double at, Side side) {
+  const KnotVector& knots = patch.knot_vector(axis);
+  Stencil stencil(knots, 0);
+  stencil.move_to(knots.admit(at, side), side);
+  const Lines lines = lines_of(patch, axis);
+  std::vector<glm::dvec4> points;
+  for (std::size_t line = 0; line < lines.count; ++line) {
+    points.push_back(given_point(stencil, patch.points(), lines, line));
+    if (!patch.rational()) points.back().w = 1.0;
+  }
+  return NurbsCurve::make(patch.knot_vector(across(axis)), std::move(points));
+}
+
+BezierCurve isocurve(const BezierPatch& patch, Axis axis, double at) {
+  return as_bezier(isocurve(patch.nurbs(), axis, at));
+}
+
+NurbsCurve boundary(const NurbsPatch& patch, Border border) {
+  const Axis axis = border == Border::u_start || border == Border::u_end ? Axis::u : Axis::v;
+  const Interval domain = patch.knot_vector(axis).domain();
+  const bool is_start = border == Border::u_start || border == Border::v_start;
+  return is_start ? isocurve(patch, axis, domain.start, Side::right) : isocurve(patch, axis, domain.end, Side::left);
+}
+
+BezierCurve boundary(const BezierPatch& patch, Border border) { return as_bezier(boundary(patch.nurbs(), border)); }
+
+}  // namespace splinecore

@@ -1,0 +1,125 @@
+#include "lines.hpp"
+
+#include <optional>
+
+#include "splinecore/base/points.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Homogeneous points made of a patch's, as points of a patch; a polynomial patch stays one.
+std::vector<glm::dvec4> as_given_from(const NurbsPatch& patch, std::span<const glm::dvec4> points) {
+  return patch.rational() ? as_given(points) : as_given_polynomial(points);
+}
+
+std::vector<glm::dvec4> line_of(std::span<const glm::dvec4> net, const Lines& lines, std::size_t line) {
+  std::vector<glm::dvec4> points(lines.size);
+  for (std::size_t i = 0; i < lines.size; ++i) points[i] = net[lines.at(line, i)];
+  return points;
+}
+
+/// A line of homogeneous points after a verb.
+struct Line {
+  KnotVector knots;
+  std::vector<glm::dvec4> points;
+};
+
+using Verb = std::function<NurbsCurve(const NurbsCurve&)>;
+
+Line changed(const KnotVector& knots, std::vector<glm::dvec4> points, bool rational, const Verb& verb) {
+  std::vector<glm::dvec4> weights;
+  for (glm::dvec4& point : points) {
+    weights.emplace_back(point.w, 0.0, 0.0, 1.0);
+    point.w = 1.0;
+  }
+  const NurbsCurve places = verb(NurbsCurve::make(knots, std::move(points)));
+  Line line{places.knot_vector(), {places.points().begin(), places.points().end()}};
+  for (glm::dvec4& point : line.points) point.w = 1.0;
+  if (!rational) return line;
+  const NurbsCurve changed_weights = verb(NurbsCurve::make(knots, std::move(weights)));
+  for (std::size_t i = 0; i < line.points.size(); ++i) line.points[i].w = changed_weights.points()[i].x;
+  return line;
+}
+
+/// Gives the points of a line that are old ones the form in which those were given. They come in the old order.
+void keep_given(std::span<const glm::dvec4> old, std::span<const glm::dvec4> old_given,
+                std::span<const glm::dvec4> points, std::span<glm::dvec4> given) {
+  std::size_t expected = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < old.size(); ++k) {
+      const std::size_t j = (expected + k) % old.size();
+      if (points[i] != old[j]) continue;
+      given[i] = old_given[j];
+      expected = j + 1;
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+Lines lines_of(const NurbsPatch& patch, Axis axis) {
+  return {axis, static_cast<std::size_t>(patch.count(across(axis))), static_cast<std::size_t>(patch.count(axis))};
+}
+
+NurbsPatch with_axis(const NurbsPatch& patch, Axis axis, const KnotVector& knots, std::vector<glm::dvec4> points) {
+  return axis == Axis::u ? NurbsPatch::make(knots, patch.knot_vector(Axis::v), std::move(points))
+                         : NurbsPatch::make(patch.knot_vector(Axis::u), knots, std::move(points));
+}
+
+NurbsPatch applied(const PointMatrix& matrix, const NurbsPatch& patch, Axis axis) {
+  const Lines old = lines_of(patch, axis);
+  const Lines lines(axis, old.count, matrix.knots().count());
+  const std::vector<glm::dvec4> old_points = homogeneous(patch.points());
+  std::vector<glm::dvec4> points(lines.count * lines.size);
+  for (std::size_t i = 0; i < lines.count; ++i) {
+    matrix.apply(old_points.data() + old.at(i, 0), old.step, points.data() + lines.at(i, 0), lines.step);
+  }
+  points = as_given_from(patch, points);
+  for (std::size_t i = 0; i < lines.count; ++i) {
+    matrix.keep_untouched(patch.points().data() + old.at(i, 0), old.step, points.data() + lines.at(i, 0), lines.step);
+  }
+  return with_axis(patch, axis, matrix.knots(), std::move(points));
+}
+
+NurbsPatch selected(const NurbsPatch& patch, Axis axis, const Selection& selection) {
+  const Lines old = lines_of(patch, axis);
+  const Lines lines(axis, old.count, selection.indices.size());
+  std::vector<glm::dvec4> points(lines.count * lines.size);
+  for (std::size_t line = 0; line < lines.count; ++line) {
+    for (std::size_t i = 0; i < lines.size; ++i) {
+      points[lines.at(line, i)] = patch.points()[old.at(line, selection.indices[i])];
+    }
+  }
+  return with_axis(patch, axis, selection.knots, std::move(points));
+}
+
+NurbsPatch cut(const NurbsPatch& patch, Axis axis, double u) {
+  const std::vector<double> copies(missing_for_cut(patch.knot_vector(axis), u), u);
+  return copies.empty() ? patch : refine(patch, axis, copies);
+}
+
+NurbsPatch along(const NurbsPatch& patch, Axis axis, const Verb& verb) {
+  const Lines old = lines_of(patch, axis);
+  const std::vector<glm::dvec4> old_points = homogeneous(patch.points());
+  std::optional<KnotVector> knots;
+  std::vector<glm::dvec4> points;
+  for (std::size_t i = 0; i < old.count; ++i) {
+    const std::vector<glm::dvec4> before = line_of(old_points, old, i);
+    const Line after = changed(patch.knot_vector(axis), before, patch.rational(), verb);
+    std::vector<glm::dvec4> given = as_given_from(patch, after.points);
+    keep_given(before, line_of(patch.points(), old, i), after.points, given);
+    const Lines lines(axis, old.count, given.size());
+    points.resize(lines.count * lines.size);
+    for (std::size_t k = 0; k < lines.size; ++k) points[lines.at(i, k)] = given[k];
+    if (!knots) knots = after.knots;
+  }
+  return with_axis(patch, axis, *knots, std::move(points));
+}
+
+BezierPatch as_bezier(const NurbsPatch& patch) {
+  return BezierPatch::make(patch.count(Axis::u), patch.count(Axis::v), {patch.points().begin(), patch.points().end()});
+}
+
+}  // namespace splinecore
