@@ -28,6 +28,8 @@ Place place_of(const KnotVector& knots, double u) {
 namespace {
 
 constexpr std::size_t kMaxCells = std::size_t{1} << 21;
+/// A cell is no longer than this many times its width.
+constexpr double kLongest = 16.0;
 /// Cells this small are not split any more: 2^-22 of a span.
 constexpr Place kSmallest = kSpan >> 22;
 
@@ -73,9 +75,14 @@ class Splitter {
       return chosen(static_cast<double>(cell.u1 - cell.u0), static_cast<double>(cell.v1 - cell.v0));
     }
     if (bent.distance() > fineness_.distance) return chosen(bent.uu + bent.uv, bent.vv + bent.uv);
-    if (fineness_.angle == HUGE_VAL) return std::nullopt;
-    const Turns turned = turns(net);
-    return turned.all > fineness_.angle ? chosen(turned.u, turned.v) : std::nullopt;
+    if (fineness_.angle < HUGE_VAL) {
+      const Turns turned = turns(net);
+      if (turned.all > fineness_.angle) return chosen(turned.u, turned.v);
+    }
+    const Lengths sides = lengths(net);
+    if (can_u && sides.v > 0.0 && sides.u > kLongest * sides.v) return Axis::u;
+    if (can_v && sides.u > 0.0 && sides.v > kLongest * sides.u) return Axis::v;
+    return std::nullopt;
   }
 
   const Fineness& fineness_;

@@ -140,17 +140,39 @@ glm::dvec3 normal_at(const Net& net, double s, double t) {
   return length > kNothing * glm::length(su) * glm::length(sv) && length > 0.0 ? normal / length : glm::dvec3(0.0);
 }
 
+/// The normal there, or where it vanishes, as at a pole, the one a little farther inside.
+glm::dvec3 normal_near(const Net& net, double s, double t) {
+  constexpr double kInside = 0x1p-10;
+  const glm::dvec3 normal = normal_at(net, s, t);
+  if (normal != glm::dvec3(0.0)) return normal;
+  return normal_at(net, std::clamp(s, kInside, 1.0 - kInside), std::clamp(t, kInside, 1.0 - kInside));
+}
+
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
   if (a == glm::dvec3(0.0) || b == glm::dvec3(0.0)) return 0.0;
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+glm::dvec3 point_at(const Net& net, double s, double t) {
+  return project(blended(net, values(net.rows - 1, s), values(net.columns - 1, t)));
+}
+
 }  // namespace
+
+Lengths lengths(const Net& net) {
+  Lengths found;
+  for (const double side : {0.0, 1.0}) {
+    const auto along = [&](auto at) { return glm::length(at(0.5) - at(0.0)) + glm::length(at(1.0) - at(0.5)); };
+    found.u = std::max(found.u, along([&](double s) { return point_at(net, s, side); }));
+    found.v = std::max(found.v, along([&](double t) { return point_at(net, side, t); }));
+  }
+  return found;
+}
 
 Turns turns(const Net& net) {
   std::array<std::array<glm::dvec3, 3>, 3> normals;
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) normals[i][j] = normal_at(net, 0.5 * i, 0.5 * j);
+    for (int j = 0; j < 3; ++j) normals[i][j] = normal_near(net, 0.5 * i, 0.5 * j);
   }
   Turns found;
   for (int i = 0; i < 9; ++i) {

@@ -34,8 +34,8 @@ struct Fineness {
   double angle;     ///< radians, between normals at 3 x 3 places of each face; infinite for any
 };
 
-/// Rectangles that tile a part of a patch, each fine enough, none across a knot; in a closed direction none
-/// wider than a third, so that no two faces have the same corners.
+/// Rectangles that tile a part of a patch, each fine enough, none across a knot and none more than 16 times as long
+/// as wide; in a closed direction none wider than a third, so that no two faces have the same corners.
 /// @throws InvalidShape if that takes more than 2^21, or a weight is not above 0 however small they are.
 std::vector<Cell> cells_of(const NurbsPatch& patch, const Cell& whole, const Fineness& fineness, bool closed_u,
                            bool closed_v);

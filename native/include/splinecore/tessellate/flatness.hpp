@@ -36,8 +36,16 @@ struct Bends {
 
 Bends bends(const Net& net);
 
+/// The longer of a piece's two sides along each direction, from corner to corner by way of the middle.
+struct Lengths {
+  double u = 0.0;
+  double v = 0.0;
+};
+
+Lengths lengths(const Net& net);
+
 /// Largest angles between unit normals at 3 x 3 places of a piece, along each direction and of all; where a
-/// normal vanishes it is left out.
+/// normal vanishes that of a place beside it counts.
 struct Turns {
   double u = 0.0;
   double v = 0.0;
