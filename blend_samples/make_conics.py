@@ -23,7 +23,7 @@ HALF = SIZE * np.sqrt(0.5)
 for weight, kind in SERIES:
     ob = stage.add('add_conic', f"w = {weight:.3g}", (0, -HALF, 0), (0, 0, np.pi / 4), COLORS[kind], weight=weight,
                    size=SIZE, resolution_u=96)
-    ob.data.splinewright.reach = 2.4
+    ob.data.splinewright.reach = 6.0 if kind == 'ellipse' else 2.4
     stage.tube(ob, 0.03)
     if weight != -1:
         stage.label(f"w = {weight:.3g}", (0, HALF * weight / (1 + weight) + (0.1 if weight == 1 else -0.13)), 0.17, 'CENTER')

@@ -202,6 +202,12 @@ void bind_makers(py::module_& conics) {
              }, py::arg("centre"), py::arg("axis_a"), py::arg("axis_b"), py::arg("form") = "square",
              "The ellipse centre + cos a axis_a + sin a axis_b as a NurbsCurve, in the forms of circle(). Any two\n"
              "conjugate half axes. Lecture row S10.");
+  conics.def("hyperbola", [](const py::object& centre, const py::object& axis_a, const py::object& axis_b) {
+               return splinecore::hyperbola(vector_of(centre, "centre"), vector_of(axis_a, "axis_a"),
+                                            vector_of(axis_b, "axis_b"));
+             }, py::arg("centre"), py::arg("axis_a"), py::arg("axis_b"),
+             "[NurbsCurve, NurbsCurve]: both branches of centre +- cosh t axis_a + sinh t axis_b, each from one asymptote's\n"
+             "direction to the other's with its vertex between. Any two conjugate half axes. Lecture row S10.");
   conics.def("arc", [](const py::object& centre, const py::object& axis_a, const py::object& axis_b, const py::object& start,
                        const py::object& sweep, const py::object& spans) {
                return splinecore::ellipse_arc(vector_of(centre, "centre"), vector_of(axis_a, "axis_a"),

@@ -70,11 +70,13 @@ py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::ob
   return output.array();
 }
 
-py::list polylines(const NurbsCurve& curve, const py::object& resolution, const py::object& reach) {
+py::list polylines(const NurbsCurve& curve, const py::object& resolution, const py::object& reach,
+                   const py::object& around) {
   py::list lines;
   const int steps = integer(resolution, "resolution");
   const std::optional<double> most = optional_real(reach, "reach");
-  for (const auto& line : unlocked([&] { return splinecore::polylines(curve, steps, most); })) {
+  const auto places = around.is_none() ? std::vector<glm::dvec3>{} : vectors(real_array(around, "around"), "around", 1);
+  for (const auto& line : unlocked([&] { return splinecore::polylines(curve, steps, most, places); })) {
     py::array_t<double> points({static_cast<py::ssize_t>(line.points.size() / 3), py::ssize_t{3}});
     std::ranges::copy(line.points, points.mutable_data());
     lines.append(py::make_tuple(points, line.closed));

@@ -21,7 +21,8 @@ py::array evaluate(const splinecore::NurbsCurve& curve, const py::object& u, con
 py::array derivatives(const splinecore::NurbsCurve& curve, const py::object& u, const py::object& order,
                       const py::object& side, const py::object& at_infinity, const py::object& cancel);
 
-py::list polylines(const splinecore::NurbsCurve& curve, const py::object& resolution, const py::object& reach);
+py::list polylines(const splinecore::NurbsCurve& curve, const py::object& resolution, const py::object& reach,
+                   const py::object& around);
 
 py::list finite_pieces(const splinecore::NurbsCurve& curve);
 
@@ -54,12 +55,14 @@ void bind_common(py::class_<Curve>& cls) {
   cls.def("pieces", [](const Curve& self) { return finite_pieces(form(self)); },
           "Intervals [(start, end), …] on which the curve is finite and in one piece: it is cut where the\n"
           "weight is zero and at knots of multiplicity degree + 1.");
-  cls.def("polylines", [](const Curve& self, const py::object& resolution, const py::object& reach) {
-            return polylines(form(self), resolution, reach);
-          }, py::arg("resolution"), py::arg("reach") = py::none(),
+  cls.def("polylines", [](const Curve& self, const py::object& resolution, const py::object& reach,
+                          const py::object& around) {
+            return polylines(form(self), resolution, reach, around);
+          }, py::arg("resolution"), py::arg("reach") = py::none(), py::arg("around") = py::none(),
           "[(points (m, 3), closed), …]: one polyline for each of pieces(), resolution steps a span.\n\n"
-          "With a reach, a length, a piece that runs to infinity ends where it leaves the box of the finite\n"
-          "control points by so much in a coordinate; without one at its last sample before infinity.");
+          "With a reach, a length, a curve whose weights have not one sign ends where it leaves the box of its\n"
+          "finite control points by so much in a coordinate; without one at its last sample before infinity.\n"
+          "With points (n, 3) to be around, their box stands for it, and any curve ends there.");
   cls.def("to_bezier", [](const Curve& self) { return unlocked([&] { return splinecore::to_bezier(form(self)); }); },
           "One BezierCurve for each span, in order. The NURBS Book, A5.6.");
   cls.def("to_hermite", [](const Curve& self) { return splinecore::to_hermite(form(self)); },

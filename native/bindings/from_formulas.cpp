@@ -1,6 +1,7 @@
 #include <array>
 
 #include "approximation.hpp"
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "formulas.hpp"
 #include "rooms.hpp"
@@ -10,14 +11,6 @@
 namespace bindings {
 
 namespace {
-
-/// (start, end)
-splinecore::Interval interval_of(const py::object& value, const char* name) {
-  const std::vector<double> ends = numbers(value, name);
-  if (ends.size() == 2) return {ends[0], ends[1]};
-  throw splinecore::InvalidShape(std::string(name) + " has " + std::to_string(ends.size()) +
-                                 " values, (start, end) is expected");
-}
 
 /// A number, which may be infinite or NaN: the library refuses it in its own words.
 double length_of(const py::object& value, const char* name) {

@@ -1,5 +1,7 @@
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "long_calls.hpp"
+#include "patch_verbs.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
@@ -28,15 +30,6 @@ constexpr std::size_t kPart = 1 << 15;
 const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
 const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
 const NurbsPatch& form(const HermitePatch& patch) { return patch.nurbs(); }
-
-Axis axis_of(const py::object& value) {
-  if (py::isinstance<py::str>(value)) {
-    const std::string text = py::str(value);
-    if (text == "u") return Axis::u;
-    if (text == "v") return Axis::v;
-  }
-  throw InvalidShape("axis = " + std::string(py::repr(value)) + " is neither 'u' nor 'v'");
-}
 
 /// One side for both directions, or a pair.
 PatchOptions options_of(const py::object& side, const py::object& at_infinity) {
@@ -375,6 +368,7 @@ void bind_nurbs(py::module_& module) {
             const std::vector<double> inserted = numbers(knots, "knots");
             return unlocked([&] { return splinecore::refine(self, direction, inserted); });
           }, py::arg("axis"), py::arg("knots"), "The same surface with all these parameters added to the knots of an axis.");
+  bind_patch_verbs(cls);
   cls.def("unrolled", [](const NurbsPatch& self) { return splinecore::unrolled(self); },
           "The same surface without periodic directions.");
   cls.def("to_nurbs", [](const NurbsPatch& self) { return self; }, "The patch itself.");
@@ -406,6 +400,7 @@ void bind_bezier(py::module_& module) {
     return BezierPatch::make(self.count(Axis::u), self.count(Axis::v),
                              with_new_weights(self.points(), weights, net_shape(self.nurbs())));
   }, py::arg("weights"), "The patch with other weights and the same points.");
+  bind_patch_verbs(cls);
   cls.def("to_nurbs", [](const BezierPatch& self) { return self.nurbs(); }, "The same patch as a NurbsPatch.");
   cls.def("__repr__", [](const BezierPatch& self) {
     return "BezierPatch(degree=(" + std::to_string(self.degree(Axis::u)) + ", " + std::to_string(self.degree(Axis::v)) +
@@ -457,6 +452,7 @@ void bind_hermite(py::module_& module) {
     const auto& patch = py::cast<const HermitePatch&>(self);
     return py::make_tuple(view_of_numbers(patch.parameters(Axis::u), self), view_of_numbers(patch.parameters(Axis::v), self));
   }, "(parameters of u, parameters of v): read-only float64 arrays.");
+  bind_patch_verbs(cls);
   cls.def("to_nurbs", [](const HermitePatch& self) { return self.nurbs(); },
           "The same patch as a bicubic NurbsPatch with triple knots.");
   cls.def("__repr__", [](const HermitePatch& self) {

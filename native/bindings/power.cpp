@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "curve_methods.hpp"
 #include "rooms.hpp"
@@ -6,17 +7,10 @@
 
 namespace bindings {
 
-using splinecore::Interval;
 using splinecore::InvalidShape;
 using splinecore::PowerCurve;
 
 namespace {
-
-Interval interval_of(const py::object& value, const char* name) {
-  const std::vector<double> ends = numbers(value, name);
-  if (ends.size() == 2) return {ends[0], ends[1]};
-  throw InvalidShape(std::string(name) + " has " + std::to_string(ends.size()) + " values, (start, end) is expected");
-}
 
 /// Coefficients of a polynomial: its denominator is 1.
 std::vector<glm::dvec4> polynomial_rows(const py::object& coefficients) {

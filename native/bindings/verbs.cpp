@@ -1,11 +1,9 @@
 #include "verbs.hpp"
 
-#include <cmath>
-
 #include "approximation.hpp"
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "rooms.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -24,19 +22,6 @@ using splinecore::Smoothness;
 
 namespace {
 
-/// A length that must not be below 0.
-std::optional<double> tolerance_of(const py::object& value) {
-  const std::optional<double> tolerance = optional_real(value, "tolerance");
-  if (!tolerance || *tolerance >= 0.0) return tolerance;
-  throw InvalidShape("tolerance = " + splinecore::text_of(*tolerance) + " is below 0");
-}
-
-splinecore::Interval interval_of(const py::object& value, const char* name) {
-  const std::vector<double> ends = numbers(value, name);
-  if (ends.size() == 2) return {ends[0], ends[1]};
-  throw InvalidShape(std::string(name) + " has " + std::to_string(ends.size()) + " values, (start, end) is expected");
-}
-
 Smoothness smoothness_of(const py::object& value) {
   const std::pair<const char*, Smoothness> known[] = {
       {"C0", Smoothness::c0}, {"G1", Smoothness::g1}, {"C1", Smoothness::c1}, {"C2", Smoothness::c2}};
@@ -44,24 +29,6 @@ Smoothness smoothness_of(const py::object& value) {
     if (py::isinstance<py::str>(value) && value.cast<std::string>() == name) return smoothness;
   }
   throw InvalidShape("continuity = " + std::string(py::repr(value)) + " is not 'C0', 'G1', 'C1' or 'C2'");
-}
-
-/// (3, 3), (3, 4) or (4, 4), which maps columns.
-glm::dmat4 matrix_of(const py::object& value) {
-  const Doubles array = real_array(value, "matrix");
-  const bool is_known = array.ndim() == 2 && ((array.shape(0) == 3 && (array.shape(1) == 3 || array.shape(1) == 4)) ||
-                                              (array.shape(0) == 4 && array.shape(1) == 4));
-  if (!is_known) throw InvalidShape("matrix has shape " + shape_text(array) + ", (3, 3), (3, 4) or (4, 4) is expected");
-  for (py::ssize_t k = 0; k < array.size(); ++k) {
-    if (std::isfinite(array.data()[k])) continue;
-    throw InvalidShape("matrix" + splinecore::index_text(k, array.shape(1)) + " = " +
-                       splinecore::text_of(array.data()[k]) + " is not finite");
-  }
-  glm::dmat4 matrix(1.0);
-  for (py::ssize_t i = 0; i < array.shape(0); ++i) {
-    for (py::ssize_t j = 0; j < array.shape(1); ++j) matrix[static_cast<int>(j)][static_cast<int>(i)] = array.at(i, j);
-  }
-  return matrix;
 }
 
 void bind_knot_verbs(py::class_<NurbsCurve>& cls) {

@@ -5,8 +5,8 @@ import numpy as np
 
 from support import curve_points, part, splinecore as sc, vertices
 
-live, net_points, shape, starters = (part(name) for name in (
-    'bridge.net.live', 'bridge.net.net_points', 'bridge.shape', 'core.starters'))
+live, net_points, recipes, shape, starters = (part(name) for name in (
+    'bridge.net.live', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape', 'core.starters'))
 
 RANDOM = np.random.default_rng(12)
 
@@ -74,7 +74,7 @@ def shown(ob):
 
 def require_exact(ob):
     """The mesh or curve is what its definition evaluates to."""
-    assert np.array_equal(shown(ob), shape.evaluated(ob.data, shape.store.read(ob.data)).points)
+    assert np.array_equal(shown(ob), shape.evaluated(ob.data, shape.store.read(ob.data), recipes.around(ob.data)).points)
 
 
 def enter():

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from curves import curves_of, run, value_of
-from shapes import add, require_exact
-from support import splinecore as sc
+from shapes import activate, add, require_exact
+from support import part, splinecore as sc
 
 KINDS = ('cubic', 'rational cubic', 'quintic', 'semicircle', 'hermite', 'nurbs', 'periodic')
 
@@ -108,3 +108,39 @@ def test_an_eye_in_the_plane_of_the_image_is_refused():
     with pytest.raises(RuntimeError, match="the eye lies in the plane"):
         run('project_curve', eye=(1, 2, 0))
     assert ob.data.splinewright.value == before
+
+
+def test_several_shapes_are_seen_from_one_eye():
+    curve, eye = value_of('cubic'), np.array([1.0, -2.0, 30.0])
+    first, second = add(curve, "first"), add(curve, "second")
+    first.location.x = 10.0
+    bpy.context.view_layer.update()
+    activate(second, first)
+    run('project_curve', eye=eye)
+    u = np.linspace(0, 1, 9)[1:-1]
+    for ob, shift in ((second, 0.0), (first, 10.0)):
+        points = curve.evaluate(u) + (shift, 0, 0)
+        expected = eye + (points - eye) * (eye[2] / (eye[2] - points[:, 2:])) - (shift, 0, 0)
+        assert np.allclose(ob.data.splinewright.value.evaluate(u), expected, rtol=0, atol=1e-5)
+
+
+def test_every_verb_is_in_the_menu_and_in_the_sidebar():
+    tools, verbs_of, joins = (part(name) for name in (
+        'ui.curve_tools', 'ui.operators.curve_verbs', 'ui.operators.curve_join'))
+    listed = [name for _, names in tools._GROUPS for name in names]
+    assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for cls in (*verbs_of.CLASSES, *joins.CLASSES))
+    drawn = []
+
+    class Layout:
+        def operator(self, name, **_):
+            drawn.append(name)
+
+        def __getattr__(self, _):
+            return lambda *args, **kw: self
+
+    class Self:
+        layout = Layout()
+    for draw in (tools.SPLINEWRIGHT_MT_curve.draw, tools.SPLINEWRIGHT_PT_curve_tools.draw):
+        drawn.clear()
+        draw(Self, bpy.context)
+        assert drawn == [f"splinewright.{name}" for name in listed]

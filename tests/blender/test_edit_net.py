@@ -388,6 +388,25 @@ def test_switching_the_direction_of_a_net_changes_no_digit(name):
     require_exact(ob)
 
 
+@pytest.mark.parametrize('kind', ('nurbs', 'hermite', 'cubic'))
+def test_after_switching_the_direction_a_typed_number_goes_to_the_point_that_is_selected(kind):
+    value = VALUES[kind]()
+    ob = add(value)
+    held = enter()
+    bpy.ops.curve.select_all(action='SELECT')
+    bpy.ops.curve.switch_direction('EXEC_DEFAULT', True)
+    bpy.context.view_layer.update()
+    are_points = np.flatnonzero(numbers_of(held).are_points)
+    bpy.ops.curve.select_all(action='DESELECT')
+    select(held, int(are_points[-1]))
+    numbers = list(held.data.splinewright_points.numbers)
+    numbers[2] = 4.25
+    held.data.splinewright_points.numbers = numbers
+    bpy.context.view_layer.update()
+    points, before = (d.pool[numbers_of(held).rows[are_points]] for d in (store.read(ob.data), definitions.from_value(value)))
+    assert (points[:, 2] == 4.25).sum() == 1 and np.array_equal(points[0], before[0]) and live.problem(held) == ""
+
+
 def test_points_of_a_curve_that_were_deleted_and_others_added_are_not_taken_for_them():
     value = VALUES['nurbs']()
     ob = add(value)

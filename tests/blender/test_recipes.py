@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select, shown
-from support import part, splinecore as sc
+from support import curve_points, part, splinecore as sc
 
 made, net_points, recipes, shape, store, table = (part(name) for name in (
     'bridge.made', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape', 'bridge.store', 'core.recipes.table'))
@@ -29,7 +29,7 @@ def numbers(ob):
 def test_what_a_recipe_adds_is_what_its_numbers_say_and_stays_so_in_a_file(kind, tmp_path):
     ob = add_recipe(kind)
     recipe = RECIPES[kind]
-    assert ob.data.splinewright.value == recipe.make(recipe.start, **recipe.defaults).value
+    assert ob.data.splinewright.value == recipe.make(recipe.start_for(recipe.defaults), **recipe.defaults).value
     require_exact(ob)
     value, name = ob.data.splinewright.value, ob.name
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "recipe.blend"))
@@ -71,11 +71,12 @@ def test_a_typed_number_has_its_digits_in_double_precision():
 
 @pytest.mark.parametrize('kind, name, value, word', (
     ('formula', 'x', "cos(3*t", "character"), ('formula', 'x', "foo(t)", "unknown name 'foo'"),
-    ('formula', 'y', "1/(t - 1)", "t = "), ('formula', 'end', 0.0, "does not increase"),
+    ('formula', 'y', "1/(t - 1)", "t = "), ('formula', 'end', 0.0, "not above"),
     ('formula', 'x', "__import__('os')", "character"), ('formula', 'constants', "a 2", "no constant"),
     ('formula', 'constants', "a = b", "unknown name 'b'"), ('formula', 'constants', "2a = 1", "is no name"),
-    ('formula', 'constants', "sin = 1", "name of a function"), ('formula', 'constants', "a = 1/0", "no finite value"), ('circle', 'radius', 0.0, "radius"), ('helix', 'turns', 0.0, "turns"),
-    ('equation', 'f', 1.0, "empty"), ('osculating', 'derivatives', 4, "groups of 5")))
+    ('formula', 'constants', "sin = 1", "name of a function"), ('formula', 'constants', "a = 1/0", "no finite value"),
+    ('circle', 'radius', 0.0, "radius"), ('helix', 'turns', 0.0, "turns"),
+    ('equation', 'f', 1.0, "no real point")))
 def test_a_number_of_which_nothing_comes_is_refused_with_a_word_and_nothing_changes(kind, name, value, word):
     ob = add_recipe(kind)
     before, points = ob.data.splinewright.value, shown(ob).copy()
@@ -242,3 +243,91 @@ def test_an_osculating_polynomial_has_the_derivatives_of_its_net():
 def test_constants_have_names_of_their_own():
     ob = add_recipe('formula', x="a*t", y="b*t^2", constants="a = 2, b = a*pi", start=0.0, end=1.0)
     assert np.allclose(ob.data.splinewright.value.evaluate([0.5]), [(1.0, np.pi / 2, 0.0)], atol=1e-15)
+
+
+@pytest.mark.parametrize('derivatives', range(1, 6))
+def test_osculating_polynomials_of_every_order_can_be_added(derivatives):
+    ob = add_recipe('osculating', derivatives=derivatives)
+    groups = len(recipes.points(ob.data)) // (derivatives + 1)
+    assert ob.data.splinewright.value.degree == groups * (derivatives + 1) - 1
+    before = ob.data.splinewright.value
+    numbers(ob).osculating_derivatives = 4 if derivatives != 4 else 3
+    assert "groups of" in ob.data.splinewright.problem and ob.data.splinewright.value == before
+
+
+def test_a_polynomial_that_would_miss_its_points_is_refused_and_a_small_miss_is_said():
+    with pytest.raises(RuntimeError, match="too many for one polynomial"):
+        add_recipe('polynomial', count=100, parametrisation='uniform')
+    ob = add_recipe('polynomial', count=50, parametrisation='uniform')
+    error = recipes.error(ob.data)
+    parameters = np.linspace(0, 1, 50)
+    missed = np.linalg.norm(ob.data.splinewright.value.evaluate(parameters) - recipes.points(ob.data), axis=1).max()
+    assert 0 < error < 1e-3 and error == missed
+
+
+def test_a_spline_through_the_same_points_goes_along_with_the_polynomial():
+    ob = add_recipe('polynomial', count=11, parametrisation='uniform', spline=True)
+    polynomial, spline = ob.data.splinewright.value
+    points, at = recipes.points(ob.data), np.linspace(0, 1, 11)
+    assert np.allclose(spline.evaluate(at), points, atol=1e-14) and np.allclose(polynomial.evaluate(at), points, atol=1e-12)
+
+
+@pytest.mark.parametrize('typed', (2 * math.pi, -2 * math.pi, math.radians(90), math.radians(37), 1.0))
+def test_an_angle_is_the_one_that_was_typed_in_degrees_or_radians(typed):
+    ob = add_recipe('arc')
+    numbers(ob).arc_sweep = typed
+    assert ob.data.splinewright.problem == "" and recipes.parameters(ob.data)['sweep'] == typed
+
+
+def farthest_from(ob, points):
+    low, high = points.min(axis=0), points.max(axis=0)
+    drawn = shown(ob).astype(float)
+    return np.maximum(low - drawn, drawn - high).max()
+
+
+@pytest.mark.parametrize('weight', (-1.0, -0.9999999, -1.0000001, -0.99, -1.01, -10.0, 0.0, 10.0))
+def test_no_weight_of_a_conic_draws_farther_than_the_reach(weight):
+    ob = add_recipe('conic', weight=weight)
+    points = recipes.points(ob.data)
+    assert farthest_from(ob, points) <= 10 * (1 + 1e-6)
+    for spline in ob.data.splines:
+        drawn = curve_points(spline)
+        assert np.linalg.norm(np.diff(drawn, axis=0), axis=1).max() < 25
+
+
+@pytest.mark.parametrize('k', (0.0, 0.1, 1e-2, 1e-4))
+def test_a_conic_through_five_points_is_drawn_through_them_however_far_it_runs(k):
+    x = np.array([-2.0, -1.0, 0.0, 1.0, 3.0])
+    ob = add_recipe('five_points')
+    rows = np.column_stack([x, x * x + k * x ** 3, 0 * x])
+    ob.data.splinewright.resolution_u = 1024
+    part('bridge.made').set_points(ob.data, rows)
+    drawn = shown(ob).astype(float)
+    assert farthest_from(ob, rows) <= 10 * (1 + 1e-6)
+    for row in rows:
+        assert np.linalg.norm(drawn - row, axis=1).min() < 0.1
+    require_exact(ob)
+
+
+@pytest.mark.parametrize('kind, settings', (
+    ('foci', {'size': 20.0, 'distance': 30.0}), ('equation', {'a': 1.0, 'c': -0.04, 'f': -9.0}),
+    ('equation', {'a': 1.0, 'c': -1.0, 'f': -400.0}), ('hyperbola', {'size': 1000.0})))
+def test_hyperbolas_of_any_size_are_shown_around_their_vertices(kind, settings):
+    ob = add_recipe(kind, **settings)
+    assert len(ob.data.splines) == 2
+    for curve, spline in zip(ob.data.splinewright.value, ob.data.splines):
+        assert np.linalg.norm(curve_points(spline) - curve.points[2], axis=1).min() < 1e-3 * max(1, abs(curve.points[2]).max())
+
+
+def test_a_damaged_recipe_is_said_and_read_only():
+    ob = add_recipe('circle')
+    value = ob.data.splinewright.value
+    ob.data[recipes.KEY]['parameters']['radius'] = "wide"
+    assert numbers(ob).circle_radius == RECIPES['circle'].defaults['radius']
+    numbers(ob).circle_radius = 2.0
+    assert "damaged" in ob.data.splinewright.problem and ob.data.splinewright.value == value
+
+
+def test_a_constant_may_hold_a_comma():
+    ob = add_recipe('formula', x="a*t", y="0", z="0", constants="a = atan2(1, 2), b = 2", start=0.0, end=1.0)
+    assert np.allclose(ob.data.splinewright.value.evaluate([1.0], side='left'), [(math.atan2(1, 2), 0, 0)])

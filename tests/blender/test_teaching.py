@@ -185,3 +185,72 @@ def test_formulas_say_where_the_rational_algorithm_breaks():
     text = formulas.text(half, 0.5)
     assert "the rational algorithm breaks at level" in text and "(at infinity)" in text
     assert "[0 0.5 0 0.5]" in text
+
+
+@pytest.mark.parametrize('make, kind', (
+    (lambda: sc.conics.circle((1, 2, 3), 2.0), "circle"), (lambda: sc.conics.circle((0, 0, 0), 2.0, form='single'), "circle"),
+    (lambda: sc.conics.ellipse((0, 1, 0), (3, 1, 0), (0, 0, 1)), "ellipse"),
+    (lambda: sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 2, 0)), "hyperbola"),
+    (lambda: sc.conics.from_implicit(sc.conics.ImplicitConic([1, 0, 0, 0, -4, 0]))[0], "parabola"),
+    (lambda: sc.BezierCurve([(0, 0, 0), (1, 2, 0), (2, 0, 0)]).elevate(3), "parabola")))
+def test_a_conic_in_any_form_is_named_with_an_equation_that_holds(make, kind):
+    value = make()
+    curve = (value[0] if isinstance(value, list) else value).to_nurbs()
+    lines = dict(formulas.conic_lines(curve))
+    assert lines["Conic"] == kind and lines["Equation"].endswith("= 0") and "e-1" not in lines["Equation"]
+
+
+@pytest.mark.parametrize('make', (lambda: sc.BezierCurve([(0, 0), (1, 2), (2, -1), (3, 0)]), lambda: curve_of('clamped'),
+                                  lambda: sc.BezierCurve([(0, 0), (1, 1)])))
+def test_a_curve_that_is_no_conic_is_not_called_one(make):
+    assert formulas.conic_lines(make().to_nurbs()) == []
+
+
+def test_matrices_are_those_of_the_lectures():
+    text = formulas.text(sc.NurbsCurve(3, range(10), LINE), 0.5)
+    assert "uniform B-spline matrix" in text and "0.1666666667" in text
+    assert "Bezier matrix" in formulas.text(sc.BezierCurve(LINE[:4]).to_nurbs(), 0.5)
+    assert "matrix" not in formulas.text(curve_of('multiple'), 0.5)
+
+
+def test_texts_of_others_are_left_alone_and_ours_is_written_anew():
+    notes = bpy.data.texts.new("curve Formulas")
+    notes.from_string("mine")
+    add(curve_of('clamped'))
+    for _ in range(2):
+        assert bpy.ops.splinewright.write_formulas() == {'FINISHED'}
+    assert notes.as_string() == "mine" and len(bpy.data.texts) == 2
+
+
+def test_a_curve_flattened_by_its_scale_has_graphs_and_a_flat_owner_is_told():
+    source = add(curve_of('clamped'))
+    source.scale.z = 0.0
+    bpy.context.view_layer.update()
+    assert len(derive('basis', source).data.splinewright.value) == 6
+    source.scale.z = 1.0
+    ob = derive('construction', source)
+    value = ob.data.splinewright.value
+    ob.scale.z = 0.0
+    bpy.context.view_layer.update()
+    assert "scale of 0" in follow.problem(ob.data) and ob.data.splinewright.value == value
+    ob.scale.z = 1.0
+    bpy.context.view_layer.update()
+    assert follow.problem(ob.data) == ""
+
+
+def test_nothing_is_made_where_it_could_not_be_put(tmp_path):
+    bpy.data.collections.new("theirs")
+    bpy.data.libraries.write(str(tmp_path / "lib.blend"), {bpy.data.collections["theirs"]})
+    bpy.data.collections.remove(bpy.data.collections["theirs"])
+    with bpy.data.libraries.load(str(tmp_path / "lib.blend"), link=True) as (_, wanted):
+        wanted.collections = ["theirs"]
+    source = add(curve_of('clamped'))
+    bpy.context.scene.collection.children.link(bpy.data.collections["theirs"])
+    layers = bpy.context.view_layer.layer_collection.children
+    bpy.context.view_layer.active_layer_collection = layers["theirs"]
+    activate(source)
+    count = len(bpy.data.objects)
+    assert not bpy.ops.splinewright.add_basis.poll() and not bpy.ops.splinewright.add_construction.poll()
+    with pytest.raises(RuntimeError, match="linked from another file"):
+        bpy.ops.splinewright.follow_object('EXEC_DEFAULT', True)
+    assert len(bpy.data.objects) == count

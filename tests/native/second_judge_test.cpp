@@ -1,6 +1,8 @@
 // SISL (SINTEF, Debian's libsisl-dev) computes the same in its own way.
 #include "splinecore/conic/conic_arc.hpp"
 #include "splinecore/curve/degree.hpp"
+#include "splinecore/curve/join.hpp"
+#include "splinecore/curve/removal.hpp"
 #include "support.hpp"
 
 #ifdef HAS_SISL
@@ -20,14 +22,16 @@ using SislCurve = std::unique_ptr<SISLCurve, decltype(&freeCurve)>;
 
 SislCurve owned(SISLCurve* curve) { return {curve, &freeCurve}; }
 
-SislCurve in_sisl(const NurbsCurve& curve) {
-  constexpr int kRational = 2;
+/// Knot removal of SISL does not take rational curves: it gets x, y, z and w as four coordinates.
+enum class Kind { rational = 2, four_coordinates = 1 };
+
+SislCurve in_sisl(const NurbsCurve& curve, Kind kind = Kind::rational) {
   constexpr int kCopied = 1;
   std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
   std::vector<double> points;
   for (const glm::dvec4& p : curve.homogeneous_points()) points.insert(points.end(), {p.x, p.y, p.z, p.w});
   return owned(newCurve(static_cast<int>(curve.points().size()), curve.degree() + 1, knots.data(), points.data(),
-                        kRational, 3, kCopied));
+                        static_cast<int>(kind), kind == Kind::rational ? 3 : 4, kCopied));
 }
 
 /// A curve SISL takes: open, with no knot more often than the degree, so that it is continuous.
@@ -50,7 +54,7 @@ void expect_equal(const NurbsCurve& curve, const SISLCurve& other, double tolera
   ASSERT_EQ(static_cast<std::size_t>(other.in), curve.points().size());
   for (std::size_t i = 0; i < knots.size(); ++i) EXPECT_NEAR(other.et[i], knots[i], 1e-14);
   for (int i = 0; i < other.in; ++i) {
-    const double* p = other.rcoef + 4 * i;
+    const double* p = (other.ikind == 1 ? other.ecoef : other.rcoef) + 4 * i;
     const glm::dvec4 point(p[0], p[1], p[2], p[3]);
     EXPECT_LT(largest(point - curve.homogeneous_points()[i]), tolerance * size_of(curve)) << i;
   }
@@ -120,6 +124,50 @@ TEST(SecondJudge, SplitsIntoTheSameTwo) {
     const auto [before, after] = split(curve, u);
     expect_equal(before, *owned(first), 1e-13);
     expect_equal(after, *owned(second), 1e-13);
+  }
+}
+
+TEST(SecondJudge, RemovesTheKnotsThatWereInserted) {
+  Random random(86);
+  for (int n = 0; n < 300; ++n) {
+    const NurbsCurve curve = open_curve(random, integer(random, 1, 9));
+    const double u = real(random, curve.domain().start, curve.domain().end);
+    const NurbsCurve fine = refine(curve, std::vector<double>(integer(random, 1, curve.degree()), u));
+    const double tolerance = 1e-12 * size_of(curve);
+    std::vector<double> tolerances(4, tolerance);
+    std::vector<double> errors(4);
+    constexpr int kEndPointsStay = 1;
+    constexpr int kOpen = 1;
+    constexpr int kMostRounds = 10;
+    SISLCurve* made = nullptr;
+    int status = 0;
+    s1940(in_sisl(fine, Kind::four_coordinates).get(), tolerances.data(), kEndPointsStay, kEndPointsStay, kOpen,
+          kMostRounds, &made, errors.data(), &status);
+    ASSERT_GE(status, 0);
+    const SislCurve judge = owned(made);
+    const NurbsCurve coarse = remove_knots(fine, tolerance).value;
+    expect_equal(coarse, *judge, 1e-9);
+    EXPECT_EQ(coarse.knot_vector(), curve.knot_vector()) << "degree " << curve.degree() << ", u = " << u;
+    expect_equal(curve, *judge, 1e-9);
+  }
+}
+
+TEST(SecondJudge, JoinsTwoCurvesInTheSamePoints) {
+  Random random(87);
+  for (int n = 0; n < 300; ++n) {
+    const NurbsCurve first = open_curve(random, integer(random, 1, 9));
+    const NurbsCurve other = open_curve(random, first.degree());
+    // SISL would move the second curve, weights and all, to where the first one ends.
+    std::vector<glm::dvec4> points(other.points().begin(), other.points().end());
+    points.front() = first.points().back();
+    const NurbsCurve second = other.with_points(std::move(points));
+    constexpr int kStart = 0;
+    constexpr int kEnd = 1;
+    SISLCurve* made = nullptr;
+    int status = 0;
+    s1715(in_sisl(first).get(), in_sisl(second).get(), kEnd, kStart, &made, &status);
+    ASSERT_GE(status, 0);
+    expect_equal(joined(first, second, Smoothness::c0).value, *owned(made), 1e-13);
   }
 }
 

@@ -1,5 +1,7 @@
 """Curves of every kind by a seed, and how far two of them lie apart before the division by the weight."""
 
+from fractions import Fraction
+
 import numpy as np
 
 import splinecore as sc
@@ -74,6 +76,27 @@ def error(before, after, at=lambda u: u):
     u = parameters(before)
     far = np.abs(homogeneous(before, u) - homogeneous(after, at(u))).max()
     return far / np.abs(before.homogeneous_points).max()
+
+
+def homogeneous_at(curve, u):
+    """The homogeneous points at fractions: what a double leaves of one is gone along the derivative."""
+    near = np.array([float(value) for value in u])
+    rest = np.array([float(value - Fraction(float(value))) for value in u])
+    samples = sc.basis.Samples(curve.to_nurbs().knot_vector, near, 1)
+    points = curve.homogeneous_points
+    return samples.apply(points) + rest[:, None] * samples.apply(points, 1)
+
+
+def shares(curve, u):
+    """How far along the domain parameters lie, as fractions."""
+    start, end = map(Fraction, curve.domain)
+    return [(Fraction(value) - start) / (end - start) for value in u]
+
+
+def along(domain, t):
+    """The parameters that lie as far along a domain, as fractions."""
+    start, end = map(Fraction, domain)
+    return [start + (end - start) * value for value in t]
 
 
 def sampled_distance(before, after, count=200):

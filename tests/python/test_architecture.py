@@ -15,13 +15,13 @@ NATIVE_ARROWS = {
     'base': set(),
     'basis': {'base'},
     'curve': {'base', 'basis'},
-    'patch': {'base', 'basis'},
+    'patch': {'base', 'basis', 'curve'},
     'convert': {'base', 'basis', 'curve', 'patch'},
     'conic': {'base', 'basis', 'curve', 'convert'},
     'tessellate': {'base', 'basis', 'curve', 'patch'},
     'formula': {'base'},
-    'measure': {'base', 'basis', 'curve'},
-    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'formula'},
+    'measure': {'base', 'basis', 'curve', 'patch'},
+    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }
 # A room of the add-on may import itself and these.

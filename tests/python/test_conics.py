@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import splinecore as sc
@@ -206,6 +206,25 @@ def test_foci_have_the_sum_and_the_difference(f1, f2, more, less):
                 near, far = (np.linalg.norm(points - f, axis=1) for f in (f1, f2))
                 assert np.abs(np.abs(near + sign * far) - factor * gap).max() <= 1e-10 * size
         assert len(conic.foci) == 2 and conic.eccentricity == pytest.approx(1 / factor, rel=1e-9)
+
+
+@given(vectors, vectors, vectors)
+def test_a_hyperbola_has_its_centre_its_vertices_and_its_asymptotes(centre, a, b):
+    centre, a, b = map(np.array, (centre, a, b))
+    assume(np.linalg.norm(np.cross(a, b)) > 1e-3 * max(1, np.linalg.norm(a) * np.linalg.norm(b)))
+    for branch, sign in zip(conics.hyperbola(centre, a, b), (1, -1), strict=True):
+        assert np.array_equal(branch.weights, [0, 1, 1, 1, 0])
+        assert np.allclose(branch.evaluate(0.5), centre + sign * a, rtol=1e-12, atol=1e-9)
+        u = np.linspace(0.05, 0.95, 19)
+        x, y = np.linalg.lstsq(np.column_stack([a, b]), (branch.evaluate(u) - centre).T, rcond=None)[0]
+        assert np.allclose(x * x - y * y, 1, rtol=0, atol=1e-6 * (x * x).max())
+        assert (sign * x > 0).all()
+
+
+def test_a_far_hyperbola_has_control_points_at_its_vertices():
+    branches = conics.from_implicit(conics.ImplicitConic([1, 0, -1, 0, 0, -400]))
+    assert sorted(branch.points[2].tolist() for branch in branches) == [[-20, 0, 0], [20, 0, 0]]
+    assert all(branch.polylines(16, 1.0) for branch in branches)
 
 
 def test_a_parabola_is_as_far_from_its_focus_as_from_its_directrix():

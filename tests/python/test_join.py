@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import splinecore as sc
-from random_curves import random_curve, sampled_distance
+from random_curves import ENDS, error, random_curve, sampled_distance
 from shapes import circle, closed_cubic, cubic, random_points, semicircle
 
 KINDS = {"C0": (0, 0), "G1": (0, 1), "C1": (1, 1), "C2": (2, 2)}
@@ -82,11 +82,24 @@ def test_pieces_of_one_curve_are_that_curve_again():
         for kind in KINDS:
             value, bound = whole.split(middle)[0].join(whole.split(middle)[1], kind)
             size = np.abs(whole.points).max()
-            assert bound <= 1e-11 * size
+            assert bound <= 1e-12 * size
             if kind != "C0":
                 assert len(value.points) == len(whole.points)
                 assert value.domain == whole.domain or kind != "G1"
-                assert value.with_domain(whole.domain).largest_distance(whole) <= 1e-9 * size
+                assert value.with_domain(whole.domain).largest_distance(whole) <= 1e-12 * size
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_two_parts_of_a_thousand_split_curves_are_the_whole_again(kind):
+    """To the same knots: the joint has none but those that were there."""
+    rng = np.random.default_rng(64)
+    for index in range(1000):
+        whole = random_curve(rng, degree=int(rng.integers(KINDS[kind][0] + 1, 10)), ends=ENDS[index % 2])
+        middle = float(whole.domain[0] + rng.uniform(0.3, 0.7) * (whole.domain[1] - whole.domain[0]))
+        value, bound = whole.split(middle)[0].join(whole.split(middle)[1], kind)
+        assert value.domain == whole.domain and bound <= 1e-12 * np.abs(whole.points).max()
+        assert error(whole, value) <= 1e-12, index
+        assert np.array_equal(value.knots, whole.clamped().knots)
 
 
 def test_lines_meet_in_the_middle_of_their_ends():

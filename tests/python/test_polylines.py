@@ -109,6 +109,28 @@ def test_the_reach_does_not_depend_on_the_units(scale):
         assert np.allclose(other / scale, one, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("weight", [-1.0, -1 + 1e-15, -1 - 1e-15, -1 + 1e-7, -0.9999, -1.0001, -0.5, -3.0])
+def test_what_is_finite_but_far_ends_at_the_reach_as_what_runs_to_infinity(weight):
+    conic = sc.conics.conic_arc((1, 0, 0), (1, 1, 0), (0, 1, 0), weight)
+    lines = conic.polylines(64, 10)
+    assert lines and all(box_distance(conic, points) <= 10 * (1 + 1e-9) for points, _ in lines)
+    for points, _ in lines:
+        assert np.linalg.norm(np.diff(points, axis=0), axis=1).max() < 12
+    ends = [points[i] for points, _ in lines for i in (0, -1)]
+    assert min(np.linalg.norm(end - (1, 0, 0)) for end in ends) == 0.0
+
+
+def test_the_reach_may_be_around_points():
+    line = sc.BezierCurve([(0, 0, 0), (100, 0, 0)])
+    ((points, closed),) = line.polylines(10, 5, around=[(20, 0), (30, 0)])
+    assert not closed and np.allclose(points[[0, -1]], [(15, 0, 0), (35, 0, 0)], atol=1e-7)
+    assert line.polylines(10, 5, around=[(0, 50, 0)]) == []
+    ((whole, closed),) = circle().polylines(8, 100, around=[(0, 0, 0)])
+    assert closed and np.array_equal(whole, circle().polylines(8)[0][0])
+    with pytest.raises(sc.InvalidShape, match="around"):
+        line.polylines(10, 5, around=[1, 2])
+
+
 REFUSED = [
     (lambda: circle().polylines(0, 1), "resolution = 0"), (lambda: circle().polylines(4097, 1), "resolution = 4097"),
     (lambda: circle().polylines(4, 0), "reach = 0 is not a positive length"),

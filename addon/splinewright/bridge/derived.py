@@ -10,12 +10,18 @@ from .native import read_native
 
 def made(recipe, values, sources, owner, depsgraph):
     """What a recipe makes from objects, in the space of the object `owner`. Raises ValueError or ArithmeticError."""
-    inverse = _matrix(owner, depsgraph).inverted_safe()
-    inputs = []
-    for source in sources:
-        into = np.array(inverse @ _matrix(source, depsgraph))
-        inputs.append(transform.transformed(_definition_of(source, depsgraph), into))
+    inputs = [_definition_of(source, depsgraph) for source in sources]
+    if not recipe.is_beside:
+        inputs = [_moved(definition, source, owner, depsgraph) for definition, source in zip(inputs, sources)]
     return recipe.make(inputs, **values)
+
+
+def _moved(definition, source, owner, depsgraph):
+    """A definition of one object in the space of another. Raises ValueError where that has no room for it."""
+    space = np.array(_matrix(owner, depsgraph), dtype=np.float64)
+    if not abs(np.linalg.det(space[:3, :3])) > 0.0:
+        raise ValueError(f"{owner.name} has a scale of 0: it cannot show what it follows")
+    return transform.transformed(definition, np.linalg.inv(space) @ np.array(_matrix(source, depsgraph), dtype=np.float64))
 
 
 def is_possible(ob):

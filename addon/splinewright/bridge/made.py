@@ -5,12 +5,13 @@ import numpy as np
 from ..core import definition as definitions
 from ..core.library import sc
 from . import recipes, shape, store
+from .net import points_net
 
 
 def new_data(name, recipe, values, points, resolution):
     """A new Curve that a recipe makes of points. Raises ValueError or ArithmeticError."""
     made = recipe.make(points, **values)
-    data = shape.new_data(name, made.value, resolution)
+    data = shape.new_data(name, made.value, resolution, around=points if recipe.is_endless else None)
     recipes.write_made(data, recipe, values, points, made.error)
     return data
 
@@ -19,6 +20,11 @@ def set_parameter(data, name, value):
     """Change one number or text of a recipe of points. Raises, and changes nothing, where nothing comes of it."""
     values = {**recipes.parameters(data), name: value}
     _remake(data, values, recipes.points(data))
+    held = points_net.editing(data)
+    if held is not None and name == 'closed':
+        points_net.set_closed(held, value)
+    if held is not None:
+        held.update_tag()               # points that were refused may fit now
 
 
 def set_points(data, points):
@@ -29,7 +35,7 @@ def set_points(data, points):
 def _remake(data, values, points):
     recipe = recipes.of(data)
     made = recipe.make(points, **values)
-    shape.set_definition(data, made.definition)
+    shape.set_definition(data, made.definition, around=points if recipe.is_endless else None)
     recipes.write_made(data, recipe, values, points, made.error)
 
 
@@ -42,12 +48,47 @@ def edited(data):
     return definitions.from_value(sc.NurbsCurve(1, knots, points))
 
 
+def takes_any_count(data):
+    """Whether the net of a shape may gain and lose points."""
+    return recipes.has_points(data) and recipes.of(data).can_gain_points
+
+
+def is_closed(data):
+    """Whether the recipe of a shape goes back to its first point."""
+    return recipes.of(data).can_close and recipes.parameters(data)['closed']
+
+
 def follow_net(data, definition):
     """Take the polygon of a recipe's points from its net; whether the shape changed."""
-    if (definition.pool[:, 3] != 1.0).any():
-        raise ValueError("the points of this recipe have no weights: use Make Editable for that")
+    _require_no_weights(definition.pool[:, 3])
     points = definition.pool[definition.pieces[0].indices, :3]
     if np.array_equal(points, recipes.points(data)):
         return False
     set_points(data, points)
     return True
+
+
+def follow_points(data, net, is_turned):
+    """Take points, and whether they are closed, from a net that gains and loses points; whether the shape changed.
+
+    is_turned: whether the direction of the net was switched, which turns no groups over.
+    """
+    if not takes_any_count(data):
+        raise ValueError("the shape is made in another way since its net came: leave the net")
+    recipe, spline = recipes.of(data), points_net.require_one_polygon(net)
+    _require_no_weights(net.weights)
+    if spline.closed and not recipe.can_close:
+        raise ValueError(f"{recipe.label} cannot be closed: open its net (Toggle Cyclic), the shape waits")
+    if spline.count < 2:
+        raise ValueError("one point is no curve: the shape waits for more")
+    points = net.positions[::-1] if recipe.has_groups and is_turned else net.positions
+    if spline.closed == is_closed(data) and np.array_equal(points, recipes.points(data)):
+        return False
+    closed = {'closed': spline.closed} if recipe.can_close else {}
+    _remake(data, {**recipes.parameters(data), **closed}, points)
+    return True
+
+
+def _require_no_weights(weights):
+    if (weights != 1.0).any():
+        raise ValueError("the points of this recipe have no weights: use Make Editable for that")

@@ -28,7 +28,7 @@ def follows(data):
 
 def has_points(data):
     """Whether the shape is made from points of its own, which its net shows."""
-    return has(data) and not follows(data) and len(points(data)) > 0
+    return has(data) and not follows(data) and len(data[KEY].get('points', ())) > 0
 
 
 def remove(data):
@@ -86,13 +86,24 @@ def of(data):
 def parameters(data):
     """The numbers and texts of a recipe, by name."""
     recipe, group = of(data), data[KEY].get('parameters', {})
-    return {name: type(default)(group[name]) if name in group.keys() else default
-            for name, default in recipe.defaults.items()}
+    try:
+        return {name: type(default)(group[name]) if name in group.keys() else default
+                for name, default in recipe.defaults.items()}
+    except (TypeError, ValueError, AttributeError) as error:
+        raise store.UnreadableDefinition(f"the recipe of {data.name} is damaged: {error}") from error
 
 
 def points(data):
     """(n, 3) float64: the points of a recipe; none where it has inputs."""
-    return np.array(data[KEY].get('points', ()), dtype=np.float64).reshape(-1, 3)
+    try:
+        return np.array(data[KEY].get('points', ()), dtype=np.float64).reshape(-1, 3)
+    except (TypeError, ValueError) as error:
+        raise store.UnreadableDefinition(f"the recipe of {data.name} is damaged: its points are none") from error
+
+
+def around(data):
+    """(n, 3): the points around which curves that may run far are shown; None where they are shown as they are."""
+    return points(data) if has(data) and kind(data) in RECIPES and RECIPES[kind(data)].is_endless else None
 
 
 def write_made(data, recipe, values, rows, error):

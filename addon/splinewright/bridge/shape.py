@@ -23,8 +23,11 @@ def no_progress(step):
     """For callers that show none."""
 
 
-def new_data(name, value, resolution, progress=no_progress):
-    """A new Mesh or Curve that shows the value. resolution is a pair; a curve uses the first."""
+def new_data(name, value, resolution, progress=no_progress, around=None):
+    """A new Mesh or Curve that shows the value. resolution is a pair; a curve uses the first.
+
+    around: as of set_definition().
+    """
     definition = definitions.from_value(value)
     collection = bpy.data.curves if definition.has_curves else bpy.data.meshes
     data = collection.new(name, 'CURVE') if definition.has_curves else collection.new(name)
@@ -32,7 +35,7 @@ def new_data(name, value, resolution, progress=no_progress):
         data.use_path = True        # Follow Path finds no path otherwise
     try:
         data.splinewright.set_resolution(*resolution)
-        set_definition(data, definition, progress)
+        set_definition(data, definition, progress, around)
     except Exception:
         blocks.remove(data)
         raise
@@ -54,12 +57,12 @@ def set_value(data, value):
     set_definition(data, definitions.from_value(value))
 
 
-def set_definition(data, definition, progress=no_progress):
-    """set_value() with a definition."""
+def set_definition(data, definition, progress=no_progress, around=None):
+    """set_value() with a definition. around: (n, 3), the points that a recipe has now, if it has any."""
     require_writable(data)
     require_untouched(data)
     store.require_fitting(data, definition)
-    picture = evaluated(data, definition)
+    picture = evaluated(data, definition, around)
     progress(1)
     store.write(data, definition)
     _finish(data, picture, progress)
@@ -76,7 +79,7 @@ def restore(data, progress=no_progress):
     definition = store.read(data)
     if definition is not None:
         require_writable(data)
-        picture = evaluated(data, definition)
+        picture = evaluated(data, definition, recipes.around(data))
         progress(1)
         _finish(data, picture, progress)
 
@@ -111,8 +114,8 @@ class Picture(NamedTuple):
     write: Callable                     # puts it into the data-block
 
 
-def evaluated(data, definition):
-    """The Picture of a definition, evaluated now and written when its write() is called.
+def evaluated(data, definition, around=None):
+    """The Picture of a definition, evaluated now and written when its write() is called; around as of set_definition().
 
     Raises ValueError or ArithmeticError where there is nothing finite to show.
     """
@@ -120,9 +123,10 @@ def evaluated(data, definition):
     if definition.has_curves:
         value = definitions.to_value(definition)
         curves = value if isinstance(value, list) else [value]
-        lines = [line for curve in curves for line in curve.polylines(settings.resolution_u, settings.reach)]
+        reach = settings.resolution_u, settings.reach, around
+        lines = [line for curve in curves for line in curve.polylines(*reach)]
         if not lines:
-            raise sc.InvalidShape("no piece of the curve is finite")
+            raise sc.InvalidShape("no piece of the curve lies within reach")
         lines = [(_single(points), closed) for points, closed in lines]
         return Picture(np.concatenate([points for points, _ in lines]), lambda: write_curve.write(data, lines))
     patch_set = definitions.to_patch_set(definition)

@@ -5,34 +5,72 @@ import numpy as np
 from . import teaching
 from .library import sc
 
-#: Spans of a curve that are written out.
+#: Spans of a curve that are written out, and the highest degree of one that is.
 MOST_SPANS = 16
+MOST_DEGREE = 30
+#: What a point may be off a conic, of the size of the terms.
+_SAME = 1e-10
 
 
 def text(curve, position):
     """All that is to say of a NurbsCurve; position is 0 at its start and 1 at its end."""
     start, end = curve.domain
     u = min(start + position * (end - start), end)
-    parts = [_points(curve), _power(curve), _conic(curve), _basis_triangle(curve, u), _casteljau(curve, u)]
+    parts = [_points(curve)]
+    if curve.degree <= MOST_DEGREE:
+        parts += [_power(curve), _conic(curve), _matrix(curve), _basis_triangle(curve, u), _casteljau(curve, u)]
     return "\n\n".join("\n".join(lines) for lines in parts if lines) + "\n"
 
 
 def conic_lines(curve):
-    """Pairs of a label and a text for a curve that is one conic; [] for any other."""
+    """Pairs of a label and a text for a curve that lies on one conic, in whatever form; [] for any other."""
     try:
-        kind, conic = sc.conics.class_of(curve), sc.conics.implicit(curve)
+        conic = conic_of(curve)
     except (ValueError, ArithmeticError):
         return []
-    found = [("Class", kind.replace("_", " ")), ("Conic", conic.type.replace("_", " ")), ("Equation", equation(conic))]
+    found = [("Class", sc.conics.class_of(curve).replace("_", " "))] if _is_one_arc(curve) else []
+    found += [("Conic", conic.type.replace("_", " ")), ("Equation", equation(conic))]
     if conic.eccentricity is not None:
         found.append(("Eccentricity", _number(conic.eccentricity)))
     found += [("Focus", _vector(focus)) for focus in conic.foci]
     return found
 
 
+def _is_one_arc(curve):
+    return curve.degree == 2 and len(curve.points) == 3
+
+
+def conic_of(curve):
+    """The ImplicitConic that a NurbsCurve lies on. Raises ValueError or ArithmeticError if it lies on none."""
+    if _is_one_arc(curve):
+        return sc.conics.implicit(curve)
+    points = _finite_points(curve)
+    conic = sc.conics.through_points(points[np.linspace(0, len(points) - 1, 5).round().astype(int)])
+    size = np.abs(points - conic.origin).max()
+    x, y = ((points - conic.origin) @ axis for axis in (conic.x_axis, conic.y_axis))
+    off_plane = points - conic.origin - np.outer(x, conic.x_axis) - np.outer(y, conic.y_axis)
+    terms = conic.coefficients * np.column_stack([x * x, x * y, y * y, x, y, np.ones_like(x)])
+    if np.abs(off_plane).max() > _SAME * size or (abs(terms.sum(1)) > _SAME * abs(terms).sum(1)).any():
+        raise ValueError("it lies on no conic")
+    return conic
+
+
+def _finite_points(curve):
+    """Points of every span. Raises ValueError where they are too few."""
+    start, end = curve.domain
+    knots = np.unique(np.clip(curve.knots, start, end))
+    inside = (np.arange(7) + 0.5) / 7
+    points = curve.evaluate((knots[:-1, None] + np.diff(knots)[:, None] * inside).ravel(), at_infinity='nan')
+    points = points[np.isfinite(points).all(1)]
+    if len(points) < 7:
+        raise ValueError("it has no finite points")
+    return points
+
+
 def equation(conic):
     """The equation in the coordinates x, y of the conic's plane."""
-    terms = [(c, name) for c, name in zip(conic.coefficients, ("x²", "xy", "y²", "x", "y", "")) if abs(c) > 0.0]
+    least = _SAME * 1e-3 * np.abs(conic.coefficients).max()
+    terms = [(c, name) for c, name in zip(conic.coefficients, ("x²", "xy", "y²", "x", "y", "")) if abs(c) > least]
     return _sum(terms) + " = 0"
 
 
@@ -66,9 +104,21 @@ def _conic(curve):
     lines = [f"  {label}: {value}" for label, value in conic_lines(curve)]
     if not lines:
         return []
-    conic = sc.conics.implicit(curve)
+    conic = conic_of(curve)
     plane = (f"  x and y from {_vector(conic.origin)} along {_vector(conic.x_axis)} and {_vector(conic.y_axis)}")
     return ["Conic:", *lines, plane]
+
+
+def _matrix(curve):
+    """Lecture rows S6 and S13: what takes the control points of a span to the coefficients of 1, t, t², …"""
+    knots = curve.knot_vector.knots
+    if len(curve.points) == curve.degree + 1 and not curve.periodic and knots[0] == knots[curve.degree]:
+        name, matrix = "Bezier", sc.basis.bezier_matrix(curve.degree)
+    elif np.ptp(np.diff(knots)) <= _SAME * np.ptp(knots):
+        name, matrix = "uniform B-spline", sc.basis.uniform_matrix(curve.degree)
+    else:
+        return []
+    return [f"{name} matrix, t from 0 to 1 in a span:", *("  " + "  ".join(f"{_number(v):>14}" for v in row) for row in matrix)]
 
 
 def _basis_triangle(curve, u):

@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import made, recipes, shape
-from ..bridge.net import live, net, net_points
+from ..bridge.net import live, net, net_points, points_net
 from ..core.failures import FAILURES, sentence
 
 #: Names of the objects that are nets. Only a hint: undo and loading make it anew.
@@ -84,6 +84,8 @@ def _put_out(context, ob):
     definition = made.edited(data)
     numbers = net.numbers(definition)
     held = net.make(ob, definition, numbers, context.scene)
+    if made.takes_any_count(data):
+        points_net.set_free(held.data, made.is_closed(data))
     live.begin(held.data, numbers)
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:

@@ -8,6 +8,8 @@ from ..core import definition as definitions
 from ..core import formulas, teaching
 from ..core.failures import FAILURES, sentence
 
+#: On a text that we wrote: the object it is about.
+_OWNER = "splinewright_formulas_of"
 #: Curves with more control points than this are no conic that one would call so.
 _MOST_POINTS = 16
 
@@ -42,11 +44,20 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
         except FAILURES as error:
             self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
             return {'CANCELLED'}
-        name = f"{ob.name} Formulas"
-        text = bpy.data.texts.get(name) or bpy.data.texts.new(name)
+        text = _text_for(ob)
         text.from_string(written)
         self.report({'INFO'}, f"{text.name} is in the Text Editor")
         return {'FINISHED'}
+
+
+def _text_for(ob):
+    """The text that was written for an object before, or a new one: other texts are left alone."""
+    for text in bpy.data.texts:
+        if text.library is None and text.get(_OWNER) == ob.name:
+            return text
+    text = bpy.data.texts.new(f"{ob.name} Formulas")
+    text[_OWNER] = ob.name
+    return text
 
 
 class SPLINEWRIGHT_PT_formulas(bpy.types.Panel):
@@ -76,9 +87,10 @@ def _conic(data):
         definition = store.read(data)
     except store.UnreadableDefinition:
         return []
-    if len(definition.pieces) != 1 or len(definition.pool) > _MOST_POINTS:
+    if len(definition.pieces) > 2 or len(definition.pool) > _MOST_POINTS:
         return []
-    return formulas.conic_lines(definitions.to_value(definition).to_nurbs())
+    value = definitions.to_value(definition)
+    return formulas.conic_lines((value[0] if isinstance(value, list) else value).to_nurbs())
 
 
 CLASSES = (SPLINEWRIGHT_OT_write_formulas, SPLINEWRIGHT_PT_formulas)

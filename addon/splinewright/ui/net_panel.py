@@ -24,7 +24,7 @@ def draw(layout, ob):
         texts.draw_problem(layout, problem)
     _draw_points(layout, ob)
     if recipes.has(owner.data):
-        recipe_props.draw(layout.box(), owner.data)
+        recipe_props.draw(layout.box(), owner.data, is_net_out=True)
     else:
         _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
 

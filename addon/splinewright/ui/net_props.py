@@ -24,6 +24,14 @@ def chosen(data):
     return (ob, net_points.selected(ob, live.session(data).net)) if ob else (None, [])
 
 
+def _chosen_now(data):
+    """chosen(), and numbers up to date: several may be set before Blender tells of the first."""
+    ob = net_of(data)
+    if ob:
+        live.pull(ob)
+    return chosen(data)
+
+
 def _exact_rows(data, vertices):
     """(k, 4) float64: x, y, z, w of vertices."""
     state = live.session(data).state
@@ -46,10 +54,9 @@ def _get_numbers(self):
 
 def _set_numbers(self, numbers):
     data = self.id_data
-    ob, vertices = chosen(data)
+    ob, vertices = _chosen_now(data)
     if not ob:
         return
-    live.pull(ob)                       # several numbers may be set before Blender tells of the first
     vertices = vertices[:SHOWN]
     rows = _exact_rows(data, vertices)
     wanted = np.array(numbers, np.float32).reshape(SHOWN, 4)[:len(rows)]
@@ -74,10 +81,9 @@ def _get_weight(self):
 
 def _set_weight(self, weight):
     data = self.id_data
-    ob, vertices = chosen(data)
+    ob, vertices = _chosen_now(data)
     vertices = _with_weight(data, vertices)
     if vertices:
-        live.pull(ob)
         rows = _exact_rows(data, vertices)
         rows[:, 3] = _shortest(weight)
         _place(ob, vertices, rows)

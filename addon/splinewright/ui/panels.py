@@ -89,7 +89,7 @@ def _draw_settings(layout, data, definition):
     column = layout.column(align=True)
     if definition.has_curves:
         column.prop(settings, "resolution_u", text="Resolution")
-        if definition.runs_to_infinity:
+        if definition.runs_to_infinity or recipes.around(data) is not None:
             column.prop(settings, "reach")
     else:
         column.prop(settings, "resolution_u")

@@ -3,11 +3,14 @@
 Numbers are kept in float64 beside the definition; properties only show and change them.
 """
 
+import contextlib
+import math
+
 import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import follow, made, recipes
+from ..bridge import follow, made, recipes, store
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
 
@@ -32,7 +35,11 @@ def as_typed(parameter, value):
     """The value as the user typed it: of a float32 the shortest decimal that is it."""
     if not isinstance(parameter.default, float):
         return value
-    return parameter.default if np.float32(value) == np.float32(parameter.default) else float(str(np.float32(value)))
+    if np.float32(value) == np.float32(parameter.default):
+        return parameter.default
+    text, degrees = (str(np.float32(number)) for number in (value, math.degrees(value)))
+    is_typed_in_degrees = parameter.unit == 'ROTATION' and len(degrees) < len(text)
+    return math.radians(float(degrees)) if is_typed_in_degrees else float(text)
 
 
 def typed(recipe, properties):
@@ -48,7 +55,10 @@ def name_of(recipe, parameter):
 def _getter(recipe, parameter):
     def get(self):
         data = self.id_data
-        value = recipes.parameters(data)[parameter.name] if recipes.kind(data) == recipe.kind else parameter.default
+        value = parameter.default
+        if recipes.kind(data) == recipe.kind:
+            with contextlib.suppress(store.UnreadableDefinition):
+                value = recipes.parameters(data)[parameter.name]
         return [choice[0] for choice in parameter.choices].index(value) if parameter.choices else value
     return get
 
@@ -59,9 +69,9 @@ def _setter(recipe, parameter):
         if recipes.kind(data) != recipe.kind:
             return
         value = parameter.choices[value][0] if parameter.choices else as_typed(parameter, value)
-        if value == recipes.parameters(data)[parameter.name]:
-            return
         try:
+            if value == recipes.parameters(data)[parameter.name]:
+                return
             _set_parameter(data, parameter.name, value)
             data.splinewright.problem = ""
         except FAILURES as error:
@@ -84,18 +94,23 @@ class SplinewrightRecipe(bpy.types.PropertyGroup):
         for recipe in RECIPES.values() for parameter in recipe.parameters}
 
 
-def draw(layout, data):
-    """The parameters of the recipe that makes a data-block, if it has any."""
+def draw(layout, data, is_net_out=False):
+    """The parameters of the recipe that makes a data-block, if it has any.
+
+    While its net is out only what the net shows can be changed: Edit Mode's undo would not bring the rest back.
+    """
     recipe = recipes.of(data)
     if not recipe.parameters:
         return
     layout.label(text=recipe.label, icon='PROPERTIES')
     column = layout.column(align=True)
     for parameter in recipe.parameters:
-        column.prop(data.splinewright_recipe, name_of(recipe, parameter))
+        row = column.row(align=True)
+        row.enabled = not is_net_out or parameter.name == 'closed'
+        row.prop(data.splinewright_recipe, name_of(recipe, parameter))
     error = recipes.error(data)
     if error:
-        layout.label(text=f"Within {error:.1e} of the formulas", icon='INFO')
+        layout.label(text=f"Within {error:.1e} of what is asked for", icon='INFO')
 
 
 CLASSES = (SplinewrightRecipe,)

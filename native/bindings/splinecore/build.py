@@ -1,29 +1,47 @@
-"""Curves and patches from points and formulas (lecture rows S1, S3, S5, S7, S8)."""
+"""Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20)."""
 
 from ._splinecore import build as _build
 
 c2_pair = _build.c2_pair
 catmull_rom = _build.catmull_rom
 chain_from_polygon = _build.chain_from_polygon
+cone = _build.cone
 curve_from_formulas = _build.curve_from_formulas
+cylinder = _build.cylinder
+disc = _build.disc
+extrude = _build.extrude
 join_beziers = _build.join_beziers
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
 osculating_polynomial = _build.osculating_polynomial
 patch_from_formulas = _build.patch_from_formulas
+plane = _build.plane
 polygon_of_chain = _build.polygon_of_chain
 polynomial_through = _build.polynomial_through
+revolve = _build.revolve
+ruled = _build.ruled
+sphere = _build.sphere
+torus = _build.torus
 
 __all__ = [
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",
+    "cone",
     "curve_from_formulas",
+    "cylinder",
+    "disc",
+    "extrude",
     "join_beziers",
     "kochanek_bartels",
     "lagrange_evaluate",
     "osculating_polynomial",
     "patch_from_formulas",
+    "plane",
     "polygon_of_chain",
     "polynomial_through",
+    "revolve",
+    "ruled",
+    "sphere",
+    "torus",
 ]

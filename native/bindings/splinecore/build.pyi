@@ -1,4 +1,4 @@
-"""Curves and patches from points and formulas (lecture rows S1, S3, S5, S7, S8)."""
+"""Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20)."""
 
 from collections.abc import Mapping, Sequence
 from typing import Literal
@@ -6,24 +6,34 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import Approximation, BezierCurve, Formula, HermiteCurve, NurbsCurve, NurbsPatch
+from . import Approximation, BezierCurve, Formula, HermiteCurve, NurbsCurve, NurbsPatch, PowerCurve
 
 __all__ = [
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",
+    "cone",
     "curve_from_formulas",
+    "cylinder",
+    "disc",
+    "extrude",
     "join_beziers",
     "kochanek_bartels",
     "lagrange_evaluate",
     "osculating_polynomial",
     "patch_from_formulas",
+    "plane",
     "polygon_of_chain",
     "polynomial_through",
+    "revolve",
+    "ruled",
+    "sphere",
+    "torus",
 ]
 
 _Parametrisation = Literal["uniform", "centripetal", "chordal"] | ArrayLike
 _Ends = Literal["parabola", "chord", "natural"]
+_Curve = NurbsCurve | BezierCurve | HermiteCurve | PowerCurve
 
 def polynomial_through(points: ArrayLike, parameters: ArrayLike | None = None) -> NurbsCurve: ...
 def osculating_polynomial(data: Sequence[ArrayLike], parameters: ArrayLike) -> NurbsCurve: ...
@@ -79,3 +89,52 @@ def patch_from_formulas(
     variables: Sequence[str] = ("u", "v"),
     constants: Mapping[str, float] | None = None,
 ) -> Approximation[NurbsPatch]: ...
+def plane(origin: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike) -> NurbsPatch: ...
+def cylinder(
+    centre: ArrayLike,
+    axis: ArrayLike,
+    radius: float,
+    height: float,
+    start: float = 0.0,
+    sweep: float | None = None,
+) -> NurbsPatch: ...
+def cone(
+    centre: ArrayLike,
+    axis: ArrayLike,
+    radius: float,
+    height: float,
+    top_radius: float = 0.0,
+    start: float = 0.0,
+    sweep: float | None = None,
+) -> NurbsPatch: ...
+def disc(
+    centre: ArrayLike,
+    axis: ArrayLike,
+    radius: float,
+    start: float = 0.0,
+    sweep: float | None = None,
+) -> NurbsPatch: ...
+def sphere(
+    centre: ArrayLike,
+    radius: float,
+    axis: ArrayLike = (0.0, 0.0, 1.0),
+    start: float = 0.0,
+    sweep: float | None = None,
+) -> NurbsPatch: ...
+def torus(
+    centre: ArrayLike,
+    axis: ArrayLike,
+    ring_radius: float,
+    tube_radius: float,
+    start: float = 0.0,
+    sweep: float | None = None,
+) -> NurbsPatch: ...
+def revolve(
+    curve: _Curve,
+    axis_point: ArrayLike,
+    axis_direction: ArrayLike,
+    start: float = 0.0,
+    sweep: float | None = None,
+) -> NurbsPatch: ...
+def extrude(curve: _Curve, vector: ArrayLike) -> NurbsPatch: ...
+def ruled(a: _Curve, b: _Curve) -> NurbsPatch: ...

@@ -11,6 +11,7 @@ class_of = _conics.class_of
 conic_arc = _conics.conic_arc
 ellipse = _conics.ellipse
 from_implicit = _conics.from_implicit
+hyperbola = _conics.hyperbola
 implicit = _conics.implicit
 parabola = _conics.parabola
 through_points = _conics.through_points
@@ -25,6 +26,7 @@ __all__ = [
     "conic_arc",
     "ellipse",
     "from_implicit",
+    "hyperbola",
     "implicit",
     "parabola",
     "through_points",

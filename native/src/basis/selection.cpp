@@ -54,6 +54,15 @@ Selection opened_at(const KnotVector& knots, double u) {
   return {KnotVector::make(degree, std::move(plain)), std::move(indices)};
 }
 
+Selection closed_up(const KnotVector& knots) {
+  const auto given = knots.knots();
+  const int degree = knots.degree();
+  const int count = knots.count() - 1;
+  std::vector<int> indices(count);
+  for (int i = 0; i < count; ++i) indices[(i + degree - 1) % count] = i;
+  return {KnotVector::make(degree, {given.begin() + 1, given.begin() + count + 2}, true), std::move(indices)};
+}
+
 Selection unrolled(const KnotVector& knots) {
   const auto all = knots.unrolled();
   std::vector<int> indices = range_of(0, knots.unrolled_count());

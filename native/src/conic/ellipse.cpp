@@ -127,4 +127,16 @@ NurbsCurve ellipse_arc(const glm::dvec3& centre, const glm::dvec3& axis_a, const
   return arc(axes, start, sweep, require_spans(start, sweep, span_count));
 }
 
+std::vector<NurbsCurve> hyperbola(const glm::dvec3& centre, const glm::dvec3& axis_a, const glm::dvec3& axis_b) {
+  const Axes axes = admitted(centre, axis_a, axis_b);
+  const auto branch = [&](double sign) {
+    const glm::dvec3 from = sign * (axes.a - axes.b);
+    const glm::dvec3 to = sign * (axes.a + axes.b);
+    return NurbsCurve::make(KnotVector::make(2, {0, 0, 0, 0.5, 0.5, 1, 1, 1}),
+                            {{2.0 * from, 0.0}, {centre + from, 1.0}, {centre + sign * axes.a, 1.0}, {centre + to, 1.0},
+                             {2.0 * to, 0.0}});
+  };
+  return {branch(1.0), branch(-1.0)};
+}
+
 }  // namespace splinecore

@@ -37,11 +37,6 @@ NurbsCurve whole_parabola(const glm::dvec3& vertex, const glm::dvec3& axis, cons
                           {{axis, 0.0}, {-side, 0.0}, {vertex, 1.0}, {side, 0.0}, {axis, 0.0}});
 }
 
-/// centre + (one t + other / t) / 2, t from 0 to infinity.
-NurbsCurve branch(const glm::dvec3& centre, const glm::dvec3& other, const glm::dvec3& one) {
-  return NurbsCurve::make(KnotVector::bezier(2), {{other, 0.0}, {centre, 1.0}, {one, 0.0}});
-}
-
 }  // namespace
 
 ImplicitConic implicit_conic(const BezierCurve& curve) {
@@ -79,8 +74,7 @@ std::vector<NurbsCurve> curves_of(const ImplicitConic& conic) {
     case ConicType::circle:
     case ConicType::ellipse: return {ellipse(middle, first, second)};
     case ConicType::parabola: return {whole_parabola(middle, first, s.first * side)};
-    case ConicType::hyperbola:
-      return {branch(middle, first - second, first + second), branch(middle, second - first, -first - second)};
+    case ConicType::hyperbola: return hyperbola(middle, first, second);
     case ConicType::crossing_lines: return {line(middle, first + second), line(middle, first - second)};
     case ConicType::parallel_lines: return {line(middle + second, axis), line(middle - second, axis)};
     case ConicType::line: return {line(middle, axis)};

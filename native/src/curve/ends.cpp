@@ -7,6 +7,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
+#include "splinecore/basis/selection.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/removal.hpp"
 
@@ -65,7 +66,14 @@ NurbsCurve clamped(const NurbsCurve& curve) {
 
 namespace {
 
-/// Spreads the first knots as wide as the first span, and moves the points so that the curve stays.
+/// How far apart the outer knots go. As wide as the span, the points would lie up to 10^7 times their old
+/// distance away at degree 9, and their rounding with them; so it is 200 times at most.
+double outer_step(int degree, double span) {
+  constexpr double kFull = 3.0;
+  return degree <= kFull ? span : span * (kFull / degree) * (kFull / degree);
+}
+
+/// Spreads the first knots, and moves the points so that the curve stays.
 void unclamp_start(int p, double step, std::vector<double>& u, std::vector<glm::dvec4>& points) {
   for (int i = p - 1; i >= 0; --i) u[i] = u[i + 1] - step;
   for (int i = 0; i <= p - 2; ++i) {
@@ -98,8 +106,9 @@ NurbsCurve unclamped(const NurbsCurve& curve) {
   const int p = whole.degree();
   std::vector<double> knots(old.knots().begin(), old.knots().end());
   std::vector<glm::dvec4> points = homogeneous(whole.points());
-  unclamp_start(p, old.span_interval(0).length(), knots, points);
-  unclamp_end(p, old.span_interval(static_cast<int>(old.spans().size()) - 1).length(), knots, points);
+  const int last = static_cast<int>(old.spans().size()) - 1;
+  unclamp_start(p, outer_step(p, old.span_interval(0).length()), knots, points);
+  unclamp_end(p, outer_step(p, old.span_interval(last).length()), knots, points);
   points = as_given_from(whole, points);
   for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) points[i] = whole.points()[i];
   return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(points));
@@ -122,15 +131,13 @@ double gap_of(const NurbsCurve& curve) {
 
 /// A clamped curve whose ends meet as a periodic one with a seam of `degree` equal knots.
 NurbsCurve closed_up(const NurbsCurve& curve) {
-  const auto knots = curve.knot_vector().knots();
-  const int degree = curve.degree();
-  const int count = curve.knot_vector().count() - 1;
-  std::vector<glm::dvec4> points(count);
-  for (int i = 0; i < count; ++i) points[(i + degree - 1) % count] = curve.points()[i];
+  Selection selection = closed_up(curve.knot_vector());
+  std::vector<glm::dvec4> points;
+  for (const int i : selection.indices) points.push_back(curve.points()[i]);
   const glm::dvec4& last = curve.points().back();
-  glm::dvec4& seam = points[(degree - 1) % count];
+  glm::dvec4& seam = points[(curve.degree() - 1) % points.size()];
   if (seam != last) seam = 0.5 * seam + 0.5 * last;
-  return NurbsCurve::make(KnotVector::make(degree, {knots.begin() + 1, knots.begin() + count + 2}, true), points);
+  return NurbsCurve::make(std::move(selection.knots), std::move(points));
 }
 
 }  // namespace

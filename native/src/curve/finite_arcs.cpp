@@ -23,15 +23,22 @@ struct Room {
   glm::dvec3 reach(double lengths) const { return half + glm::dvec3(lengths * length); }
 };
 
-Room room_around(std::span<const glm::dvec4> points, double length) {
+Room room_around(std::span<const glm::dvec3> points, double length) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-low);
-  for (const glm::dvec4& p : points) {
-    if (p.w == 0.0) continue;
-    low = glm::min(low, glm::dvec3(p));
-    high = glm::max(high, glm::dvec3(p));
+  for (const glm::dvec3& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
   }
   return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low, length};
+}
+
+std::vector<glm::dvec3> finite_points(std::span<const glm::dvec4> points) {
+  std::vector<glm::dvec3> finite;
+  for (const glm::dvec4& p : points) {
+    if (p.w != 0.0) finite.emplace_back(p);
+  }
+  return finite;
 }
 
 bool has_one_sign(std::span<const glm::dvec4> points, double noise = 0.0) {
@@ -251,12 +258,12 @@ bool is_cut_by_seam(const NurbsCurve& curve, const std::vector<Chain>& chains) {
 
 }  // namespace
 
-std::vector<NurbsCurve> finite_arcs(const NurbsCurve& curve, double length) {
+std::vector<NurbsCurve> finite_arcs(const NurbsCurve& curve, double length, std::span<const glm::dvec3> around) {
   if (!(length > 0.0) || !std::isfinite(length)) {
     throw InvalidShape("length = " + text_of(length) + " is not a positive length");
   }
-  if (has_one_sign(curve.points())) return cut_at_gaps(with_positive_weights(curve));
-  const Room room = room_around(curve.points(), length);
+  if (around.empty() && has_one_sign(curve.points())) return cut_at_gaps(with_positive_weights(curve));
+  const Room room = around.empty() ? room_around(finite_points(curve.points()), length) : room_around(around, length);
   std::vector<Chain> chains = chains_of(curve, room);
   if (is_cut_by_seam(curve, chains)) chains = chains_of(opened(curve, chains.front().ends.back()), room);
   std::vector<NurbsCurve> arcs;

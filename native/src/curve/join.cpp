@@ -51,21 +51,34 @@ glm::dvec3 end_derivative(const NurbsCurve& curve, double u, Side side) {
   return found[1];
 }
 
-/// b over a domain that begins where a ends and on which both derivatives at the joint have one length.
+/// What rounding may make of a derivative at an end: its control points divided by the width of the span.
+double rounding_of_speed(const NurbsCurve& curve, Side side) {
+  constexpr double kRounding = 0x1p-46;
+  const auto knots = curve.knot_vector().knots();
+  const std::size_t order = curve.degree() + 1;
+  const std::size_t last = curve.points().size() - 1;
+  const double width = side == Side::left ? knots[last + 1] - knots[last] : knots[order] - knots[order - 1];
+  return kRounding * curve.degree() * largest_coordinate(curve.points()) / width;
+}
+
+/// b over a domain that begins where a ends and on which both derivatives at the joint have one length,
+/// as long as it was where they have it but for rounding.
 NurbsCurve scaled_to_meet(const NurbsCurve& a, const NurbsCurve& b, bool is_scaled) {
   const double start = a.domain().end;
-  // Already in its place: moving it would cost a rounding.
-  if (!is_scaled && b.domain().start == start) return b;
   double length = b.domain().length();
   if (is_scaled) {
     const double speed_a = glm::length(end_derivative(a, start, Side::left));
     const double speed_b = glm::length(end_derivative(b, b.domain().start, Side::right));
-    if (speed_a > 0.0 && speed_b > 0.0) length *= speed_b / speed_a;
+    const double rounding = std::max(rounding_of_speed(a, Side::left), rounding_of_speed(b, Side::right));
+    is_scaled = std::abs(speed_a - speed_b) > rounding;
+    if (is_scaled && speed_a > 0.0 && speed_b > 0.0) length *= speed_b / speed_a;
     if (!(start + length > start) || !std::isfinite(start + length)) {
       throw InvalidShape("the derivatives at the joint differ too much in length: " + text_of(speed_a) + " and " +
                          text_of(speed_b));
     }
   }
+  // Already in its place: moving it would cost a rounding.
+  if (!is_scaled && b.domain().start == start) return b;
   return with_domain(b, {start, start + length});
 }
 

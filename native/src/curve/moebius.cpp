@@ -2,56 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/vec3.hpp>
 #include <string>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/basis/moebius.hpp"
 #include "splinecore/basis/selection.hpp"
 
 namespace splinecore {
 
 namespace {
-
-/// u = t (b - a) + a is mapped to where t is reached under the new parameter.
-class Map {
- public:
-  Map(Interval domain, double rho) : domain_(domain), rho_(rho) {}
-
-  bool is_beyond_pole(double u) const { return !(denominator(u) > 0.0); }
-
-  double at(double u) const {
-    if (u == domain_.start || u == domain_.end) return u;
-    return domain_.start + (u - domain_.start) / denominator(u);
-  }
-
-  /// What one factor of a polar form at u is multiplied by.
-  double factor(double u) const { return rho_ / denominator(u); }
-
- private:
-  double denominator(double u) const {
-    if (u == domain_.start) return rho_;
-    if (u == domain_.end) return 1.0;
-    return (rho_ * (domain_.end - u) + (u - domain_.start)) / (domain_.end - domain_.start);
-  }
-
-  Interval domain_;
-  double rho_;
-};
-
-void require_positive(double rho) {
-  if (rho > 0.0 && std::isfinite(rho)) return;
-  throw InvalidShape("rho = " + text_of(rho) + " is not positive: the map would not keep the curve");
-}
-
-/// The given point whose homogeneous point is multiplied by a factor.
-glm::dvec4 multiplied(const glm::dvec4& given, double factor, std::size_t index) {
-  const bool is_direction = given.w == 0.0;
-  const glm::dvec4 point = is_direction ? factor * given : glm::dvec4(glm::dvec3(given), factor * given.w);
-  const bool vanished = !is_direction && !std::isnormal(point.w);
-  if (std::isfinite(factor) && !vanished) return point;
-  throw InvalidShape("weights" + index_text(index) + " = " + text_of(given.w) + " times " + text_of(factor) +
-                     " leaves the range of numbers");
-}
 
 NurbsCurve part(const NurbsCurve& curve, const Selection& selection) {
   std::vector<glm::dvec4> points;
@@ -74,28 +33,10 @@ NurbsCurve clamped(const NurbsCurve& curve) {
 }
 
 /// A plain curve that the map can take as it is.
-NurbsCurve prepared(const NurbsCurve& curve, const Map& map) {
+NurbsCurve prepared(const NurbsCurve& curve, double rho) {
+  const bool reaches_pole = has_moebius_pole(curve.knot_vector(), rho);
   if (curve.periodic()) return opened(curve, curve.domain().start);
-  const auto knots = curve.knot_vector().knots();
-  const bool reaches_pole = map.is_beyond_pole(knots.front()) || map.is_beyond_pole(knots.back());
   return reaches_pole ? clamped(curve) : curve;
-}
-
-NurbsCurve mapped(const NurbsCurve& curve, const Map& map) {
-  const auto old = curve.knot_vector().knots();
-  std::vector<double> knots;
-  for (const double u : old) {
-    const double moved = map.at(u);
-    // Rounding may bring two neighbours out of order by an ulp.
-    knots.push_back(knots.empty() ? moved : std::max(moved, knots.back()));
-  }
-  std::vector<glm::dvec4> points;
-  for (std::size_t i = 0; i < curve.points().size(); ++i) {
-    double factor = 1.0;
-    for (int j = 1; j <= curve.degree(); ++j) factor *= map.factor(old[i + j]);
-    points.push_back(multiplied(curve.points()[i], factor, i));
-  }
-  return NurbsCurve::make(curve.degree(), std::move(knots), std::move(points));
 }
 
 double standard_rho(const NurbsCurve& curve) {
@@ -117,9 +58,13 @@ std::vector<glm::dvec4> normalised(std::span<const glm::dvec4> points) {
 }  // namespace
 
 NurbsCurve moebius(const NurbsCurve& curve, double rho) {
-  require_positive(rho);
-  const Map map(curve.domain(), rho);
-  return mapped(prepared(curve, map), map);
+  const NurbsCurve plain = prepared(curve, rho);
+  MoebiusKnots mapped = moebius(plain.knot_vector(), rho);
+  std::vector<glm::dvec4> points;
+  for (std::size_t i = 0; i < plain.points().size(); ++i) {
+    points.push_back(multiplied(plain.points()[i], mapped.factors[i], i));
+  }
+  return NurbsCurve::make(plain.degree(), std::move(mapped.knots), std::move(points));
 }
 
 BezierCurve moebius(const BezierCurve& curve, double rho) {

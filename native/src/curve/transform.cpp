@@ -4,9 +4,9 @@
 
 namespace splinecore {
 
-NurbsCurve transformed(const NurbsCurve& curve, const glm::dmat4& matrix) {
+std::vector<glm::dvec4> transformed(std::span<const glm::dvec4> given, const glm::dmat4& matrix) {
   const bool is_affine = matrix[0][3] == 0.0 && matrix[1][3] == 0.0 && matrix[2][3] == 0.0 && matrix[3][3] == 1.0;
-  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
+  std::vector<glm::dvec4> points(given.begin(), given.end());
   for (glm::dvec4& point : points) {
     if (is_affine) {
       const glm::dvec4 image = matrix * glm::dvec4(glm::dvec3(point), point.w == 0.0 ? 0.0 : 1.0);
@@ -15,7 +15,11 @@ NurbsCurve transformed(const NurbsCurve& curve, const glm::dmat4& matrix) {
       point = as_given(matrix * homogeneous(point));
     }
   }
-  return curve.with_points(std::move(points));
+  return points;
+}
+
+NurbsCurve transformed(const NurbsCurve& curve, const glm::dmat4& matrix) {
+  return curve.with_points(transformed(curve.points(), matrix));
 }
 
 }  // namespace splinecore

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -14,11 +15,6 @@ KnotVector bezier_axis(int count, const char* name) {
   if (count >= 2 && count <= kMaxDegree + 1) return KnotVector::bezier(count - 1);
   throw InvalidShape("points has " + std::to_string(count) + " in " + name +
                      ", a Bezier patch needs from 2 to " + std::to_string(kMaxDegree + 1));
-}
-
-BezierPatch as_bezier(const NurbsPatch& patch) {
-  return BezierPatch::make(patch.count(Axis::u), patch.count(Axis::v),
-                           {patch.points().begin(), patch.points().end()});
 }
 
 }  // namespace

@@ -10,8 +10,9 @@ namespace splinecore {
 
 namespace {
 
-/// The point that a stencil makes of a line; `points` lie `step` apart and repeat.
-glm::dvec4 given_point(const Stencil& stencil, std::span<const glm::dvec4> given, const Lines& lines, std::size_t line) {
+/// The point that a stencil makes of a line, whose points repeat where it is periodic.
+glm::dvec4 given_point(const Stencil& stencil, std::span<const glm::dvec4> given, const Lines& lines,
+                       std::size_t line) {
   const auto weights = stencil.weights(0);
   const auto point = [&](std::size_t i) { return given[lines.at(line, (stencil.first() + i) % lines.size)]; };
   const auto copied = std::ranges::find(weights, 1.0);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/refinement.hpp"
@@ -30,33 +31,6 @@ void require_axis(const KnotVector& knots, const char* name) {
   static_cast<void>(knots.domain());
 }
 
-NurbsPatch with_axis(const NurbsPatch& patch, Axis axis, const KnotVector& knots,
-                     std::vector<glm::dvec4> points) {
-  return axis == Axis::u ? NurbsPatch::make(knots, patch.knot_vector(Axis::v), std::move(points))
-                         : NurbsPatch::make(patch.knot_vector(Axis::u), knots, std::move(points));
-}
-
-NurbsPatch cut(const NurbsPatch& patch, Axis axis, double u) {
-  const std::vector<double> copies(missing_for_cut(patch.knot_vector(axis), u), u);
-  return copies.empty() ? patch : refine(patch, axis, copies);
-}
-
-NurbsPatch selected(const NurbsPatch& patch, Axis axis, const Selection& selection) {
-  const int count_v = patch.count(Axis::v);
-  std::vector<glm::dvec4> points;
-  if (axis == Axis::u) {
-    for (const int i : selection.indices) {
-      const auto row = patch.points().subspan(static_cast<std::size_t>(i) * count_v, count_v);
-      points.insert(points.end(), row.begin(), row.end());
-    }
-  } else {
-    for (int i = 0; i < patch.count(Axis::u); ++i) {
-      for (const int j : selection.indices) points.push_back(patch.points()[i * count_v + j]);
-    }
-  }
-  return with_axis(patch, axis, selection.knots, std::move(points));
-}
-
 }  // namespace
 
 NurbsPatch::NurbsPatch(KnotVector knots_u, KnotVector knots_v, std::vector<glm::dvec4> points)
@@ -82,24 +56,7 @@ NurbsPatch NurbsPatch::from_homogeneous(KnotVector knots_u, KnotVector knots_v,
 }
 
 NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> inserted) {
-  const PointMatrix matrix = refinement(patch.knot_vector(axis), inserted);
-  const std::size_t old_count = patch.count(axis);
-  const std::size_t count = matrix.knots().count();
-  const std::size_t lines = patch.count(axis == Axis::u ? Axis::v : Axis::u);
-  // Along u neighbours of a line lie `lines` apart, along v side by side.
-  const std::size_t stride = axis == Axis::u ? lines : 1;
-  const std::size_t old_line = axis == Axis::u ? 1 : old_count;
-  const std::size_t line = axis == Axis::u ? 1 : count;
-  const std::vector<glm::dvec4> old_points = homogeneous(patch.points());
-  std::vector<glm::dvec4> points(lines * count);
-  for (std::size_t i = 0; i < lines; ++i) {
-    matrix.apply(old_points.data() + i * old_line, stride, points.data() + i * line, stride);
-  }
-  points = patch.rational() ? as_given(points) : as_given_polynomial(points);
-  for (std::size_t i = 0; i < lines; ++i) {
-    matrix.keep_untouched(patch.points().data() + i * old_line, stride, points.data() + i * line, stride);
-  }
-  return with_axis(patch, axis, matrix.knots(), std::move(points));
+  return applied(refinement(patch.knot_vector(axis), inserted), patch, axis);
 }
 
 NurbsPatch insert_knot(const NurbsPatch& patch, Axis axis, double u, int times) {

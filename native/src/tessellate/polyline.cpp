@@ -83,9 +83,9 @@ bool is_closed(const NurbsCurve& curve, const std::vector<double>& points) {
 
 /// Where the arcs within reach lie in the domain; those of a periodic curve may begin in one period and end in the
 /// next.
-std::vector<Interval> arcs_within(const NurbsCurve& curve, double reach) {
+std::vector<Interval> arcs_within(const NurbsCurve& curve, double reach, std::span<const glm::dvec3> around) {
   std::vector<Interval> arcs;
-  for (const NurbsCurve& arc : finite_arcs(curve, reach)) arcs.push_back(arc.domain());
+  for (const NurbsCurve& arc : finite_arcs(curve, reach, around)) arcs.push_back(arc.domain());
   if (!curve.periodic()) return arcs;
   const double period = curve.domain().length();
   for (std::size_t i = 0, count = arcs.size(); i < count; ++i) {
@@ -95,16 +95,17 @@ std::vector<Interval> arcs_within(const NurbsCurve& curve, double reach) {
   return arcs;
 }
 
-/// pieces(), those that run to infinity only as far as the arcs within reach go.
-std::vector<Interval> pieces_within(const NurbsCurve& curve, double reach) {
+bool has_one_sign(const NurbsCurve& curve) {
+  const auto [low, high] = std::ranges::minmax(curve.points(), {}, &glm::dvec4::w);
+  return low.w > 0.0 || high.w < 0.0;
+}
+
+/// pieces(), as far as the arcs within reach go.
+std::vector<Interval> pieces_within(const NurbsCurve& curve, double reach, std::span<const glm::dvec3> around) {
+  if (around.empty() && has_one_sign(curve)) return pieces(curve);
+  const std::vector<Interval> arcs = arcs_within(curve, reach, around);
   std::vector<Interval> within;
-  std::vector<Interval> arcs;
   for (const Interval& piece : pieces(curve)) {
-    if (!runs_to_infinity(curve, piece)) {
-      within.push_back(piece);
-      continue;
-    }
-    if (arcs.empty()) arcs = arcs_within(curve, reach);
     bool is_open = false;
     for (const Interval& arc : arcs) {
       const Interval part{std::max(arc.start, piece.start), std::min(arc.end, piece.end)};
@@ -122,7 +123,8 @@ std::vector<Interval> pieces_within(const NurbsCurve& curve, double reach) {
 
 }  // namespace
 
-std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution, std::optional<double> reach) {
+std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution, std::optional<double> reach,
+                                std::span<const glm::dvec3> around) {
   constexpr int kMaxResolution = 4096;
   constexpr double kMaxSamples = 1 << 22;
   if (resolution < 1 || resolution > kMaxResolution) {
@@ -135,7 +137,7 @@ std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution, std::op
   if (reach && !(*reach > 0.0 && std::isfinite(*reach))) {
     throw InvalidShape("reach = " + text_of(*reach) + " is not a positive length");
   }
-  const std::vector<Interval> all = reach ? pieces_within(curve, *reach) : pieces(curve);
+  const std::vector<Interval> all = reach ? pieces_within(curve, *reach, around) : pieces(curve);
   std::vector<Polyline> lines;
   for (const Interval& piece : all) {
     Polyline line{reach ? sampled(curve, piece, resolution) : piece_points(curve, piece, resolution), false};

@@ -15,6 +15,7 @@ from ...core.library import sc
 from ...core.net import net as nets
 from .. import made, recipes, shape, stamp, store, write_mesh
 from . import net as bridge
+from . import points_net
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
@@ -25,15 +26,20 @@ class Session:
     """What is worked out once for a net. Rebuilt at will: it holds no truth of its own."""
 
     def __init__(self, net):
-        self.net = net
+        self.made_with = net
         self.problem = ""
-        self.points = self.net.single   # of the net, for the overlay
-        self.state = nets.exact(self.net, self.net.single, self.net.single_weights)
+        self.show(net)
         self.written = None             # the tessellation whose faces the shape has
         self.pool = None                # of the definition that was written last
         self._checked = 0.0
         self._tessellation = self._resolution = None
         self._patch_sets = {}
+
+    def show(self, net):
+        """Take this for the net, and its points for those that are there."""
+        self.net = net                  # other than it was made with where that has gained or lost points
+        self.points = net.single        # for the overlay
+        self.state = nets.exact(net, net.single, net.single_weights)
 
     def require_alone(self, data, pool):
         """Raises ValueError where others changed the shape since its net last wrote it."""
@@ -110,19 +116,28 @@ def pull(ob):
     if not bridge.is_current(ob):
         return None
     owner, current = bridge.shape_of(ob), session(ob.data)
+    follow = _follow_points if points_net.is_free(ob.data) else _follow
     try:
-        current.points, weights = bridge.read(ob, current.net)
-        current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
-        definition = nets.read(current.net, current.state)
-        current.problem = ""
-        if recipes.has_points(owner.data):
-            is_changed = made.follow_net(owner.data, definition)
-        else:
-            is_changed = _show(owner.data, definition, current)
-        return owner.data if is_changed else None
+        return owner.data if follow(owner.data, ob, current) else None
     except FAILURES as error:
         current.problem = sentence(error)
         return None
+
+
+def _follow(data, ob, current):
+    """Bring a shape up to date; whether it changed."""
+    current.points, weights = bridge.read(ob, current.net)
+    current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
+    definition = nets.read(current.net, current.state)
+    current.problem = ""
+    return made.follow_net(data, definition) if recipes.has_points(data) else _show(data, definition, current)
+
+
+def _follow_points(data, ob, current):
+    """_follow() where the net may gain and lose points. They are shown in the panel even if the shape refuses them."""
+    current.show(points_net.read(ob.data, current.made_with))
+    current.problem = ""
+    return made.follow_points(data, current.net, points_net.is_turned(ob.data))
 
 
 def problem(ob):

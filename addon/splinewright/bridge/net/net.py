@@ -227,7 +227,7 @@ def _points_of(spline):
     return spline.bezier_points if spline.type == 'BEZIER' else spline.points
 
 
-def _order_of(spline, count):
+def order_of(spline, count):
     """The number of each point, in the present order. Raises ChangedNet unless all are there once."""
     _require_count(len(_points_of(spline)), count)
     tilts = np.empty(count, np.float32)
@@ -247,7 +247,7 @@ def _read_curve(ob, net):
     for spline, part in zip(splines, net.splines):
         if spline.type != part.kind:
             raise ChangedNet("a spline of the net has another type: undo that, the shape waits")
-        places = np.argsort(_order_of(spline, part.count))
+        places = np.argsort(order_of(spline, part.count))
         if part.kind == 'BEZIER':
             triples = np.empty((part.count, 3, 3), np.float32)
             for i, name in enumerate(_HANDLES):

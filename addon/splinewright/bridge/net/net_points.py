@@ -5,6 +5,7 @@ import numpy as np
 from mathutils import Vector
 
 from . import net as bridge
+from . import points_net
 
 
 def selected(ob, net):
@@ -33,8 +34,12 @@ def place(ob, net, vertices, rows):
 
     Raises ChangedNet where the net has not its points.
     """
-    bridge.read(ob, net)
-    bridge.add_typed(ob.data, np.column_stack([vertices, rows]))
+    if points_net.is_free(ob.data):
+        numbers = points_net.numbers(ob.data)[vertices]
+    else:
+        bridge.read(ob, net)
+        numbers = vertices
+    bridge.add_typed(ob.data, np.column_stack([numbers, rows]))
     values = dict(zip(vertices, rows))
     if ob.type == 'CURVE':
         _place_on_curve(ob.data, net, values)
@@ -59,13 +64,26 @@ def _place_on_cage(data, values):
 
 def _curve_vertices(curve, net):
     """(spline, end of the names of its handle's properties, index of the point, vertex)."""
-    vertex = 0
+    first = 0
     for spline, part in zip(curve.splines, net.splines):
         handles = ('_left_handle', '_control_point', '_right_handle') if part.kind == 'BEZIER' else ('',)
-        for i in range(part.count):
-            for handle in handles:
-                yield spline, handle, i, vertex
-                vertex += 1
+        if (spline.type == 'BEZIER') == (part.kind == 'BEZIER'):        # otherwise it is of another type now
+            numbers, is_turned = _numbers(curve, spline, part.count)
+            for i, number in enumerate(numbers):
+                for k, handle in enumerate(handles[::-1] if is_turned else handles):
+                    yield spline, handle, i, first + len(handles) * number + k
+        first += len(handles) * part.count
+
+
+def _numbers(curve, spline, count):
+    """(the number of each point of a spline in its place, whether its direction was switched)."""
+    if not points_net.is_free(curve):
+        try:
+            numbers = bridge.order_of(spline, count).tolist()
+            return numbers, count > 1 and numbers.index(0) > numbers.index(count - 1)
+        except bridge.ChangedNet:
+            pass                        # read() says it
+    return list(range(count)), False
 
 
 def _point(spline, i):

@@ -25,6 +25,11 @@ def _ellipse(points, form):
     return Made(sc.conics.ellipse(centre, end_a - centre, end_b - centre, form))
 
 
+def _hyperbola(points):
+    centre, vertex, end_b = points
+    return Made(sc.conics.hyperbola(centre, vertex - centre, end_b - centre))
+
+
 def _foci(points, distance):
     return _whole(sc.conics.by_foci(*points, distance))
 
@@ -46,10 +51,13 @@ def _arc(points, radius, start, sweep):
     return Made(sc.conics.arc((0, 0, 0), (radius, 0, 0), (0, radius, 0), start, sweep))
 
 
+_NOTHING = {'empty': "no real point", 'point': "one point only"}
+
+
 def _whole(conic):
     curves = sc.conics.from_implicit(conic)
     if not curves:
-        raise ValueError(f"the conic has no curve to show: it is {conic.type}")
+        raise ValueError(f"no curve: the equation has {_NOTHING.get(conic.type, conic.type)}")
     return Made(curves if len(curves) > 1 else curves[0])
 
 
@@ -58,16 +66,18 @@ RECIPES = (
            "An arc of a conic from three points: the weight of the middle one makes it an ellipse, a parabola, a hyperbola",
            (Parameter("weight", "Weight", "1 is a parabola, below 1 an ellipse, above 1 a hyperbola; below 0 the rest of it",
                       math.sqrt(0.5), -10.0, 10.0),),
-           _by_weight, ((1, 0, 0), (1, 1, 0), (0, 1, 0))),
+           _by_weight, ((1, 0, 0), (1, 1, 0), (0, 1, 0)), is_endless=True),
     Recipe("five_points", "Conic Through Five Points", "The one conic through five points of a plane", (), _five_points,
-           ((-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0))),
+           ((-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0)), is_endless=True),
     Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM,), _ellipse,
            ((0, 0, 0), (1, 0, 0), (0, 0.6, 0))),
+    Recipe("hyperbola", "Hyperbola", "Both branches by the centre, a vertex and the end of the other half diameter", (),
+           _hyperbola, ((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0))),
     Recipe("foci", "Conic by Foci", "The ellipse or hyperbola of points whose distances from two foci have one sum or difference",
            (Parameter("distance", "Sum or Difference", "More than the distance of the foci: an ellipse; less: a hyperbola",
                       2.5, 0.0, unit='LENGTH'),), _foci, ((-1, 0, 0), (1, 0, 0))),
     Recipe("parabola", "Parabola", "The points as far from a focus as from the line through two others", (), _parabola,
-           ((0, 0.25, 0), (-1, -0.25, 0), (1, -0.25, 0))),
+           ((0, 0.25, 0), (-1, -0.25, 0), (1, -0.25, 0)), is_endless=True),
     Recipe("equation", "Conic From Equation", "The curve of a x² + b xy + c y² + d x + e y + f = 0",
            tuple(Parameter(name, name, f"The factor of {term}", default) for name, term, default in (
                ("a", "x²", 1.0), ("b", "xy", 0.0), ("c", "y²", 4.0), ("d", "x", 0.0), ("e", "y", 0.0),

@@ -18,6 +18,11 @@ _TENSION = Parameter("tension", "Tension", "0 is Catmull-Rom; 1 makes corners at
 _WAVE = ((-1, 0, 0), (-0.5, 0.5, 0), (0, -0.3, 0), (0.5, 0.5, 0), (1, 0, 0))
 
 
+#: Points, each followed by the heads of its derivatives.
+_ZIGZAG = ((-1, 0, 0), (-0.5, 2, 0), (0, 0, 0), (0.5, -2, 0), (1, 0, 0), (1.5, 2, 0), (1, 1, 0), (1, -1, 0), (1, 0, 1),
+           (1, 0, -1), (1, 1, 1), (1, -1, -1))
+
+
 def _catmull_rom(points, parametrisation, tension, closed, ends):
     return Made(sc.build.catmull_rom(points, parametrisation, tension, closed, ends))
 
@@ -26,8 +31,19 @@ def _kochanek_bartels(points, tension, continuity, bias, parametrisation, closed
     return Made(sc.build.kochanek_bartels(points, tension, continuity, bias, parametrisation, closed, ends))
 
 
-def _polynomial(points, parametrisation):
-    return Made(sc.build.polynomial_through(points, _spacing(points, parametrisation)))
+#: A polynomial that misses its points by more than this part of their extent is none of use.
+_MOST_MISSED = 1e-3
+
+
+def _polynomial(points, parametrisation, spline):
+    parameters = _spacing(points, parametrisation)
+    curve = sc.build.polynomial_through(points, parameters)
+    missed = float(np.linalg.norm(curve.evaluate(parameters) - points, axis=1).max())
+    if not missed <= _MOST_MISSED * np.ptp(points, axis=0).max():
+        raise ValueError(f"{len(points)} points are too many for one polynomial: in double precision it would miss them "
+                         f"by {missed:.2g}")
+    beside = [sc.build.catmull_rom(points, parameters)] if spline else []
+    return Made([curve, *beside] if beside else curve, missed if missed > _SEEN * np.abs(points).max() else 0.0)
 
 
 def _osculating(points, derivatives):
@@ -37,6 +53,10 @@ def _osculating(points, derivatives):
     groups = points.reshape(-1, size, 3).copy()
     groups[:, 1:] -= groups[:, :1]
     return Made(sc.build.osculating_polynomial(list(groups), np.linspace(0.0, 1.0, len(groups))))
+
+
+#: An error below this part of the size is rounding.
+_SEEN = 1e-12
 
 
 def _spacing(points, parametrisation):
@@ -59,8 +79,30 @@ def _helix(points, radius, end_radius, height, turns, tolerance):
 
 
 def _formula(points, x, y, z, start, end, constants, tolerance):
-    return Made(*sc.build.curve_from_formulas([x, y, z], (start, end), tolerance=tolerance,
-                                              constants=constants_of(constants)))
+    known = constants_of(constants)
+    if not start < end:
+        raise ValueError("the last t is not above the first")
+    formulas = [_formula_of(name, text, known) for name, text in (("x", x), ("y", y), ("z", z))]
+    return Made(*sc.build.curve_from_formulas(formulas, (start, end), tolerance=tolerance))
+
+
+def _formula_of(name, text, constants):
+    try:
+        return sc.Formula(text, ("t",), constants)
+    except sc.FormulaError as error:
+        raise ValueError(f"{name}(t): {error}") from error
+
+
+def _at_commas(text):
+    """The parts of a text between commas or semicolons that are not inside parentheses."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character == "(") - (character == ")")
+        if character in ",;" and depth <= 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return parts
 
 
 def constants_of(text):
@@ -69,7 +111,7 @@ def constants_of(text):
     Raises ValueError where one has no name or no value.
     """
     found = {}
-    for part in filter(str.strip, text.replace(";", ",").split(",")):
+    for part in filter(str.strip, _at_commas(text)):
         name, equals, value = part.partition("=")
         if not equals:
             raise ValueError(f"'{part.strip()}' is no constant: write a name, = and a number")
@@ -88,12 +130,14 @@ RECIPES = (
             Parameter("bias", "Bias", "Above 0 overshoots before, below 0 after a point", 0.0, -5.0, 5.0),
             _PARAMETERS, _CLOSED, _ENDS), _kochanek_bartels, _WAVE, True, 16),
     Recipe("polynomial", "Polynomial Through Points", "The one polynomial of lowest degree through points: see how it oscillates",
-           (_PARAMETERS,), _polynomial, _WAVE, True, 64),
+           (_PARAMETERS, Parameter("spline", "Spline Beside", "A Catmull-Rom spline through the same points, too", False)),
+           _polynomial, _WAVE, True, 64),
     Recipe("osculating", "Osculating Polynomial",
            "The polynomial of lowest degree with given points and derivatives: each point is followed by the heads of its derivatives",
            (Parameter("derivatives", "Derivatives", "How many are given at each point, equal parameters apart in [0, 1]",
-                      1, 1, 4),), _osculating,
-           ((-1, 0, 0), (-0.5, 2, 0), (0, 0, 0), (0.5, -2, 0), (1, 0, 0), (1.5, 2, 0)), resolution=48),
+                      1, 1, 5),), _osculating,
+           _ZIGZAG, resolution=48, has_groups=True,
+           count_for=lambda values: (3 if values['derivatives'] == 1 else 2) * (1 + values['derivatives'])),
     Recipe("helix", "Helix", "A helix or spiral around z",
            (Parameter("radius", "Radius", "At the start", 1.0, 0.0, unit='LENGTH'),
             Parameter("end_radius", "End Radius", "At the end", 1.0, 0.0, unit='LENGTH'),

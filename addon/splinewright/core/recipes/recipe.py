@@ -44,15 +44,31 @@ class Recipe:
     points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters say all
     has_any_count: bool = False         # of points
     resolution: int = 32
+    count_for: Callable | None = None   # (values) -> how many of the points to start from
+    is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points: "one curve"; make() takes a list of their Definitions
     is_beside: bool = False             # what it makes is put beside its first input, not over it
+    has_groups: bool = False            # of points, any number of them; make() refuses parts of one
 
     @property
     def defaults(self):
         return {parameter.name: parameter.default for parameter in self.parameters}
 
     @property
+    def can_gain_points(self):
+        return self.has_any_count or self.has_groups
+
+    @property
+    def can_close(self):
+        """Whether a parameter says that it is closed."""
+        return 'closed' in self.defaults
+
+    @property
     def start(self):
         """(n, 3) float64: the points to start from."""
         return np.array(self.points, dtype=np.float64).reshape(-1, 3)
+
+    def start_for(self, values):
+        """start, or as many of them as these values of the parameters ask for."""
+        return self.start[:self.count_for(values)] if self.count_for else self.start

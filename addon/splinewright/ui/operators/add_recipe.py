@@ -18,7 +18,7 @@ class _AddRecipe(AddShape):
     def new_data(self, step):
         recipe = self.recipe
         values = recipe_props.typed(recipe, self)
-        points = recipe.start * self.size
+        points = recipe.start_for(values) * self.size
         if recipe.has_any_count:
             points = _spread(points, self.count)
         return made.new_data(recipe.label, recipe, values, points, self.resolution())

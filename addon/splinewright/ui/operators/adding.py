@@ -15,10 +15,18 @@ def can_add(cls, context):
     if context.mode != 'OBJECT':
         cls.poll_message_set("Leave Edit Mode first: a shape is an object of its own")
         return False
-    if context.scene.library or (context.collection and context.collection.library):
-        cls.poll_message_set("The active collection is linked from another file")
+    try:
+        require_place(context)
+    except ValueError as error:
+        cls.poll_message_set(sentence(error))
         return False
     return True
+
+
+def require_place(context):
+    """Raises ValueError where no object can be added."""
+    if context.scene.library or (context.collection and context.collection.library):
+        raise ValueError("the active collection is linked from another file")
 
 
 def add_in_front(context, ob, sources):

@@ -155,7 +155,8 @@ class SPLINEWRIGHT_OT_remove_knot(_WithinTolerance, _AtParameter, bpy.types.Oper
 class SPLINEWRIGHT_OT_remove_knots(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.remove_knots"
     bl_label = "Remove Knots"
-    bl_description = "Take every inner knot away that can go while the curve moves no farther than a tolerance"
+    bl_description = ("Take every inner knot away that can go while the curve moves no farther than a tolerance; "
+                      "a Hermite chain becomes NURBS")
     done, already = "Removed knots of {}", "no knot can go within the tolerance"
 
     tolerance: FloatProperty(name="Tolerance", description="Largest distance that is allowed, in units of the object",
@@ -227,7 +228,8 @@ class SPLINEWRIGHT_OT_reparametrise(OnCurves, bpy.types.Operator):
 
     how: EnumProperty(name="How", items=(
         ('AFFINE', "New Domain", "Map the domain to another one; control points and weights stay"),
-        ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly")))
+        ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly; "
+         "a periodic curve is opened")))
     start: FloatProperty(name="Start", description="Where the new domain starts", default=0.0, precision=5)
     end: FloatProperty(name="End", description="Where the new domain ends", default=1.0, precision=5)
     rho: FloatProperty(name="Rho", description="Ratio of the speeds at both ends; above 0, 1 changes nothing",
@@ -261,11 +263,15 @@ class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
                       "exact. Called from a menu, the point is the active camera")
     done = "Projected {}"
 
-    eye: FloatVectorProperty(name="Eye", description="Where it is seen from, in the object's own space",
+    eye: FloatVectorProperty(name="Eye", description="Where it is seen from, in the active object's space",
                              default=(0.0, 0.0, 10.0), subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
 
-    def verb(self):
-        return verbs.project(self.eye)
+    def work(self, context, ob):
+        """The eye is that of the active object, which others see from their own space."""
+        eye = self.eye
+        if ob != context.object:
+            eye = ob.matrix_world.inverted_safe() @ context.object.matrix_world @ eye
+        return replacing.do(ob.data, self.piece, verbs.project(eye), self.already)
 
     def invoke(self, context, event):
         camera, ob = context.scene.camera, context.object

@@ -7,7 +7,7 @@ from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES, sentence
 from ...core.recipes.table import FOLLOW
 from . import polls
-from .adding import add_in_front, resolution_property
+from .adding import add_in_front, require_place, resolution_property
 
 
 class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
@@ -35,6 +35,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         try:
             target, source = self._chosen(context)
             if target is None:
+                require_place(context)
                 resolution = self.resolution_u, self.resolution_v
                 target = follow.new_object(FOLLOW, {}, [source], resolution, depsgraph)
                 for material in source.data.materials:

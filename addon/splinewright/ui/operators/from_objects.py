@@ -8,8 +8,7 @@ from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES, sentence
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import recipe_props
-from . import polls
-from .adding import add_in_front, resolution_property
+from .adding import add_in_front, can_add, resolution_property
 
 
 class _FromObjects:
@@ -20,7 +19,7 @@ class _FromObjects:
 
     @classmethod
     def poll(cls, context):
-        if not polls.in_object_mode(cls, context):
+        if not can_add(cls, context):
             return False
         wanted = cls.recipe.inputs
         if len(_sources(context)) != len(wanted):

@@ -24,6 +24,10 @@ Selection part_after(const KnotVector& knots, double u);
 /// One period of a periodic vector from u on, which has multiplicity degree + 1, as a plain one.
 Selection opened_at(const KnotVector& knots, double u);
 
+/// A vector clamped at both ends as a periodic one whose seam has `degree` equal knots; the last point, which
+/// lies on the first, is left out. The inverse of opened_at().
+Selection closed_up(const KnotVector& knots);
+
 /// The plain vector with unrolled() knots.
 Selection unrolled(const KnotVector& knots);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -36,5 +37,12 @@ NurbsCurve circle(const glm::dvec3& centre, double radius, const glm::dvec3& nor
 ///         count is outside [0, 65536], and as for ellipse().
 NurbsCurve ellipse_arc(const glm::dvec3& centre, const glm::dvec3& axis_a, const glm::dvec3& axis_b, double start,
                        double sweep, int span_count = 0);
+
+/// Both branches of the hyperbola centre +- cosh(t) axis_a + sinh(t) axis_b, that to which axis_a points first.
+///
+/// Each is two spans from one asymptote's direction to the other's, with its vertex between. The axes are half
+/// lengths with their directions; any two conjugate ones will do.
+/// @throws InvalidShape if a number is not finite, or the axes are zero or parallel.
+std::vector<NurbsCurve> hyperbola(const glm::dvec3& centre, const glm::dvec3& axis_a, const glm::dvec3& axis_b);
 
 }  // namespace splinecore

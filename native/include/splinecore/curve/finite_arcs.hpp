@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "splinecore/curve/nurbs_curve.hpp"
@@ -14,7 +16,9 @@ namespace splinecore {
 /// arcs have knots of multiplicity degree where they were subdivided, and no control point
 /// farther out than twice the length, all up to rounding. Nothing within (1 - 1e-9) length is left out, except a
 /// stretch on which all four homogeneous coordinates are zero up to rounding.
+/// @param around  where given, the box of these points stands for that of the control points, and curves whose
+///                weights have one sign are cut at its reach, too
 /// @throws InvalidShape unless length is positive and finite.
-std::vector<NurbsCurve> finite_arcs(const NurbsCurve& curve, double length);
+std::vector<NurbsCurve> finite_arcs(const NurbsCurve& curve, double length, std::span<const glm::dvec3> around = {});
 
 }  // namespace splinecore

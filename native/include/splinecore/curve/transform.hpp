@@ -1,6 +1,9 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -13,5 +16,8 @@ namespace splinecore {
 /// @param matrix  maps columns (x, y, z, w); affine if its last row is 0, 0, 0, 1
 /// @throws InvalidShape if a number is not finite or every point goes to infinity.
 NurbsCurve transformed(const NurbsCurve& curve, const glm::dmat4& matrix);
+
+/// The same of control points, as they were given.
+std::vector<glm::dvec4> transformed(std::span<const glm::dvec4> points, const glm::dmat4& matrix);
 
 }  // namespace splinecore

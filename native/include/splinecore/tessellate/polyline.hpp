@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "splinecore/curve/nurbs_curve.hpp"
@@ -16,10 +18,12 @@ struct Polyline {
 /// One polyline for each of pieces(), with `resolution` steps in what it holds of every span. A piece
 /// that runs to infinity has four steps at least and ends at the last before it. A whole curve whose end
 /// points are equal in every bit is closed.
-/// @param reach  where given, a piece that runs to infinity ends where it leaves the box of the finite
-///               control points by this length in a coordinate
+/// @param reach   where given, a curve whose weights have not one sign ends where it leaves the box of its finite
+///                control points by this length in a coordinate: also where it is finite, but far
+/// @param around  where given, the box of these points stands for it, for any curve
 /// @throws InvalidShape if the resolution is outside [1, 4096], there would be more than 2^22 samples, or the
 ///         reach is not positive.
-std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution, std::optional<double> reach = {});
+std::vector<Polyline> polylines(const NurbsCurve& curve, int resolution, std::optional<double> reach = {},
+                                std::span<const glm::dvec3> around = {});
 
 }  // namespace splinecore

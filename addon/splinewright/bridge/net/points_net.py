@@ -1,0 +1,79 @@
+"""Nets of recipes that take any number of points: Blender's own Edit Mode may add and remove them.
+
+Where a point is in its spline says which it is. Its tilt is the number of the point it was made from.
+"""
+
+import bpy
+import numpy as np
+
+from ...core.net import points_net
+from ...core.net.net import Spline
+from . import net as bridge
+
+_FREE = 'any_count'
+
+
+def set_free(data, is_closed):
+    """Let a net's data-block that was just made gain and lose points; whether its shape is closed."""
+    data[bridge.KEY][_FREE] = True
+    set_closed(data, is_closed)
+
+
+def set_closed(data, is_closed):
+    """Show whether the shape of a net is closed."""
+    for spline in data.splines:
+        spline.use_cyclic_u = is_closed
+
+
+def is_free(data):
+    """Whether a net may have other points than it was made with."""
+    return _FREE in data[bridge.KEY].keys()
+
+
+def numbers(data):
+    """(n,) the numbers that the points carry, in the order of the splines."""
+    return np.abs(_values(data, 'tilt', 1).ravel())     # switching the direction turns tilts over
+
+
+def is_turned(data):
+    """Whether the direction of the whole net was switched since it was made."""
+    return bool(np.signbit(_values(data, 'tilt', 1)).all())
+
+
+def read(data, made_with):
+    """The Net of the points that are there in this moment. made_with: the Net that the data-block was made from.
+
+    Splines of Blender's Bezier type count as empty.
+    """
+    rows = _values(data, 'co', 4)
+    exact = points_net.digits(made_with, bridge.typed(data), numbers(data), rows[:, :3])
+    splines = [Spline(spline.type, len(spline.points), spline.use_cyclic_u) for spline in data.splines]
+    return points_net.present(made_with, exact, rows[:, 3], splines)
+
+
+def require_one_polygon(net):
+    """The only spline of a Net that was read. Raises ChangedNet where there is not one, of the type it had."""
+    if not net.splines:
+        raise bridge.ChangedNet("the net has no points left: undo that, the shape waits")
+    if len(net.splines) > 1:
+        raise bridge.ChangedNet(f"the net has {len(net.splines)} splines: join them (Make Segment) "
+                                "or delete all but one, the shape waits")
+    if net.splines[0].kind != 'POLY':
+        raise bridge.ChangedNet("the spline of the net has another type: undo that, the shape waits")
+    return net.splines[0]
+
+
+def editing(shape_data):
+    """The data-block of the net of this kind that edits a shape, or None."""
+    token = shape_data.get(bridge.EDITED_BY)
+    return next((data for data in bpy.data.curves
+                 if bridge.KEY in data.keys() and bridge.token(data) == token and is_free(data)), None)
+
+
+def _values(data, name, width):
+    """(n, width) float32: an attribute of all points."""
+    found = [np.empty(0, np.float32)]
+    for spline in data.splines:
+        found.append(np.empty(width * len(spline.points), np.float32))
+        spline.points.foreach_get(name, found[-1])
+    return np.concatenate(found).reshape(-1, width)

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <glm/mat4x4.hpp>
+#include <optional>
+
+#include "splinecore/base/interval.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+// Arguments that verbs of several kinds take.
+namespace bindings {
+
+namespace py = pybind11;
+
+/// A length, or none for None. @throws InvalidShape if it is below 0 or not finite.
+std::optional<double> tolerance_of(const py::object& value);
+
+/// (start, end)
+splinecore::Interval interval_of(const py::object& value, const char* name);
+
+/// (3, 3), (3, 4) or (4, 4), which maps columns.
+glm::dmat4 matrix_of(const py::object& value);
+
+/// 'u' or 'v'
+splinecore::Axis axis_of(const py::object& value);
+
+}  // namespace bindings

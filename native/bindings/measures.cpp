@@ -1,0 +1,250 @@
+#include "arrays.hpp"
+#include "curve_methods.hpp"
+#include "rooms.hpp"
+#include "splinecore/curve/power_curve.hpp"
+#include "splinecore/measure/area.hpp"
+#include "splinecore/measure/curve_frame.hpp"
+#include "splinecore/measure/length.hpp"
+#include "splinecore/measure/patch_curvature.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::Axis;
+using splinecore::BezierCurve;
+using splinecore::BezierPatch;
+using splinecore::HermiteCurve;
+using splinecore::HermitePatch;
+using splinecore::InvalidShape;
+using splinecore::NurbsCurve;
+using splinecore::NurbsPatch;
+using splinecore::PatchOptions;
+using splinecore::PatchSet;
+using splinecore::PowerCurve;
+using splinecore::Side;
+
+namespace {
+
+/// What Python sees of the curvatures at many pairs of parameters.
+struct Curvatures {
+  py::array_t<double> gauss;
+  py::array_t<double> mean;
+  py::array_t<double> principal;
+  py::array_t<double> directions;
+};
+
+/// A class that was bound before.
+template <class Shape>
+py::class_<Shape> class_of(const py::module_& module, const char* name) {
+  return py::reinterpret_borrow<py::class_<Shape>>(module.attr(name));
+}
+
+std::span<double> numbers_in(py::array_t<double>& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
+Shape with_more(Shape shape, std::initializer_list<py::ssize_t> more) {
+  shape.insert(shape.end(), more);
+  return shape;
+}
+
+double length(const NurbsCurve& curve, const py::object& start, const py::object& end, const py::object& tolerance) {
+  const splinecore::Interval domain = curve.domain();
+  const splinecore::Interval range{optional_real(start, "start").value_or(domain.start),
+                                   optional_real(end, "end").value_or(domain.end)};
+  const double most = real(tolerance, "tolerance");
+  return unlocked([&] { return splinecore::length(curve, range, most).value; });
+}
+
+/// One number for each parameter.
+using AlongCurve = void (*)(const NurbsCurve&, std::span<const double>, std::span<double>, Side);
+
+py::array_t<double> along(const NurbsCurve& curve, const py::object& u, const py::object& side, AlongCurve measure) {
+  const Doubles at = real_array(u, "u");
+  const Side from = side_of(side, "side");
+  require_inside(curve.knot_vector(), at, from, "u");
+  py::array_t<double> out(Shape(at.shape(), at.shape() + at.ndim()));
+  const std::span numbers = numbers_in(out);
+  unlocked([&] { measure(curve, {at.data(), numbers.size()}, numbers, from); });
+  return out;
+}
+
+py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const py::object& side) {
+  const Doubles at = real_array(u, "u");
+  const Side from = side_of(side, "side");
+  require_inside(curve.knot_vector(), at, from, "u");
+  py::array_t<double> out(with_more(Shape(at.shape(), at.shape() + at.ndim()), {3, 3}));
+  const auto count = static_cast<std::size_t>(at.size());
+  static_assert(sizeof(splinecore::FrenetFrame) == 9 * sizeof(double));
+  auto* first = reinterpret_cast<splinecore::FrenetFrame*>(out.mutable_data());
+  unlocked([&] { splinecore::frenet_frames(curve, {at.data(), count}, {first, count}, from); });
+  return out;
+}
+
+template <class Curve>
+void bind_curve(py::class_<Curve> cls) {
+  cls.def("length", [](const Curve& self, const py::object& start, const py::object& end, const py::object& tolerance) {
+            return length(form(self), start, end, tolerance);
+          },
+          py::arg("start") = py::none(), py::arg("end") = py::none(), py::kw_only(),
+          py::arg("tolerance") = splinecore::kLengthTolerance,
+          "The length between two parameters, by default of all: a float, right to a relative tolerance.\n\n"
+          "Adaptive Gauss-Legendre quadrature on every span, also through cusps. InvalidShape unless start <= end\n"
+          "in the domain, PointAtInfinity if the curve runs to infinity, ToleranceNotReached. Row S15.");
+  cls.def("curvature", [](const Curve& self, const py::object& u, const py::object& side) {
+            return along(form(self), u, side, &splinecore::curvature);
+          }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
+          "|C' x C''| / |C'|³ at parameters (...,) -> (...,).\n\n"
+          "Where C' falls to zero it is the limit, inf at a sharp cusp; nan where the curve stands still.\n"
+          "Rows S15, S16.");
+  cls.def("torsion", [](const Curve& self, const py::object& u, const py::object& side) {
+            return along(form(self), u, side, &splinecore::torsion);
+          }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
+          "det(C', C'', C''') / |C' x C''|² at parameters (...,) -> (...,), positive for a right-handed screw.\n\n"
+          "At an inflection or a cusp it is the limit; nan on a straight line, which has no osculating plane.\n"
+          "Row S15.");
+  cls.def("frenet_frame", [](const Curve& self, const py::object& u, const py::object& side) {
+            return frames(form(self), u, side);
+          }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
+          "Unit tangent, normal and binormal at parameters: (...,) -> (..., 3, 3), one a row.\n\n"
+          "Limits where a derivative falls to zero. Normal and binormal are nan where the curve is straight. Row S15.");
+}
+
+const NurbsPatch& patch_form(const NurbsPatch& patch) { return patch; }
+template <class Patch>
+const NurbsPatch& patch_form(const Patch& patch) {
+  return patch.nurbs();
+}
+
+/// u and v broadcast against each other, in the domain of a patch.
+struct Places {
+  Doubles u;
+  Doubles v;
+  Shape shape;
+  PatchOptions options;
+
+  Places(const NurbsPatch& patch, const py::object& at_u, const py::object& at_v, const py::object& side) {
+    const bool is_pair = py::isinstance<py::tuple>(side) && py::len(side) == 2;
+    options.side_u = side_of(is_pair ? py::object(side[py::int_(0)]) : side, "side");
+    options.side_v = side_of(is_pair ? py::object(side[py::int_(1)]) : side, "side");
+    const Doubles given_u = real_array(at_u, "u");
+    const Doubles given_v = real_array(at_v, "v");
+    require_inside(patch.knot_vector(Axis::u), given_u, options.side_u, "u");
+    require_inside(patch.knot_vector(Axis::v), given_v, options.side_v, "v");
+    try {
+      const py::list both = py::module_::import("numpy").attr("broadcast_arrays")(given_u, given_v);
+      u = Doubles(both[0]);
+      v = Doubles(both[1]);
+    } catch (py::error_already_set&) {
+      throw InvalidShape("u of shape " + shape_text(given_u) + " and v of shape " + shape_text(given_v) +
+                         " do not broadcast");
+    }
+    shape.assign(u.shape(), u.shape() + u.ndim());
+  }
+
+  std::size_t count() const { return static_cast<std::size_t>(u.size()); }
+};
+
+py::tuple fundamental_forms(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& side) {
+  const Places at(patch, u, v, side);
+  std::vector<splinecore::FundamentalForms> forms(at.count());
+  unlocked([&] {
+    splinecore::fundamental_forms(patch, {at.u.data(), at.count()}, {at.v.data(), at.count()}, forms, at.options);
+  });
+  py::array_t<double> first(with_more(at.shape, {2, 2}));
+  py::array_t<double> second(with_more(at.shape, {2, 2}));
+  double* to_first = first.mutable_data();
+  double* to_second = second.mutable_data();
+  for (const auto& form : forms) {
+    for (const double value : {form.e, form.f, form.f, form.g}) *to_first++ = value;
+    for (const double value : {form.l, form.m, form.m, form.n}) *to_second++ = value;
+  }
+  return py::make_tuple(first, second);
+}
+
+Curvatures curvatures(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& side) {
+  const Places at(patch, u, v, side);
+  std::vector<splinecore::SurfaceCurvature> found(at.count());
+  unlocked([&] {
+    splinecore::curvatures(patch, {at.u.data(), at.count()}, {at.v.data(), at.count()}, found, at.options);
+  });
+  Curvatures out{py::array_t<double>(at.shape), py::array_t<double>(at.shape),
+                 py::array_t<double>(with_more(at.shape, {2})), py::array_t<double>(with_more(at.shape, {2, 3}))};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    out.gauss.mutable_data()[i] = found[i].gauss;
+    out.mean.mutable_data()[i] = found[i].mean;
+    std::ranges::copy(found[i].principal, out.principal.mutable_data() + 2 * i);
+    std::copy_n(&found[i].directions[0].x, 6, out.directions.mutable_data() + 6 * i);
+  }
+  return out;
+}
+
+constexpr const char* kAreaText =
+    "The area, a float right to a relative tolerance: adaptive Gauss-Legendre quadrature on every pair of\n"
+    "spans. PointAtInfinity if a patch runs to infinity; ToleranceNotReached, which tells the error, as for a patch\n"
+    "that folds back on itself. Rows S19, S20.";
+
+template <class Patch>
+void bind_patch(py::class_<Patch> cls) {
+  cls.def("fundamental_forms", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side) {
+            return fundamental_forms(patch_form(self), u, v, side);
+          }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
+          "(first, second) at pairs of parameters: u and v broadcast, (...,) -> two arrays (..., 2, 2).\n\n"
+          "[[E, F], [F, G]] and [[L, M], [M, N]], with the unit normal along S_u x S_v. At a pole the normal is its\n"
+          "limit; the second form is nan where it has none. Rows S19, S20.");
+  cls.def("curvatures", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side) {
+            return curvatures(patch_form(self), u, v, side);
+          }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
+          "Curvatures at pairs of parameters, which broadcast: positive where the patch bends towards its normal.\n\n"
+          "At a pole they are those of the one form that all lines through it agree on; nan where they do not, as\n"
+          "at the tip of a cone, and where S_u and S_v are parallel. Rows S19, S20.");
+  cls.def("area", [](const Patch& self, const py::object& tolerance) {
+            const double most = real(tolerance, "tolerance");
+            return unlocked([&] { return splinecore::area(patch_form(self), most).value; });
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, kAreaText);
+}
+
+void bind_set(py::class_<PatchSet> cls) {
+  cls.def("area", [](const PatchSet& self, const py::object& tolerance) {
+            const double most = real(tolerance, "tolerance");
+            return unlocked([&] { return splinecore::area(self, most).value; });
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, kAreaText);
+  cls.def("volume", [](const PatchSet& self, const py::object& tolerance) {
+            const double most = real(tolerance, "tolerance");
+            return unlocked([&] { return splinecore::volume(self, most).value; });
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+          "The volume that the patches enclose, a float right to a relative tolerance; negative if the normals point\n"
+          "inwards. By Gauss's theorem and adaptive quadrature.\n\n"
+          "InvalidShape names a side that meets no other, or beyond which the normals point to the other side. Sides\n"
+          "meet on equal points, a side of a pole or across a periodic direction is closed. Rows S19, S20.");
+}
+
+void bind_result(py::module_& module) {
+  py::class_<Curvatures> cls(
+      module, "Curvatures", py::module_local(),
+      "How patches bend at places (...,): positive towards the normal along S_u x S_v.\n\n"
+      "gauss and mean are (...,); principal is (..., 2), the larger one first; directions is (..., 2, 3), unit\n"
+      "vectors in space at right angles, the second the normal times the first.");
+  seal(cls);
+  cls.def_readonly("gauss", &Curvatures::gauss);
+  cls.def_readonly("mean", &Curvatures::mean);
+  cls.def_readonly("principal", &Curvatures::principal);
+  cls.def_readonly("directions", &Curvatures::directions);
+  cls.def("__repr__", [](const Curvatures& self) { return "Curvatures(shape=" + shape_text(self.gauss) + ")"; });
+}
+
+}  // namespace
+
+void bind_measure(py::module_& module) {
+  bind_result(module);
+  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
+  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
+  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
+  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+  bind_patch(class_of<NurbsPatch>(module, "NurbsPatch"));
+  bind_patch(class_of<BezierPatch>(module, "BezierPatch"));
+  bind_patch(class_of<HermitePatch>(module, "HermitePatch"));
+  bind_set(class_of<PatchSet>(module, "PatchSet"));
+}
+
+}  // namespace bindings

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace splinecore {
+
+/// Curvature |C' x C''| / |C'|³ at each parameter; out.size() == parameters.size() (S15, S16).
+///
+/// Where C' falls to zero it is the limit, infinite at a sharp cusp; NaN where the curve stands still.
+/// At a knot the right-hand value unless the side is left.
+/// @throws InvalidShape for a parameter outside the domain; PointAtInfinity.
+void curvature(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
+               Side side = Side::right);
+
+/// Torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
+///
+/// Where C' x C'' falls to zero, at an inflection or a cusp, it is the limit. NaN on a straight line, which has
+/// no osculating plane.
+void torsion(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
+             Side side = Side::right);
+
+/// Frenet's moving frame: three unit vectors, binormal = tangent x normal.
+struct FrenetFrame {
+  glm::dvec3 tangent;
+  glm::dvec3 normal;
+  glm::dvec3 binormal;
+};
+
+/// The frame at each parameter, also as a limit. Normal and binormal are NaN where the curve is straight, and all
+/// three where it stands still. At a cusp the tangent is that of the way on; with the side left, of the way in.
+void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<FrenetFrame> out,
+                   Side side = Side::right);
+
+}  // namespace splinecore

@@ -1,0 +1,277 @@
+#include "splinecore/basis/difference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <queue>
+
+#include "splinecore/base/quotient.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Points = Net<glm::dvec4>;
+
+double length_of(const glm::dvec4& p) { return std::hypot(p.x, p.y, p.z); }
+
+/// Whether no weight is zero or of the other sign, by more than rounding.
+template <class Value, class Weight>
+bool has_one_sign(const std::vector<Value>& values, Weight weight) {
+  constexpr double kNoise = 0x1p-44;
+  const auto [low, high] = std::ranges::minmax(values, {}, weight);
+  const double noise = kNoise * std::max(std::abs(std::invoke(weight, low)), std::abs(std::invoke(weight, high)));
+  return std::invoke(weight, low) > noise || std::invoke(weight, high) < -noise;
+}
+
+/// Parallel lines of a net.
+struct Lines {
+  std::size_t count;  ///< of lines
+  std::size_t size;   ///< points of a line
+  std::size_t step;   ///< from one point of a line to the next
+  std::size_t next;   ///< from one line to the next
+};
+
+template <class Value>
+Lines down(const Net<Value>& net) {
+  return {net.columns, net.rows, net.columns, 1};
+}
+
+template <class Value>
+Lines across(const Net<Value>& net) {
+  return {net.rows, net.columns, 1, net.columns};
+}
+
+/// de Casteljau at the middle of every line: the first halves stay, the second ones are returned.
+template <class Value>
+Net<Value> halve(Net<Value>& net, const Lines& lines) {
+  Net<Value> second = net;
+  for (std::size_t line = 0; line < lines.count; ++line) {
+    Value* const row = second.values.data() + line * lines.next;
+    Value* const first = net.values.data() + line * lines.next;
+    for (std::size_t done = 1; done < lines.size; ++done) {
+      for (std::size_t i = 0; i + done < lines.size; ++i) {
+        row[i * lines.step] = 0.5 * row[i * lines.step] + 0.5 * row[(i + 1) * lines.step];
+      }
+      first[done * lines.step] = row[0];
+    }
+  }
+  return second;
+}
+
+/// With the largest weight 1, so that products of weights stay in the range of numbers.
+void normalise(Points& net) {
+  double largest = 0.0;
+  for (const glm::dvec4& p : net.values) largest = std::max(largest, std::abs(p.w));
+  if (largest == 0.0) return;
+  for (glm::dvec4& p : net.values) p /= largest;
+}
+
+/// C(p, i) C(p, k) / C(2p, i + k), row after row: what coefficients i and k of two factors give to their product.
+std::vector<double> product_shares(std::size_t count) {
+  const int p = static_cast<int>(count) - 1;
+  std::vector<double> shares;
+  for (int i = 0; i <= p; ++i) {
+    for (int k = 0; k <= p; ++k) {
+      // i of the first half and k of the second, out of i + k of 2p.
+      double share = 1.0;
+      for (int j = 0; j < i; ++j) share *= static_cast<double>(p - j) / (2 * p - j) * (j + 1 + k) / (j + 1);
+      for (int j = 0; j < k; ++j) share *= static_cast<double>(p - j) / (2 * p - i - j);
+      shares.push_back(share);
+    }
+  }
+  return shares;
+}
+
+bool are_weights_equal(const Points& a, const Points& b) {
+  return std::ranges::equal(a.values, b.values, {}, &glm::dvec4::w, &glm::dvec4::w);
+}
+
+/// A centre from which coordinates are small.
+glm::dvec3 centre_of(const Points& net) {
+  const auto weight = [](const glm::dvec4& point) { return std::abs(point.w); };
+  const glm::dvec4& heaviest = *std::ranges::max_element(net.values, {}, weight);
+  return heaviest.w == 0.0 ? glm::dvec3(0.0) : project(heaviest);
+}
+
+/// The homogeneous points of A / W - B / W; `size` takes what the terms amount to.
+Points plain_difference(const Points& a, const Points& b, double& size) {
+  Points result{a.rows, a.columns, a.values};
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    result.values[i] = glm::dvec4(glm::dvec3(a.values[i]) - glm::dvec3(b.values[i]), a.values[i].w);
+    size = std::max(size, length_of(a.values[i]) + length_of(b.values[i]));
+  }
+  return result;
+}
+
+/// The homogeneous points (A W_B - B W_A, W_A W_B).
+Points rational_difference(const Points& a, const Points& b, double& size) {
+  const glm::dvec3 centre = centre_of(a);
+  const auto seen = [&](const glm::dvec4& p) { return glm::dvec4(glm::dvec3(p) - p.w * centre, p.w); };
+  const auto shares_u = product_shares(a.rows);
+  const auto shares_v = product_shares(a.columns);
+  Points result{2 * a.rows - 1, 2 * a.columns - 1, {}};
+  result.values.assign(result.rows * result.columns, glm::dvec4(0.0));
+  std::vector<double> sizes(result.values.size(), 0.0);
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const glm::dvec4 on_a = seen(a.values[i]);
+    const double size_a = length_of(a.values[i]);
+    const std::size_t row = i / a.columns;
+    const std::size_t column = i % a.columns;
+    for (std::size_t k = 0; k < b.values.size(); ++k) {
+      const glm::dvec4 on_b = seen(b.values[k]);
+      const double share = shares_u[row * a.rows + k / a.columns] * shares_v[column * a.columns + k % a.columns];
+      const std::size_t at = (row + k / a.columns) * result.columns + column + k % a.columns;
+      result.values[at] += share * glm::dvec4(glm::dvec3(on_a) * on_b.w - glm::dvec3(on_b) * on_a.w, on_a.w * on_b.w);
+      sizes[at] += share * (size_a * std::abs(on_b.w) + length_of(b.values[k]) * std::abs(on_a.w));
+    }
+  }
+  size = *std::ranges::max_element(sizes);
+  return result;
+}
+
+bool is_small(const glm::dvec2& weights, double limit) {
+  return std::abs(weights.x) < limit && std::abs(weights.y) < limit;
+}
+
+/// Whether one of the two runs to infinity in the piece and the other stays in sight.
+bool has_lone_pole(const DifferencePiece& piece) {
+  const auto changes_sign = [&](double glm::dvec2::*weight) {
+    const auto corners = piece.weights.corners();
+    const auto [low, high] = std::ranges::minmax(corners, {}, weight);
+    return low.*weight < 0.0 && high.*weight > 0.0;
+  };
+  const auto stays = [&](double glm::dvec2::*weight) {
+    return has_one_sign(piece.weights.values, weight) &&
+           std::ranges::all_of(piece.weights.values, [&](const auto& w) { return std::abs(w.*weight) >= piece.limit; });
+  };
+  return (changes_sign(&glm::dvec2::x) && stays(&glm::dvec2::y)) ||
+         (changes_sign(&glm::dvec2::y) && stays(&glm::dvec2::x));
+}
+
+}  // namespace
+
+bool DifferencePiece::is_left_out() const {
+  return std::ranges::all_of(weights.values, [&](const auto& pair) { return is_small(pair, limit); });
+}
+
+bool DifferencePiece::is_rounding() const {
+  return std::ranges::all_of(points.values, [&](const auto& p) { return length_of(p) <= rounding; });
+}
+
+double DifferencePiece::bound() const {
+  if (has_one_sign(points.values, &glm::dvec4::w)) {
+    double longest = 0.0;
+    for (const glm::dvec4& p : points.values) longest = std::max(longest, length_of(p) / std::abs(p.w));
+    return longest;
+  }
+  // Points that are not left out have no smaller weight where both are the same but for rounding.
+  return is_rounding() && limit > 0.0 ? rounding / (limit * limit) : HUGE_VAL;
+}
+
+double DifferencePiece::known() const {
+  if (has_lone_pole(*this)) return HUGE_VAL;
+  const auto ends = points.corners();
+  const auto end_weights = weights.corners();
+  double longest = 0.0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (is_small(end_weights[i], limit)) continue;
+    longest = std::max(longest, ends[i].w == 0.0 ? HUGE_VAL : length_of(ends[i]) / std::abs(ends[i].w));
+  }
+  return longest;
+}
+
+std::vector<DifferencePiece> DifferencePiece::parts() const {
+  std::vector<DifferencePiece> found{*this};
+  const auto halve_all = [&](auto lines_of) {
+    const std::size_t count = found.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      DifferencePiece& piece = found[i];
+      Net<glm::dvec4> second = halve(piece.points, lines_of(piece.points));
+      Net<glm::dvec2> second_weights = halve(piece.weights, lines_of(piece.weights));
+      found.push_back({std::move(second), std::move(second_weights), limit, rounding});
+    }
+  };
+  if (points.rows > 1) halve_all([](const auto& net) { return down(net); });
+  if (points.columns > 1) halve_all([](const auto& net) { return across(net); });
+  return found;
+}
+
+double DifferencePiece::work() const {
+  const auto size = static_cast<double>(points.values.size());
+  return 4.0 * size * static_cast<double>(points.rows + points.columns) + 200.0;
+}
+
+DifferencePiece difference(Net<glm::dvec4> a, Net<glm::dvec4> b) {
+  constexpr double kRounding = 0x1p-48;
+  constexpr double kFinite = 0x1p-4;
+  normalise(a);
+  normalise(b);
+  double size = 0.0;
+  DifferencePiece piece;
+  piece.points = are_weights_equal(a, b) ? plain_difference(a, b, size) : rational_difference(a, b, size);
+  piece.weights = {a.rows, a.columns, {}};
+  for (std::size_t i = 0; i < a.values.size(); ++i) piece.weights.values.emplace_back(a.values[i].w, b.values[i].w);
+  const bool may_vanish = !has_one_sign(a.values, &glm::dvec4::w) && !has_one_sign(b.values, &glm::dvec4::w);
+  piece.limit = may_vanish ? kFinite : 0.0;
+  piece.rounding = kRounding * size;
+  return piece;
+}
+
+namespace {
+
+/// The search for the largest length, in the piece first that may have it.
+class Search {
+ public:
+  explicit Search(double slack) : slack_(slack) {}
+
+  void add(DifferencePiece piece) {
+    if (piece.is_left_out()) return;
+    known_ = std::max(known_, piece.known());
+    const double bound = piece.bound();
+    const bool tells_nothing_new = bound <= slack_ * known_ || piece.is_rounding();
+    if (tells_nothing_new && std::isfinite(bound)) {
+      settled_ = std::max(settled_, bound);
+    } else {
+      open_.push({bound, std::move(piece)});
+    }
+  }
+
+  void run() {
+    constexpr double kMaxWork = 1e8;  // multiplications: less than a second, which no shape of modelling needs
+    for (double work = 0.0; !is_done() && work < kMaxWork;) {
+      const DifferencePiece worst = open_.top().piece;
+      open_.pop();
+      work += worst.work();
+      for (DifferencePiece& part : worst.parts()) add(std::move(part));
+    }
+  }
+
+  double result() const { return std::max({known_, settled_, open_.empty() ? 0.0 : open_.top().bound}); }
+
+ private:
+  struct Open {
+    double bound;
+    DifferencePiece piece;
+    bool operator<(const Open& other) const { return bound < other.bound; }
+  };
+
+  bool is_done() const { return open_.empty() || open_.top().bound <= slack_ * std::max(known_, settled_); }
+
+  double slack_;
+  double known_ = 0.0;
+  double settled_ = 0.0;
+  std::priority_queue<Open> open_;
+};
+
+}  // namespace
+
+double largest_length(std::vector<DifferencePiece> pieces, double slack) {
+  Search search(slack);
+  for (DifferencePiece& piece : pieces) search.add(std::move(piece));
+  search.run();
+  return search.result();
+}
+
+}  // namespace splinecore

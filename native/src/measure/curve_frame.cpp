@@ -1,0 +1,179 @@
+#include "splinecore/measure/curve_frame.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "placement.hpp"
+#include "splinecore/curve/evaluate.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Terms of the power series of the first three derivatives about a parameter.
+constexpr int kTerms = 8;
+constexpr int kOrder = kTerms + 2;
+
+/// A number or vector, and how much of it may be rounding.
+template <class Value>
+struct Rounded {
+  Value value{0.0};
+  double rounding = 0.0;
+};
+template <class Value>
+using Series = std::array<Rounded<Value>, kTerms>;
+
+double size_of(double x) { return std::abs(x); }
+double size_of(const glm::dvec3& v) { return glm::length(v); }
+
+template <class Value>
+bool is_nothing(const Rounded<Value>& x) {
+  return !(size_of(x.value) > x.rounding);
+}
+
+/// The derivatives of a curve about one parameter, in powers of s = (u - u_0) / length of the span.
+struct Local {
+  Series<glm::dvec3> first;
+  Series<glm::dvec3> second;
+  Series<glm::dvec3> third;
+};
+
+Local local_at(const NurbsCurve& curve, double u, Side side) {
+  constexpr double kRounding = 0x1p-46;
+  std::array<glm::dvec3, kOrder + 1> values;
+  derivatives(curve, {&u, 1}, kOrder, std::span(&values[0].x, 3 * values.size()), {.side = side});
+  const KnotVector& knots = curve.knot_vector();
+  const double span = knots.span_interval(knots.span_of(knots.admit(u, side), side)).length();
+  const double rounding = kRounding * (curve.degree() + 1) * extent(curve.points());
+  double factor = 1.0;
+  for (int k = 1; k <= kOrder; ++k) values[k] *= factor *= span / k;
+  Local local;
+  for (int k = 0; k < kTerms; ++k) {
+    const double once = k + 1.0;
+    const double twice = (k + 2.0) * once;
+    const double thrice = (k + 3.0) * twice;
+    local.first[k] = {once * values[k + 1], once * rounding};
+    local.second[k] = {twice * values[k + 2], twice * rounding};
+    local.third[k] = {thrice * values[k + 3], thrice * rounding};
+  }
+  return local;
+}
+
+/// The product of two series, with `multiply` for their terms.
+template <class Value, class Multiply>
+Series<Value> product(const Series<glm::dvec3>& a, const Series<glm::dvec3>& b, Multiply multiply) {
+  Series<Value> found;
+  for (int i = 0; i < kTerms; ++i) {
+    for (int j = 0; i + j < kTerms; ++j) {
+      found[i + j].value += multiply(a[i].value, b[j].value);
+      found[i + j].rounding += size_of(a[i].value) * b[j].rounding + size_of(b[j].value) * a[i].rounding;
+    }
+  }
+  return found;
+}
+
+/// The first term that is more than rounding; kTerms if there is none.
+template <class Value>
+int order_of(const Series<Value>& series) {
+  return static_cast<int>(std::ranges::find_if_not(series, is_nothing<Value>) - series.begin());
+}
+
+/// The limit of value s^order as s falls to zero.
+double limit(double value, int order) {
+  if (order > 0) return 0.0;
+  return order == 0 ? value : std::copysign(HUGE_VAL, value);
+}
+
+/// The leading terms of the first derivative and of its product with the second.
+struct Leading {
+  Series<glm::dvec3> binormals;
+  int a;
+  int b;
+
+  explicit Leading(const Local& local)
+      : binormals(product<glm::dvec3>(local.first, local.second,
+                                      [](const glm::dvec3& x, const glm::dvec3& y) { return glm::cross(x, y); })),
+        a(order_of(local.first)), b(order_of(binormals)) {}
+  bool stands_still() const { return a == kTerms; }
+  bool is_straight() const { return b == kTerms; }
+  const glm::dvec3& binormal() const { return binormals[b].value; }
+};
+
+double curvature_of(const Local& local) {
+  const Leading leading(local);
+  if (leading.stands_still()) return kNan;
+  const double speed = glm::length(local.first[leading.a].value);
+  // Where the curve moves at all the plain formula holds, down to the smallest curvature.
+  if (leading.a == 0) return glm::length(leading.binormals[0].value) / (speed * speed * speed);
+  if (leading.is_straight()) return 0.0;
+  return limit(glm::length(leading.binormal()) / (speed * speed * speed), leading.b - 3 * leading.a);
+}
+
+double torsion_of(const Local& local) {
+  const Leading leading(local);
+  if (leading.is_straight()) return kNan;
+  const auto volumes = product<double>(leading.binormals, local.third,
+                                       [](const glm::dvec3& x, const glm::dvec3& y) { return glm::dot(x, y); });
+  const double square = glm::dot(leading.binormal(), leading.binormal());
+  if (leading.b == 0) return volumes[0].value / square;
+  const int order = order_of(volumes);
+  if (order == kTerms) return 0.0;
+  return limit(volumes[order].value / square, order - 2 * leading.b);
+}
+
+FrenetFrame frame_of(const Local& local, bool is_arriving) {
+  FrenetFrame frame{glm::dvec3(kNan), glm::dvec3(kNan), glm::dvec3(kNan)};
+  const Leading leading(local);
+  if (leading.stands_still()) return frame;
+  const auto sign = [&](int order) { return is_arriving && order % 2 == 1 ? -1.0 : 1.0; };
+  frame.tangent = sign(leading.a) * glm::normalize(local.first[leading.a].value);
+  if (leading.is_straight()) return frame;
+  const glm::dvec3 binormal = sign(leading.b) * glm::normalize(leading.binormal());
+  frame.normal = glm::normalize(glm::cross(binormal, frame.tangent));
+  frame.binormal = glm::cross(frame.tangent, frame.normal);
+  return frame;
+}
+
+/// Calls visit(i, local, whether the curve arrives at u) for the curve in its place.
+template <class Visit>
+Placement for_each_local(const NurbsCurve& curve, std::span<const double> parameters, Side side, Visit visit) {
+  const Placement placement = placement_of(curve.points());
+  const NurbsCurve near = placed(curve, placement);
+  const KnotVector& knots = near.knot_vector();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double u = knots.admit(parameters[i], side, i);
+    const bool is_arriving = knots.span_interval(knots.span_of(u, side)).end == u;
+    visit(i, local_at(near, u, side), is_arriving);
+  }
+  return placement;
+}
+
+/// One curvature, measured with the curve in its place, for each parameter.
+void bends(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side,
+           double (*measure)(const Local&)) {
+  const Placement placement = for_each_local(
+      curve, parameters, side, [&](std::size_t i, const Local& local, bool) { out[i] = measure(local); });
+  for (double& value : out) value = given_size(value, -1, placement);
+}
+
+}  // namespace
+
+void curvature(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side) {
+  bends(curve, parameters, out, side, &curvature_of);
+}
+
+void torsion(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side) {
+  bends(curve, parameters, out, side, &torsion_of);
+}
+
+void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<FrenetFrame> out, Side side) {
+  for_each_local(curve, parameters, side,
+                 [&](std::size_t i, const Local& local, bool is_arriving) { out[i] = frame_of(local, is_arriving); });
+}
+
+}  // namespace splinecore

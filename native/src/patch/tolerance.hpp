@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "splinecore/base/approximation.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+namespace splinecore {
+
+/// @throws InvalidShape unless the tolerance, if there is one, is 0 or more.
+void require_tolerance(std::optional<double> tolerance);
+
+/// A patch that stands for another, and how far the two lie apart.
+/// @param what  the beginning of the sentence with which it is refused
+/// @throws ToleranceNotReached
+Approximation<NurbsPatch> within(std::optional<double> tolerance, const NurbsPatch& original, NurbsPatch value,
+                                 const char* what);
+
+}  // namespace splinecore
