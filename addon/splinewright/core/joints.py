@@ -104,6 +104,8 @@ def chained(definition, tolerance):
     Raises ValueError where no two ends meet.
     """
     curves, length = verbs.curves_of(definition), parameters.exact(tolerance)
+    if len(curves) == 1:
+        raise ValueError("it has one piece: there is nothing to join")
     rows = _rows(np.array([ends_of(curve) for curve in curves]), length)
     if len(rows) == len(curves):
         raise ValueError(f"no two ends of its pieces lie within {length:.4g} of each other")

@@ -7,19 +7,15 @@ import bpy
 from ..bridge import replacing, store, surveys
 from ..bridge.net import live, net
 from . import texts
+from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
 _WIDTH = 26
 
 
-class SPLINEWRIGHT_PT_continuity(bpy.types.Panel):
+class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_continuity"
     bl_label = "Continuity"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = "Splinewright"
-    bl_parent_id = "SPLINEWRIGHT_PT_shape"
-    bl_options = {'DEFAULT_CLOSED'}
 
     @classmethod
     def poll(cls, context):

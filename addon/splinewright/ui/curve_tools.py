@@ -3,6 +3,7 @@
 import bpy
 
 from ..bridge import replacing
+from .sub_panel import SubPanel
 
 #: Names of operators, group by group.
 _GROUPS = (
@@ -30,14 +31,9 @@ class SPLINEWRIGHT_MT_curve(bpy.types.Menu):
                 layout.operator(f"splinewright.{name}")
 
 
-class SPLINEWRIGHT_PT_curve_tools(bpy.types.Panel):
+class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_curve_tools"
     bl_label = "Curve Tools"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = "Splinewright"
-    bl_parent_id = "SPLINEWRIGHT_PT_shape"
-    bl_options = {'DEFAULT_CLOSED'}
 
     @classmethod
     def poll(cls, context):

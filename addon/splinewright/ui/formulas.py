@@ -7,6 +7,7 @@ from ..bridge import shape, store
 from ..core import definition as definitions
 from ..core import formulas, teaching
 from ..core.failures import FAILURES, sentence
+from .sub_panel import SubPanel
 
 #: On a text that we wrote: the object it is about.
 _OWNER = "splinewright_formulas_of"
@@ -60,14 +61,9 @@ def _text_for(ob):
     return text
 
 
-class SPLINEWRIGHT_PT_formulas(bpy.types.Panel):
+class SPLINEWRIGHT_PT_formulas(SubPanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_formulas"
     bl_label = "Formulas"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = "Splinewright"
-    bl_parent_id = "SPLINEWRIGHT_PT_shape"
-    bl_options = {'DEFAULT_CLOSED'}
 
     @classmethod
     def poll(cls, context):

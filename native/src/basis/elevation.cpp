@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "old_knots.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/blossom.hpp"
@@ -23,22 +24,6 @@ struct Copy {
   int run;
   int copy;
 };
-
-/// The old knots that any new point can reach; begin is the index of the first.
-struct OldKnots {
-  long begin = 0;
-  std::vector<double> values;
-  const double* at(long i) const { return values.data() + (i - begin); }
-};
-
-OldKnots reachable(const KnotVector& knots) {
-  const auto given = knots.knots();
-  if (!knots.periodic()) return {0, {given.begin(), given.end()}};
-  const long margin = 3 * knots.degree() + 3;
-  OldKnots old{-margin, {}};
-  for (long i = -margin; i <= knots.count() + margin; ++i) old.values.push_back(periodic_knot(given, i));
-  return old;
-}
 
 std::vector<Run> runs_of(const OldKnots& old) {
   std::vector<Run> runs;
@@ -161,7 +146,7 @@ void add_row(const Window& window, const std::vector<Run>& runs, const OldKnots&
 PointMatrix elevation(const KnotVector& knots) {
   const int degree = knots.degree();
   if (degree >= kMaxDegree) throw InvalidShape("the degree would exceed " + std::to_string(kMaxDegree));
-  const OldKnots old = reachable(knots);
+  const OldKnots old = reachable(knots, 3 * knots.degree() + 3);
   const std::vector<Run> runs = runs_of(old);
   const std::vector<Copy> copies = copies_of(runs);
   const bool periodic = knots.periodic();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "old_knots.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/blossom.hpp"
 
@@ -16,24 +17,6 @@ struct Merged {
   long old_index;
   bool inserted;
 };
-
-/// The old knots that any window of a refined vector can reach; begin is the index of the first.
-struct OldKnots {
-  long begin = 0;
-  std::vector<double> values;
-  const double* at(long i) const { return values.data() + (i - begin); }
-};
-
-OldKnots reachable(const KnotVector& knots) {
-  const auto given = knots.knots();
-  if (!knots.periodic()) return {0, {given.begin(), given.end()}};
-  const long margin = 2 * knots.degree() + 2;
-  OldKnots old{-margin, {}};
-  for (long i = -margin; i <= knots.count() + margin; ++i) {
-    old.values.push_back(periodic_knot(given, i));
-  }
-  return old;
-}
 
 std::vector<double> admitted(const KnotVector& knots, std::span<const double> inserted) {
   std::vector<double> values(inserted.size());
@@ -103,7 +86,7 @@ void for_each_window(const std::vector<Merged>& merged, long start, int count, i
 }  // namespace
 
 PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted) {
-  const OldKnots old = reachable(knots);
+  const OldKnots old = reachable(knots, 2 * knots.degree() + 2);
   const std::vector<Merged> merged = merge(knots, old, admitted(knots, inserted));
   const auto is_origin = [](const Merged& k) { return !k.inserted && k.old_index == 0; };
   const long origin = std::ranges::find_if(merged, is_origin) - merged.begin();

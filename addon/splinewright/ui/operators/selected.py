@@ -41,7 +41,8 @@ class OnSelected:
                     failed[names[i]] = sentence(error)
                 step(i + 1)
         for name, reason in failed.items():
-            self.report({'WARNING' if outcomes else 'ERROR'}, f"{name}: {reason}")
+            is_named = reason.startswith(name)
+            self.report({'WARNING' if outcomes else 'ERROR'}, reason if is_named else f"{name}: {reason}")
         if not outcomes:
             return {'CANCELLED'}
         self.report_done(outcomes)

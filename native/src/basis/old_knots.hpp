@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "splinecore/basis/knot_vector.hpp"
+
+namespace splinecore {
+
+/// The knots that a window of a new vector can reach; begin is the index of the first.
+struct OldKnots {
+  long begin = 0;
+  std::vector<double> values;
+  const double* at(long i) const { return values.data() + (i - begin); }
+};
+
+/// All of a plain vector; of a periodic one, a period and `margin` knots more on each side.
+inline OldKnots reachable(const KnotVector& knots, long margin) {
+  const auto given = knots.knots();
+  if (!knots.periodic()) return {0, {given.begin(), given.end()}};
+  OldKnots old{-margin, {}};
+  for (long i = -margin; i <= knots.count() + margin; ++i) old.values.push_back(periodic_knot(given, i));
+  return old;
+}
+
+}  // namespace splinecore
