@@ -44,8 +44,8 @@ def _cone(points, radius, top_radius, height, start, sweep, caps):
     else:
         patches = [sc.build.cone(low, _UP, radius, height, top_radius, *around)]
     if caps:
-        # A cap of the lower side turns the other way, so that its normal points down.
-        patches += [sc.build.disc(low, _UP, radius, *around).reversed('u')] if radius else []
+        # The lower cap runs from its middle out, so that its normal points down.
+        patches += [sc.build.disc(low, _UP, radius, *around).reversed('v')] if radius else []
         patches += [sc.build.disc(high, _UP, top_radius, *around)] if top_radius else []
     return _patches(patches)
 
