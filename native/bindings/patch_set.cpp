@@ -1,3 +1,4 @@
+#include <cmath>
 #include <map>
 
 #include "arrays.hpp"
@@ -266,6 +267,18 @@ void bind_tessellation(py::module_& module) {
             const auto [u, v] = resolutions_of(resolution);
             return unlocked([&] { return Tessellation::make(set, u, v); });
           }), py::arg("patch_set"), py::arg("resolution"));
+  cls.def_static("adaptive", [](const py::object& patch_set, const py::object& tolerance, const py::object& angle) {
+                   const PatchSet& set = set_of(patch_set);
+                   const auto allowed = [](const py::object& value, const char* name) {
+                     return value.is_none() ? HUGE_VAL : real(value, name);
+                   };
+                   const splinecore::Fineness fineness{allowed(tolerance, "tolerance"), allowed(angle, "angle")};
+                   return unlocked([&] { return Tessellation::adaptive(set, fineness); });
+                 }, py::arg("patch_set"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = py::none(),
+                 "As many faces as the shape asks for: no point of the surface farther from the mesh than tolerance (a\n"
+                 "length), normals on a face no more than angle (radians) apart; None for any. Flat parts get few faces.\n"
+                 "Crack-free wherever two sides are one curve, whatever their degrees and knots. Bounds of second\n"
+                 "derivatives after Filip, Magedson and Markot 1986. Lecture row S22.");
   cls.def_property_readonly("vertex_count", &Tessellation::vertex_count);
   cls.def_property_readonly("face_starts", [](const py::object& self) {
     return view_of_numbers(py::cast<const Tessellation&>(self).face_starts(), self);

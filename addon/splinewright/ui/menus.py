@@ -9,7 +9,8 @@ from . import curve_tools
 #: Conics come before it, splines and formulas from it on.
 _FIRST_SPLINE = 'catmull_rom'
 _ICONS = {'circle': 'MESH_CIRCLE', 'arc': 'SPHERECURVE', 'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
-          'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE'}
+          'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE', 'plane': 'MESH_PLANE', 'cylinder': 'MESH_CYLINDER',
+          'cone': 'MESH_CONE', 'sphere': 'MESH_UVSPHERE', 'torus': 'MESH_TORUS', 'surface_formula': 'FILE_TEXT'}
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
@@ -23,7 +24,7 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
         layout.operator("splinewright.add_hermite_curve", text="Hermite Chain", icon='CURVE_PATH')
         layout.operator("splinewright.add_nurbs_curve", text="NURBS Curve", icon='CURVE_NCURVE')
         layout.separator()
-        for recipe in STARTING:
+        for recipe in (recipe for recipe in STARTING if not recipe.is_surface):
             if recipe.kind == _FIRST_SPLINE:
                 layout.separator()
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS.get(recipe.kind, 'CURVE_DATA'))
@@ -39,6 +40,9 @@ class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
         layout.operator("splinewright.add_bezier_patch", text="Bezier Patch", icon='MESH_GRID')
         layout.operator("splinewright.add_hermite_patch", text="Hermite Patch", icon='SURFACE_NSURFACE')
         layout.operator("splinewright.add_nurbs_patch", text="NURBS Patch", icon='SURFACE_DATA')
+        layout.separator()
+        for recipe in (recipe for recipe in STARTING if recipe.is_surface):
+            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS.get(recipe.kind, 'SURFACE_DATA'))
         layout.separator()
         layout.operator("splinewright.add_teapot", text="Newell's Teapot", icon='MESH_UVSPHERE')
 

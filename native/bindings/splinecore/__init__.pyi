@@ -725,6 +725,10 @@ class Tessellation:
     """The mesh of a patch set: everything but positions, for any position of its points."""
 
     def __init__(self, patch_set: PatchSet, resolution: SupportsIndex | tuple[SupportsIndex, SupportsIndex]) -> None: ...
+    @staticmethod
+    def adaptive(
+        patch_set: PatchSet, *, tolerance: float | None = None, angle: float | None = None
+    ) -> Tessellation: ...
     @property
     def vertex_count(self) -> int: ...
     @property

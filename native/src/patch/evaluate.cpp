@@ -77,6 +77,21 @@ void evaluate_pairs(const NurbsPatch& patch, std::span<const double> u, std::spa
                 });
 }
 
+/// The point and the normal there, from homogeneous values and derivatives.
+struct PointAndNormal {
+  glm::dvec3 point;
+  glm::dvec3 normal;
+};
+
+PointAndNormal with_normal(const NurbsPatch& patch, const NormalFinder& normal, double u, double v, const glm::dvec4& h,
+                           const glm::dvec4& hu, const glm::dvec4& hv, PatchOptions options) {
+  const glm::dvec3 point = finite_or_nan(patch.rational() ? project(h) : glm::dvec3(h), u, v, options.at_infinity);
+  if (!is_finite(point)) return {point, point};
+  const glm::dvec3 su = (glm::dvec3(hu) - hu.w * point) / h.w;
+  const glm::dvec3 sv = (glm::dvec3(hv) - hv.w * point) / h.w;
+  return {point, normal.at(u, v, su, sv, options)};
+}
+
 template <class Real>
 void grid_points(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<Real> out,
                  AtInfinity at_infinity) {
@@ -107,14 +122,10 @@ void grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples&
       const glm::dvec4 h = weighted_sum(v.weights(j, 0), row.data() + first);
       const glm::dvec4 hu = weighted_sum(v.weights(j, 0), slope.data() + first);
       const glm::dvec4 hv = weighted_sum(v.weights(j, 1), row.data() + first);
-      const glm::dvec3 point = finite_or_nan(patch.rational() ? project(h) : glm::dvec3(h), u.parameter(i),
-                                             v.parameter(j), at_infinity);
-      const glm::dvec3 su = (glm::dvec3(hu) - hu.w * point) / h.w;
-      const glm::dvec3 sv = (glm::dvec3(hv) - hv.w * point) / h.w;
-      const PatchOptions here{u.side(i), v.side(j), at_infinity};
-      store(point, &points[next]);
-      store(is_finite(point) ? normal.at(u.parameter(i), v.parameter(j), su, sv, here) : point,
-            &normals[next]);
+      const auto found = with_normal(patch, normal, u.parameter(i), v.parameter(j), h, hu, hv,
+                                     {u.side(i), v.side(j), at_infinity});
+      store(found.point, &points[next]);
+      store(found.normal, &normals[next]);
     }
   }
 }
@@ -139,6 +150,20 @@ void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<cons
 void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
               std::span<float> out, PatchOptions options) {
   evaluate_pairs(patch, u, v, out, options);
+}
+
+void evaluate_with_normals(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                           std::span<double> points, std::span<double> normals, PatchOptions options) {
+  const NormalFinder normal(patch);
+  for_each_pair(patch, u, v, 1, options,
+                [&](std::size_t i, double at_u, double at_v, const Stencil& su, const Stencil& sv) {
+                  const auto sum = [&](int k, int l) {
+                    return tensor_sum(patch, su.weights(k), su.first(), sv.weights(l), sv.first());
+                  };
+                  const auto found = with_normal(patch, normal, at_u, at_v, sum(0, 0), sum(1, 0), sum(0, 1), options);
+                  store(found.point, &points[3 * i]);
+                  store(found.normal, &normals[3 * i]);
+                });
 }
 
 void evaluate_grid(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,

@@ -38,6 +38,12 @@ void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,
                                std::span(points).subspan(3 * grid.first_sample, size),
                                std::span(normals).subspan(3 * grid.first_sample, size));
   }
+  for (const Scatter& scatter : scatters_) {
+    const std::size_t size = 3 * scatter.u.size();
+    evaluate_with_normals(nurbs_of(set.patch(scatter.patch)), scatter.u, scatter.v,
+                          std::span(points).subspan(3 * scatter.first_sample, size),
+                          std::span(normals).subspan(3 * scatter.first_sample, size), scatter.sides);
+  }
   gather<double>(vertex_samples_, points, positions);
   gather<double>(corner_samples_, normals, corner_normals);
 }
@@ -49,6 +55,10 @@ void Tessellation::evaluate_positions(const PatchSet& set, std::span<float> posi
     const std::size_t size = 3 * grid.u.samples.size() * grid.v.samples.size();
     evaluate_grid(nurbs_of(set.patch(i)), grid.u.samples, grid.v.samples,
                   std::span(points).subspan(3 * grid.first_sample, size));
+  }
+  for (const Scatter& scatter : scatters_) {
+    splinecore::evaluate(nurbs_of(set.patch(scatter.patch)), scatter.u, scatter.v,
+                         std::span(points).subspan(3 * scatter.first_sample, 3 * scatter.u.size()), scatter.sides);
   }
   gather<float>(vertex_samples_, points, positions);
 }

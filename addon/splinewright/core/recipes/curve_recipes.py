@@ -82,15 +82,16 @@ def _formula(points, x, y, z, start, end, constants, tolerance):
     known = constants_of(constants)
     if not start < end:
         raise ValueError("the last t is not above the first")
-    formulas = [_formula_of(name, text, known) for name, text in (("x", x), ("y", y), ("z", z))]
+    formulas = [formula_of(name, text, ("t",), known) for name, text in (("x", x), ("y", y), ("z", z))]
     return Made(*sc.build.curve_from_formulas(formulas, (start, end), tolerance=tolerance))
 
 
-def _formula_of(name, text, constants):
+def formula_of(name, text, variables, constants):
+    """A Formula. Raises ValueError that begins with the name, such as x(t)."""
     try:
-        return sc.Formula(text, ("t",), constants)
+        return sc.Formula(text, variables, constants)
     except sc.FormulaError as error:
-        raise ValueError(f"{name}(t): {error}") from error
+        raise ValueError(f"{name}({', '.join(variables)}): {error}") from error
 
 
 def _at_commas(text):

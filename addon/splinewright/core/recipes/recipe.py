@@ -44,6 +44,7 @@ class Recipe:
     points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters say all
     has_any_count: bool = False         # of points
     resolution: int = 32
+    is_surface: bool = False            # it makes patches
     count_for: Callable | None = None   # (values) -> how many of the points to start from
     is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of

@@ -22,6 +22,10 @@ void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<cons
 void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
               std::span<float> out, PatchOptions options = {});
 
+/// The points, and unit normals as of evaluate_grid_with_normals().
+void evaluate_with_normals(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                           std::span<double> points, std::span<double> normals, PatchOptions options = {});
+
 /// x, y, z at every pair of the grid, v fastest; out.size() == 3 * u.size() * v.size().
 void evaluate_grid(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                    std::span<double> out, PatchOptions options = {});

@@ -7,21 +7,32 @@
 
 #include "splinecore/patch/edges.hpp"
 #include "splinecore/patch/patch_set.hpp"
+#include "splinecore/patch/evaluate.hpp"
 #include "splinecore/tessellate/axis_samples.hpp"
+#include "splinecore/tessellate/cells.hpp"
 
 namespace splinecore {
 
-/// The mesh of a patch set with a fixed number of faces per span: everything but positions.
+/// The mesh of a patch set: everything but positions (lecture row S22).
 ///
-/// Vertices are shared along common edges and at common corners (where an edge lies along u of one
-/// patch and along v of another and the resolutions differ, at its corners only); a collapsed edge is one
-/// vertex with triangles around it; faces are wound so that their normals are S_u x S_v
-/// (lecture row S22, by count). It depends on indices, knots and which points are equal, so it is
-/// made once and evaluated for as many positions of the points as come.
+/// Faces are wound so that their normals are S_u x S_v; a collapsed edge is one vertex with triangles around
+/// it. It is made once and evaluated for as many positions of the points as come.
 class Tessellation {
  public:
+  /// A fixed number of faces per span. It depends on indices, knots and which points are equal only.
+  ///
+  /// Vertices are shared along common edges and at common corners (where an edge lies along u of one
+  /// patch and along v of another and the resolutions differ, at its corners only).
   /// @throws InvalidShape if a resolution is outside [1, 4096] or there would be more than 2^22 samples.
   static Tessellation make(const PatchSet& set, int resolution_u, int resolution_v);
+
+  /// As many faces as the shape of the set asks for: few where it is flat, and along straight lines.
+  ///
+  /// Crack-free across every side that two patches have in common (panels_of()), whatever their degrees, knots
+  /// and numbers of faces. Quads, and triangles where cells of different sizes meet.
+  /// @throws InvalidShape if a number is not above 0, there would be more than 2^21 cells, or a patch runs to
+  ///         infinity.
+  static Tessellation adaptive(const PatchSet& set, const Fineness& fineness);
 
   /// Whether the set has the patches, on the same knots and with the same points on one another,
   /// that this was made for.
@@ -53,17 +64,27 @@ class Tessellation {
     AxisSamples v;
     std::size_t first_sample;
   };
+  /// Samples of one patch, all from the same sides of its knots.
+  struct Scatter {
+    std::size_t patch;
+    PatchOptions sides;
+    std::vector<double> u;
+    std::vector<double> v;
+    std::size_t first_sample;
+  };
   /// The side of a mesh edge that a face lies on.
   struct Seam {
     std::int32_t low_vertex, high_vertex;
     std::int32_t low_corner, high_corner;
   };
   friend class TessellationBuilder;
+  friend class AdaptiveBuilder;
 
   std::vector<IndexedPatch> patches_;
   std::vector<int> first_equal_;
   std::vector<std::array<PatchSide, 4>> sides_;
-  std::vector<Grid> grids_;
+  std::vector<Grid> grids_;        // of each patch, by count
+  std::vector<Scatter> scatters_;  // adaptive
   std::size_t sample_count_ = 0;
   std::vector<std::size_t> vertex_samples_;
   std::vector<std::size_t> corner_samples_;
@@ -71,7 +92,7 @@ class Tessellation {
   std::vector<std::int32_t> face_starts_;
   std::vector<std::int32_t> face_patches_;
   std::vector<float> corner_uvs_;
-  std::vector<Seam> seams_;
+  std::vector<Seam> seams_;  // sorted by vertices
 };
 
 }  // namespace splinecore

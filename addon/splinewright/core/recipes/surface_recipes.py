@@ -1,0 +1,127 @@
+"""Surfaces: exact primitives, from formulas (lecture rows S1, S20), and what curves make by moving, live."""
+
+import math
+
+import numpy as np
+
+from .. import definition as definitions
+from ..library import sc
+from .curve_recipes import constants_of, formula_of
+from .recipe import Made, Parameter, Recipe
+
+_RADIUS = Parameter("radius", "Radius", "Distance from the axis or the middle", 1.0, 1e-6, unit='LENGTH')
+_HEIGHT = Parameter("height", "Height", "Along the axis", 2.0, 1e-6, unit='LENGTH')
+_START = Parameter("start", "Start", "Angle where it begins", 0.0, unit='ROTATION')
+_SWEEP = Parameter("sweep", "Sweep", "Angle about the axis; 360° closes it", 2 * math.pi, -2 * math.pi, 2 * math.pi,
+                   unit='ROTATION')
+_CAPS = Parameter("caps", "Caps", "Close it by discs", False)
+_AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
+_AXIS = Parameter("axis", "Axis", "Of the object, through its origin", "z", choices=tuple(
+    (name, name.upper(), f"The {name} axis of the object") for name in _AXES))
+_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9, unit='LENGTH')
+_ORIGIN = (0.0, 0.0, 0.0)
+_UP = (0.0, 0.0, 1.0)
+
+
+def _turn(sweep):
+    """None for a whole one."""
+    return None if sweep == 2 * math.pi else sweep
+
+
+def _plane(points, width, depth):
+    return Made(sc.build.plane((-width / 2, -depth / 2, 0.0), (width, 0.0, 0.0), (0.0, depth, 0.0)))
+
+
+def _cylinder(points, radius, height, start, sweep, caps):
+    return _cone(points, radius, radius, height, start, sweep, caps)
+
+
+def _cone(points, radius, top_radius, height, start, sweep, caps):
+    around = start, _turn(sweep)
+    low, high = (0.0, 0.0, -height / 2), (0.0, 0.0, height / 2)
+    if radius == top_radius:
+        patches = [sc.build.cylinder(low, _UP, radius, height, *around)]
+    else:
+        patches = [sc.build.cone(low, _UP, radius, height, top_radius, *around)]
+    if caps:
+        # The lower cap runs from its middle out, so that its normal points down.
+        patches += [sc.build.disc(low, _UP, radius, *around).reversed('v')] if radius else []
+        patches += [sc.build.disc(high, _UP, top_radius, *around)] if top_radius else []
+    return _patches(patches)
+
+
+def _sphere(points, radius, start, sweep):
+    return Made(sc.build.sphere(_ORIGIN, radius, _UP, start, _turn(sweep)))
+
+
+def _torus(points, radius, tube_radius, start, sweep):
+    return Made(sc.build.torus(_ORIGIN, _UP, radius, tube_radius, start, _turn(sweep)))
+
+
+def _formula(points, x, y, z, start_u, end_u, start_v, end_v, constants, tolerance):
+    if not (start_u < end_u and start_v < end_v):
+        raise ValueError("the last u or v is not above the first")
+    known = constants_of(constants)
+    formulas = [formula_of(name, text, ("u", "v"), known) for name, text in (("x", x), ("y", y), ("z", z))]
+    return Made(*sc.build.patch_from_formulas(formulas, (start_u, end_u), (start_v, end_v), tolerance=tolerance))
+
+
+def _curves(definition):
+    if not definition.has_curves:
+        raise ValueError("it is made of patches: a curve is needed")
+    value = definitions.to_value(definition)
+    return value if isinstance(value, list) else [value]
+
+
+def _patches(patches):
+    return Made(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
+
+
+def _revolve(inputs, axis, start, sweep):
+    return _patches([sc.build.revolve(curve, _ORIGIN, _AXES[axis], start, _turn(sweep)) for curve in _curves(inputs[0])])
+
+
+def _extrude(inputs, x, y, z):
+    return _patches([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs[0])])
+
+
+def _ruled(inputs, turned):
+    first, second = map(_curves, inputs)
+    if len(first) != len(second):
+        raise ValueError(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
+    return _patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
+
+
+PRIMITIVES = (
+    Recipe("plane", "Plane", "An exact flat patch",
+           (Parameter("width", "Width", "Along x", 2.0, 1e-6, unit='LENGTH'),
+            Parameter("depth", "Depth", "Along y", 2.0, 1e-6, unit='LENGTH')), _plane, is_surface=True, resolution=1),
+    Recipe("cylinder", "Cylinder", "An exact cylinder, open or with caps", (_RADIUS, _HEIGHT, _START, _SWEEP, _CAPS), _cylinder,
+           is_surface=True, resolution=12),
+    Recipe("cone", "Cone", "An exact cone, with a tip or truncated",
+           (_RADIUS, Parameter("top_radius", "Top Radius", "0 for a tip", 0.0, 0.0, unit='LENGTH'), _HEIGHT, _START, _SWEEP, _CAPS),
+           _cone, is_surface=True, resolution=12),
+    Recipe("sphere", "Sphere", "An exact sphere", (_RADIUS, _START, _SWEEP), _sphere, is_surface=True, resolution=12),
+    Recipe("torus", "Torus", "An exact torus",
+           (_RADIUS, Parameter("tube_radius", "Tube Radius", "Of the tube", 0.25, 1e-6, unit='LENGTH'), _START, _SWEEP), _torus,
+           is_surface=True, resolution=12),
+    Recipe("surface_formula", "From Formula", "A surface from formulas in u and v: exact for polynomials, otherwise within a tolerance",
+           (Parameter("x", "x(u, v)", "Numbers, u, v, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "u"),
+            Parameter("y", "y(u, v)", "As x", "v"), Parameter("z", "z(u, v)", "As x", "0.3*sin(pi*u)*cos(pi*v)"),
+            Parameter("start_u", "First u", "Where u begins", -1.0), Parameter("end_u", "Last u", "Where u ends", 1.0),
+            Parameter("start_v", "First v", "Where v begins", -1.0), Parameter("end_v", "Last v", "Where v ends", 1.0),
+            Parameter("constants", "Constants", "Numbers with names of your own: a = 2, b = pi/3", ""), _TOLERANCE),
+           _formula, is_surface=True, resolution=4),
+)
+
+FROM_CURVES = (
+    Recipe("revolve", "Revolve", "The surface of a curve that turns about an axis; it follows when the curve is edited",
+           (_AXIS, _START, _SWEEP), _revolve, is_surface=True, resolution=12, inputs=("one curve",)),
+    Recipe("extrude", "Extrude", "The surface of a curve that moves along a vector; it follows when the curve is edited",
+           tuple(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')
+                 for name, default in (("x", 0.0), ("y", 0.0), ("z", 1.0))),
+           _extrude, is_surface=True, resolution=12, inputs=("one curve",)),
+    Recipe("ruled", "Ruled Surface", "The segments between two curves; it follows when they are edited",
+           (Parameter("turned", "Turn One", "Let the second curve run the other way", False),), _ruled, is_surface=True,
+           resolution=12, inputs=("one curve", "another curve")),
+)

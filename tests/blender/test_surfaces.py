@@ -1,0 +1,119 @@
+"""Surfaces as recipes: exact primitives, formulas, and what curves make by moving, live."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import activate, add, op, require_exact
+from support import part, splinecore as sc
+
+follow, recipes, shape, table = (part(name) for name in (
+    'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.recipes.table'))
+PRIMITIVES = [recipe.kind for recipe in table.STARTING if recipe.is_surface]
+PROFILE = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(1, 0, 0), (1.5, 0, 0.5), (0.5, 0, 1), (1, 0, 1.5), (1.2, 0, 2)])
+
+
+def add_recipe(kind, **numbers):
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}"), **numbers) == {'FINISHED'}
+    bpy.ops.ed.undo_push(message="add")
+    return bpy.context.object
+
+
+def edge_counts(ob):
+    counts = np.zeros(len(ob.data.edges), int)
+    for loop in ob.data.loops:
+        counts[loop.edge_index] += 1
+    return counts
+
+
+@pytest.mark.parametrize('kind', PRIMITIVES)
+def test_a_surface_is_what_its_numbers_say_and_stays_so_in_a_file(kind, tmp_path):
+    ob = add_recipe(kind)
+    recipe, value, name = table.RECIPES[kind], ob.data.splinewright.value, ob.name
+    assert ob.type == 'MESH' and value == recipe.make(recipe.start, **recipe.defaults).value
+    require_exact(ob)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "surface.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "surface.blend"))
+    again = bpy.data.objects[name]
+    assert again.data.splinewright.value == value and recipes.parameters(again.data) == recipe.defaults
+
+
+@pytest.mark.parametrize('kind, settings', (('sphere', {}), ('torus', {}), ('cylinder', {'caps': True}), ('cone', {'caps': True}),
+                                            ('cone', {'caps': True, 'top_radius': 0.5})))
+def test_bodies_are_closed_and_their_normals_point_outwards(kind, settings):
+    ob = add_recipe(kind, **settings)
+    assert (edge_counts(ob) == 2).all()
+    value = ob.data.splinewright.value
+    patches = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value])
+    assert patches.volume() > 0
+
+
+def test_a_number_changed_in_the_panel_changes_the_mesh_and_undo_brings_it_back():
+    ob = add_recipe('sphere')
+    name, before = ob.name, ob.data.splinewright.value
+    ob.data.splinewright_recipe.sphere_radius = 2.5
+    assert np.allclose(np.linalg.norm(shape.points_of(ob.data), axis=1), 2.5, atol=1e-6)
+    bpy.ops.ed.undo_push(message="radius")
+    bpy.ops.ed.undo()
+    assert bpy.data.objects[name].data.splinewright.value == before
+
+
+@pytest.mark.parametrize('sweep', (2 * math.pi, math.pi / 2, -1.0))
+def test_a_curve_is_revolved_about_the_axis_of_its_object(sweep):
+    source = add(PROFILE)
+    ob = add_recipe('revolve', sweep=sweep)
+    patch = ob.data.splinewright.value
+    assert patch.periodic[0] == (sweep == 2 * math.pi)
+    points = patch.evaluate_grid(np.linspace(*patch.domain[0], 9), np.linspace(*patch.domain[1], 9))
+    radii = np.linalg.norm(PROFILE.evaluate(np.linspace(*PROFILE.domain, 9), side='left')[:, :2], axis=1)
+    assert np.allclose(np.linalg.norm(points[..., :2], axis=-1), radii, atol=1e-12)
+    require_exact(ob)
+    source.data.splinewright.value = PROFILE.with_points(PROFILE.points * (2, 1, 1))
+    bpy.context.view_layer.update()
+    assert ob.data.splinewright.value != patch and follow.problem(ob.data) == ""
+
+
+def test_a_surface_of_two_curves_follows_both_and_stays_when_one_goes():
+    first, second = add(PROFILE, "first"), add(PROFILE.elevate(), "second")
+    second.location.y = 3.0
+    bpy.context.view_layer.update()
+    activate(second, first)
+    ob = add_recipe('ruled')
+    patch = ob.data.splinewright.value
+    assert patch.degree == (4, 1)
+    for other in (first, second):
+        before = ob.data.splinewright.value
+        other.data.splinewright.value = other.data.splinewright.value.with_points(other.data.splinewright.value.points + (0, 0, 1))
+        bpy.context.view_layer.update()
+        assert ob.data.splinewright.value != before
+    before = ob.data.splinewright.value
+    bpy.data.objects.remove(first)
+    bpy.context.view_layer.update()
+    assert ob.data.splinewright.value == before and "deleted" in follow.problem(ob.data)
+
+
+def test_extruded_curves_of_several_pieces_are_one_object():
+    add([PROFILE, PROFILE.with_points(PROFILE.points + (5, 0, 0))])
+    ob = add_recipe('extrude', y=2.0, z=0.0)
+    assert len(ob.data.splinewright.value) == 2
+    require_exact(ob)
+
+
+def test_what_cannot_be_made_is_refused_with_a_word():
+    add(PROFILE)
+    with pytest.raises(RuntimeError, match="."):
+        add_recipe('extrude', x=0.0, y=0.0, z=0.0)
+    activate(add(PROFILE), bpy.data.objects[0])
+    assert not bpy.ops.splinewright.add_revolve.poll()
+    with pytest.raises(RuntimeError, match=r"z\(u, v\)"):
+        add_recipe('surface_formula', z="sin(t)")
+
+
+def test_a_surface_cannot_follow_itself_by_a_curve_of_its_own():
+    add(PROFILE)
+    ob = add_recipe('revolve')
+    activate(ob)
+    with pytest.raises(RuntimeError, match="a curve is needed"):
+        add_recipe('extrude')
