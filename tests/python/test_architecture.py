@@ -18,7 +18,7 @@ NATIVE_ARROWS = {
     'patch': {'base', 'basis', 'curve'},
     'convert': {'base', 'basis', 'curve', 'patch'},
     'conic': {'base', 'basis', 'curve', 'convert'},
-    'tessellate': {'base', 'basis', 'curve', 'patch'},
+    'tessellate': {'base', 'basis', 'curve', 'patch', 'convert'},
     'formula': {'base'},
     'measure': {'base', 'basis', 'curve', 'patch'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
