@@ -25,8 +25,8 @@ class AdaptiveBuilder {
   };
 
   const Panel& panel_of(std::size_t panel) const { return mesh_.panels_[panel]; }
-  const KnotVector& knots(std::size_t panel, Axis axis) const {
-    return nurbs_of(set_.patch(panel_of(panel).patch)).knot_vector(axis);
+  const std::vector<MeshSpan>& spans(std::size_t panel, Axis axis) const {
+    return spans_[panel_of(panel).patch][axis == Axis::u ? 0 : 1];
   }
   void fit();
   double scaled(std::size_t panel, int side, Place place) const;
@@ -45,8 +45,8 @@ class AdaptiveBuilder {
   void add_cell(std::size_t panel, const Cell& cell);
   void add_face(std::size_t panel, const Cell& cell, const std::vector<Spot>& spots);
 
-  const PatchSet& set_;
   Tessellation& mesh_;
+  std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
   std::vector<CellGrid> grids_;  // of each panel
   /// Of each edge: scaled places with a vertex, growing from 0 to 1.
   std::vector<std::vector<double>> edge_places_;
@@ -60,9 +60,7 @@ namespace {
 /// Scaled places nearer than this are one: a 2^-30th of a span cannot tell them apart.
 constexpr double kOnePlace = 1e-8;
 
-Cell whole_of(const Panel& panel, const NurbsPatch& patch) {
-  const KnotVector& u = patch.knot_vector(Axis::u);
-  const KnotVector& v = patch.knot_vector(Axis::v);
+Cell whole_of(const Panel& panel, const std::vector<MeshSpan>& u, const std::vector<MeshSpan>& v) {
   return {place_of(u, panel.u.start), place_of(u, panel.u.end), place_of(v, panel.v.start), place_of(v, panel.v.end)};
 }
 
@@ -79,13 +77,14 @@ Place line_of(const Cell& whole, int side) {
 }  // namespace
 
 AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, Tessellation& mesh)
-    : set_(set), mesh_(mesh), writer_(set, mesh) {
+    : mesh_(mesh), spans_(mesh_spans(set)), writer_(set, mesh) {
   for (const Panel& panel : mesh.panels_) {
     const NurbsPatch& patch = nurbs_of(set.patch(panel.patch));
-    const Cell whole = whole_of(panel, patch);
+    const auto& spans = spans_[panel.patch];
+    const Cell whole = whole_of(panel, spans[0], spans[1]);
     const bool closed_u = panel.sides[0].edge >= 0 && panel.sides[0].edge == panel.sides[1].edge;
     const bool closed_v = panel.sides[2].edge >= 0 && panel.sides[2].edge == panel.sides[3].edge;
-    grids_.emplace_back(whole, cells_of(patch, whole, fineness, closed_u, closed_v));
+    grids_.emplace_back(whole, cells_of(patch, spans, whole, fineness, closed_u, closed_v));
   }
   inner_vertices_.resize(mesh.panels_.size());
   fit();
@@ -95,7 +94,7 @@ AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, 
 }
 
 double AdaptiveBuilder::scaled(std::size_t panel, int side, Place place) const {
-  const KnotVector& along = knots(panel, is_along_v(side) ? Axis::v : Axis::u);
+  const std::vector<MeshSpan>& along = spans(panel, is_along_v(side) ? Axis::v : Axis::u);
   const auto [from, to] = range_along(grids_[panel].whole(), side);
   if (place == from || place == to) return (place == to) != panel_of(panel).sides[side].reversed ? 1.0 : 0.0;
   const double start = parameter_at(along, from);
@@ -104,7 +103,7 @@ double AdaptiveBuilder::scaled(std::size_t panel, int side, Place place) const {
 }
 
 Place AdaptiveBuilder::place_on(std::size_t panel, int side, double t) const {
-  const KnotVector& along = knots(panel, is_along_v(side) ? Axis::v : Axis::u);
+  const std::vector<MeshSpan>& along = spans(panel, is_along_v(side) ? Axis::v : Axis::u);
   const auto [from, to] = range_along(grids_[panel].whole(), side);
   const double forward = panel_of(panel).sides[side].reversed ? 1.0 - t : t;
   const double start = parameter_at(along, from);
@@ -209,16 +208,18 @@ bool AdaptiveBuilder::is_crease(std::size_t panel, Axis axis, Place place) const
   const auto [from, to] = axis == Axis::u ? std::pair{whole.u0, whole.u1} : std::pair{whole.v0, whole.v1};
   if (place == from || place == to) return true;
   if (place % kSpan != 0) return false;
-  const KnotVector& all = knots(panel, axis);
-  return multiplicity(all, parameter_at(all, place)) >= all.degree();
+  return spans(panel, axis)[place / kSpan].is_crease;
 }
 
 /// The sample at a spot, seen from inside a cell.
 std::size_t AdaptiveBuilder::sample_at(std::size_t panel, const Spot& spot, const Cell& cell) {
-  const Side side_u = spot.u == cell.u1 && is_crease(panel, Axis::u, spot.u) ? Side::left : Side::right;
-  const Side side_v = spot.v == cell.v1 && is_crease(panel, Axis::v, spot.v) ? Side::left : Side::right;
-  return writer_.sample_at(panel_of(panel).patch, parameter_at(knots(panel, Axis::u), spot.u),
-                           parameter_at(knots(panel, Axis::v), spot.v), side_u, side_v);
+  const bool is_left_u = spot.u == cell.u1 && is_crease(panel, Axis::u, spot.u);
+  const bool is_left_v = spot.v == cell.v1 && is_crease(panel, Axis::v, spot.v);
+  const auto& u = spans(panel, Axis::u);
+  const auto& v = spans(panel, Axis::v);
+  return writer_.sample_at(panel_of(panel).patch, is_left_u ? parameter_before(u, spot.u) : parameter_at(u, spot.u),
+                           is_left_v ? parameter_before(v, spot.v) : parameter_at(v, spot.v),
+                           is_left_u ? Side::left : Side::right, is_left_v ? Side::left : Side::right);
 }
 
 void AdaptiveBuilder::add_face(std::size_t panel, const Cell& cell, const std::vector<Spot>& spots) {
@@ -227,8 +228,8 @@ void AdaptiveBuilder::add_face(std::size_t panel, const Cell& cell, const std::v
   for (std::size_t k = 0; k < spots.size(); ++k) {
     const Spot& a = spots[k];
     const Spot& b = spots[(k + 1) % spots.size()];
-    corners.push_back({vertex_at(panel, a), sample_at(panel, a, cell), parameter_at(knots(panel, Axis::u), a.u),
-                       parameter_at(knots(panel, Axis::v), a.v)});
+    corners.push_back({vertex_at(panel, a), sample_at(panel, a, cell), parameter_at(spans(panel, Axis::u), a.u),
+                       parameter_at(spans(panel, Axis::v), a.v)});
     is_border.push_back((a.u == b.u && is_crease(panel, Axis::u, a.u)) ||
                         (a.v == b.v && is_crease(panel, Axis::v, a.v)));
   }

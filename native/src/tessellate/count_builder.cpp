@@ -41,7 +41,6 @@ class CountBuilder {
 
   const Panel& panel_of(const Block& block) const { return mesh_.panels_[block.panel]; }
   const Grid& grid_of(const Block& block) const { return mesh_.grids_[panel_of(block).patch]; }
-  const KnotVector& knots(std::size_t panel, int axis) const;
   std::pair<int, int> spans(std::size_t panel, int axis) const;
   int strips(std::size_t panel, int axis) const;
   std::vector<double> places(std::size_t panel, int side) const;
@@ -64,15 +63,14 @@ class CountBuilder {
 
   const PatchSet& set_;
   Tessellation& mesh_;
-  std::vector<std::array<int, 2>> resolutions_;     // of each patch
-  std::vector<std::vector<double>> edge_places_;    // of each edge, from 0 to 1
+  std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
+  std::vector<std::array<int, 2>> resolutions_;              // of each patch
+  std::vector<std::vector<double>> edge_places_;             // of each edge, from 0 to 1
   std::optional<MeshWriter> writer_;
   std::optional<SideVertices> side_vertices_;
 };
 
 namespace {
-
-Axis axis_of(int axis) { return axis == 0 ? Axis::u : Axis::v; }
 
 /// The number of the axis that a side lies across, and of the one it runs along.
 int across_of(int side) { return side < 2 ? 0 : 1; }
@@ -81,7 +79,7 @@ int along_of(int side) { return side < 2 ? 1 : 0; }
 }  // namespace
 
 CountBuilder::CountBuilder(const PatchSet& set, int resolution_u, int resolution_v, Tessellation& mesh)
-    : set_(set), mesh_(mesh), resolutions_(set.patches().size(), {resolution_u, resolution_v}) {
+    : set_(set), mesh_(mesh), spans_(mesh_spans(set)), resolutions_(set.patches().size(), {resolution_u, resolution_v}) {
   constexpr int kLeastAround = 3;
   for (std::size_t i = 0; i < mesh.panels_.size(); ++i) {
     const Panel& panel = mesh.panels_[i];
@@ -104,15 +102,13 @@ CountBuilder::CountBuilder(const PatchSet& set, int resolution_u, int resolution
   side_vertices_.emplace(mesh.panels_, counts);
 }
 
-const KnotVector& CountBuilder::knots(std::size_t panel, int axis) const {
-  return nurbs_of(set_.patch(mesh_.panels_[panel].patch)).knot_vector(axis_of(axis));
-}
-
 /// The first of the spans that a panel has, and the one behind the last.
 std::pair<int, int> CountBuilder::spans(std::size_t panel, int axis) const {
-  const Interval& range = axis == 0 ? mesh_.panels_[panel].u : mesh_.panels_[panel].v;
-  const KnotVector& all = knots(panel, axis);
-  return {all.span_of(range.start, Side::right), all.span_of(range.end, Side::left) + 1};
+  const Panel& own = mesh_.panels_[panel];
+  const Interval& range = axis == 0 ? own.u : own.v;
+  const std::vector<MeshSpan>& all = spans_[own.patch][axis];
+  const auto number = [&](double u) { return static_cast<int>((place_of(all, u) + kSpan / 2) / kSpan); };
+  return {number(range.start), number(range.end)};
 }
 
 int CountBuilder::strips(std::size_t panel, int axis) const {
@@ -129,7 +125,7 @@ std::vector<double> CountBuilder::places(std::size_t panel, int side) const {
   const auto [from, to] = spans(panel, axis);
   std::vector<double> found;
   for (int i = from; i < to; ++i) {
-    const Interval span = knots(panel, axis).span_interval(i);
+    const Interval& span = spans_[own.patch][axis][i].range;
     for (int k = 0; k < resolution; ++k) {
       found.push_back((span.start + span.length() * (static_cast<double>(k) / resolution) - range.start) / range.length());
     }
@@ -181,8 +177,8 @@ bool CountBuilder::raise_narrow_panels() {
 void CountBuilder::make_grids() {
   for (std::size_t i = 0; i < set_.patches().size(); ++i) {
     const NurbsPatch& form = nurbs_of(set_.patch(i));
-    Grid grid{sample_axis(form.knot_vector(Axis::u), resolutions_[i][0]),
-              sample_axis(form.knot_vector(Axis::v), resolutions_[i][1]), mesh_.sample_count_};
+    Grid grid{sample_axis(form.knot_vector(Axis::u), spans_[i][0], resolutions_[i][0]),
+              sample_axis(form.knot_vector(Axis::v), spans_[i][1], resolutions_[i][1]), mesh_.sample_count_};
     mesh_.sample_count_ += grid.u.samples.size() * grid.v.samples.size();
     mesh_.grids_.push_back(std::move(grid));
   }

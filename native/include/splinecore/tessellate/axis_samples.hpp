@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "splinecore/basis/samples.hpp"
+#include "splinecore/tessellate/mesh_spans.hpp"
 
 namespace splinecore {
 
@@ -14,13 +15,13 @@ struct AxisSamples {
   Samples samples;
   std::vector<int> first;        ///< of each line: its sample seen from before
   std::vector<int> last;         ///< and the one seen from behind
-  std::vector<int> span_starts;  ///< of each span: the line it begins on
+  std::vector<int> span_starts;  ///< of each mesh span: the line it begins on
 
   int line_count() const noexcept { return static_cast<int>(first.size()); }
   bool is_crease(int line) const noexcept { return first[line] != last[line]; }
 };
 
-/// `resolution` strips of equal width in every span.
-AxisSamples sample_axis(const KnotVector& knots, int resolution);
+/// `resolution` strips of equal width in every one of the spans, which are mesh_spans(knots).
+AxisSamples sample_axis(const KnotVector& knots, const std::vector<MeshSpan>& spans, int resolution);
 
 }  // namespace splinecore
