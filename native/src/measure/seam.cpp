@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "placement.hpp"
 #include "splinecore/base/quotient.hpp"
@@ -36,6 +37,7 @@ struct Jet {
   glm::dvec3 second_across;
   glm::dvec3 normal;  ///< of the way to b and of a's side; NaN where there is none
   double curvature;   ///< at right angles to the seam, towards the normal
+  bool is_regular;    ///< the derivatives across and along are not parallel
 };
 
 /// One patch, near the origin, seen along its side.
@@ -44,7 +46,11 @@ class Flank {
   /// @param is_first  the way across leads out of it
   Flank(NurbsPatch patch, Border side, bool is_first, bool is_reversed)
       : patch_(std::move(patch)), side_(side), is_reversed_(is_reversed),
-        direction_(is_at_end(side) == is_first ? 1.0 : -1.0) {}
+        direction_(is_at_end(side) == is_first ? 1.0 : -1.0) {
+    constexpr double kRounding = 1e-12;
+    const double size = extent(patch_.points());
+    negligible_ = kRounding * (size / along().domain().length()) * (size / across().domain().length());
+  }
 
   const KnotVector& along() const { return patch_.knot_vector(axis_of(side_) == Axis::u ? Axis::v : Axis::u); }
   const KnotVector& across() const { return patch_.knot_vector(axis_of(side_)); }
@@ -55,6 +61,9 @@ class Flank {
   }
 
   Jet at(const Place& place) const;
+
+  /// How far it is from a place to the end of its span.
+  double room(const Place& place) const;
 
   /// How far rounding may move a point and the first two derivatives across.
   std::array<double, 3> rounding(double fastest) const;
@@ -68,7 +77,19 @@ class Flank {
   Border side_;
   bool is_reversed_;
   double direction_;
+  double negligible_;
 };
+
+double Flank::room(const Place& place) const {
+  double room = 1.0;
+  for (int i = 0; i <= static_cast<int>(along().spans().size()); ++i) {
+    const bool is_last = i == static_cast<int>(along().spans().size());
+    const double knot = share_of(is_last ? along().domain().end : along().span_interval(i).start);
+    const double way = place.side == Side::right ? knot - place.share : place.share - knot;
+    if (way > kSameShare) room = std::min(room, way);
+  }
+  return room;
+}
 
 double Flank::parameter_at(double share) const {
   const Interval domain = along().domain();
@@ -104,8 +125,9 @@ Jet Flank::at(const Place& place) const {
   derivatives(patch_, {&u, 1}, {&v, 1}, 2, std::span(&values[0].x, 27), options);
   const double turn = is_reversed_ ? -1.0 : 1.0;
   Jet jet{values[0], turn * values[is_u ? 1 : 3], direction_ * values[is_u ? 3 : 1], values[is_u ? 6 : 2],
-          glm::dvec3(kNan), kNan};
+          glm::dvec3(kNan), kNan, false};
   if (!is_finite(jet.point)) return jet;
+  jet.is_regular = glm::length(glm::cross(jet.across, jet.along)) > negligible_;
   glm::dvec3 point;
   glm::dvec3 normal;
   evaluate_with_normals(patch_, {&u, 1}, {&v, 1}, std::span(&point.x, 3), std::span(&normal.x, 3), options);
@@ -178,6 +200,23 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
 /// The larger number; one that is none does not count.
 void raise(double& largest, double value) {
   if (value > largest) largest = value;
+}
+
+/// Both patches at a place. Where a normal is the limit of many, as at the end of a meridian, both are those a
+/// little way on along the seam, if there are such: the limit along it, nearly.
+std::pair<Jet, Jet> jets(const Flank& a, const Flank& b, const Place& place) {
+  constexpr double kWay = 1e-3;
+  std::pair<Jet, Jet> here{a.at(place), b.at(place)};
+  if (here.first.is_regular && here.second.is_regular) return here;
+  const double way = kWay * std::min(a.room(place), b.room(place));
+  const double next = place.side == Side::right ? place.share + way : place.share - way;
+  const std::pair<Jet, Jet> there{a.at({next, place.side}), b.at({next, place.side})};
+  if (!there.first.is_regular || !there.second.is_regular) return here;
+  here.first.normal = there.first.normal;
+  here.second.normal = there.second.normal;
+  here.first.curvature = there.first.curvature;
+  here.second.curvature = there.second.curvature;
+  return here;
 }
 
 /// What the classes are decided by.
@@ -263,7 +302,8 @@ SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPa
   Extremes extremes;
   for (const Place& place : places ? given_places(*places) : dense_places(on_a, on_b)) {
     found.parameters.push_back(place.share);
-    add(on_a.at(place), on_b.at(place), found, extremes);
+    const auto [first_jet, second_jet] = jets(on_a, on_b, place);
+    add(first_jet, second_jet, found, extremes);
   }
   std::array<double, 3> rounding = on_a.rounding(extremes.fastest);
   const std::array<double, 3> of_b = on_b.rounding(extremes.fastest);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <optional>
 
 #include "edge_rows.hpp"
@@ -206,65 +207,54 @@ Constants follow_locally(const LocalRows& a, LocalRows& b, PatchSmoothness smoot
   return by;
 }
 
-/// Solves a symmetric positive system (Gauss).
-std::array<glm::dvec3, kMostRows> solved(std::array<std::array<double, kMostRows>, kMostRows> rows,
-                                         std::array<glm::dvec3, kMostRows> right, int count) {
-  for (int k = 0; k < count; ++k) {
-    for (int i = k + 1; i < count; ++i) {
-      const double factor = rows[i][k] / rows[k][k];
-      for (int j = k; j < count; ++j) rows[i][j] -= factor * rows[k][j];
-      right[i] -= factor * right[k];
-    }
-  }
-  for (int k = count - 1; k >= 0; --k) {
-    for (int j = k + 1; j < count; ++j) right[k] -= rows[k][j] * right[j];
-    right[k] /= rows[k][k];
-  }
-  return right;
-}
-
-/// Conditions on the rows of a and then of b, each divided by its largest number.
+/// What a condition takes of each row of a and then of b.
 using Condition = std::array<double, 2 * kMostRows>;
 
+/// Brings condition k to right angles with those before it, and to length 1 (Gram and Schmidt).
+void set_upright(std::array<Condition, kMostRows>& conditions, int k) {
+  Condition& own = conditions[k];
+  const auto divide = [&](double by) { std::ranges::for_each(own, [by](double& number) { number /= by; }); };
+  divide(std::abs(*std::ranges::max_element(own, {}, [](double number) { return std::abs(number); })));
+  constexpr int kTwice = 2;  // once leaves rounding where the angle is small
+  for (int round = 0; round < kTwice; ++round) {
+    for (int l = 0; l < k; ++l) {
+      const double share = std::inner_product(own.begin(), own.end(), conditions[l].begin(), 0.0);
+      for (std::size_t i = 0; i < own.size(); ++i) own[i] -= share * conditions[l][i];
+    }
+    divide(std::sqrt(std::inner_product(own.begin(), own.end(), own.begin(), 0.0)));
+  }
+}
+
+/// The conditions as unit vectors at right angles, which the same moves meet.
 std::array<Condition, kMostRows> conditions(const LocalRows& a, const LocalRows& b, const Constants& by, int count) {
   const std::array<std::array<double, kMostRows>, kMostRows> of_a{
       {{1.0, 0.0, 0.0}, {by.g, by.k, 0.0}, {by.e, by.m + 2.0 * by.g * by.k, by.k * by.k}}};
   std::array<Condition, kMostRows> found{};
   for (int k = 0; k < count; ++k) {
-    double largest = 0.0;
     for (int i = 0; i < kMostRows; ++i) {
       for (int l = 0; l <= k; ++l) found[k][i] += of_a[k][l] * a.coefficient(l, i);
       found[k][kMostRows + i] = -b.coefficient(k, i);
     }
-    for (const double number : found[k]) largest = std::max(largest, std::abs(number));
-    for (double& number : found[k]) number /= largest;
+    set_upright(found, k);
   }
   return found;
 }
 
-/// Moves the places of a's rows by their part of the least moves that meet the conditions.
+/// Moves the places of a's rows by their part of the least moves that meet upright conditions.
 void move_first(LocalRows& a, const LocalRows& b, const std::array<Condition, kMostRows>& conditions, int count) {
-  std::array<std::array<double, kMostRows>, kMostRows> square{};
-  for (int k = 0; k < count; ++k) {
-    for (int l = 0; l < count; ++l) {
-      for (std::size_t i = 0; i < conditions[k].size(); ++i) square[k][l] += conditions[k][i] * conditions[l][i];
-    }
-  }
   for (std::size_t column = 0; column < a.rows[0].size(); ++column) {
-    std::array<glm::dvec3, kMostRows> wanted{};
-    for (int k = 0; k < count; ++k) {
-      wanted[k] = glm::dvec3(0.0);
-      for (int i = 0; i < count; ++i) {
-        wanted[k] -= conditions[k][i] * glm::dvec3(a.rows[i][column]);
-        wanted[k] -= conditions[k][kMostRows + i] * glm::dvec3(b.rows[i][column]);
-      }
-    }
-    const auto multipliers = solved(square, wanted, count);
+    std::array<glm::dvec3, 2 * kMostRows> places;
+    places.fill(glm::dvec3(0.0));
     for (int i = 0; i < count; ++i) {
-      glm::dvec3 move(0.0);
-      for (int k = 0; k < count; ++k) move += conditions[k][i] * multipliers[k];
-      a.rows[i][column] += glm::dvec4(move, 0.0);
+      places[i] = glm::dvec3(a.rows[i][column]);
+      places[kMostRows + i] = glm::dvec3(b.rows[i][column]);
     }
+    for (int k = 0; k < count; ++k) {
+      glm::dvec3 miss(0.0);
+      for (int i = 0; i < 2 * kMostRows; ++i) miss += conditions[k][i] * places[i];
+      for (int i = 0; i < 2 * kMostRows; ++i) places[i] -= conditions[k][i] * miss;
+    }
+    for (int i = 0; i < count; ++i) a.rows[i][column] = glm::dvec4(places[i], a.rows[i][column].w);
   }
 }
 
@@ -298,6 +288,10 @@ void meet(EdgeRows& a, EdgeRows& b, PatchSmoothness smoothness, bool is_rational
   const int count = rows_of(smoothness);
   EdgeRow edge;
   for (std::size_t i = 0; i < a.rows[0].size(); ++i) edge.push_back(middle(a.rows[0][i], b.rows[0][i]));
+  if (count == 1) {
+    a.rows[0] = b.rows[0] = edge;
+    return;
+  }
   const std::vector<glm::dvec3> origins = origins_of(edge);
   LocalRows on_a = local_rows(a, origins);
   const LocalRows on_b = local_rows(b, origins);
