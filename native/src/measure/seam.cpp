@@ -4,14 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
-#include <utility>
 
+#include "flank.hpp"
 #include "placement.hpp"
 #include "splinecore/base/quotient.hpp"
-#include "splinecore/basis/samples.hpp"
-#include "splinecore/measure/patch_curvature.hpp"
-#include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/join.hpp"
 
 namespace splinecore {
@@ -20,158 +18,13 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Within this part of the side two knots are the same.
-constexpr double kSameShare = 1e-12;
-
-/// A place along the seam; at a knot Side says whether what comes after or before.
-struct Place {
-  double share;
-  Side side;
-};
-
-/// What a patch is at a place.
-struct Jet {
-  glm::dvec3 point;
-  glm::dvec3 along;
-  glm::dvec3 across;
-  glm::dvec3 second_across;
-  glm::dvec3 normal;  ///< of the way to b and of a's side; NaN where there is none
-  double curvature;   ///< at right angles to the seam, towards the normal
-  bool is_regular;    ///< the derivatives across and along are not parallel
-};
-
-/// One patch, near the origin, seen along its side.
-class Flank {
- public:
-  /// @param is_first  the way across leads out of it
-  Flank(NurbsPatch patch, Border side, bool is_first, bool is_reversed)
-      : patch_(std::move(patch)), side_(side), is_reversed_(is_reversed),
-        direction_(is_at_end(side) == is_first ? 1.0 : -1.0) {
-    constexpr double kRounding = 1e-12;
-    const double size = extent(patch_.points());
-    negligible_ = kRounding * (size / along().domain().length()) * (size / across().domain().length());
-  }
-
-  const KnotVector& along() const { return patch_.knot_vector(axis_of(side_) == Axis::u ? Axis::v : Axis::u); }
-  const KnotVector& across() const { return patch_.knot_vector(axis_of(side_)); }
-
-  double share_of(double knot) const {
-    const Interval domain = along().domain();
-    return (is_reversed_ ? domain.end - knot : knot - domain.start) / domain.length();
-  }
-
-  Jet at(const Place& place) const;
-
-  /// How far it is from a place to the end of its span.
-  double room(const Place& place) const;
-
-  /// How far rounding may move a point and the first two derivatives across.
-  std::array<double, 3> rounding(double fastest) const;
-
- private:
-  double parameter_at(double share) const;
-  double curvature_across(const glm::dvec3& along, const glm::dvec3& normal, double sign, double u, double v,
-                          PatchOptions options) const;
-
-  NurbsPatch patch_;
-  Border side_;
-  bool is_reversed_;
-  double direction_;
-  double negligible_;
-};
-
-double Flank::room(const Place& place) const {
-  double room = 1.0;
-  for (int i = 0; i <= static_cast<int>(along().spans().size()); ++i) {
-    const bool is_last = i == static_cast<int>(along().spans().size());
-    const double knot = share_of(is_last ? along().domain().end : along().span_interval(i).start);
-    const double way = place.side == Side::right ? knot - place.share : place.share - knot;
-    if (way > kSameShare) room = std::min(room, way);
-  }
-  return room;
-}
-
-double Flank::parameter_at(double share) const {
-  const Interval domain = along().domain();
-  // A knot is met exactly, or the other side of it would be looked at.
-  for (int i = 0; i < static_cast<int>(along().spans().size()); ++i) {
-    const double knot = along().span_interval(i).start;
-    if (std::abs(share_of(knot) - share) <= kSameShare) return knot;
-  }
-  const double from_start = is_reversed_ ? 1.0 - share : share;
-  return from_start >= 1.0 ? domain.end : std::clamp(domain.start + from_start * domain.length(), domain.start, domain.end);
-}
-
-double Flank::curvature_across(const glm::dvec3& along, const glm::dvec3& normal, double sign, double u, double v,
-                               PatchOptions options) const {
-  SurfaceCurvature found;
-  curvatures(patch_, {&u, 1}, {&v, 1}, {&found, 1}, options);
-  const glm::dvec3 way = glm::normalize(glm::cross(normal, along));
-  const double x = glm::dot(way, found.directions[0]);
-  const double y = glm::dot(way, found.directions[1]);
-  return sign * (found.principal[0] * x * x + found.principal[1] * y * y);
-}
-
-Jet Flank::at(const Place& place) const {
-  const bool is_u = axis_of(side_) == Axis::u;
-  const double edge = is_at_end(side_) ? across().domain().end : across().domain().start;
-  const double there = parameter_at(place.share);
-  const double u = is_u ? edge : there;
-  const double v = is_u ? there : edge;
-  const Side inward = is_at_end(side_) ? Side::left : Side::right;
-  const Side onward = (place.side == Side::right) == is_reversed_ ? Side::left : Side::right;
-  const PatchOptions options{is_u ? inward : onward, is_u ? onward : inward, AtInfinity::nan};
-  std::array<glm::dvec3, 9> values;
-  derivatives(patch_, {&u, 1}, {&v, 1}, 2, std::span(&values[0].x, 27), options);
-  const double turn = is_reversed_ ? -1.0 : 1.0;
-  Jet jet{values[0], turn * values[is_u ? 1 : 3], direction_ * values[is_u ? 3 : 1], values[is_u ? 6 : 2],
-          glm::dvec3(kNan), kNan, false};
-  if (!is_finite(jet.point)) return jet;
-  jet.is_regular = glm::length(glm::cross(jet.across, jet.along)) > negligible_;
-  glm::dvec3 point;
-  glm::dvec3 normal;
-  evaluate_with_normals(patch_, {&u, 1}, {&v, 1}, std::span(&point.x, 3), std::span(&normal.x, 3), options);
-  if (normal == glm::dvec3(0.0) || !is_finite(normal)) return jet;
-  const double sign = (is_u ? 1.0 : -1.0) * turn * direction_;
-  jet.normal = sign * normal;
-  if (glm::length(jet.along) > 0.0) jet.curvature = curvature_across(jet.along, jet.normal, sign, u, v, options);
-  return jet;
-}
-
-std::array<double, 3> Flank::rounding(double fastest) const {
-  constexpr double kRounding = 0x1p-46;
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
-  for (const glm::dvec4& p : patch_.points()) {
-    if (p.w != 0.0) least = std::min(least, std::abs(p.w));
-    most = std::max(most, std::abs(p.w));
-  }
-  const Interval domain = along().domain();
-  const double farthest = std::max(std::abs(domain.start), std::abs(domain.end));
-  Stencil stencil(across(), 2);
-  stencil.move_to(is_at_end(side_) ? across().domain().end : across().domain().start,
-                  is_at_end(side_) ? Side::left : Side::right);
-  std::array<double, 3> found{kRounding * farthest * fastest, 0.0, 0.0};
-  for (int k = 0; k < 3; ++k) {
-    double sum = 0.0;
-    for (const double weight : stencil.weights(k)) sum += std::abs(weight);
-    found[k] += kRounding * sum * std::max(1.0, largest_coordinate(patch_.points())) * most / least;
-  }
-  return found;
-}
-
 /// Evenly spaced in each span of either, its ends from within it.
-std::vector<Place> dense_places(const Flank& a, const Flank& b) {
+std::vector<SeamPlace> dense_places(const Flank& a, const Flank& b) {
   std::vector<double> knots{0.0, 1.0};
-  int count = 3;
-  for (const Flank* flank : {&a, &b}) {
-    for (int i = 1; i < static_cast<int>(flank->along().spans().size()); ++i) {
-      knots.push_back(flank->share_of(flank->along().span_interval(i).start));
-    }
-    count += 2 * flank->along().degree();
-  }
+  for (const Flank* flank : {&a, &b}) std::ranges::copy(flank->inner_knots(), std::back_inserter(knots));
   std::ranges::sort(knots);
-  std::vector<Place> places;
+  const int count = 2 * (a.degree_along() + b.degree_along()) + 3;
+  std::vector<SeamPlace> places;
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const double length = knots[i + 1] - knots[i];
     if (length <= kSameShare) continue;
@@ -182,8 +35,8 @@ std::vector<Place> dense_places(const Flank& a, const Flank& b) {
   return places;
 }
 
-std::vector<Place> given_places(std::span<const double> shares) {
-  std::vector<Place> places;
+std::vector<SeamPlace> given_places(std::span<const double> shares) {
+  std::vector<SeamPlace> places;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     if (!(shares[i] >= 0.0 && shares[i] <= 1.0)) {
       throw InvalidShape("parameters" + index_text(i) + " = " + text_of(shares[i]) + " is outside [0, 1]");
@@ -191,6 +44,39 @@ std::vector<Place> given_places(std::span<const double> shares) {
     places.push_back({shares[i], shares[i] < 1.0 ? Side::right : Side::left});
   }
   return places;
+}
+
+/// Both patches at the same places.
+struct Jets {
+  std::vector<SeamJet> a;
+  std::vector<SeamJet> b;
+};
+
+void take_normal(const SeamJet& from, SeamJet& to) {
+  to.normal = from.normal;
+  to.curvature = from.curvature;
+}
+
+/// Where a normal is the limit of many, as at the end of a meridian, both are those a little way on along the seam,
+/// if there are such: the limit along it, nearly.
+Jets jets_at(const Flank& a, const Flank& b, std::span<const SeamPlace> places) {
+  constexpr double kWay = 1e-3;
+  Jets here{a.jets(places), b.jets(places)};
+  std::vector<std::size_t> singular;
+  std::vector<SeamPlace> beside;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (here.a[i].is_regular && here.b[i].is_regular) continue;
+    const double way = kWay * std::min(a.room(places[i]), b.room(places[i]));
+    singular.push_back(i);
+    beside.push_back({places[i].share + (places[i].side == Side::right ? way : -way), places[i].side});
+  }
+  const Jets there{a.jets(beside), b.jets(beside)};
+  for (std::size_t i = 0; i < singular.size(); ++i) {
+    if (!there.a[i].is_regular || !there.b[i].is_regular) continue;
+    take_normal(there.a[i], here.a[singular[i]]);
+    take_normal(there.b[i], here.b[singular[i]]);
+  }
+  return here;
 }
 
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
@@ -202,26 +88,9 @@ void raise(double& largest, double value) {
   if (value > largest) largest = value;
 }
 
-/// Both patches at a place. Where a normal is the limit of many, as at the end of a meridian, both are those a
-/// little way on along the seam, if there are such: the limit along it, nearly.
-std::pair<Jet, Jet> jets(const Flank& a, const Flank& b, const Place& place) {
-  constexpr double kWay = 1e-3;
-  std::pair<Jet, Jet> here{a.at(place), b.at(place)};
-  if (here.first.is_regular && here.second.is_regular) return here;
-  const double way = kWay * std::min(a.room(place), b.room(place));
-  const double next = place.side == Side::right ? place.share + way : place.share - way;
-  const std::pair<Jet, Jet> there{a.at({next, place.side}), b.at({next, place.side})};
-  if (!there.first.is_regular || !there.second.is_regular) return here;
-  here.first.normal = there.first.normal;
-  here.second.normal = there.second.normal;
-  here.first.curvature = there.first.curvature;
-  here.second.curvature = there.second.curvature;
-  return here;
-}
-
 /// What the classes are decided by.
 struct Extremes {
-  double fastest = 0.0;  ///< along the seam
+  double pace = 0.0;  ///< along the seam
   std::array<double, 2> derivatives{};
   std::array<double, 2> differences{};
   double curvature = 0.0;
@@ -229,7 +98,7 @@ struct Extremes {
   int normals = 0;  ///< places with an angle
 };
 
-void add(const Jet& a, const Jet& b, SeamContinuity& found, Extremes& extremes) {
+void add(const SeamJet& a, const SeamJet& b, SeamContinuity& found, Extremes& extremes) {
   const double gap = glm::length(b.point - a.point);
   const double angle = angle_between(a.normal, b.normal);
   const double bend = std::abs(b.curvature - a.curvature);
@@ -242,8 +111,8 @@ void add(const Jet& a, const Jet& b, SeamContinuity& found, Extremes& extremes) 
   raise(found.curvature_difference, bend);
   if (!std::isnan(gap)) ++extremes.places;
   if (!std::isnan(angle)) ++extremes.normals;
-  for (const Jet* jet : {&a, &b}) {
-    raise(extremes.fastest, glm::length(jet->along));
+  for (const SeamJet* jet : {&a, &b}) {
+    raise(extremes.pace, glm::length(jet->along));
     raise(extremes.derivatives[0], glm::length(jet->across));
     raise(extremes.derivatives[1], glm::length(jet->second_across));
     raise(extremes.curvature, std::abs(jet->curvature));
@@ -283,6 +152,17 @@ void require_side(const NurbsPatch& patch, Border side, const char* which) {
   }
 }
 
+void bring_back(SeamContinuity& found, const Placement& placement) {
+  const auto in_units = [&](double value, int dimension) { return given_size(value, dimension, placement); };
+  found.gap = in_units(found.gap, 1);
+  found.curvature_difference = in_units(found.curvature_difference, -1);
+  for (double& gap : found.gaps) gap = in_units(gap, 1);
+  for (double& bend : found.curvature_differences) bend = in_units(bend, -1);
+  for (glm::dvec3& point : found.points) {
+    for (int axis = 0; axis < 3; ++axis) point[axis] = in_units(point[axis], 1) + placement.origin[axis];
+  }
+}
+
 }  // namespace
 
 SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
@@ -297,27 +177,20 @@ SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPa
   const NurbsPatch second = placed(b, placement);
   SeamContinuity found;
   found.reversed = run_against(first, side_a, second, side_b);
-  const Flank on_a(first, side_a, true, false);
-  const Flank on_b(second, side_b, false, found.reversed);
+  const Flank on_a(first, side_a, Flank::Role::first, false);
+  const Flank on_b(second, side_b, Flank::Role::second, found.reversed);
+  const std::vector<SeamPlace> chosen = places ? given_places(*places) : dense_places(on_a, on_b);
+  const Jets jets = jets_at(on_a, on_b, chosen);
   Extremes extremes;
-  for (const Place& place : places ? given_places(*places) : dense_places(on_a, on_b)) {
-    found.parameters.push_back(place.share);
-    const auto [first_jet, second_jet] = jets(on_a, on_b, place);
-    add(first_jet, second_jet, found, extremes);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    found.parameters.push_back(chosen[i].share);
+    add(jets.a[i], jets.b[i], found, extremes);
   }
-  std::array<double, 3> rounding = on_a.rounding(extremes.fastest);
-  const std::array<double, 3> of_b = on_b.rounding(extremes.fastest);
+  std::array<double, 3> rounding = on_a.rounding(extremes.pace);
+  const std::array<double, 3> of_b = on_b.rounding(extremes.pace);
   for (int k = 0; k < 3; ++k) rounding[k] = std::max(rounding[k], of_b[k]);
-  const double size = std::max(extent(first.points()), extent(second.points()));
-  classify(found, extremes, rounding, size, tolerance);
-  const auto in_units = [&](double value, int dimension) { return given_size(value, dimension, placement); };
-  found.gap = in_units(found.gap, 1);
-  found.curvature_difference = in_units(found.curvature_difference, -1);
-  for (double& gap : found.gaps) gap = in_units(gap, 1);
-  for (double& bend : found.curvature_differences) bend = in_units(bend, -1);
-  for (glm::dvec3& point : found.points) {
-    for (int axis = 0; axis < 3; ++axis) point[axis] = in_units(point[axis], 1) + placement.origin[axis];
-  }
+  classify(found, extremes, rounding, std::max(extent(first.points()), extent(second.points())), tolerance);
+  bring_back(found, placement);
   return found;
 }
 
