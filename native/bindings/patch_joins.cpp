@@ -195,17 +195,17 @@ void bind_join(py::module_& module) {
   py::module_ build = module.attr("build");
   build.def("join_patches", &join_patches, py::arg("first"), py::arg("first_side"), py::arg("second"),
             py::arg("second_side"), py::arg("continuity") = "G1", py::arg("moves") = "second",
-            "The JoinedPatches of two patches of any kinds, brought together along a side of each: 'u_start', 'u_end',\n"
-            "'v_start' or 'v_end'. Lecture row S21.\n\n"
+            "The JoinedPatches of two patches of any kinds, brought together along a side of each: 'u_start',\n"
+            "'u_end', 'v_start' or 'v_end'. Lecture row S21.\n\n"
             "continuity: 'C0' for a common edge, 'G1' for common tangent planes, 'C1' for equal first derivatives\n"
             "across, 'G2' for common curvatures, 'C2' for equal first two; c1 and g1 are taken, too. moves: which\n"
             "patch gives way, 'second', 'first' or 'both'.\n\n"
             "Domains and directions of parameters stay. Both get, exactly, one degree and the same knots along the\n"
             "edge, and are clamped; periodic along it where both are. The rows of points beside the edge move by the\n"
-            "least that the condition asks for, with constant ratios (Farin 2002, 15.5 and 16.8; Faux and Pratt 1979):\n"
-            "a patch that moves is raised in degree across until its opposite side stays where it was. Weights that\n"
-            "are positive stay so. InvalidShape if a side is one point, lies at infinity or is the seam of a periodic\n"
-            "axis, or if a patch leaves the edge in no direction.");
+            "least that the condition asks for, with ratios constant along it (Farin 2002 and Faux and Pratt\n"
+            "1979 on composite surfaces): a patch that moves is raised in degree across until its opposite side stays where it was.\n"
+            "Weights that are positive stay so. InvalidShape if a side is one point, lies at infinity or is the seam\n"
+            "of a periodic axis, or if a patch leaves the edge in no direction.");
 }
 
 }  // namespace

@@ -146,7 +146,8 @@ TEST(PatchJoin, RefusesWhatIsNoEdge) {
   EXPECT_THROW(join(flat, Border::u_end, PatchSmoothness::g1), InvalidShape);
   EXPECT_NO_THROW(join(flat, Border::u_end, PatchSmoothness::c1));
   Random random(503);
-  const NurbsPatch ring = random_patch(random, {2, 4, Ends::periodic, Weights::one}, {2, 2, Ends::clamped, Weights::one});
+  const Kind closed{2, 4, Ends::periodic, Weights::one};
+  const NurbsPatch ring = random_patch(random, closed, {2, 2, Ends::clamped, Weights::one});
   EXPECT_THROW(join(ring, Border::u_start, PatchSmoothness::c0), InvalidShape);
   EXPECT_NO_THROW(join(ring, Border::v_start, PatchSmoothness::c0));
 }

@@ -113,7 +113,8 @@ def test_two_octants_share_a_meridian_up_to_their_pole():
 
 
 def test_a_hemisphere_on_its_cylinder_has_one_tangent_plane():
-    dome = sc.build.sphere((0, 0, 0), 2).clamped("u").split("v", float(np.mean(sc.build.sphere((0, 0, 0), 2).domain[1])))[1]
+    ball = sc.build.sphere((0, 0, 0), 2)
+    dome = ball.split("v", float(np.mean(ball.domain[1])))[1]
     below = sc.build.cylinder((0, 0, -3), (0, 0, 1), 2, 3)
     found = measure(below, "v_end", dome, "v_start")
     assert found.g == 1 and found.angle <= 1e-14 and abs(found.curvature_difference - 0.5) <= 1e-13

@@ -163,5 +163,6 @@ def join_patches(
 ) -> JoinedPatches:
     """Two patches brought together along a side of each: the rows of points beside it move by the least.
 
-    InvalidShape if a side is one point, lies at infinity or is the seam of a periodic axis. Farin 2002, 15.5.
+    InvalidShape if a side is one point, lies at infinity or is the seam of a periodic axis. Farin 2002, on composite
+    surfaces.
     """

@@ -56,7 +56,8 @@ double slack_of(Interval domain) {
 }
 
 InvalidShape not_apart() {
-  return InvalidShape("knots of one patch lie so near to one another along the edge that the other cannot tell them apart");
+  return InvalidShape("knots of one patch lie so near to one another along the edge that the other cannot tell them "
+                      "apart");
 }
 
 /// The knots that the patch on `domain` lacks of those of `others`.
@@ -68,7 +69,8 @@ std::vector<double> missing_knots(const std::vector<SharedKnot>& own, const std:
     while (next != own.end() && next->share < other.share - slack) ++next;
     const bool is_own = next != own.end() && next->share <= other.share + slack;
     const double knot = is_own ? next->knot : knot_at(other.share, domain, is_reversed);
-    const bool is_apart = knot > domain.start && knot < domain.end && !std::ranges::count(own, knot, &SharedKnot::knot) &&
+    const bool is_inside = knot > domain.start && knot < domain.end;
+    const bool is_apart = is_inside && !std::ranges::count(own, knot, &SharedKnot::knot) &&
                           !std::ranges::count(missing, knot);
     if (!is_own && !is_apart) throw not_apart();
     missing.insert(missing.end(), std::max(0, other.copies - (is_own ? next->copies : 0)), knot);

@@ -26,7 +26,7 @@ struct PatchJoin {
 bool run_against(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b);
 
 /// Two patches with their sides brought together and the rows of points beside them moved so that one goes on
-/// smoothly as the other (S21; Farin 2002, 15.5 and 16.8; Faux and Pratt 1979, 7.2; The NURBS Book, 8.4).
+/// smoothly as the other (S21; Farin 2002 and Faux and Pratt 1979 on composite surfaces).
 ///
 /// Both keep their domains and the directions of their parameters. First both get, exactly, one degree and the
 /// same knots along the edge, scaled to each domain; they are clamped, but stay periodic along it where both are.
@@ -38,7 +38,8 @@ bool run_against(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border
 ///   g1: B_t = k A_t + g A                g2: and B_tt = k^2 A_tt + d A_t + e A
 /// c1 and c2 in the parameters that the patches have. k and d are those by which the points move least (least
 /// squares); a k that would fold b back, or shorten its derivatives to a tenth, gives way to that of their length.
-/// g and e (0 unless rational) move the weights least, while these stay positive where they are.
+/// g and e (0 unless rational) move the weights least, while these stay positive where they are. Where the first
+/// moves, a and b change places.
 ///
 /// Where both move, their points do so by the least sum of squares that gives these conditions, k being that of
 /// both patches' legs (total least squares); between rational ones the first keeps its weights but for the edge,
