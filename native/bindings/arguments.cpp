@@ -7,6 +7,7 @@
 namespace bindings {
 
 using splinecore::Axis;
+using splinecore::Border;
 using splinecore::InvalidShape;
 
 std::optional<double> tolerance_of(const py::object& value) {
@@ -45,6 +46,15 @@ Axis axis_of(const py::object& value) {
     if (text == "v") return Axis::v;
   }
   throw InvalidShape("axis = " + std::string(py::repr(value)) + " is neither 'u' nor 'v'");
+}
+
+Border border_of(const py::object& value, const char* name) {
+  const std::pair<const char*, Border> known[] = {{"u_start", Border::u_start}, {"u_end", Border::u_end},
+                                                  {"v_start", Border::v_start}, {"v_end", Border::v_end}};
+  for (const auto& [text, border] : known) {
+    if (py::isinstance<py::str>(value) && value.cast<std::string>() == text) return border;
+  }
+  throw InvalidShape(std::string(name) + " = " + std::string(py::repr(value)) + " is not 'u_start', 'u_end', 'v_start' or 'v_end'");
 }
 
 }  // namespace bindings

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "splinecore/base/interval.hpp"
-#include "splinecore/patch/nurbs_patch.hpp"
+#include "splinecore/patch/isocurve.hpp"
 
 // Arguments that verbs of several kinds take.
 namespace bindings {
@@ -24,5 +24,8 @@ glm::dmat4 matrix_of(const py::object& value);
 
 /// 'u' or 'v'
 splinecore::Axis axis_of(const py::object& value);
+
+/// 'u_start', 'u_end', 'v_start' or 'v_end'
+splinecore::Border border_of(const py::object& value, const char* name);
 
 }  // namespace bindings

@@ -31,6 +31,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_patch_set(module);
   bindings::bind_measure(module);
   bindings::bind_primitives(module);
+  bindings::bind_patch_joins(module);
   bindings::bind_formula(module);
   bindings::bind_from_formulas(module);
   bindings::bind_exchange(module);

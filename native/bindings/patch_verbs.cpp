@@ -14,21 +14,10 @@ namespace bindings {
 
 using splinecore::Axis;
 using splinecore::BezierPatch;
-using splinecore::Border;
 using splinecore::HermitePatch;
-using splinecore::InvalidShape;
 using splinecore::NurbsPatch;
 
 namespace {
-
-Border border_of(const py::object& value) {
-  const std::pair<const char*, Border> known[] = {{"u_start", Border::u_start}, {"u_end", Border::u_end},
-                                                  {"v_start", Border::v_start}, {"v_end", Border::v_end}};
-  for (const auto& [name, border] : known) {
-    if (py::isinstance<py::str>(value) && value.cast<std::string>() == name) return border;
-  }
-  throw InvalidShape("side = " + std::string(py::repr(value)) + " is not 'u_start', 'u_end', 'v_start' or 'v_end'");
-}
 
 /// The argument named `name`, a parameter of an axis.
 double parameter_of(const py::object& value, const char* name, const NurbsPatch& patch, Axis axis) {
@@ -57,7 +46,7 @@ void bind_curves_of(py::class_<Patch>& cls) {
           "patch's value from there on. InvalidShape if at is outside the domain or the curve lies at infinity\n"
           "altogether. The NURBS Book, 3.4; rows S18, S20.");
   cls.def("boundary", [](const Patch& self, const py::object& side) {
-            return splinecore::boundary(carrier(self), border_of(side));
+            return splinecore::boundary(carrier(self), border_of(side, "side"));
           }, py::arg("side"),
           "The curve of a side, 'u_start', 'u_end', 'v_start' or 'v_end', as of isocurve(); of a periodic axis its\n"
           "seam. InvalidShape if the side lies at infinity altogether. Rows S20, S21.");

@@ -20,16 +20,19 @@ from ._splinecore import (
     HermiteCurve,
     HermitePatch,
     InvalidShape,
+    JoinedPatches,
     NurbsCurve,
     NurbsPatch,
     PatchSet,
     PointAtInfinity,
     PowerCurve,
+    SeamContinuity,
     Tessellation,
     ToleranceNotReached,
     __version__,
     dumps,
     loads,
+    seam_continuity,
 )
 from . import basis, build, conics
 
@@ -45,11 +48,13 @@ __all__ = [
     "HermiteCurve",
     "HermitePatch",
     "InvalidShape",
+    "JoinedPatches",
     "NurbsCurve",
     "NurbsPatch",
     "PatchSet",
     "PointAtInfinity",
     "PowerCurve",
+    "SeamContinuity",
     "Tessellation",
     "ToleranceNotReached",
     "basis",
@@ -57,6 +62,7 @@ __all__ = [
     "conics",
     "dumps",
     "loads",
+    "seam_continuity",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.

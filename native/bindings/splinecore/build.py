@@ -1,4 +1,4 @@
-"""Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20)."""
+"""Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20, S21)."""
 
 from ._splinecore import build as _build
 
@@ -11,6 +11,7 @@ cylinder = _build.cylinder
 disc = _build.disc
 extrude = _build.extrude
 join_beziers = _build.join_beziers
+join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
 osculating_polynomial = _build.osculating_polynomial
@@ -33,6 +34,7 @@ __all__ = [
     "disc",
     "extrude",
     "join_beziers",
+    "join_patches",
     "kochanek_bartels",
     "lagrange_evaluate",
     "osculating_polynomial",

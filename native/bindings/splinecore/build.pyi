@@ -1,4 +1,4 @@
-"""Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20)."""
+"""Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20, S21)."""
 
 from collections.abc import Mapping, Sequence
 from typing import Literal
@@ -6,7 +6,18 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import Approximation, BezierCurve, Formula, HermiteCurve, NurbsCurve, NurbsPatch, PowerCurve
+from . import (
+    Approximation,
+    BezierCurve,
+    BezierPatch,
+    Formula,
+    HermiteCurve,
+    HermitePatch,
+    JoinedPatches,
+    NurbsCurve,
+    NurbsPatch,
+    PowerCurve,
+)
 
 __all__ = [
     "c2_pair",
@@ -18,6 +29,7 @@ __all__ = [
     "disc",
     "extrude",
     "join_beziers",
+    "join_patches",
     "kochanek_bartels",
     "lagrange_evaluate",
     "osculating_polynomial",
@@ -34,6 +46,9 @@ __all__ = [
 _Parametrisation = Literal["uniform", "centripetal", "chordal"] | ArrayLike
 _Ends = Literal["parabola", "chord", "natural"]
 _Curve = NurbsCurve | BezierCurve | HermiteCurve | PowerCurve
+_Patch = NurbsPatch | BezierPatch | HermitePatch
+_Border = Literal["u_start", "u_end", "v_start", "v_end"]
+_PatchSmoothness = Literal["C0", "G1", "C1", "G2", "C2"]
 
 def polynomial_through(points: ArrayLike, parameters: ArrayLike | None = None) -> NurbsCurve: ...
 def osculating_polynomial(data: Sequence[ArrayLike], parameters: ArrayLike) -> NurbsCurve: ...
@@ -138,3 +153,16 @@ def revolve(
 ) -> NurbsPatch: ...
 def extrude(curve: _Curve, vector: ArrayLike) -> NurbsPatch: ...
 def ruled(a: _Curve, b: _Curve) -> NurbsPatch: ...
+def join_patches(
+    first: _Patch,
+    first_side: _Border,
+    second: _Patch,
+    second_side: _Border,
+    continuity: _PatchSmoothness = "G1",
+    moves: Literal["second", "first", "both"] = "second",
+) -> JoinedPatches:
+    """Two patches brought together along a side of each: the rows of points beside it move by the least.
+
+    InvalidShape if a side is one point, lies at infinity or is the seam of a periodic axis. Farin 2002, on composite
+    surfaces.
+    """

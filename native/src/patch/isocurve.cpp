@@ -46,10 +46,10 @@ BezierCurve isocurve(const BezierPatch& patch, Axis axis, double at) {
 }
 
 NurbsCurve boundary(const NurbsPatch& patch, Border border) {
-  const Axis axis = border == Border::u_start || border == Border::u_end ? Axis::u : Axis::v;
+  const Axis axis = axis_of(border);
   const Interval domain = patch.knot_vector(axis).domain();
-  const bool is_start = border == Border::u_start || border == Border::v_start;
-  return is_start ? isocurve(patch, axis, domain.start, Side::right) : isocurve(patch, axis, domain.end, Side::left);
+  return is_at_end(border) ? isocurve(patch, axis, domain.end, Side::left)
+                           : isocurve(patch, axis, domain.start, Side::right);
 }
 
 BezierCurve boundary(const BezierPatch& patch, Border border) { return as_bezier(boundary(patch.nurbs(), border)); }

@@ -19,6 +19,14 @@ BezierCurve isocurve(const BezierPatch& patch, Axis axis, double at);
 /// The sides of a patch, in the order of Panel.
 enum class Border { u_start, u_end, v_start, v_end };
 
+/// The direction whose parameter is constant along a side.
+inline Axis axis_of(Border border) noexcept {
+  return border == Border::u_start || border == Border::u_end ? Axis::u : Axis::v;
+}
+
+/// Whether a side is where its parameter ends.
+inline bool is_at_end(Border border) noexcept { return border == Border::u_end || border == Border::v_end; }
+
 /// The curve of a side; of a periodic direction that of its seam.
 /// @throws InvalidShape if the side lies at infinity altogether.
 NurbsCurve boundary(const NurbsPatch& patch, Border border);

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cctype>
+
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "splinecore/measure/seam.hpp"
+#include "splinecore/patch/join.hpp"
+#include "splinecore/patch/patch_set.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::AnyPatch;
+using splinecore::Axis;
+using splinecore::BezierPatch;
+using splinecore::Border;
+using splinecore::HermitePatch;
+using splinecore::InvalidShape;
+using splinecore::JoinMoves;
+using splinecore::NurbsPatch;
+using splinecore::PatchSmoothness;
+using splinecore::SeamContinuity;
+
+namespace {
+
+/// splinecore::PatchJoin with patches of any kind.
+struct JoinedPatches {
+  py::object first;
+  py::object second;
+  double first_error;
+  double second_error;
+  bool reversed;
+};
+
+AnyPatch patch_of(const py::object& value, const char* name) {
+  std::optional<AnyPatch> patch;
+  if (unwrap(value, patch)) return *patch;
+  throw py::type_error(std::string(name) + " must be a patch, not " + type_name(value));
+}
+
+PatchSmoothness smoothness_of(const py::object& value) {
+  const std::pair<const char*, PatchSmoothness> known[] = {{"C0", PatchSmoothness::c0}, {"C1", PatchSmoothness::c1},
+                                                           {"G1", PatchSmoothness::g1}, {"C2", PatchSmoothness::c2},
+                                                           {"G2", PatchSmoothness::g2}};
+  if (py::isinstance<py::str>(value)) {
+    std::string word = value.cast<std::string>();
+    if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+    for (const auto& [name, smoothness] : known) {
+      if (word == name) return smoothness;
+    }
+  }
+  throw InvalidShape("continuity = " + std::string(py::repr(value)) + " is not 'C0', 'C1', 'G1', 'C2' or 'G2'");
+}
+
+JoinMoves moves_of(const py::object& value) {
+  const std::pair<const char*, JoinMoves> known[] = {
+      {"second", JoinMoves::second}, {"first", JoinMoves::first}, {"both", JoinMoves::both}};
+  for (const auto& [name, moves] : known) {
+    if (py::isinstance<py::str>(value) && value.cast<std::string>() == name) return moves;
+  }
+  throw InvalidShape("moves = " + std::string(py::repr(value)) + " is not 'second', 'first' or 'both'");
+}
+
+py::object as_bezier(const NurbsPatch& patch) {
+  return py::cast(BezierPatch::make(patch.count(Axis::u), patch.count(Axis::v),
+                                    {patch.points().begin(), patch.points().end()}));
+}
+
+JoinedPatches join_patches(const py::object& first, const py::object& first_side, const py::object& second,
+                           const py::object& second_side, const py::object& continuity, const py::object& moves) {
+  const AnyPatch a = patch_of(first, "first");
+  const Border on_a = border_of(first_side, "first_side");
+  const AnyPatch b = patch_of(second, "second");
+  const Border on_b = border_of(second_side, "second_side");
+  const PatchSmoothness smoothness = smoothness_of(continuity);
+  const JoinMoves moved = moves_of(moves);
+  const auto join = unlocked([&] {
+    return splinecore::joined_patches(nurbs_of(a), on_a, nurbs_of(b), on_b, smoothness, moved);
+  });
+  // One span on [0, 1] in both directions is what two Bezier patches stay.
+  const bool are_bezier = std::holds_alternative<BezierPatch>(a) && std::holds_alternative<BezierPatch>(b);
+  return {are_bezier ? as_bezier(join.first) : py::cast(join.first),
+          are_bezier ? as_bezier(join.second) : py::cast(join.second), join.first_error, join.second_error,
+          join.reversed};
+}
+
+SeamContinuity seam_continuity(const AnyPatch& a, const py::object& first_side, const py::object& second,
+                               const char* second_name, const char* first_side_name, const py::object& second_side,
+                               const char* second_side_name, const py::object& tolerance,
+                               const py::object& parameters) {
+  const Border on_a = border_of(first_side, first_side_name);
+  const AnyPatch b = patch_of(second, second_name);
+  const Border on_b = border_of(second_side, second_side_name);
+  const double most = real(tolerance, "tolerance");
+  std::optional<std::vector<double>> given;
+  if (!parameters.is_none()) given = numbers(parameters, "parameters");
+  return unlocked([&] {
+    std::optional<std::span<const double>> places;
+    if (given) places = *given;
+    return splinecore::seam_continuity(nurbs_of(a), on_a, nurbs_of(b), on_b, most, places);
+  });
+}
+
+void bind_seam(py::module_& module) {
+  py::class_<SeamContinuity> cls(
+      module, "SeamContinuity", py::module_local(),
+      "How smoothly one patch goes on as another across a side of each (lecture rows S16, S21).\n\n"
+      "gap is a length, angle in [0, pi] lies between the tangent planes (0 where the second goes on, pi where it\n"
+      "folds back), curvature_difference is that of the normal curvatures at right angles to the seam, in 1 / length.\n"
+      "first_difference and second_difference are those of the derivatives across, relative to the largest of them.\n"
+      "All are the largest along the seam. c is -1 for a gap, else the derivatives across that agree, 2 at most; g is\n"
+      "-1, 0, 1 for tangent planes or 2 for curvatures. reversed: the second runs against the first.\n\n"
+      "At n places along the first's side: parameters (n,) in [0, 1], which never fall and occur twice at knots,\n"
+      "points (n, 3), gaps, angles and curvature_differences (n,); nan where there is nothing to measure, as at\n"
+      "infinity or at the tip of a cone. Read-only float64.");
+  seal(cls);
+  cls.def_readonly("gap", &SeamContinuity::gap);
+  cls.def_readonly("angle", &SeamContinuity::angle);
+  cls.def_readonly("curvature_difference", &SeamContinuity::curvature_difference);
+  cls.def_readonly("first_difference", &SeamContinuity::first_difference);
+  cls.def_readonly("second_difference", &SeamContinuity::second_difference);
+  cls.def_readonly("c", &SeamContinuity::c);
+  cls.def_readonly("g", &SeamContinuity::g);
+  cls.def_readonly("reversed", &SeamContinuity::reversed);
+  const auto add_numbers = [&cls](const char* name, std::vector<double> SeamContinuity::*member) {
+    cls.def_property_readonly(name, [member](const py::object& self) {
+      return view_of_numbers(std::span<const double>(py::cast<const SeamContinuity&>(self).*member), self);
+    }, "(n,) float64, read-only.");
+  };
+  add_numbers("parameters", &SeamContinuity::parameters);
+  add_numbers("gaps", &SeamContinuity::gaps);
+  add_numbers("angles", &SeamContinuity::angles);
+  add_numbers("curvature_differences", &SeamContinuity::curvature_differences);
+  cls.def_property_readonly("points", [](const py::object& self) {
+    const auto& points = py::cast<const SeamContinuity&>(self).points;
+    return view_of_vectors(points, {static_cast<py::ssize_t>(points.size())}, self);
+  }, "(n, 3) float64, read-only.");
+  cls.def("__repr__", [](const SeamContinuity& self) {
+    const auto text = [](double value) { return splinecore::text_of(value); };
+    return "SeamContinuity(gap=" + text(self.gap) + ", angle=" + text(self.angle) + ", curvature_difference=" +
+           text(self.curvature_difference) + ", c=" + std::to_string(self.c) + ", g=" + std::to_string(self.g) + ")";
+  });
+}
+
+void bind_seam_function(py::module_& module) {
+  module.def("seam_continuity", [](const py::object& first, const py::object& first_side, const py::object& second,
+                                   const py::object& second_side, const py::object& tolerance,
+                                   const py::object& parameters) {
+               return seam_continuity(patch_of(first, "first"), first_side, second, "second", "first_side",
+                                      second_side, "second_side", tolerance, parameters);
+             }, py::arg("first"), py::arg("first_side"), py::arg("second"), py::arg("second_side"), py::kw_only(),
+             py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("parameters") = py::none(),
+             "The SeamContinuity of two patches of any kinds across a side of each: 'u_start', 'u_end', 'v_start' or\n"
+             "'v_end'.\n\n"
+             "Places of both are those equally far along the parameters of their sides, in the direction in which the\n"
+             "ends lie nearer: close in every span, both sides of each knot, or parameters (n,) in [0, 1]. Below the\n"
+             "relative tolerance a difference of derivatives is called none, below its root one of angles or\n"
+             "curvatures; a gap is none if rounding makes it. Where tangent planes are common, one curvature decides\n"
+             "(Pegna and Wolter 1992). InvalidShape if a side lies at infinity or is the seam of a periodic axis.\n"
+             "Rows S16, S21.");
+}
+
+template <class Patch>
+void bind_continuity_to(const py::module_& module, const char* name) {
+  auto cls = py::reinterpret_borrow<py::class_<Patch>>(module.attr(name));
+  cls.def("continuity_to", [](const Patch& self, const py::object& side, const py::object& other,
+                              const py::object& other_side, const py::object& tolerance) {
+            return seam_continuity(AnyPatch(self), side, other, "other", "side", other_side, "other_side", tolerance,
+                                   py::none());
+          }, py::arg("side"), py::arg("other"), py::arg("other_side"),
+          py::arg("tolerance") = splinecore::kContinuityTolerance,
+          "The SeamContinuity between a side of this patch and one of another, of any kind: seam_continuity().\n"
+          "Rows S16, S21.");
+}
+
+void bind_join(py::module_& module) {
+  py::class_<JoinedPatches> cls(
+      module, "JoinedPatches", py::module_local(),
+      "Two patches that meet in a side of each: points and weights along it are equal.\n\n"
+      "first and second are BezierPatches if both were, otherwise NurbsPatches. first_error and second_error are how\n"
+      "far they moved, lengths as of largest_distance(), 0 for one that stays. reversed: the second runs against the\n"
+      "first along the side.");
+  seal(cls);
+  cls.def_readonly("first", &JoinedPatches::first);
+  cls.def_readonly("second", &JoinedPatches::second);
+  cls.def_readonly("first_error", &JoinedPatches::first_error);
+  cls.def_readonly("second_error", &JoinedPatches::second_error);
+  cls.def_readonly("reversed", &JoinedPatches::reversed);
+  cls.def("__repr__", [](const JoinedPatches& self) {
+    return "JoinedPatches(first=" + std::string(py::repr(self.first)) + ", second=" +
+           std::string(py::repr(self.second)) + ", first_error=" + splinecore::text_of(self.first_error) +
+           ", second_error=" + splinecore::text_of(self.second_error) + ")";
+  });
+  py::module_ build = module.attr("build");
+  build.def("join_patches", &join_patches, py::arg("first"), py::arg("first_side"), py::arg("second"),
+            py::arg("second_side"), py::arg("continuity") = "G1", py::arg("moves") = "second",
+            "The JoinedPatches of two patches of any kinds, brought together along a side of each: 'u_start',\n"
+            "'u_end', 'v_start' or 'v_end'. Lecture row S21.\n\n"
+            "continuity: 'C0' for a common edge, 'G1' for common tangent planes, 'C1' for equal first derivatives\n"
+            "across, 'G2' for common curvatures, 'C2' for equal first two; c1 and g1 are taken, too. moves: which\n"
+            "patch gives way, 'second', 'first' or 'both'.\n\n"
+            "Domains and directions of parameters stay. Both get, exactly, one degree and the same knots along the\n"
+            "edge, and are clamped; periodic along it where both are. The rows of points beside the edge move by the\n"
+            "least that the condition asks for, with ratios constant along it (Farin 2002 and Faux and Pratt\n"
+            "1979 on composite surfaces): a patch that moves is raised in degree across until its opposite side stays where it was.\n"
+            "Weights that are positive stay so. InvalidShape if a side is one point, lies at infinity or is the seam\n"
+            "of a periodic axis, or if a patch leaves the edge in no direction.");
+}
+
+}  // namespace
+
+void bind_patch_joins(py::module_& module) {
+  bind_seam(module);
+  bind_seam_function(module);
+  bind_continuity_to<NurbsPatch>(module, "NurbsPatch");
+  bind_continuity_to<BezierPatch>(module, "BezierPatch");
+  bind_continuity_to<HermitePatch>(module, "HermitePatch");
+  bind_join(module);
+}
+
+}  // namespace bindings

@@ -1,0 +1,133 @@
+#include "flank.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "splinecore/base/points.hpp"
+#include "splinecore/base/quotient.hpp"
+#include "splinecore/basis/samples.hpp"
+#include "splinecore/measure/patch_curvature.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// The normal curvature in the tangent plane, at right angles to a direction in it.
+double curvature_beside(const SurfaceCurvature& found, const glm::dvec3& direction, const glm::dvec3& normal) {
+  const glm::dvec3 way = glm::normalize(glm::cross(normal, direction));
+  const double x = glm::dot(way, found.directions[0]);
+  const double y = glm::dot(way, found.directions[1]);
+  return found.principal[0] * x * x + found.principal[1] * y * y;
+}
+
+}  // namespace
+
+Flank::Flank(NurbsPatch patch, Border side, Role role, bool is_reversed)
+    : patch_(std::move(patch)), side_(side), way_(is_at_end(side) == (role == Role::first) ? 1.0 : -1.0),
+      turn_(is_reversed ? -1.0 : 1.0) {
+  constexpr double kRounding = 1e-12;
+  const double size = extent(patch_.points());
+  negligible_ = kRounding * (size / along().domain().length()) * (size / across().domain().length());
+}
+
+double Flank::share_of(double knot) const {
+  const Interval domain = along().domain();
+  return (turn_ < 0.0 ? domain.end - knot : knot - domain.start) / domain.length();
+}
+
+std::vector<double> Flank::inner_knots() const {
+  std::vector<double> shares;
+  for (int i = 1; i < static_cast<int>(along().spans().size()); ++i) {
+    shares.push_back(share_of(along().span_interval(i).start));
+  }
+  return shares;
+}
+
+double Flank::parameter_at(double share) const {
+  const Interval domain = along().domain();
+  // A knot is met exactly, or the other side of it would be looked at.
+  for (int i = 0; i < static_cast<int>(along().spans().size()); ++i) {
+    const double knot = along().span_interval(i).start;
+    if (std::abs(share_of(knot) - share) <= kSameShare) return knot;
+  }
+  const double from_start = turn_ < 0.0 ? 1.0 - share : share;
+  return from_start < 1.0 ? std::min(domain.start + from_start * domain.length(), domain.end) : domain.end;
+}
+
+double Flank::room(const SeamPlace& place) const {
+  std::vector<double> ends = inner_knots();
+  ends.insert(ends.end(), {0.0, 1.0});
+  double room = 1.0;
+  for (const double end : ends) {
+    const double way = place.side == Side::right ? end - place.share : place.share - end;
+    if (way > kSameShare) room = std::min(room, way);
+  }
+  return room;
+}
+
+std::vector<SeamJet> Flank::jets(std::span<const SeamPlace> places) const {
+  std::vector<SeamJet> found(places.size());
+  add(places, Side::right, found);
+  add(places, Side::left, found);
+  return found;
+}
+
+void Flank::add(std::span<const SeamPlace> places, Side side, std::span<SeamJet> jets) const {
+  const bool is_u = axis_of(side_) == Axis::u;
+  std::vector<double> there;
+  for (const SeamPlace& place : places) {
+    if (place.side == side) there.push_back(parameter_at(place.share));
+  }
+  const std::size_t count = there.size();
+  const std::vector<double> edges(count, edge());
+  const std::vector<double>& u = is_u ? edges : there;
+  const std::vector<double>& v = is_u ? there : edges;
+  const Side onward = (side == Side::right) == (turn_ < 0.0) ? Side::left : Side::right;
+  const PatchOptions options{is_u ? inward() : onward, is_u ? onward : inward(), AtInfinity::nan};
+  std::vector<std::array<glm::dvec3, 9>> values(count);
+  std::vector<glm::dvec3> points(count);
+  std::vector<glm::dvec3> normals(count);
+  std::vector<SurfaceCurvature> bends(count);
+  if (count == 0) return;
+  derivatives(patch_, u, v, 2, std::span(&values[0][0].x, 27 * count), options);
+  evaluate_with_normals(patch_, u, v, std::span(&points[0].x, 3 * count), std::span(&normals[0].x, 3 * count), options);
+  curvatures(patch_, u, v, bends, options);
+  const double sign = (is_u ? 1.0 : -1.0) * turn_ * way_;
+  for (std::size_t i = 0, next = 0; i < places.size(); ++i) {
+    if (places[i].side != side) continue;
+    const auto& at = values[next];
+    SeamJet& jet = jets[i];
+    jet = {at[0], turn_ * at[is_u ? 1 : 3], way_ * at[is_u ? 3 : 1], at[is_u ? 6 : 2], glm::dvec3(kNan), kNan, false};
+    jet.is_regular = glm::length(glm::cross(jet.across, jet.along)) > negligible_;
+    if (is_finite(jet.point) && normals[next] != glm::dvec3(0.0)) jet.normal = sign * normals[next];
+    if (glm::length(jet.along) > 0.0) jet.curvature = sign * curvature_beside(bends[next], jet.along, jet.normal);
+    ++next;
+  }
+}
+
+std::array<double, 3> Flank::rounding(double pace) const {
+  constexpr double kRounding = 0x1p-46;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const glm::dvec4& p : patch_.points()) {
+    if (p.w != 0.0) least = std::min(least, std::abs(p.w));
+    most = std::max(most, std::abs(p.w));
+  }
+  Stencil stencil(across(), 2);
+  stencil.move_to(edge(), inward());
+  const Interval domain = along().domain();
+  std::array<double, 3> found{kRounding * std::max(std::abs(domain.start), std::abs(domain.end)) * pace, 0.0, 0.0};
+  for (int k = 0; k < 3; ++k) {
+    double sum = 0.0;
+    for (const double weight : stencil.weights(k)) sum += std::abs(weight);
+    found[k] += kRounding * sum * std::max(1.0, largest_coordinate(patch_.points())) * most / least;
+  }
+  return found;
+}
+
+}  // namespace splinecore

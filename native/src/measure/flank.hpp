@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "splinecore/patch/evaluate.hpp"
+#include "splinecore/patch/isocurve.hpp"
+
+namespace splinecore {
+
+/// Within this part of the way two places along a seam are the same.
+inline constexpr double kSameShare = 1e-12;
+
+/// A place along a seam, by its part of the way; at a knot what comes after it (Side::right) or before.
+struct SeamPlace {
+  double share;
+  Side side;
+};
+
+/// What a patch is at a place of its side; NaN where it is at infinity.
+struct SeamJet {
+  glm::dvec3 point;
+  glm::dvec3 along;
+  glm::dvec3 across;
+  glm::dvec3 second_across;
+  glm::dvec3 normal;  ///< across times along; NaN where there is none
+  double curvature;   ///< at right angles to the seam, towards the normal
+  bool is_regular;    ///< across and along are not parallel
+};
+
+/// One of two patches, near the origin and of size one or so, as seen along its side.
+class Flank {
+ public:
+  enum class Role { first, second };
+
+  /// @param role  the way across leads out of the first patch and into the second
+  /// @param is_reversed  along the seam its parameter falls
+  Flank(NurbsPatch patch, Border side, Role role, bool is_reversed);
+
+  int degree_along() const { return along().degree(); }
+
+  /// The knots inside the side, by their parts of the way.
+  std::vector<double> inner_knots() const;
+
+  std::vector<SeamJet> jets(std::span<const SeamPlace> places) const;
+
+  /// How far it is from a place to the end of its span.
+  double room(const SeamPlace& place) const;
+
+  /// How far rounding may move a point and the first two derivatives across.
+  /// @param pace  the largest derivative along
+  std::array<double, 3> rounding(double pace) const;
+
+ private:
+  const KnotVector& along() const { return patch_.knot_vector(axis_of(side_) == Axis::u ? Axis::v : Axis::u); }
+  const KnotVector& across() const { return patch_.knot_vector(axis_of(side_)); }
+  double edge() const { return is_at_end(side_) ? across().domain().end : across().domain().start; }
+  Side inward() const { return is_at_end(side_) ? Side::left : Side::right; }
+  double share_of(double knot) const;
+  double parameter_at(double share) const;
+  void add(std::span<const SeamPlace> places, Side side, std::span<SeamJet> jets) const;
+
+  NurbsPatch patch_;
+  Border side_;
+  double way_;         ///< -1 where the parameter across falls on the way
+  double turn_;        ///< -1 where that along does
+  double negligible_;  ///< size below which the product of the first derivatives is rounding
+};
+
+}  // namespace splinecore

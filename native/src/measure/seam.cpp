@@ -1,0 +1,197 @@
+#include "splinecore/measure/seam.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
+
+#include "flank.hpp"
+#include "placement.hpp"
+#include "splinecore/base/quotient.hpp"
+#include "splinecore/patch/join.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Evenly spaced in each span of either, its ends from within it.
+std::vector<SeamPlace> dense_places(const Flank& a, const Flank& b) {
+  std::vector<double> knots{0.0, 1.0};
+  for (const Flank* flank : {&a, &b}) std::ranges::copy(flank->inner_knots(), std::back_inserter(knots));
+  std::ranges::sort(knots);
+  const int count = 2 * (a.degree_along() + b.degree_along()) + 3;
+  std::vector<SeamPlace> places;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double length = knots[i + 1] - knots[i];
+    if (length <= kSameShare) continue;
+    places.push_back({knots[i], Side::right});
+    for (int k = 1; k < count; ++k) places.push_back({knots[i] + length * k / count, Side::right});
+    places.push_back({knots[i + 1], Side::left});
+  }
+  return places;
+}
+
+std::vector<SeamPlace> given_places(std::span<const double> shares) {
+  std::vector<SeamPlace> places;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (!(shares[i] >= 0.0 && shares[i] <= 1.0)) {
+      throw InvalidShape("parameters" + index_text(i) + " = " + text_of(shares[i]) + " is outside [0, 1]");
+    }
+    places.push_back({shares[i], shares[i] < 1.0 ? Side::right : Side::left});
+  }
+  return places;
+}
+
+/// Both patches at the same places.
+struct Jets {
+  std::vector<SeamJet> a;
+  std::vector<SeamJet> b;
+};
+
+void take_normal(const SeamJet& from, SeamJet& to) {
+  to.normal = from.normal;
+  to.curvature = from.curvature;
+}
+
+/// Where a normal is the limit of many, as at the end of a meridian, both are those a little way on along the seam,
+/// if there are such: the limit along it, nearly.
+Jets jets_at(const Flank& a, const Flank& b, std::span<const SeamPlace> places) {
+  constexpr double kWay = 1e-3;
+  Jets here{a.jets(places), b.jets(places)};
+  std::vector<std::size_t> singular;
+  std::vector<SeamPlace> beside;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (here.a[i].is_regular && here.b[i].is_regular) continue;
+    const double way = kWay * std::min(a.room(places[i]), b.room(places[i]));
+    singular.push_back(i);
+    beside.push_back({places[i].share + (places[i].side == Side::right ? way : -way), places[i].side});
+  }
+  const Jets there{a.jets(beside), b.jets(beside)};
+  for (std::size_t i = 0; i < singular.size(); ++i) {
+    if (!there.a[i].is_regular || !there.b[i].is_regular) continue;
+    take_normal(there.a[i], here.a[singular[i]]);
+    take_normal(there.b[i], here.b[singular[i]]);
+  }
+  return here;
+}
+
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// The larger number; one that is none does not count.
+void raise(double& largest, double value) {
+  if (value > largest) largest = value;
+}
+
+/// What the classes are decided by.
+struct Extremes {
+  double pace = 0.0;  ///< along the seam
+  std::array<double, 2> derivatives{};
+  std::array<double, 2> differences{};
+  double curvature = 0.0;
+  int places = 0;
+  int normals = 0;  ///< places with an angle
+};
+
+void add(const SeamJet& a, const SeamJet& b, SeamContinuity& found, Extremes& extremes) {
+  const double gap = glm::length(b.point - a.point);
+  const double angle = angle_between(a.normal, b.normal);
+  const double bend = std::abs(b.curvature - a.curvature);
+  found.points.push_back(is_finite(a.point) ? a.point : glm::dvec3(kNan));
+  found.gaps.push_back(gap);
+  found.angles.push_back(angle);
+  found.curvature_differences.push_back(bend);
+  raise(found.gap, gap);
+  raise(found.angle, angle);
+  raise(found.curvature_difference, bend);
+  if (!std::isnan(gap)) ++extremes.places;
+  if (!std::isnan(angle)) ++extremes.normals;
+  for (const SeamJet* jet : {&a, &b}) {
+    raise(extremes.pace, glm::length(jet->along));
+    raise(extremes.derivatives[0], glm::length(jet->across));
+    raise(extremes.derivatives[1], glm::length(jet->second_across));
+    raise(extremes.curvature, std::abs(jet->curvature));
+  }
+  raise(extremes.differences[0], glm::length(b.across - a.across));
+  raise(extremes.differences[1], glm::length(b.second_across - a.second_across));
+}
+
+void classify(SeamContinuity& found, const Extremes& extremes, const std::array<double, 3>& rounding, double size,
+              double tolerance) {
+  const auto relative = [&](int k) {
+    return extremes.derivatives[k] > 0.0 ? extremes.differences[k] / extremes.derivatives[k] : 0.0;
+  };
+  found.first_difference = relative(0);
+  found.second_difference = relative(1);
+  if (extremes.places == 0 || found.gap > rounding[0]) return;
+  const auto agrees = [&](int k) {
+    return extremes.differences[k] <= std::max(tolerance * extremes.derivatives[k], rounding[k + 1]);
+  };
+  found.c = !agrees(0) ? 0 : !agrees(1) ? 1 : 2;
+  found.g = 0;
+  if (extremes.normals == 0 || found.angle > std::sqrt(tolerance)) return;
+  found.g = 1;
+  const double slack = std::max(std::sqrt(tolerance) * extremes.curvature, tolerance / size);
+  if (found.curvature_difference <= slack) found.g = 2;
+}
+
+void require_side(const NurbsPatch& patch, Border side, const char* which) {
+  const std::string name = std::string("the side of the ") + which + " patch ";
+  if (patch.knot_vector(axis_of(side)).periodic()) {
+    throw InvalidShape(name + "is the seam of a periodic direction: nothing ends there");
+  }
+  try {
+    static_cast<void>(boundary(patch, side));
+  } catch (const InvalidShape&) {
+    throw InvalidShape(name + "lies at infinity");
+  }
+}
+
+void bring_back(SeamContinuity& found, const Placement& placement) {
+  const auto in_units = [&](double value, int dimension) { return given_size(value, dimension, placement); };
+  found.gap = in_units(found.gap, 1);
+  found.curvature_difference = in_units(found.curvature_difference, -1);
+  for (double& gap : found.gaps) gap = in_units(gap, 1);
+  for (double& bend : found.curvature_differences) bend = in_units(bend, -1);
+  for (glm::dvec3& point : found.points) {
+    for (int axis = 0; axis < 3; ++axis) point[axis] = in_units(point[axis], 1) + placement.origin[axis];
+  }
+}
+
+}  // namespace
+
+SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
+                               double tolerance, std::optional<std::span<const double>> places) {
+  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
+  require_side(a, side_a, "first");
+  require_side(b, side_b, "second");
+  std::vector<glm::dvec4> all(a.points().begin(), a.points().end());
+  all.insert(all.end(), b.points().begin(), b.points().end());
+  const Placement placement = placement_of(all);
+  const NurbsPatch first = placed(a, placement);
+  const NurbsPatch second = placed(b, placement);
+  SeamContinuity found;
+  found.reversed = run_against(first, side_a, second, side_b);
+  const Flank on_a(first, side_a, Flank::Role::first, false);
+  const Flank on_b(second, side_b, Flank::Role::second, found.reversed);
+  const std::vector<SeamPlace> chosen = places ? given_places(*places) : dense_places(on_a, on_b);
+  const Jets jets = jets_at(on_a, on_b, chosen);
+  Extremes extremes;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    found.parameters.push_back(chosen[i].share);
+    add(jets.a[i], jets.b[i], found, extremes);
+  }
+  std::array<double, 3> rounding = on_a.rounding(extremes.pace);
+  const std::array<double, 3> of_b = on_b.rounding(extremes.pace);
+  for (int k = 0; k < 3; ++k) rounding[k] = std::max(rounding[k], of_b[k]);
+  classify(found, extremes, rounding, std::max(extent(first.points()), extent(second.points())), tolerance);
+  bring_back(found, placement);
+  return found;
+}
+
+}  // namespace splinecore
