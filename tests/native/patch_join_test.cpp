@@ -5,7 +5,7 @@
 
 #include "splinecore/measure/seam.hpp"
 #include "splinecore/patch/bezier_patch.hpp"
-#include "splinecore/patch/edges.hpp"
+#include "splinecore/patch/panels.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -130,10 +130,10 @@ TEST(PatchJoin, MeasuredContinuityIsThatAskedFor) {
 TEST(PatchJoin, ASetOfBothSharesTheEdge) {
   const PatchJoin join = joined_patches(kGround, Border::v_end, kWall, Border::u_end, PatchSmoothness::g1);
   const std::vector<AnyPatch> both{join.first, join.second};
-  const auto sides = patch_sides(PatchSet::of(both, true));
-  EXPECT_EQ(sides[0][3].kind, EdgeKind::shared);
-  EXPECT_EQ(sides[1][1].kind, EdgeKind::shared);
-  EXPECT_EQ(sides[0][3].edge, sides[1][1].edge);
+  const auto edges = shared_edges(PatchSet::of(both, true));
+  ASSERT_EQ(edges.size(), 1u);
+  EXPECT_EQ(edges[0].first, Border::v_end);
+  EXPECT_EQ(edges[0].second, Border::u_end);
 }
 
 TEST(PatchJoin, RefusesWhatIsNoEdge) {
