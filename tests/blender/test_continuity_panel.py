@@ -174,15 +174,16 @@ def test_a_net_that_cannot_be_shown_is_said_to_show_an_earlier_state():
     assert "As it was before" in " ".join(drawn())
 
 
-def test_it_is_there_for_curve_shapes_alone():
+def test_it_is_there_for_shapes_alone():
     poll = panel.SPLINEWRIGHT_PT_continuity.poll
-    cases = [None, add(sc.BezierPatch(np.random.default_rng(1).uniform(size=(2, 2, 3))))]
+    patch = add(sc.BezierPatch(np.random.default_rng(1).uniform(size=(2, 2, 3))))
+    assert poll(types.SimpleNamespace(object=patch))
     bpy.ops.curve.primitive_bezier_curve_add()
-    for ob in [*cases, bpy.context.object]:
+    for ob in [None, bpy.context.object]:
         assert not poll(types.SimpleNamespace(object=ob))
-    activate(cases[1])
+    activate(patch)
     enter()
-    assert not poll(types.SimpleNamespace(object=bpy.context.object)), "the net of a patch"
+    assert poll(types.SimpleNamespace(object=bpy.context.object)), "the net of a patch"
     assert 'DEFAULT_CLOSED' in panel.SPLINEWRIGHT_PT_continuity.bl_options
 
 

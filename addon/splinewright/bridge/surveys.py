@@ -1,25 +1,41 @@
-"""How smoothly curve shapes go on, worked out when their definition changes and not at every redraw."""
+"""How smoothly shapes go on, worked out when their definition changes and not at every redraw."""
 
-from ..core import continuity
+from ..core import continuity, seams
 from . import store
 
 #: Joints that are measured.
 SHOWN = 50
-#: Surveys that are kept.
+#: Seams that are drawn.
+DRAWN = 500
+#: Definitions of which something is kept.
 _KEPT = 8
 
 _known = {}
 
 
 def survey_of(data):
-    """The core.continuity.Survey of a Curve's definition as it is now.
+    """The core.continuity.Survey of a definition as it is now: of the joints of curves, the seams of patches.
 
     Raises store.UnreadableDefinition.
     """
+    return _kept('survey', data, _survey)
+
+
+def seams_of(data):
+    """(the core.seams.Seams of a Mesh's definition as it is now, its size). Raises store.UnreadableDefinition."""
+    return _kept('seams', data, lambda definition: (seams.seams_of(definition, DRAWN)[0], definition.size))
+
+
+def _survey(definition):
+    room = continuity if definition.has_curves else seams
+    return room.surveyed(definition, SHOWN)
+
+
+def _kept(what, data, work):
     digest = store.digest(data)
-    if digest not in _known:
-        survey = continuity.surveyed(store.read(data), SHOWN)
+    if (what, digest) not in _known:
+        found = work(store.read(data))
         while len(_known) >= _KEPT:
             del _known[next(iter(_known))]
-        _known[digest] = survey
-    return _known[digest]
+        _known[what, digest] = found
+    return _known[what, digest]

@@ -63,6 +63,12 @@ class Definition:
         return self.form in ('curve', 'curves')
 
     @property
+    def size(self):
+        """The diagonal of the box around the points that are finite."""
+        finite = self.pool[self.pool[:, 3] != 0, :3]
+        return float(np.linalg.norm(np.ptp(finite, axis=0))) if len(finite) else 0.0
+
+    @property
     def runs_to_infinity(self):
         """Whether it may: curves with weights that are not all above 0."""
         used = [piece.indices.ravel() for piece in self.pieces if piece.kind != 'hermite']

@@ -1,12 +1,12 @@
-"""How smoothly a curve shape goes on at its joints, in the sidebar."""
+"""How smoothly a shape goes on, curves at their joints and patches at their seams, in the sidebar."""
 
 import math
 
 import bpy
 
-from ..bridge import replacing, store, surveys
+from ..bridge import shape, store, surveys
 from ..bridge.net import live, net
-from . import texts
+from . import seams_overlay, texts
 from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
@@ -28,17 +28,23 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
             return                      # the panel above says it
         if net.is_net(context.object) and live.problem(context.object):
             texts.draw_note(self.layout, "As it was before the last change, which is not shown", _WIDTH)
+        data = _shape_in_hand(context.object).data
+        is_surface = isinstance(data, bpy.types.Mesh)
         if not survey.count:
-            self.layout.label(text="No joints")
+            self.layout.label(text="No seams" if is_surface else "No joints")
             return
+        if is_surface:
+            self.layout.prop(data.splinewright, "show_seams")
+            if data.splinewright.show_seams:
+                texts.draw_note(self.layout, seams_overlay.LEGEND, _WIDTH)
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
         _draw_joints(self.layout, survey)
 
 
 def _shape_in_hand(ob):
-    """The curve shape that is active, or whose net is; None where there is none."""
+    """The shape that is active, or whose net is; None where there is none."""
     owner = net.shape_of(ob) if ob is not None and net.is_net(ob) else ob
-    return owner if replacing.is_curve_shape(owner) else None
+    return owner if shape.has_shape(owner) else None
 
 
 def _draw_in_columns(layout, items):

@@ -60,6 +60,9 @@ class SplinewrightShape(bpy.types.PropertyGroup):
     reach: FloatProperty(
         name="Reach", description="How far beyond its points a curve that runs to infinity is shown",
         default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_resolution_changed)
+    show_seams: BoolProperty(
+        name="Show on the Surface", description="Colour the seams of the patches along them by how smoothly they go on",
+        default=False)
     problem: StringProperty(
         name="Problem", description="Why the last change of a setting shows nothing new",
         options={'HIDDEN', 'SKIP_SAVE'})

@@ -1,0 +1,66 @@
+"""How smoothly patches go on as one another where their sides are one edge (lecture rows S16, S21)."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import definition as definitions
+from .continuity import Joint, Survey
+from .library import sc
+
+#: More derivatives than are compared: none is ever all of a seam's.
+_MORE = 3
+#: Below these a place has the next class: gap as a part of the shape's size, angle in radians, and difference of
+#: curvatures times the size.
+_TOLERANCES = (1e-8, 1e-6, 1e-4)
+
+
+class Seam(NamedTuple):
+    """Two sides that are one edge; patches are counted from 0."""
+
+    first: tuple                        # (patch, side)
+    second: tuple
+    measured: object                    # a splinecore SeamContinuity; None where there is nothing to measure
+
+
+def seams_of(definition, limit):
+    """(the first Seams of a definition of patches, how many there are)."""
+    patch_set = definitions.to_patch_set(definition)
+    pairs = [pair for pair in patch_set.seams() if not _is_periodic(definition, *pair)]
+    return [Seam(first, second, _measured(patch_set, first, second)) for first, second in pairs[:limit]], len(pairs)
+
+
+def surveyed(definition, limit):
+    """The core.continuity.Survey of a definition of patches."""
+    seams, count = seams_of(definition, limit)
+    is_one = len(definition.pieces) == 1
+    return Survey(tuple(Joint(_place(seam, is_one), seam.measured, _MORE) for seam in seams), count)
+
+
+def classes(measured, size):
+    """(n,) int of the places of a SeamContinuity: -1 a gap, 0 an angle, 1 another curvature, 2 none; -2 unknown."""
+    tolerances = _TOLERANCES[0] * size, _TOLERANCES[1], _TOLERANCES[2] / size
+    found = np.full(len(measured.parameters), 2)
+    for number, (values, tolerance) in enumerate(
+            zip((measured.gaps, measured.angles, measured.curvature_differences), tolerances)):
+        found[(values > tolerance) & (found == 2)] = number - 1
+    found[np.isnan(measured.gaps)] = -2
+    return found
+
+
+def _is_periodic(definition, first, second):
+    """Whether both sides are one place inside a periodic direction."""
+    periodic = definition.pieces[first[0]].periodic
+    return first[0] == second[0] and first[1][0] == second[1][0] and any(periodic) and periodic['uv'.index(first[1][0])]
+
+
+def _measured(patch_set, first, second):
+    try:
+        return sc.seam_continuity(patch_set[first[0]], first[1], patch_set[second[0]], second[1])
+    except (sc.InvalidShape, sc.PointAtInfinity):
+        return None
+
+
+def _place(seam, is_one):
+    return " · ".join(side.replace('_', ' ') if is_one else f"{patch + 1} {side.replace('_', ' ')}"
+                      for patch, side in (seam.first, seam.second))

@@ -1,0 +1,91 @@
+"""The seams of the patch shape in hand, coloured along them by how smoothly the surface goes on."""
+
+import bpy
+import gpu
+import numpy as np
+from gpu_extras.batch import batch_for_shader
+from mathutils import Matrix
+
+from ..bridge import store, surveys
+from ..bridge.net import net
+from ..core import seams
+
+#: By the classes of core.seams, from unknown to curvatures that agree.
+COLORS = {-2: (0.5, 0.5, 0.5, 1.0), -1: (0.9, 0.05, 0.05, 1.0), 0: (1.0, 0.45, 0.0, 1.0),
+          1: (1.0, 0.9, 0.1, 1.0), 2: (0.1, 0.8, 0.25, 1.0)}
+#: What they mean, as the panel says it.
+LEGEND = "red a gap, orange an edge, yellow G1, green G2"
+#: Lines are drawn nearer by this part of the depth, so that the surface does not hide them.
+_NEARER = 2e-4
+
+_handle = None
+
+
+def shape_in_hand(ob):
+    """The patch shape that is active, or whose net is; None where there is none."""
+    owner = net.shape_of(ob) if ob is not None and net.is_net(ob) else ob
+    return owner if owner is not None and owner.type == 'MESH' and store.has_definition(owner.data) else None
+
+
+def draw():
+    """Called by Blender for each 3D view."""
+    if not bpy.context.space_data.overlay.show_overlays:
+        return
+    ob = shape_in_hand(bpy.context.object)
+    if ob is None or not ob.data.splinewright.show_seams or not ob.visible_get():
+        return
+    try:
+        lines = coloured_lines(ob.data)
+    except store.UnreadableDefinition:
+        return
+    gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
+    with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
+        gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix()))
+        gpu.matrix.multiply_matrix(ob.matrix_world)
+        for points, colors in lines:
+            _draw_line(points, colors)
+    gpu.state.depth_test_set('NONE')
+
+
+def coloured_lines(data):
+    """[(points (n, 3), colours (n, 4))] of the seams of a Mesh."""
+    found = []
+    measured, size = surveys.seams_of(data)
+    for seam in measured:
+        if seam.measured is not None:
+            numbers = seams.classes(seam.measured, size)
+            found.append((seam.measured.points.astype(np.float32),
+                          np.array([COLORS[number] for number in numbers.tolist()], np.float32)))
+    return found
+
+
+def _nearer(projection):
+    """The projection with everything a little nearer to the eye, in the same place of the picture."""
+    rows = np.array(projection)
+    rows[2] -= _NEARER * rows[3]
+    return Matrix(rows)
+
+
+def _draw_line(points, colors):
+    shader = gpu.shader.from_builtin('POLYLINE_SMOOTH_COLOR')
+    shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
+    shader.uniform_float('lineWidth', 4.0 * bpy.context.preferences.system.ui_scale)
+    finite = np.isfinite(points).all(1)
+    if finite.sum() > 1:
+        batch_for_shader(shader, 'LINE_STRIP', {'pos': points[finite], 'color': colors[finite]}).draw(shader)
+
+
+CLASSES = ()
+
+
+def register():
+    global _handle
+    if not bpy.app.background:
+        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW')
+
+
+def unregister():
+    global _handle
+    if _handle is not None:
+        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
+        _handle = None
