@@ -94,7 +94,7 @@ def to_bezier():
 
 
 def to_hermite():
-    return lambda patch: patch.to_hermite()
+    return lambda patch: patch if isinstance(patch, sc.HermitePatch) else patch.to_hermite()
 
 
 def to_nurbs():

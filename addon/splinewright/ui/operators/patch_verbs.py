@@ -234,8 +234,8 @@ class SPLINEWRIGHT_OT_patch_clamp(_Along, bpy.types.Operator):
 class SPLINEWRIGHT_OT_patch_unclamp(_Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_unclamp"
     bl_label = "Unclamp"
-    bl_description = ("Spread the knots at the ends, so that the patch touches no outer point; it stays the same. "
-                      "A periodic one is opened")
+    bl_description = ("Spread the knots at the ends, so that the patch touches no outer point; it stays the same, "
+                      "and shares no points with its neighbours any more. A periodic one is opened")
     done, already = "Unclamped {}", "its knots go on outside the domain already"
 
     def verb_along(self, axis, spent):
