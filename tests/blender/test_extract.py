@@ -75,17 +75,19 @@ def test_a_side_that_is_a_point_or_none_is_left_out_with_a_word(capfd):
 
 
 def test_a_side_at_infinity_is_left_out_with_a_word():
-    cone = sc.NurbsPatch((1, 1), ([0, 0, 1, 1],) * 2, [[(0, 0, 0), (1, 0, 0)], [(0, 0, 1), (0, 1, 1)]], [[1, 1], [0, 0]])
+    points = [[(0, 0, 0), (1, 0, 0)], [(0, 0, 1), (0, 1, 1)]]
+    cone = sc.NurbsPatch((1, 1), ([0, 0, 1, 1],) * 2, points, [[1, 1], [0, 0]])
     curves, left_out = part('core.patch_curves').boundaries([cone], 0, ['u_start', 'u_end'])
     assert curves == [cone.boundary('u_start')] and left_out == ["u end lies at infinity"]
 
 
 REFUSED = (
-    ('extract_isocurve', {'parameter_u': 2.0}, 'bicubic', "at = 2 is outside the domain"),
-    ('extract_isocurve', {'direction': 'BOTH', 'parameter_v': -1.0}, 'bicubic', "at = -1 is outside the domain"),
+    ('extract_isocurve', {'parameter_u': 2.0}, 'bicubic', "u = 2 is outside the domain"),
+    ('extract_isocurve', {'direction': 'V', 'parameter_v': -1.0}, 'bicubic', "v = -1 is outside the domain"),
     ('extract_isocurve', {'direction': 'V', 'parameter_v': 0.0}, 'sphere', "at v = 0 it is a point"),
     ('extract_isocurve', {'piece': 2}, 'bicubic', "1 piece, there is none of number 2"),
-    ('extract_isocurve', {'parameter_u': 0.5}, 'mixed set', "piece 1: at = 0.5 is outside"),
+    ('extract_isocurve', {'parameter_u': 1.5}, 'mixed set', "piece 1: u = 1.5 is .*, piece 2: u = 1.5 is outside"),
+    ('extract_isocurve', {'parameter_u': 0.5, 'piece': 1}, 'mixed set', "piece 1: u = 0.5 is outside"),
     ('extract_boundary', {'piece': 40}, 'teapot', "32 pieces, there is none of number 40"),
     ('extract_boundary', {'side': 'V_START'}, 'sphere', "v start is a point"),
     ('extract_boundary', {'side': 'U_END'}, 'sphere', "u end is no side, the patch is periodic"))
@@ -111,6 +113,13 @@ def test_one_piece_or_all_of_them():
     activate(teapot)
     run('extract_boundary')
     assert len(curves_of(bpy.context.object)) == 32 * 4 - 8, "poles are left out"
+
+
+def test_patches_on_which_the_parameter_does_not_lie_are_left_out_with_a_word(capfd):
+    ob = add(value_of('mixed set'))
+    run('extract_isocurve', parameter_u=0.5)
+    assert bpy.context.object.data.splinewright.value == patches_of(ob)[1].isocurve('u', 0.5)
+    assert "left out: piece 1: u = 0.5 is outside" in "".join(capfd.readouterr())
 
 
 def test_a_number_in_single_precision_meets_the_knot_that_is_meant():

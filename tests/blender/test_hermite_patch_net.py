@@ -74,11 +74,14 @@ def test_a_tangent_handle_dragged_with_its_twist_handle_changes_its_tangent_thre
 @pytest.mark.parametrize('net', (1, 2))
 def test_a_tangent_handle_dragged_alone_leaves_the_twist_handle_where_it_is(net, i, j):
     before, (u, v) = patch(), signs(i, j)
-    require_changed(before, after_moving(before, (net, i, j)), {(net, i, j): 3 * (u, v)[net - 1], (3, i, j): -9 * u * v})
+    expected = {(net, i, j): 3 * (u, v)[net - 1], (3, i, j): -9 * u * v}
+    require_changed(before, after_moving(before, (net, i, j)), expected)
 
 
 def test_handles_lie_at_a_third_of_the_steps_between_parameters():
     before = patch(([0, 0.6], [0, 1, 4]))
-    assert np.allclose((after_moving(before, (1, 0, 1), (3, 0, 1)).tangents_u - before.tangents_u)[0, 1], MOVE / 0.2, atol=1e-5)
+    after = after_moving(before, (1, 0, 1), (3, 0, 1))
+    assert np.allclose((after.tangents_u - before.tangents_u)[0, 1], MOVE / 0.2, atol=1e-5)
     bpy.data.objects.remove(bpy.data.objects["shape"])
-    assert np.allclose((after_moving(before, (3, 0, 1)).twists - before.twists)[0, 1], MOVE / 0.2, atol=1e-5)
+    after = after_moving(before, (3, 0, 1))
+    assert np.allclose((after.twists - before.twists)[0, 1], MOVE / 0.2 / (1 / 3) * (1 / 3), atol=1e-5)

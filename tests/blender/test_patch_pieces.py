@@ -10,7 +10,8 @@ from patches import DIRECTIONS, farthest, patches_of, value_of
 from shapes import activate, add, op, require_exact
 from support import corner_normals, part, splinecore as sc, vertices
 
-patch_verbs, extract, store = (part(name) for name in ('ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.store'))
+patch_verbs, extract, mesh_looks, shape, store = (part(name) for name in (
+    'ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.mesh_looks', 'bridge.shape', 'bridge.store'))
 AT = {'parameter_u': 0.3, 'parameter_v': 0.3}
 KEPT_EDGES = (('patch_insert_knot', {'where': 'SPANS'}), ('patch_raise_degree', {'times': 2}), ('patch_reverse', {}),
               ('patch_reparametrise', {'end': 3.0}),
@@ -56,6 +57,21 @@ def test_parts_of_a_split_share_the_cut_and_what_the_whole_shared(direction):
     require_exact(ob)
 
 
+def test_edges_are_shared_wherever_the_points_lie():
+    for offset in (1e6, -1e9):
+        before = value_of('four around a corner')
+        before = before.with_points(before.points + (offset, 0, 3), before.weights)
+        ob = add(before)
+        run('patch_raise_degree', times=3, direction='BOTH')
+        assert ob.data.splinewright.value.edge_counts() == before.edge_counts()
+    far = value_of('four around a corner')
+    points = far.points.copy()
+    points[far.patches[0]['indices'][-1]] *= 1e6
+    ob = add(far.with_points(points, far.weights))
+    run('patch_raise_degree', direction='BOTH')
+    assert ob.data.splinewright.value.edge_counts() == far.edge_counts()
+
+
 def test_a_patch_and_its_bezier_patches_have_one_pool():
     for kind, shared, free in (('plain nurbs', 12, 12), ('torus', 32, 0), ('sphere', 12, 0)):
         ob = add(value_of(kind))
@@ -82,7 +98,8 @@ def test_a_single_patch_keeps_points_apart_that_lie_in_one_place():
 
 def test_patches_that_touch_and_share_nothing_go_on_sharing_nothing():
     patch = value_of('bicubic')
-    ob = add(sc.PatchSet.from_patches([patch, patch.reversed('u').with_points(patch.points + (0, 0, 1)), patch], merge=False))
+    other = patch.with_points(patch.points + (0, 0, 1))
+    ob = add(sc.PatchSet.from_patches([patch, other, patch], merge=False))
     run('patch_raise_degree', direction='BOTH')
     assert len(ob.data.splinewright.value.points) == 75
 
@@ -119,28 +136,45 @@ def test_a_set_of_hermite_patches_shares_points_and_handles():
 # How it looks -----------------------------------------------------------------------------------------------------
 
 
-def dressed(value):
+def dressed(value, name="shape"):
     """A shape whose patches differ in material and shading."""
-    ob = add(value)
-    looks = part('bridge.mesh_looks')
+    ob = add(value, name)
     for i in range(len(patches_of(ob))):
         ob.data.materials.append(bpy.data.materials.new(str(i)))
-    looks.set_looks(ob.data, {i: look(i) for i in range(len(ob.data.materials))})
-    part('bridge.shape').rewrite(ob.data)
+    mesh_looks.set_looks(ob.data, {i: look(i) for i in range(len(ob.data.materials))})
+    shape.rewrite(ob.data)
     bpy.ops.ed.undo_push(message="dress")
     return ob
 
 
 def look(i):
-    return part('bridge.mesh_looks').Look(i, i % 2 == 0)
+    return mesh_looks.Look(i, i % 2 == 0)
 
 
 def looks_of(ob):
-    return [look for _, look in sorted(part('bridge.mesh_looks').looks_by_patch(ob.data).items())]
+    return [look for _, look in sorted(mesh_looks.looks_by_patch(ob.data).items())]
+
+
+def require_flat_normals(ob):
+    """The corners of flat faces, of which there are some, have the normals of their faces."""
+    flat, normals = [polygon for polygon in ob.data.polygons if not polygon.use_smooth], corner_normals(ob.data)
+    assert flat
+    for polygon in flat:
+        corners = np.s_[polygon.loop_start:polygon.loop_start + polygon.loop_total]
+        assert np.allclose(normals[corners], polygon.normal, atol=1e-3)
+
+
+def test_flat_patches_that_are_joined_stay_flat():
+    first, second = dressed(value_of('bicubic'), "first"), dressed(value_of('four around a corner'), "second")
+    activate(first, second)
+    op(bpy.ops.splinewright.join)
+    assert [look.use_smooth for look in looks_of(first)] == [True, True, False, True, False]
+    require_flat_normals(first)
 
 
 @pytest.mark.parametrize('name, settings, expected', (
-    ('patch_split', {'piece': 2, **AT}, [0, 1, 1, 2]), ('patch_split', {'direction': 'BOTH', **AT}, [0] * 4 + [1] * 4 + [2] * 4),
+    ('patch_split', {'piece': 2, **AT}, [0, 1, 1, 2]),
+    ('patch_split', {'direction': 'BOTH', **AT}, [0] * 4 + [1] * 4 + [2] * 4),
     ('patch_to_bezier', {'piece': 1}, [0, 0, 0, 1, 2]), ('patch_reverse', {}, [0, 1, 2]), ('patch_swap', {}, [0, 1, 2]),
     ('patch_insert_knot', {'where': 'SPANS'}, [0, 1, 2])))
 def test_material_and_shading_stay_with_each_patch(name, settings, expected):
@@ -149,11 +183,8 @@ def test_material_and_shading_stay_with_each_patch(name, settings, expected):
     run(name, **settings)
     assert looks_of(ob) == [look(i) for i in expected]
     assert len(ob.data.materials) == 3
-    flat = [polygon for polygon in ob.data.polygons if not polygon.use_smooth]
-    normals = corner_normals(ob.data)
-    assert flat and all(np.allclose(normals[polygon.loop_start:polygon.loop_start + polygon.loop_total],
-                                    polygon.normal, atol=1e-3) for polygon in flat), "flat faces have normals of their own"
-    assert not part('bridge.shape').is_touched(ob.data)
+    require_flat_normals(ob)
+    assert not shape.is_touched(ob.data)
     bpy.ops.ed.undo()
     assert looks_of(bpy.data.objects["shape"]) == [look(i) for i in range(3)]
 
@@ -242,8 +273,11 @@ def drawn_by(cls, values):
     names = []
 
     class Layout:
-        def prop(self, _, name):
+        def prop(self, _, name, expand=False):
             names.append(name)
+
+        def row(self):
+            return self
     own = {key: value for key, value in vars(cls).items() if key == 'settings'}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
     panel = type("Panel", bases, {**own, '__annotations__': dict(cls.__annotations__), **values, 'layout': Layout()})()

@@ -9,7 +9,8 @@ from patches import value_of
 from shapes import activate, add, by_hand, enter, op, shown
 from support import part, scene_state, splinecore as sc
 
-patch_verbs, extract, store = (part(name) for name in ('ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.store'))
+patch_verbs, extract, store = (part(name) for name in (
+    'ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.store'))
 
 
 def state(ob):

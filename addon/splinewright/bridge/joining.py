@@ -106,4 +106,4 @@ def _give_looks(data, looks):
         if len(looks.worn) == len(data.splines):
             write_curve.put_on(data, looks.worn)
     else:
-        mesh_looks.set_looks(data, dict(enumerate(looks.of_pieces)))
+        replacing.give_looks(data, looks.of_pieces)

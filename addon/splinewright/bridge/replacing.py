@@ -54,9 +54,13 @@ def _put_patches(data, before, changed):
     shape.set_definition(data, changed.definition)
     if changed.parents == tuple(range(len(before.pieces))):
         return                          # a patch of the same number is the same one
-    worn = [looks.get(parent, mesh_looks.Look()) for parent in changed.parents]
-    mesh_looks.set_looks(data, dict(enumerate(worn)))
-    if not all(look.use_smooth for look in worn):
+    give_looks(data, [looks.get(parent, mesh_looks.Look()) for parent in changed.parents])
+
+
+def give_looks(data, of_pieces):
+    """Give the faces of each patch a mesh_looks.Look."""
+    mesh_looks.set_looks(data, dict(enumerate(of_pieces)))
+    if not all(look.use_smooth for look in of_pieces):
         shape.rewrite(data)             # normals of flat faces are their own
 
 

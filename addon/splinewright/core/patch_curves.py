@@ -10,60 +10,52 @@ _POINT = 1e-12
 
 
 def isocurves(patches, number, at):
-    """The curves on patches at pairs of an axis and a parameter, of one patch, or of all where the number is 0.
-
-    Raises ValueError, naming the piece where there are several, if a parameter lies outside a patch or one is a point.
+    """(the curves on patches at pairs of an axis and a parameter, why those that are none were left out), of one patch
+    or of all where the number is 0. Raises ValueError if no curve is left.
     """
-    verbs.require_piece(patches, number, least=0)
-    curves = []
-    for i, patch in _chosen(patches, number):
-        for axis, parameter in at:
-            parameter = parameters.snapped(parameter, parameters.knots_of(Along(patch, axis)))
-            try:
-                curves.append(patch.isocurve(axis, parameter))
-            except ValueError as error:
-                raise type(error)(_named(patches, i, str(error))) from error
-            if _is_point(curves[-1], patch):
-                raise ValueError(_named(patches, i, f"at {axis} = {parameter:.6g} it is a point"))
-    return curves
+    return _found(patches, number, at, _isocurve)
 
 
 def boundaries(patches, number, sides):
-    """(the curves around patches, why the sides that are none were left out), of one patch or of all.
+    """isocurves(), of the sides of patches."""
+    return _found(patches, number, sides, _side)
 
-    Raises ValueError if no curve is left.
-    """
+
+def _found(patches, number, places, find):
     verbs.require_piece(patches, number, least=0)
     curves, left_out = [], []
-    for i, patch in _chosen(patches, number):
-        for side in sides:
-            curve, reason = _side(patch, side)
-            if reason:
-                left_out.append(_named(patches, i, f"{SIDES[side]} {reason}"))
-            else:
+    for i, patch in enumerate(patches):
+        for place in places if number in (0, i + 1) else ():
+            curve, reason = find(patch, place)
+            if not reason:
                 curves.append(curve)
+            else:
+                left_out.append(f"piece {i + 1}: {reason}" if len(patches) > 1 else reason)
     if not curves:
         raise ValueError(", ".join(left_out))
     return curves, left_out
 
 
-def _side(patch, side):
+def _isocurve(patch, place):
     """(a curve, "") or (None, why there is none)."""
+    axis, parameter = place
+    parameter = parameters.snapped(parameter, parameters.knots_of(Along(patch, axis)))
+    try:
+        curve = patch.isocurve(axis, parameter)
+    except ValueError as error:
+        return None, str(error).replace("at =", f"{axis} =")
+    return (None, f"at {axis} = {parameter:.6g} it is a point") if _is_point(curve, patch) else (curve, "")
+
+
+def _side(patch, side):
+    """_isocurve(), of a side."""
     if getattr(patch, 'periodic', (False, False))['uv'.index(side[0])]:
-        return None, "is no side, the patch is periodic"
+        return None, f"{SIDES[side]} is no side, the patch is periodic"
     try:
         curve = patch.boundary(side)
     except ValueError:
-        return None, "lies at infinity"
-    return (None, "is a point") if _is_point(curve, patch) else (curve, "")
-
-
-def _chosen(patches, number):
-    return [(i, patch) for i, patch in enumerate(patches) if number in (0, i + 1)]
-
-
-def _named(patches, i, text):
-    return f"piece {i + 1}: {text}" if len(patches) > 1 else text
+        return None, f"{SIDES[side]} lies at infinity"
+    return (None, f"{SIDES[side]} is a point") if _is_point(curve, patch) else (curve, "")
 
 
 def _is_point(curve, patch):

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import definition as definitions
 
-#: Points that lie so near to each other, as a part of how far points lie from the origin, differ by rounding.
+#: Points that lie so near to each other, as a part of how far they lie from the origin, differ by rounding.
 _ROUNDING = 1e-13
 
 
@@ -24,10 +24,10 @@ def sewn(before, patches, parents):
     """
     if before.form == 'patch' and len(patches) == 1:
         return definitions.from_value(patches[0])
-    pools, pieces, count = [before.pool], [], len(before.pool)
-    for patch, parent, was in zip(patches, parents, (patches_of(before)[i] for i in parents)):
+    pools, pieces, count, were = [before.pool], [], len(before.pool), patches_of(before)
+    for patch, parent in zip(patches, parents):
         piece = before.pieces[parent]
-        if patch != was:
+        if patch != were[parent]:
             own = definitions.from_value(patch)
             piece = replace(own.pieces[0], indices=own.pieces[0].indices + count)
             pools.append(own.pool)
@@ -84,18 +84,19 @@ def _border(piece):
 
 
 def _scaled(pool):
-    """The pool in units of how far its points lie from the origin, and of its weights."""
+    """The pool in units of how far most of its points lie from the origin, and of its weights."""
     size, weight = (np.median(np.abs(part[part != 0])) if part.any() else 1.0 for part in (pool[:, :3], pool[:, 3]))
     return pool / (size, size, size, weight)
 
 
 def _clusters(points):
     """Arrays of the numbers of points that lie within rounding of each other; none of a single point."""
+    allowed = _ROUNDING * np.maximum(1.0, np.abs(points).max(axis=1))
     along = points @ (0.6180339887, 0.3819660113, 0.7548776662, 0.5698402910)
     order = np.argsort(along, kind='stable')
-    for group in np.split(order, np.flatnonzero(np.diff(along[order]) > 4 * _ROUNDING) + 1):
+    for group in np.split(order, np.flatnonzero(np.diff(along[order]) > 4 * allowed[order][1:]) + 1):
         while len(group) > 1:
-            is_near = (np.abs(points[group] - points[group[0]]) <= _ROUNDING).all(axis=1)
+            is_near = (np.abs(points[group] - points[group[0]]) <= allowed[group[0]]).all(axis=1)
             if is_near.sum() > 1:
                 yield group[is_near]
             group = group[~is_near]

@@ -55,9 +55,9 @@ class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operato
 
     def work(self, context, ob):
         axes = [name[-1] for name in self.parameters()]
-        curves = extracting.isocurves(ob.data, self.piece, [(axis, self.parameter(axis)) for axis in axes])
+        curves, left_out = extracting.isocurves(ob.data, self.piece, [(axis, self.parameter(axis)) for axis in axes])
         self.add(context, ob, "Isocurve", curves, axes)
-        return []
+        return left_out
 
 
 class SPLINEWRIGHT_OT_extract_boundary(_Extract, bpy.types.Operator):

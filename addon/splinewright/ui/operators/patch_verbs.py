@@ -21,7 +21,7 @@ def direction_property(u="Along u", v="Along v", both="Along u, then along v"):
 class OnPatches(pieces.OnPieces):
     """Does verb() with pieces of every selected patch shape."""
 
-    needs = "Select a patch shape"
+    needs, expanded = "Select a patch shape", ('direction',)
     fits = staticmethod(replacing.is_patch_shape)
 
 

@@ -33,6 +33,8 @@ class OnPieces(OnSelected):
     """Does verb() with pieces of every selected shape that fits; `already` is said where that changes nothing."""
 
     already = "nothing changes"
+    #: Names of settings whose choices are shown side by side.
+    expanded = ()
 
     piece: IntProperty(name="Piece", description="Which piece of the shape, counted from 1; 0 for all of them",
                        default=0, min=0, options={'SKIP_SAVE'})
@@ -59,7 +61,10 @@ class OnPieces(OnSelected):
     def draw(self, context):
         self.layout.use_property_split = True
         for name in (*self.settings(), 'piece'):
-            self.layout.prop(self, name)
+            if name in self.expanded:
+                self.layout.row().prop(self, name, expand=True)
+            else:
+                self.layout.prop(self, name)
 
 
 def told(outcomes):
@@ -96,12 +101,17 @@ class FromActive:
         raise NotImplementedError
 
     def invoke(self, context, event):
+        """With one piece, where no value fits all."""
+        is_given = self.properties.is_property_set
         try:
-            values = self.first_values(verbs.pieces_of(store.read(self._a_shape(context).data))[max(self.piece, 1) - 1])
+            found = verbs.pieces_of(store.read(self._a_shape(context).data))
+            if self.piece == 0 and not is_given('piece') and len({piece.domain for piece in found}) > 1:
+                self.piece = 1
+            values = self.first_values(found[max(self.piece, 1) - 1])
         except (*FAILURES, IndexError):
             values = ()                 # execute() says it
         for name, value in zip(self.asked, values):
-            if not self.properties.is_property_set(name):
+            if not is_given(name):
                 setattr(self, name, value)
         return self.execute(context)
 
