@@ -13,13 +13,8 @@ DIRECTIONS = {'U': 'u', 'V': 'v', 'BOTH': 'uv'}
 UNIFORM = np.arange(9.0)
 
 
-def wave(*size):
-    """A net of points whose inner knots cannot go."""
-    return points(*size)
-
-
 def rational(knots_u, knots_v, counts, periodic=(False, False)):
-    return sc.NurbsPatch((3, 2), (knots_u, knots_v), wave(*counts), shapes.RANDOM.uniform(0.5, 2, counts), periodic)
+    return sc.NurbsPatch((3, 2), (knots_u, knots_v), points(*counts), shapes.RANDOM.uniform(0.5, 2, counts), periodic)
 
 
 MORE = {
@@ -29,10 +24,10 @@ MORE = {
     'torus': lambda: sc.build.torus((0, 0, 0), (0, 0, 1), 2.0, 0.5).clamped('u').clamped('v'),
     'cylinder': lambda: sc.build.cylinder((0, 0, 0), (0, 0, 1), 1.0, 2.0),
     'sphere': lambda: sc.build.sphere((0, 0, 0), 2.0),
-    'bicubic': lambda: sc.BezierPatch(wave(4, 4)),
-    'biquintic': lambda: sc.BezierPatch(wave(6, 6)),
-    'plain nurbs': lambda: sc.NurbsPatch((3, 3), (CLAMPED, CLAMPED), wave(6, 6)),
-    'bilinear': lambda: sc.BezierPatch(wave(2, 2)),
+    'bicubic': lambda: sc.BezierPatch(points(4, 4)),
+    'biquintic': lambda: sc.BezierPatch(points(6, 6)),
+    'plain nurbs': lambda: sc.NurbsPatch((3, 3), (CLAMPED, CLAMPED), points(6, 6)),
+    'bilinear': lambda: sc.BezierPatch(points(2, 2)),
     'four around a corner': lambda: around_a_corner(),
 }
 
@@ -45,7 +40,7 @@ def value_of(kind):
 
 def around_a_corner():
     """Four bicubic rational patches on one grid of points, each turned in another way."""
-    grid, weights = wave(7, 7), shapes.RANDOM.uniform(0.5, 2, (7, 7))
+    grid, weights = points(7, 7), shapes.RANDOM.uniform(0.5, 2, (7, 7))
     turns = (lambda net: net, lambda net: net[::-1], lambda net: net[:, ::-1], lambda net: net.swapaxes(0, 1)[::-1])
     patches = []
     for turn, (i, j) in zip(turns, itertools.product((0, 3), (0, 3))):

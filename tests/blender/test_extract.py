@@ -9,7 +9,6 @@ from patches import patches_of, value_of
 from shapes import activate, add, op, require_exact
 from support import part, scene_state, splinecore as sc
 
-store = part('bridge.store')
 KINDS = ('bezier patch', 'hermite patch', 'nurbs patch', 'rational nurbs', 'uniform', 'both periodic', 'torus')
 
 

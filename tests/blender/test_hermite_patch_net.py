@@ -84,4 +84,4 @@ def test_handles_lie_at_a_third_of_the_steps_between_parameters():
     assert np.allclose((after.tangents_u - before.tangents_u)[0, 1], MOVE / 0.2, atol=1e-5)
     bpy.data.objects.remove(bpy.data.objects["shape"])
     after = after_moving(before, (3, 0, 1))
-    assert np.allclose((after.twists - before.twists)[0, 1], MOVE / 0.2 / (1 / 3) * (1 / 3), atol=1e-5)
+    assert np.allclose((after.twists - before.twists)[0, 1], MOVE / (0.2 * 1.0), atol=1e-5)

@@ -189,7 +189,8 @@ def test_the_error_said_is_the_error_made(name, settings, kind, direction, said)
 
 def test_both_axes_share_one_tolerance():
     raised = value_of('plain nurbs').elevate('u').elevate('v')
-    moved = raised.with_points(raised.points + 1e-3 * np.cos(np.arange(raised.points.size)).reshape(raised.points.shape))
+    noise = 1e-3 * np.cos(np.arange(raised.points.size)).reshape(raised.points.shape)
+    moved = raised.with_points(raised.points + noise)
     errors = {}
     for direction in DIRECTIONS:
         ob = add(moved)
