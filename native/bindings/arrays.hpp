@@ -96,7 +96,8 @@ py::array view_of_vectors(std::span<const glm::dvec3> vectors, const Shape& shap
 /// The same for numbers that lie one after the other.
 template <class Number>
 py::array view_of_numbers(std::span<const Number> numbers, const Shape& shape, const py::object& owner) {
-  py::array view(py::dtype::of<Number>(), shape, numbers.data(), owner);
+  // Strides are given: an older pybind11 would ask a newer NumPy for them in vain.
+  py::array view(py::dtype::of<Number>(), shape, py::detail::c_strides(shape, sizeof(Number)), numbers.data(), owner);
   view.attr("setflags")(py::arg("write") = false);
   return view;
 }

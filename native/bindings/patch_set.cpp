@@ -1,9 +1,8 @@
 #include <cmath>
-#include <map>
 
 #include "arrays.hpp"
 #include "rooms.hpp"
-#include "splinecore/patch/edges.hpp"
+#include "splinecore/patch/panels.hpp"
 #include "splinecore/patch/patch_set.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 #include "values.hpp"
@@ -11,7 +10,6 @@
 namespace bindings {
 
 using splinecore::AnyPatch;
-using splinecore::EdgeKind;
 using splinecore::IndexedPatch;
 using splinecore::InvalidShape;
 using splinecore::PatchKind;
@@ -148,23 +146,17 @@ PatchSet patch_set(const py::object& points, const py::object& patches, const py
 }
 
 py::dict edge_counts(const PatchSet& set) {
-  int edges = 0;
-  std::map<int, EdgeKind> kinds;
+  const std::vector<splinecore::Panel> panels = splinecore::panels_of(set);
+  const std::vector<int> sides = splinecore::side_counts(panels);
   int poles = 0;
-  int open = 0;
-  for (const auto& sides : splinecore::patch_sides(set)) {
-    for (const auto& side : sides) {
-      poles += side.kind == EdgeKind::pole;
-      open += side.kind == EdgeKind::open;
-      if (side.edge >= 0) kinds[side.edge] = side.kind;
-    }
+  for (const splinecore::Panel& panel : panels) {
+    poles += static_cast<int>(std::ranges::count(panel.sides, -1, &splinecore::PanelSide::edge));
   }
-  for (const auto& [edge, kind] : kinds) edges += kind == EdgeKind::shared;
+  const auto free_count = std::ranges::count(sides, 1);
   py::dict counts;
-  counts["shared"] = edges;
-  counts["free"] = static_cast<int>(kinds.size()) - edges;
+  counts["shared"] = static_cast<int>(sides.size()) - free_count;
+  counts["free"] = free_count;
   counts["pole"] = poles;
-  counts["open"] = open;
   return counts;
 }
 
@@ -226,8 +218,9 @@ void bind_set(py::module_& module) {
   cls.def("flipped", [](const PatchSet& self) { return splinecore::flipped(self); },
           "All patches seen from the other side: u and v exchanged.");
   cls.def("edge_counts", &edge_counts,
-          "{'shared', 'free', 'pole', 'open'}: how the sides of the patches meet. Shared and free edges count\n"
-          "once; a pole is a side shrunk to a point; an open side is not carried by points of its own.");
+          "{'shared', 'free', 'pole'}: how the sides of the patches meet. An edge counts once, however many sides lie\n"
+          "on it; a pole is a side shrunk to a point. Two sides are one edge where they are one curve at equal scaled\n"
+          "parameters, to 1e-10 of the extent of all points, whatever their degrees and knots.");
   cls.def("__repr__", [](const PatchSet& self) {
     return "PatchSet(patches=" + std::to_string(self.patches().size()) + ", points=" + std::to_string(self.points().size()) + ")";
   });

@@ -54,6 +54,14 @@ def patches_of(ob):
     return [value[i] for i in range(len(value))] if isinstance(value, sc.PatchSet) else [value]
 
 
+def meetings(patch_set):
+    """In how many places two patches share points, for each two that share more than a corner or a pole."""
+    rows = [set(patch['indices'].ravel().tolist()) for patch in patch_set.patches]
+    places = {(a, b): len({tuple(patch_set.points[row]) for row in rows[a] & rows[b]})
+              for a, b in itertools.combinations(range(len(rows)), 2)}
+    return {pair: count for pair, count in places.items() if count > 1}
+
+
 def size_of(patches):
     return max(np.abs(patch.points).max() for patch in patches)
 

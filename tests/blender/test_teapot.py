@@ -20,7 +20,7 @@ def test_the_teapot_is_one_object_of_32_patches_on_306_points(teapot):
 
 
 def test_52_edges_are_shared_16_are_free_and_8_are_poles(teapot):
-    assert teapot.data.splinewright.value.edge_counts() == {'shared': 52, 'free': 16, 'pole': 8, 'open': 0}
+    assert teapot.data.splinewright.value.edge_counts() == {'shared': 52, 'free': 16, 'pole': 8}
 
 
 def test_vertices_are_shared_along_the_edges(teapot):

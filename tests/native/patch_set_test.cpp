@@ -1,6 +1,5 @@
 #include "splinecore/patch/patch_set.hpp"
 
-#include "splinecore/patch/edges.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -112,60 +111,6 @@ TEST(PatchSetMake, RefusesCountsThatAreNotThoseOfTheKnots) {
   std::swap(patch.knots_u, patch.knots_v);
   EXPECT_EQ(refusal([&] { PatchSet::make(kPool, {patch}); }),
             "patches[0]: count is 3 x 2, but the knots belong to 2 x 3");
-}
-
-TEST(PatchSides, FindSharedEdgesInBothDirectionsOfAllFourSides) {
-  // Every way to lay the second patch on the edge 2-3: the side it takes, and whether it runs against.
-  const std::pair<std::vector<int>, std::pair<int, bool>> ways[] = {
-      {{2, 3, 4, 5}, {0, false}}, {{3, 2, 5, 4}, {0, true}}, {{4, 5, 2, 3}, {1, false}}, {{5, 4, 3, 2}, {1, true}},
-      {{2, 4, 3, 5}, {2, false}}, {{3, 5, 2, 4}, {2, true}}, {{4, 2, 5, 3}, {3, false}}, {{5, 3, 4, 2}, {3, true}}};
-  for (const auto& [indices, way] : ways) {
-    const auto sides = patch_sides(PatchSet::make(kPool, {bezier(2, 2, {0, 1, 2, 3}), bezier(2, 2, indices)}));
-    EXPECT_EQ(sides[0][1].kind, EdgeKind::shared);
-    EXPECT_EQ(sides[1][way.first].kind, EdgeKind::shared);
-    EXPECT_EQ(sides[1][way.first].edge, sides[0][1].edge);
-    EXPECT_EQ(sides[1][way.first].reversed != sides[0][1].reversed, way.second);
-    int shared = 0;
-    for (const auto& four : sides)
-      shared += static_cast<int>(std::ranges::count(four, EdgeKind::shared, &PatchSide::kind));
-    EXPECT_EQ(shared, 2);
-  }
-}
-
-TEST(PatchSides, AreFreePoleOrOpenWhereTheyMeetNoOther) {
-  const KnotVector ring = KnotVector::periodic_uniform(1, 3);
-  Random random(152);
-  std::vector<glm::dvec4> points = random_points(random, 9, Weights::one);
-  points[1] = points[2] = points[0];
-  const std::vector<AnyPatch> patches{
-      NurbsPatch::make(KnotVector::clamped(1, 3), ring, points),
-      NurbsPatch::make(KnotVector::uniform(2, 3), KnotVector::clamped(2, 3), random_points(random, 9, Weights::one))};
-  const auto sides = patch_sides(PatchSet::of(patches, true));
-  const EdgeKind expected[2][4] = {{EdgeKind::pole, EdgeKind::free, EdgeKind::open, EdgeKind::open},
-                                   {EdgeKind::open, EdgeKind::open, EdgeKind::free, EdgeKind::free}};
-  for (int i = 0; i < 2; ++i) {
-    for (int side = 0; side < 4; ++side) EXPECT_EQ(sides[i][side].kind, expected[i][side]) << i << " " << side;
-  }
-}
-
-TEST(PatchSides, ShareAnEdgeOnKnotsThatAreEqualAfterScalingAndMirroring) {
-  Random random(153);
-  const std::vector<glm::dvec4> edge = random_points(random, 3, Weights::one);
-  for (const double knot : {0.5, 1.0 / 3, 1.0 / 8192, 3.0 / 8192}) {
-    std::vector<glm::dvec4> first{edge[0], edge[1], edge[2]}, second{edge[2], edge[1], edge[0]};
-    for (auto* net : {&first, &second}) {
-      for (const glm::dvec4& p : random_points(random, 3, Weights::one)) net->push_back(p);
-    }
-    const KnotVector knots = KnotVector::make(1, {0, 0, knot, 1, 1});
-    const KnotVector mirrored = KnotVector::make(1, {3, 3, 3 + 2 * (1 - knot), 5, 5});
-    const auto sides =
-        patch_sides(PatchSet::of(std::vector<AnyPatch>{NurbsPatch::make(KnotVector::bezier(1), knots, first),
-                                                       NurbsPatch::make(KnotVector::bezier(1), mirrored, second)},
-                                 true));
-    EXPECT_EQ(sides[0][0].kind, EdgeKind::shared) << knot;
-    EXPECT_EQ(sides[0][0].edge, sides[1][0].edge) << knot;
-    EXPECT_NE(sides[0][0].reversed, sides[1][0].reversed) << knot;
-  }
 }
 
 }  // namespace

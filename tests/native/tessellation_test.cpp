@@ -146,18 +146,41 @@ TEST(Tessellation, LeavesAGapOpen) {
   EXPECT_EQ(mesh.euler(), 2);
 }
 
-TEST(Tessellation, JoinsOnlyTheCornersWhereAnEdgeHasTwoResolutions) {
-  // The edge 2-3 is a v side of the first patch and a u side of the second.
+/// How many edges have one face.
+std::size_t border_edge_count(const Mesh& mesh) {
+  const auto corners = mesh.topology.corner_vertices();
+  std::map<std::pair<int, int>, int> faces;
+  for (std::size_t i = 0; i < mesh.faces(); ++i) {
+    const std::size_t start = mesh.topology.face_starts()[i];
+    const std::size_t end = i + 1 < mesh.faces() ? mesh.topology.face_starts()[i + 1] : corners.size();
+    for (std::size_t k = start; k < end; ++k) {
+      const int next = corners[k + 1 < end ? k + 1 : start];
+      ++faces[std::minmax(static_cast<int>(corners[k]), next)];
+    }
+  }
+  return std::ranges::count_if(faces, [](const auto& edge) { return edge.second == 1; });
+}
+
+TEST(Tessellation, HasNoCrackWhereAnEdgeHasTwoResolutions) {
+  // The edge 2-3 is a v side of the first patch and a u side of the second, which has its places then.
   const PatchSet set = bilinear({{0, 0, 0, 1}, {0, 1, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {2, 0, 0, 1}, {2, 1, 0, 1}},
                                 {{0, 1, 2, 3}, {3, 5, 2, 4}});
   EXPECT_EQ(Mesh(set, 3, 3).topology.vertex_count(), 28u);
-  for (const auto& [u, v] : {std::pair{2, 5}, {5, 2}, {1, 7}}) {
+  EXPECT_EQ(border_edge_count(Mesh(set, 3, 3)), 18u);
+  for (const auto& [u, v] : {std::pair{2, 5}, {5, 2}, {3, 8}}) {
     const Mesh mesh(set, u, v);
-    EXPECT_EQ(mesh.topology.vertex_count(), 2u * (u + 1) * (v + 1) - 2);
-    const auto corners = mesh.topology.corner_vertices();
-    EXPECT_TRUE(std::ranges::all_of(
-        corners, [&](int i) { return i >= 0 && i < static_cast<int>(mesh.topology.vertex_count()); }));
+    EXPECT_EQ(mesh.topology.vertex_count(), 2u * (u + 1) * (v + 1) - 1 - std::min(u, v));
+    EXPECT_EQ(border_edge_count(mesh), 3u * (u + v));
   }
+}
+
+TEST(Tessellation, GivesAPatchOfOneStripASecondBesideAnEdgeOfMore) {
+  const PatchSet set = bilinear({{0, 0, 0, 1}, {0, 1, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {2, 0, 0, 1}, {2, 1, 0, 1}},
+                                {{0, 1, 2, 3}, {3, 5, 2, 4}});
+  const Mesh mesh(set, 1, 7);
+  // 2 x 8 of the first, and 3 x 8 of the second without the edge.
+  EXPECT_EQ(mesh.topology.vertex_count(), 16u + 21u);
+  EXPECT_EQ(border_edge_count(mesh), 1u + 7 + 1 + 7 + 2 + 7);
 }
 
 TEST(Tessellation, PutsVerticesOnThePatchesAndCornersOnTheirVertices) {

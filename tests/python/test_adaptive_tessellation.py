@@ -8,6 +8,7 @@ import pytest
 
 import splinecore as sc
 from meshes import counts_of, edges_of, faces_of, largest_distance, smallest_angle, triangles_of
+from sheets import random_sheet, set_of
 
 TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/core/teapot.json").read_text())
 
@@ -50,25 +51,8 @@ def hill():
     return sc.NurbsPatch((3, 3), (knots, knots), net)
 
 
-def set_of(*patches):
-    return sc.PatchSet.from_patches(list(patches), merge=False)
-
-
-def random_patch(seed):
-    random = np.random.default_rng(seed)
-    degree = tuple(int(d) for d in random.integers(1, 6, 2))
-    knots, shape = [], []
-    for d in degree:
-        inner = np.repeat(np.cumsum(random.uniform(0.2, 1, 3)), random.integers(1, d + 1, 3))
-        knots.append(np.r_[np.zeros(d + 1), inner, np.full(d + 1, inner[-1] + 0.7)])
-        shape.append(len(knots[-1]) - d - 1)
-    net = np.stack(np.meshgrid(*(np.linspace(0, 4, n) for n in shape), [0], indexing='ij'), -1)[:, :, 0]
-    net = net + random.uniform(-0.4, 0.4, net.shape)
-    return sc.NurbsPatch(degree, knots, net, random.uniform(0.5, 2, shape))
-
-
 SHAPES = {'teapot': teapot, 'sphere': lambda: set_of(sphere()), 'torus': lambda: set_of(torus()),
-          'hill': lambda: set_of(hill()), **{f"random {i}": lambda i=i: set_of(random_patch(i)) for i in range(8)}}
+          'hill': lambda: set_of(hill()), **{f"random {i}": lambda i=i: set_of(random_sheet(i)) for i in range(8)}}
 
 
 @pytest.mark.parametrize('tolerance', (0.1, 0.01, 0.003))
@@ -113,42 +97,6 @@ def test_the_teapot_is_open_at_its_rims_only(settings):
     rims = fine.evaluate(teapot())[0][[v for edge, faces in edges_of(fine).items() if len(faces) == 1 for v in edge]]
     for vertex in {v for edge in free_edges for v in edge}:
         assert np.linalg.norm(rims - positions[vertex], axis=1).min() < 0.02
-
-
-def quarter(u):
-    """A part of a wavy sheet between two parameters, as a patch of its own."""
-    sheet = random_patch(11)
-    (start, end), _ = sheet.domain
-    cut = start + u * (end - start)
-    return sheet.split('u', cut)
-
-
-@pytest.mark.parametrize('change', (
-    lambda p: p.refine('v', np.linspace(*p.domain[1], 9)[1:-1]), lambda p: p.reversed('v'), lambda p: p.swapped(),
-    lambda p: p.to_nurbs().insert_knot('v', np.mean(p.domain[1]))))
-def test_a_side_is_shared_whatever_its_knots_direction_and_axis(change):
-    """Two halves of a sheet, one of them finer, turned or with other knots, meet without a crack."""
-    before, after = quarter(0.4)
-    patch_set = set_of(before, change(after))
-    whole = sc.Tessellation.adaptive(set_of(before), tolerance=0.01)
-    for tolerance in (0.3, 0.01):
-        mesh = sc.Tessellation.adaptive(patch_set, tolerance=tolerance)
-        positions, _ = mesh.evaluate(patch_set)
-        free = [edge for edge, faces in edges_of(mesh).items() if len(faces) == 1]
-        ring = {}
-        for a, b in free:
-            ring.setdefault(a, []).append(b)
-            ring.setdefault(b, []).append(a)
-        assert all(len(neighbours) == 2 for neighbours in ring.values())
-        seen, waiting = set(), [free[0][0]]
-        while waiting:
-            vertex = waiting.pop()
-            if vertex not in seen:
-                seen.add(vertex)
-                waiting += ring[vertex]
-        assert len(seen) == len(ring), "the border is not one ring: there is a crack"
-        assert len(np.unique(np.round(positions, 6), axis=0)) == mesh.vertex_count
-    assert whole.vertex_count > 0
 
 
 def test_sides_that_are_not_one_curve_stay_apart():

@@ -43,6 +43,19 @@ def set_looks(mesh, looks):
     mesh.polygons.foreach_set('use_smooth', np.array([look.use_smooth for look in of_patch])[patches])
 
 
+def set_material(mesh, piece, index):
+    """Give the faces of one patch, counted from 1, or of all where it is 0, a material index. Raises ValueError."""
+    patches = _patches(mesh)
+    count = 0 if patches is None else 1 + int(patches.max())
+    if piece > count:
+        raise ValueError(f"the shape has {count} patch{'es' if count > 1 else ''}, there is none of number {piece}")
+    indices = np.empty(len(mesh.polygons), np.int32)
+    mesh.polygons.foreach_get('material_index', indices)
+    indices[(patches == piece - 1) if piece else slice(None)] = index
+    mesh.polygons.foreach_set('material_index', indices)
+    mesh.update()
+
+
 def shaded_normals(mesh, normals):
     """Corner normals (c, 3) with those of flat faces in place of the exact ones. The mesh is up to date."""
     smooth = np.empty(len(mesh.polygons), bool)

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core.library import sc
-from . import blocks, recipes, stamp, store, write_curve, write_mesh
+from . import blocks, fineness, recipes, stamp, store, write_curve, write_mesh
 
 
 def has_shape(ob):
@@ -58,7 +58,10 @@ def set_value(data, value):
 
 
 def set_definition(data, definition, progress=no_progress, around=None):
-    """set_value() with a definition. around: (n, 3), the points that a recipe has now, if it has any."""
+    """set_value() with a definition. around: (n, 3), the points that a recipe has now, if it has any.
+
+    Returns the Tessellation whose faces the data-block has then; None for a Curve.
+    """
     require_writable(data)
     require_untouched(data)
     store.require_fitting(data, definition)
@@ -66,22 +69,25 @@ def set_definition(data, definition, progress=no_progress, around=None):
     progress(1)
     store.write(data, definition)
     _finish(data, picture, progress)
+    return picture.tessellation
 
 
 def rewrite(data, progress=no_progress):
-    """Evaluate the stored definition again, after its settings changed. Raises as set_value() does."""
+    """Evaluate the stored definition again, after its settings changed. Raises and returns as set_definition() does."""
     require_untouched(data)
-    restore(data, progress)
+    return restore(data, progress)
 
 
 def restore(data, progress=no_progress):
     """rewrite(), also where the geometry was changed by others: their changes are lost."""
     definition = store.read(data)
-    if definition is not None:
-        require_writable(data)
-        picture = evaluated(data, definition, recipes.around(data))
-        progress(1)
-        _finish(data, picture, progress)
+    if definition is None:
+        return None
+    require_writable(data)
+    picture = evaluated(data, definition, recipes.around(data))
+    progress(1)
+    _finish(data, picture, progress)
+    return picture.tessellation
 
 
 def _finish(data, picture, progress):
@@ -112,6 +118,7 @@ class Picture(NamedTuple):
 
     points: np.ndarray                  # (n, 3) float32, all of them
     write: Callable                     # puts it into the data-block
+    tessellation: object = None         # the splinecore Tessellation of patches
 
 
 def evaluated(data, definition, around=None):
@@ -119,7 +126,6 @@ def evaluated(data, definition, around=None):
 
     Raises ValueError or ArithmeticError where there is nothing finite to show.
     """
-    settings = data.splinewright
     if definition.has_curves:
         value = definitions.to_value(definition)
         curves = value if isinstance(value, list) else [value]
@@ -129,11 +135,11 @@ def evaluated(data, definition, around=None):
         lines = [(_single(points), closed) for points, closed in lines]
         return Picture(np.concatenate([points for points, _ in lines]), lambda: write_curve.write(data, lines))
     patch_set = definitions.to_patch_set(definition)
-    tessellation = sc.Tessellation(patch_set, (settings.resolution_u, settings.resolution_v))
+    tessellation = fineness.tessellated(data, patch_set)
     positions, normals = tessellation.evaluate(patch_set)
     _single(positions)
-    sharp = tessellation.sharp_edges(normals, settings.sharp_angle)
-    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp))
+    sharp = tessellation.sharp_edges(normals, data.splinewright.sharp_angle)
+    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp), tessellation)
 
 
 def lines_of(data, curve, around=None):

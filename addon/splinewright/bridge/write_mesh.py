@@ -3,24 +3,17 @@
 import bpy
 import numpy as np
 
-from . import mesh_looks
-
-UV_NAME = "UVMap"
+from . import mesh_attributes, mesh_looks
 
 
 def write(mesh, tessellation, positions, normals, sharp):
     """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
-    sharp edges (k, 2). Where the faces are the same as before only positions and normals change:
-    UVs and shading that a user gave them stay."""
+    sharp edges (k, 2). Where the faces are the same as before only positions and normals change.
+    What a user put on them stays, or is carried over to the new ones."""
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers):
         _write_positions(mesh, positions)
     else:
-        looks = mesh_looks.looks_by_patch(mesh)
-        mesh.clear_geometry()
-        _write_faces(mesh, tessellation, positions)
-        mesh_looks.name_patches(mesh, tessellation.face_patches)
-        mesh_looks.set_looks(mesh, looks)
-        _write_uvs(mesh, tessellation)
+        _replace_faces(mesh, tessellation, positions)
     _write_sharp_edges(mesh, sharp)
     # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
     mesh.update()
@@ -58,6 +51,26 @@ def _write_positions(mesh, positions):
         mesh.vertices.foreach_set('co', flat)
 
 
+def _replace_faces(mesh, tessellation, positions):
+    owner = _owner(mesh)
+    looks, kept = mesh_looks.looks_by_patch(mesh), mesh_attributes.keep(mesh, owner)
+    mesh.clear_geometry()
+    _write_faces(mesh, tessellation, positions)
+    mesh_looks.name_patches(mesh, tessellation.face_patches)
+    mesh_looks.set_looks(mesh, looks)
+    mesh_attributes.write_parameters(mesh, tessellation)
+    _write_uvs(mesh, tessellation)
+    if kept is not None:
+        mesh_attributes.restore(mesh, owner, kept)
+
+
+def _owner(mesh):
+    """An object of the mesh that has vertex groups, or None."""
+    if not mesh.users:
+        return None
+    return next((ob for ob in bpy.data.objects if ob.data == mesh and ob.vertex_groups), None)
+
+
 def _write_faces(mesh, tessellation, positions):
     starts, corners = tessellation.face_starts, tessellation.corner_vertices
     mesh.vertices.add(tessellation.vertex_count)
@@ -72,7 +85,7 @@ def _write_faces(mesh, tessellation, positions):
 
 
 def _write_uvs(mesh, tessellation):
-    layer = mesh.uv_layers.get(UV_NAME) or mesh.uv_layers.new(name=UV_NAME, do_init=False)
+    layer = mesh.uv_layers.get(mesh_attributes.UV_NAME) or mesh.uv_layers.new(name=mesh_attributes.UV_NAME, do_init=False)
     flat = tessellation.corner_uvs.ravel()
     if hasattr(layer, 'uv'):
         layer.uv.foreach_set('vector', flat)

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import derived, follow, recipes, shape, store
+from ..bridge import derived, fineness, follow, recipes, shape, store
 from ..bridge.net import net
 from ..core import describe
 from . import net_panel, recipe_props, texts
@@ -92,12 +92,32 @@ def _draw_settings(layout, data, definition):
         if definition.runs_to_infinity or recipes.around(data) is not None:
             column.prop(settings, "reach")
     else:
-        column.prop(settings, "resolution_u")
-        column.prop(settings, "resolution_v", text="V")
+        _draw_fineness(column, settings)
         layout.prop(settings, "sharp_angle")
-        layout.label(text=f"{len(data.vertices):,} vertices, {len(data.polygons):,} faces")
+        layout.label(text=f"{len(data.vertices):,} vertices, {_faces(data)}")
+        if len(definition.pieces) > 1 and len(data.materials) > 1:
+            layout.operator("splinewright.set_patch_material", icon='MATERIAL')
     if settings.problem:
         texts.draw_problem(layout, settings.problem)
+
+
+def _draw_fineness(column, settings):
+    column.prop(settings, "mode")
+    if settings.mode == fineness.COUNT:
+        column.prop(settings, "resolution_u")
+        column.prop(settings, "resolution_v", text="V")
+    if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
+        row = column.row(align=True)
+        row.prop(settings, "tolerance")
+        row.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
+    if settings.mode in (fineness.ANGLE, fineness.BOTH):
+        column.prop(settings, "angle")
+
+
+def _faces(data):
+    """Of a Mesh, and how many there were before."""
+    before, now = data.splinewright.faces_before, len(data.polygons)
+    return f"{before:,} → {now:,} faces" if before not in (0, now) else f"{now:,} faces"
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):

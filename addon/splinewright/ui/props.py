@@ -3,9 +3,9 @@
 import math
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import shape, store
+from ..bridge import fineness, shape, store
 from ..core.failures import FAILURES, sentence
 from . import progress
 
@@ -16,17 +16,38 @@ OWNERS = (bpy.types.Mesh, bpy.types.Curve)
 def _resolution_changed(self, context):
     if self.quiet or not store.has_definition(self.id_data):
         return
+    before = face_count(self.id_data)
     try:
         with progress.shown(context, shape.STEPS) as step:
             shape.rewrite(self.id_data, step)
         self.problem = ""
+        if face_count(self.id_data) != before:
+            self.faces_before = before
     except FAILURES as error:
         self.problem = sentence(error)
+
+
+def face_count(data):
+    return len(data.polygons) if isinstance(data, bpy.types.Mesh) else 0
 
 
 class SplinewrightShape(bpy.types.PropertyGroup):
     """How finely a shape is shown. The definition itself lies in float64 beside it."""
 
+    mode: EnumProperty(
+        name="Faces", description="How many faces show the surface",
+        items=((fineness.COUNT, "By Count", "So many in every span"),
+               (fineness.TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
+               (fineness.ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
+               (fineness.BOTH, "By Tolerance and Angle", "As many as both take")),
+        default=fineness.COUNT, update=_resolution_changed)
+    tolerance: FloatProperty(
+        name="Tolerance", description="No point of the surface lies farther from the mesh, in units of the object",
+        default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH', update=_resolution_changed)
+    angle: FloatProperty(
+        name="Angle", description="Normals turn by no more on a face",
+        default=math.radians(15.0), min=math.radians(0.01), soft_min=math.radians(1.0), max=math.pi, subtype='ANGLE',
+        update=_resolution_changed)
     resolution_u: IntProperty(
         name="Resolution U", description="Steps in every span along u",
         default=12, min=1, max=4096, soft_max=64, update=_resolution_changed)
@@ -42,6 +63,9 @@ class SplinewrightShape(bpy.types.PropertyGroup):
     problem: StringProperty(
         name="Problem", description="Why the last change of a setting shows nothing new",
         options={'HIDDEN', 'SKIP_SAVE'})
+    faces_before: IntProperty(
+        name="Faces Before", description="How many there were before a setting was changed last",
+        options={'HIDDEN', 'SKIP_SAVE'})
     quiet: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     def set_resolution(self, resolution_u, resolution_v):
@@ -50,6 +74,13 @@ class SplinewrightShape(bpy.types.PropertyGroup):
         self.resolution_u = resolution_u
         self.quiet = False
         self.resolution_v = resolution_v
+
+    def set_tolerance(self, tolerance):
+        """Show the surface by tolerance, with one evaluation at most."""
+        self.quiet = True
+        self.mode = fineness.TOLERANCE
+        self.quiet = False
+        self.tolerance = tolerance
 
     @property
     def value(self):

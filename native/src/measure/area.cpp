@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <string>
 
 #include "finite_weights.hpp"
@@ -13,7 +12,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
-#include "splinecore/patch/edges.hpp"
+#include "splinecore/patch/panels.hpp"
 
 namespace splinecore {
 
@@ -144,30 +143,31 @@ std::string name_of(std::size_t patch, int side) {
 }
 
 /// Whether the boundary of a patch, with its inside to the left, runs along a side in the direction of its edge.
-int turn_of(int side, const PatchSide& found) {
+int turn_of(int side, const PanelSide& found) {
   const int turn = side == 1 || side == 2 ? 1 : -1;
   return found.reversed ? -turn : turn;
 }
 
 /// @throws InvalidShape unless the patches close up and their normals agree.
 void require_closed(const PatchSet& set) {
-  const auto sides = patch_sides(set);
-  std::map<int, int> turns;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const NurbsPatch& patch = nurbs_of(set.patch(i));
+  const std::vector<Panel> panels = panels_of(set);
+  const std::vector<int> counts = side_counts(panels);
+  std::vector<int> turns(counts.size(), 0);
+  for (const Panel& panel : panels) {
     for (int side = 0; side < 4; ++side) {
-      const PatchSide& found = sides[i][side];
-      const bool is_periodic = patch.knot_vector(side < 2 ? Axis::u : Axis::v).periodic();
-      if (found.kind == EdgeKind::free || (found.kind == EdgeKind::open && !is_periodic)) {
-        throw InvalidShape(name_of(i, side) + " meets no other: the patches enclose no volume");
+      const PanelSide& found = panel.sides[side];
+      if (found.edge < 0) continue;
+      if (counts[found.edge] == 1) {
+        throw InvalidShape(name_of(panel.patch, side) + " meets no other: the patches enclose no volume");
       }
-      if (found.kind == EdgeKind::shared) turns[found.edge] += turn_of(side, found);
+      turns[found.edge] += turn_of(side, found);
     }
   }
-  for (std::size_t i = 0; i < sides.size(); ++i) {
+  for (const Panel& panel : panels) {
     for (int side = 0; side < 4; ++side) {
-      if (sides[i][side].kind != EdgeKind::shared || turns[sides[i][side].edge] == 0) continue;
-      throw InvalidShape("beyond " + name_of(i, side) + " the normals point to the other side: the volume has no sign");
+      if (panel.sides[side].edge < 0 || turns[panel.sides[side].edge] == 0) continue;
+      throw InvalidShape("beyond " + name_of(panel.patch, side) +
+                         " the normals point to the other side: the volume has no sign");
     }
   }
 }

@@ -1,37 +1,34 @@
 #include "splinecore/tessellate/axis_samples.hpp"
 
-#include <algorithm>
-
 namespace splinecore {
 
-AxisSamples sample_axis(const KnotVector& knots, int resolution) {
+AxisSamples sample_axis(const KnotVector& knots, const std::vector<MeshSpan>& spans, int resolution) {
   std::vector<double> parameters;
   std::vector<Side> sides;
   AxisSamples axis;
-  const auto add = [&](double u, Side side, bool new_line, bool face_follows) {
-    if (new_line) ++axis.line_count;
+  const auto add = [&](double u, Side side) {
     parameters.push_back(u);
     sides.push_back(side);
-    axis.line.push_back(axis.line_count - 1);
-    axis.face_follows.push_back(face_follows);
+    return static_cast<int>(parameters.size()) - 1;
   };
-  const int span_count = static_cast<int>(knots.spans().size());
-  // A closed direction of fewer than three strips would fold onto itself.
-  if (knots.periodic()) resolution = std::max(resolution, (2 + span_count) / span_count);
-  for (int i = 0; i < span_count; ++i) {
-    const Interval span = knots.span_interval(i);
-    const int times = multiplicity(knots, span.start);
-    const bool from_both_sides = i > 0 && times >= knots.degree();
-    if (from_both_sides) add(span.start, Side::left, true, false);
-    add(span.start, Side::right, !from_both_sides || times > knots.degree(), true);
+  const auto add_line = [&](double u, Side side) {
+    axis.first.push_back(add(u, side));
+    axis.last.push_back(axis.first.back());
+  };
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const Interval& range = spans[i].range;
+    if (i > 0 && spans[i].is_crease) add_line(spans[i - 1].range.end, Side::left);
+    if (i > 0 && spans[i].is_crease && !spans[i].is_gap) {
+      axis.last.back() = add(range.start, Side::right);
+    } else {
+      add_line(range.start, Side::right);
+    }
+    axis.span_starts.push_back(axis.line_count() - 1);
     for (int k = 1; k < resolution; ++k) {
-      add(span.start + span.length() * (static_cast<double>(k) / resolution), Side::right, true, true);
+      add_line(range.start + range.length() * (static_cast<double>(k) / resolution), Side::right);
     }
   }
-  const Interval range = knots.domain();
-  const bool closes = knots.periodic() && multiplicity(knots, range.start) <= knots.degree();
-  add(range.end, Side::left, !closes, false);
-  if (closes) axis.line.back() = 0;
+  add_line(knots.domain().end, Side::left);
   axis.samples = Samples::make(knots, parameters, 1, sides);
   return axis;
 }

@@ -2,28 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/tessellate/flatness.hpp"
 
 namespace splinecore {
-
-double parameter_at(const KnotVector& knots, Place place) {
-  const auto count = static_cast<Place>(knots.spans().size());
-  const Place span = std::min(place / kSpan, count - 1);
-  const Interval range = knots.span_interval(static_cast<int>(span));
-  const Place part = place - span * kSpan;
-  if (part == kSpan) return range.end;
-  return range.start + range.length() * (static_cast<double>(part) / static_cast<double>(kSpan));
-}
-
-Place place_of(const KnotVector& knots, double u) {
-  const int span = knots.span_of(u, Side::right);
-  const Interval range = knots.span_interval(span);
-  const double part = std::clamp((u - range.start) / range.length(), 0.0, 1.0);
-  return span * kSpan + std::llround(part * static_cast<double>(kSpan));
-}
 
 namespace {
 
@@ -93,15 +78,15 @@ class Splitter {
 
 }  // namespace
 
-std::vector<Cell> cells_of(const NurbsPatch& patch, const Cell& whole, const Fineness& fineness, bool closed_u,
-                           bool closed_v) {
+std::vector<Cell> cells_of(const NurbsPatch& patch, const std::array<std::vector<MeshSpan>, 2>& spans,
+                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v) {
   const BezierGrid grid = to_bezier(patch);
   std::vector<Cell> cells;
   const auto widest = [](Place length, bool closed) { return closed ? length / 3 : length; };
   Splitter splitter(fineness, widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v), cells);
   for (Place i = whole.u0 / kSpan; i < whole.u1 / kSpan; ++i) {
     for (Place j = whole.v0 / kSpan; j < whole.v1 / kSpan; ++j) {
-      const BezierPatch& piece = grid.patches[static_cast<std::size_t>(i * grid.count_v + j)];
+      const BezierPatch& piece = grid.patches[static_cast<std::size_t>(spans[0][i].number * grid.count_v + spans[1][j].number)];
       splitter.add(net_of(piece), {i * kSpan, (i + 1) * kSpan, j * kSpan, (j + 1) * kSpan});
     }
   }

@@ -23,8 +23,7 @@ void gather(std::span<const std::size_t> samples, std::span<const Real> from, st
 }  // namespace
 
 bool Tessellation::fits(const PatchSet& set) const {
-  return std::ranges::equal(patches_, set.patches()) && first_equal_ == first_equal_rows(set) &&
-         sides_ == patch_sides(set);
+  return std::ranges::equal(patches_, set.patches()) && panels_ == panels_of(set);
 }
 
 void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,

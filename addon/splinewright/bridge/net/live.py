@@ -13,7 +13,7 @@ from ...core import definition as definitions
 from ...core.failures import FAILURES, sentence
 from ...core.library import sc
 from ...core.net import net as nets
-from .. import made, recipes, shape, stamp, store, write_mesh
+from .. import fineness, made, recipes, shape, stamp, store, write_mesh
 from . import net as bridge
 from . import points_net
 
@@ -29,10 +29,10 @@ class Session:
         self.made_with = net
         self.problem = ""
         self.show(net)
-        self.written = None             # the tessellation whose faces the shape has
+        self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
+        self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
-        self._tessellation = self._resolution = None
         self._patch_sets = {}
 
     def show(self, net):
@@ -52,7 +52,11 @@ class Session:
 
     def trust(self):
         """Undo may have put back any earlier state of the shape."""
-        self.written = self.pool = None
+        self.faces = self.pool = None
+
+    def wrote(self, data, faces):
+        """The shape has these faces now."""
+        self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
 
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
@@ -61,15 +65,16 @@ class Session:
             self._patch_sets[is_source] = definitions.to_patch_set(definition)
         return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
-    def positions(self, patch_set, resolution):
-        """(tessellation, positions): of the last tessellation if it fits, else of a new one."""
-        if self._tessellation is not None and self._resolution == resolution:
-            try:
-                return self._tessellation, self._tessellation.evaluate_positions(patch_set)
-            except sc.InvalidShape:
-                pass                    # points that were equal are not any more, or the other way round
-        self._tessellation, self._resolution = sc.Tessellation(patch_set, resolution), resolution
-        return self._tessellation, self._tessellation.evaluate_positions(patch_set)
+    def moved(self, data, patch_set):
+        """Positions on the faces that the shape has, or None where it needs others."""
+        if self.faces is None or self._fineness != fineness.of(data):
+            return None
+        if not stamp.same_topology(self._stamp, store.read_stamp(data)):
+            return None
+        try:
+            return self.faces.evaluate_positions(patch_set)
+        except sc.InvalidShape:
+            return None                 # sides that were one are not any more, or the other way round
 
 
 _sessions = {}
@@ -146,9 +151,12 @@ def problem(ob):
 
 
 def settle(data):
-    """Write what a drag leaves out: exact normals and sharp edges."""
+    """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
     if store.is_draft(data):
-        shape.rewrite(data)
+        faces = shape.rewrite(data)
+        current = _sessions.get(bridge.editor(data))
+        if current is not None:
+            current.wrote(data, faces)
 
 
 def _show(data, definition, current):
@@ -163,15 +171,13 @@ def _show(data, definition, current):
         shape.set_definition(data, definition)
         current.pool = definition.pool
         return True
-    settings = data.splinewright
-    patch_set = current.patch_set(definition)
-    tessellation, positions = current.positions(patch_set, (settings.resolution_u, settings.resolution_v))
+    positions = current.moved(data, current.patch_set(definition))
+    if positions is None:
+        current.wrote(data, shape.set_definition(data, definition))
+        current.pool = definition.pool
+        return True
     if not np.isfinite(positions).all():
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
-    if current.written is not tessellation or tessellation.vertex_count != len(data.vertices):
-        shape.set_definition(data, definition)
-        current.written, current.pool = tessellation, definition.pool
-        return True
     write_mesh.move(data, positions)
     current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))

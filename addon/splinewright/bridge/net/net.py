@@ -85,6 +85,11 @@ def token(data):
     return data[KEY]['token']
 
 
+def editor(shape_data):
+    """The token of the net that edits a shape, or None."""
+    return shape_data.get(EDITED_BY)
+
+
 def source(data):
     """The definition that a net was made from."""
     return store.decoded(data[KEY]['definition'])

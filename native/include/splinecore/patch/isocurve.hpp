@@ -16,7 +16,7 @@ namespace splinecore {
 NurbsCurve isocurve(const NurbsPatch& patch, Axis axis, double at, Side side = Side::right);
 BezierCurve isocurve(const BezierPatch& patch, Axis axis, double at);
 
-/// The sides of a patch, in the order of PatchSide.
+/// The sides of a patch, in the order of Panel.
 enum class Border { u_start, u_end, v_start, v_end };
 
 /// The curve of a side; of a periodic direction that of its seam.

@@ -3,22 +3,25 @@
 #include <vector>
 
 #include "splinecore/basis/samples.hpp"
+#include "splinecore/tessellate/mesh_spans.hpp"
 
 namespace splinecore {
 
-/// Where one direction of a patch is sampled, and which samples are one line of vertices.
+/// Where one direction of a patch is sampled: on lines, each with one sample or two.
 ///
-/// Knots at which the derivative may jump are sampled from both sides. The two samples lie on
-/// one line, or on two where the patch itself has a gap. The end of a periodic direction lies on
-/// its first line.
+/// Knots at which the derivative may jump, creases, are sampled from both sides on one line; where the patch
+/// itself has a gap they are two lines.
 struct AxisSamples {
   Samples samples;
-  std::vector<int> line;            ///< of each sample
-  std::vector<bool> face_follows;   ///< the strip from this sample to the next is drawn
-  int line_count = 0;
+  std::vector<int> first;        ///< of each line: its sample seen from before
+  std::vector<int> last;         ///< and the one seen from behind
+  std::vector<int> span_starts;  ///< of each mesh span: the line it begins on
+
+  int line_count() const noexcept { return static_cast<int>(first.size()); }
+  bool is_crease(int line) const noexcept { return first[line] != last[line]; }
 };
 
-/// `resolution` strips of equal width in every span; a periodic direction has three at least.
-AxisSamples sample_axis(const KnotVector& knots, int resolution);
+/// `resolution` strips of equal width in every one of the spans, which are mesh_spans(knots).
+AxisSamples sample_axis(const KnotVector& knots, const std::vector<MeshSpan>& spans, int resolution);
 
 }  // namespace splinecore

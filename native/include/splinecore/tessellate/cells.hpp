@@ -1,23 +1,14 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "splinecore/patch/nurbs_patch.hpp"
+#include "splinecore/tessellate/mesh_spans.hpp"
 
 namespace splinecore {
-
-/// A parameter of one direction of a patch: the number of its span times kSpan, and a part of it.
-using Place = std::int64_t;
-inline constexpr Place kSpan = Place{1} << 30;
-
-/// The parameter of a place; the end of the domain is at the number of spans.
-double parameter_at(const KnotVector& knots, Place place);
-
-/// The place nearest to a parameter of the domain.
-Place place_of(const KnotVector& knots, double u);
 
 /// A rectangle in the parameters of a patch.
 struct Cell {
@@ -36,9 +27,10 @@ struct Fineness {
 
 /// Rectangles that tile a part of a patch, each fine enough, none across a knot and none more than 16 times as long
 /// as wide; in a closed direction none wider than a third, so that no two faces have the same corners.
+/// @param spans  of u and v
 /// @throws InvalidShape if that takes more than 2^21, or a weight is not above 0 however small they are.
-std::vector<Cell> cells_of(const NurbsPatch& patch, const Cell& whole, const Fineness& fineness, bool closed_u,
-                           bool closed_v);
+std::vector<Cell> cells_of(const NurbsPatch& patch, const std::array<std::vector<MeshSpan>, 2>& spans,
+                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v);
 
 /// Cells that tile a rectangle, and every place on their sides where a vertex is.
 class CellGrid {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "splinecore/patch/edges.hpp"
+#include "splinecore/patch/panels.hpp"
 #include "splinecore/patch/patch_set.hpp"
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/tessellate/axis_samples.hpp"
@@ -19,10 +18,10 @@ namespace splinecore {
 /// it. It is made once and evaluated for as many positions of the points as come.
 class Tessellation {
  public:
-  /// A fixed number of faces per span. It depends on indices, knots and which points are equal only.
+  /// A fixed number of faces per span: grids of quads.
   ///
-  /// Vertices are shared along common edges and at common corners (where an edge lies along u of one
-  /// patch and along v of another and the resolutions differ, at its corners only).
+  /// Where the sides of an edge (panels_of()) would have vertices at other places, all take those of the side that has
+  /// most, and triangles lead over to the grid, which has two strips then at least. A closed direction has three.
   /// @throws InvalidShape if a resolution is outside [1, 4096] or there would be more than 2^22 samples.
   static Tessellation make(const PatchSet& set, int resolution_u, int resolution_v);
 
@@ -34,8 +33,7 @@ class Tessellation {
   ///         infinity.
   static Tessellation adaptive(const PatchSet& set, const Fineness& fineness);
 
-  /// Whether the set has the patches, on the same knots and with the same points on one another,
-  /// that this was made for.
+  /// Whether the set has the patches, on the same knots and with the same sides in common, that this was made for.
   bool fits(const PatchSet& set) const;
 
   std::size_t vertex_count() const noexcept { return vertex_samples_.size(); }
@@ -77,14 +75,14 @@ class Tessellation {
     std::int32_t low_vertex, high_vertex;
     std::int32_t low_corner, high_corner;
   };
-  friend class TessellationBuilder;
+  friend class CountBuilder;
   friend class AdaptiveBuilder;
+  friend class MeshWriter;
 
   std::vector<IndexedPatch> patches_;
-  std::vector<int> first_equal_;
-  std::vector<std::array<PatchSide, 4>> sides_;
+  std::vector<Panel> panels_;
   std::vector<Grid> grids_;        // of each patch, by count
-  std::vector<Scatter> scatters_;  // adaptive
+  std::vector<Scatter> scatters_;  // beside grids, or all where it is adaptive
   std::size_t sample_count_ = 0;
   std::vector<std::size_t> vertex_samples_;
   std::vector<std::size_t> corner_samples_;

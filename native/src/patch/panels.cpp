@@ -1,4 +1,4 @@
-#include "splinecore/tessellate/panels.hpp"
+#include "splinecore/patch/panels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,30 +34,26 @@ struct SideCurve {
   }
 };
 
-/// The places where a direction begins, has a gap, or ends.
-std::vector<Place> gaps(const KnotVector& knots) {
-  const auto count = static_cast<Place>(knots.spans().size());
-  std::vector<Place> found{0};
-  for (Place i = 1; i < count; ++i) {
+/// The parameters where a direction begins, has a gap, or ends.
+std::vector<double> gaps(const KnotVector& knots) {
+  const Interval domain = knots.domain();
+  std::vector<double> found{domain.start};
+  for (std::size_t i = 1; i < knots.spans().size(); ++i) {
     const double u = knots.span_interval(static_cast<int>(i)).start;
-    if (multiplicity(knots, u) > knots.degree()) found.push_back(i * kSpan);
+    if (multiplicity(knots, u) > knots.degree()) found.push_back(u);
   }
-  found.push_back(count * kSpan);
+  found.push_back(domain.end);
   return found;
 }
 
 SideCurve side_curve(const PatchSet& set, const Panel& panel, std::size_t number, int side) {
-  const NurbsPatch& patch = nurbs_of(set.patch(panel.patch));
   const bool is_u = side < 2;
   const bool is_end = side % 2 == 1;
-  const Cell& cell = panel.whole;
-  const Axis across = is_u ? Axis::u : Axis::v;
-  const KnotVector& along = patch.knot_vector(is_u ? Axis::v : Axis::u);
-  const Place line = is_u ? (is_end ? cell.u1 : cell.u0) : (is_end ? cell.v1 : cell.v0);
-  const double at = parameter_at(patch.knot_vector(across), line);
-  const auto [from, to] = is_u ? std::pair{cell.v0, cell.v1} : std::pair{cell.u0, cell.u1};
-  return {number, side, isocurve(patch, across, at, is_end ? Side::left : Side::right),
-          {parameter_at(along, from), parameter_at(along, to)}};
+  const Interval& across = is_u ? panel.u : panel.v;
+  return {number, side,
+          isocurve(nurbs_of(set.patch(panel.patch)), is_u ? Axis::u : Axis::v, is_end ? across.end : across.start,
+                   is_end ? Side::left : Side::right),
+          is_u ? panel.v : panel.u};
 }
 
 std::vector<double> scaled_knots(const SideCurve& side, bool reversed) {
@@ -72,7 +68,17 @@ std::vector<double> scaled_knots(const SideCurve& side, bool reversed) {
 
 bool near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) { return glm::length(a - b) <= tolerance; }
 
+/// Whether two sides have the very same points on the same knots.
+bool is_same(const SideCurve& a, const SideCurve& b, bool reversed) {
+  const auto points = a.curve.points();
+  const auto others = b.curve.points();
+  if (points.size() != others.size() || a.curve.degree() != b.curve.degree() || a.range != b.range) return false;
+  if (!std::ranges::equal(a.curve.knot_vector().knots(), b.curve.knot_vector().knots())) return false;
+  return !reversed && std::ranges::equal(points, others);
+}
+
 bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed, double tolerance) {
+  if (is_same(a, b, reversed)) return true;
   constexpr double kOneKnot = 0x1p-40;
   std::vector<double> knots = scaled_knots(a, false);
   const std::vector<double> others = scaled_knots(b, reversed);
@@ -97,12 +103,15 @@ bool is_point(const SideCurve& side, double tolerance) {
   return !has_directions && extent(points) <= tolerance;
 }
 
+/// Where the middle of a side lies along a direction in which few have the same place.
+double middle(const SideCurve& side) {
+  constexpr glm::dvec3 kDirection(0.71, 0.53, 0.46);
+  const double at = glm::dot(kDirection, side.point(0.5));
+  return std::isnan(at) ? std::numeric_limits<double>::infinity() : at;
+}
+
 /// Numbers the edges: each side takes the edge of the first side before it that is the same curve.
-void match(std::vector<Panel>& panels, std::vector<SideCurve> sides, double tolerance) {
-  const auto middle = [](const SideCurve& side) {
-    const double x = side.point(0.5).x;
-    return std::isnan(x) ? std::numeric_limits<double>::infinity() : x;
-  };
+void match(std::vector<Panel>& panels, const std::vector<SideCurve>& sides, double tolerance) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < sides.size(); ++i) order.emplace_back(middle(sides[i]), i);
   std::ranges::sort(order);
@@ -125,16 +134,17 @@ void match(std::vector<Panel>& panels, std::vector<SideCurve> sides, double tole
 
 }  // namespace
 
-std::vector<Panel> panels_of(const PatchSet& set, double tolerance) {
+std::vector<Panel> panels_of(const PatchSet& set) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < set.patches().size(); ++i) {
     const NurbsPatch& patch = nurbs_of(set.patch(i));
-    const std::vector<Place> u = gaps(patch.knot_vector(Axis::u));
-    const std::vector<Place> v = gaps(patch.knot_vector(Axis::v));
+    const std::vector<double> u = gaps(patch.knot_vector(Axis::u));
+    const std::vector<double> v = gaps(patch.knot_vector(Axis::v));
     for (std::size_t j = 1; j < u.size(); ++j) {
-      for (std::size_t k = 1; k < v.size(); ++k) panels.push_back({i, {u[j - 1], u[j], v[k - 1], v[k]}, {}});
+      for (std::size_t k = 1; k < v.size(); ++k) panels.push_back({i, {u[j - 1], u[j]}, {v[k - 1], v[k]}, {}});
     }
   }
+  const double tolerance = kOneCurve * extent(set.points());
   std::vector<SideCurve> sides;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     for (int side = 0; side < 4; ++side) {
@@ -142,8 +152,20 @@ std::vector<Panel> panels_of(const PatchSet& set, double tolerance) {
       if (!is_point(curve, tolerance)) sides.push_back(std::move(curve));
     }
   }
-  match(panels, std::move(sides), tolerance);
+  match(panels, sides, tolerance);
   return panels;
+}
+
+std::vector<int> side_counts(const std::vector<Panel>& panels) {
+  std::vector<int> counts;
+  for (const Panel& panel : panels) {
+    for (const PanelSide& side : panel.sides) {
+      if (side.edge < 0) continue;
+      counts.resize(std::max(counts.size(), static_cast<std::size_t>(side.edge) + 1), 0);
+      ++counts[side.edge];
+    }
+  }
+  return counts;
 }
 
 }  // namespace splinecore

@@ -1,0 +1,54 @@
+"""How finely a shape is shown: the settings of its data-block, and the faces they ask for."""
+
+import numpy as np
+from mathutils import Matrix
+
+from ..core.library import sc
+
+#: The ways to choose faces, as the settings name them.
+COUNT, TOLERANCE, ANGLE, BOTH = 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
+
+
+def of(data):
+    """What the settings of a data-block ask for: equal ones, equal faces."""
+    settings = data.splinewright
+    return settings.mode, settings.resolution_u, settings.resolution_v, settings.tolerance, settings.angle
+
+
+def tessellated(data, patch_set):
+    """The splinecore Tessellation that the settings ask for. Raises InvalidShape where it cannot be."""
+    mode, resolution_u, resolution_v, tolerance, angle = of(data)
+    if mode == COUNT:
+        return sc.Tessellation(patch_set, (resolution_u, resolution_v))
+    return sc.Tessellation.adaptive(patch_set, tolerance=tolerance if mode in (TOLERANCE, BOTH) else None,
+                                    angle=angle if mode in (ANGLE, BOTH) else None)
+
+
+def of_render(ob, points, scene, depsgraph):
+    """The length, in the object's units, that is one pixel where a shape is nearest to the scene's camera.
+
+    points: (n, 3), of the shape. Raises ValueError where the scene has no camera, or none of them is before it.
+    """
+    camera = scene.camera
+    if camera is None:
+        raise ValueError("the scene has no camera")
+    render = scene.render
+    width, height = (size * render.resolution_percentage / 100 for size in (render.resolution_x, render.resolution_y))
+    window = np.array(camera.calc_matrix_camera(depsgraph, x=round(width), y=round(height),
+                                                scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y))
+    to_camera = camera.matrix_world.normalized().inverted() @ ob.matrix_world
+    depth = -(np.array(to_camera)[2, :3] @ points.T + to_camera[2][3])
+    # The window's matrix leads to clip space, which is 2 wide and divided by w: the depth, or 1 where all is parallel.
+    is_perspective = window[3, 3] == 0.0
+    start = camera.data.clip_start if camera.type == 'CAMERA' else 0.0
+    seen = depth[depth >= start]
+    if not len(seen):
+        raise ValueError("the shape lies behind the camera")
+    distance = seen.min() if is_perspective else 1.0
+    pixel = distance * min(2 / (width * window[0, 0]), 2 / (height * window[1, 1]))
+    return float(pixel / largest_scale(ob.matrix_world))
+
+
+def largest_scale(matrix: Matrix):
+    """By how much a matrix lengthens what it lengthens most."""
+    return float(np.linalg.svd(np.array(matrix.to_3x3()), compute_uv=False)[0])

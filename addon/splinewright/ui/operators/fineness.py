@@ -1,0 +1,61 @@
+"""Faces for the render, and materials for patches."""
+
+import bpy
+from bpy.props import FloatProperty, IntProperty
+
+from ...bridge import fineness, mesh_looks, replacing, shape
+from .selected import OnSelected
+
+
+class _OnPatches(OnSelected):
+    needs = "Select a shape of patches"
+    fits = staticmethod(replacing.is_patch_shape)
+
+
+class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
+    bl_idname = "splinewright.tolerance_from_render"
+    bl_label = "Tolerance From Render"
+    bl_description = ("Show the surface as finely as the scene's camera needs it: where it is nearest, the mesh lies "
+                      "within a part of a pixel")
+
+    pixels: FloatProperty(name="Pixels", description="How far the mesh may lie from the surface in the picture",
+                          default=0.25, min=0.001, soft_max=4.0)
+
+    def work(self, context, ob):
+        depsgraph = context.evaluated_depsgraph_get()
+        tolerance = self.pixels * fineness.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
+        shape.require_writable(ob.data)
+        before, settings = len(ob.data.polygons), ob.data.splinewright
+        settings.set_tolerance(tolerance)
+        if settings.problem:
+            raise ValueError(settings.problem)
+        return tolerance, before, len(ob.data.polygons)
+
+    def report_done(self, outcomes):
+        if len(outcomes) > 1:
+            self.report({'INFO'}, f"{len(outcomes)} objects are shown as the render needs")
+            return
+        (name, (tolerance, before, now)), = outcomes.items()
+        self.report({'INFO'}, f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
+
+
+class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
+    bl_idname = "splinewright.set_patch_material"
+    bl_label = "Set Patch Material"
+    bl_description = "Give one patch of the shape, or all, the material of a slot; it stays whatever faces show the patch"
+    done = "Set the material of {}"
+
+    piece: IntProperty(name="Patch", description="Which patch of the shape, counted from 1; 0 for all of them",
+                       default=0, min=0, options={'SKIP_SAVE'})
+    slot: IntProperty(name="Slot", description="Which material slot, counted from 1; 0 for the active one",
+                      default=0, min=0, options={'SKIP_SAVE'})
+
+    def work(self, context, ob):
+        slot = self.slot or ob.active_material_index + 1
+        if slot > len(ob.material_slots):
+            raise ValueError(f"it has {len(ob.material_slots)} material slots, there is none of number {slot}")
+        shape.require_writable(ob.data)
+        mesh_looks.set_material(ob.data, self.piece, slot - 1)
+
+
+CLASSES = (SPLINEWRIGHT_OT_tolerance_from_render, SPLINEWRIGHT_OT_set_patch_material)

@@ -1,0 +1,109 @@
+#include "mesh_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "splinecore/base/errors.hpp"
+
+namespace splinecore {
+
+std::int32_t MeshWriter::add_vertex(std::size_t sample) {
+  mesh_.vertex_samples_.push_back(sample);
+  return static_cast<std::int32_t>(mesh_.vertex_samples_.size()) - 1;
+}
+
+std::size_t MeshWriter::sample_at(std::size_t patch, double u, double v, Side side_u, Side side_v) {
+  const auto [found, is_new] = samples_.try_emplace({patch, u, v, side_u, side_v}, first_ + sample_places_.size());
+  if (!is_new) return found->second;
+  const auto [scatter, is_first] = scatter_of_.try_emplace({patch, side_u, side_v}, mesh_.scatters_.size());
+  if (is_first) mesh_.scatters_.push_back({patch, {side_u, side_v, AtInfinity::raise}, {}, {}, 0});
+  Tessellation::Scatter& samples = mesh_.scatters_[scatter->second];
+  sample_places_.emplace_back(scatter->second, samples.u.size());
+  samples.u.push_back(u);
+  samples.v.push_back(v);
+  return found->second;
+}
+
+void MeshWriter::add_face(std::size_t patch, std::span<const FaceCorner> corners, std::span<const char> is_border) {
+  const std::size_t count = corners.size();
+  std::array<std::size_t, 4> kept;
+  std::size_t kept_count = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (corners[k].vertex != corners[(k + 1) % count].vertex) kept[kept_count++] = k;
+  }
+  if (kept_count < 3) return;
+  if (kept_count == 4 && (corners[0].vertex == corners[2].vertex || corners[1].vertex == corners[3].vertex)) return;
+  const auto first = static_cast<std::int32_t>(mesh_.corner_vertices_.size());
+  mesh_.face_starts_.push_back(first);
+  mesh_.face_patches_.push_back(static_cast<std::int32_t>(patch));
+  const NurbsPatch& form = nurbs_of(set_.patch(patch));
+  const auto scaled = [](const Interval& range, double u) {
+    return static_cast<float>((u - range.start) / range.length());
+  };
+  for (std::size_t k = 0; k < kept_count; ++k) {
+    const FaceCorner& corner = corners[kept[k]];
+    mesh_.corner_vertices_.push_back(corner.vertex);
+    mesh_.corner_samples_.push_back(corner.sample);
+    mesh_.corner_uvs_.push_back(scaled(form.knot_vector(Axis::u).domain(), corner.u));
+    mesh_.corner_uvs_.push_back(scaled(form.knot_vector(Axis::v).domain(), corner.v));
+  }
+  for (std::size_t k = 0; k < kept_count; ++k) {
+    if (!is_border[kept[k]]) continue;
+    std::int32_t a = first + static_cast<std::int32_t>(k);
+    std::int32_t b = first + static_cast<std::int32_t>((k + 1) % kept_count);
+    if (mesh_.corner_vertices_[a] > mesh_.corner_vertices_[b]) std::swap(a, b);
+    mesh_.seams_.push_back({mesh_.corner_vertices_[a], mesh_.corner_vertices_[b], a, b});
+  }
+}
+
+void MeshWriter::add_face_once(std::size_t patch, std::span<const FaceCorner> corners,
+                               std::span<const char> is_border) {
+  std::vector<std::int32_t> vertices;
+  for (const FaceCorner& corner : corners) vertices.push_back(corner.vertex);
+  std::ranges::sort(vertices);
+  if (known_faces_.insert(std::move(vertices)).second) add_face(patch, corners, is_border);
+}
+
+void MeshWriter::finish() {
+  drop_unused_vertices();
+  place_samples();
+  std::ranges::sort(mesh_.seams_, {}, [](const Seam& seam) { return std::pair{seam.low_vertex, seam.high_vertex}; });
+  if (mesh_.face_starts_.empty()) {
+    throw InvalidShape("the mesh would have no face: raise the resolution, or move points apart");
+  }
+}
+
+void MeshWriter::drop_unused_vertices() {
+  std::vector<std::int32_t> new_index(mesh_.vertex_samples_.size(), -1);
+  for (const std::int32_t vertex : mesh_.corner_vertices_) new_index[vertex] = 0;
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    if (new_index[i] < 0) continue;
+    new_index[i] = static_cast<std::int32_t>(kept.size());
+    kept.push_back(mesh_.vertex_samples_[i]);
+  }
+  if (kept.size() == new_index.size()) return;
+  mesh_.vertex_samples_ = std::move(kept);
+  for (std::int32_t& vertex : mesh_.corner_vertices_) vertex = new_index[vertex];
+  for (Seam& seam : mesh_.seams_) {
+    seam.low_vertex = new_index[seam.low_vertex];
+    seam.high_vertex = new_index[seam.high_vertex];
+  }
+}
+
+void MeshWriter::place_samples() {
+  for (Tessellation::Scatter& scatter : mesh_.scatters_) {
+    scatter.first_sample = mesh_.sample_count_;
+    mesh_.sample_count_ += scatter.u.size();
+  }
+  const auto place = [&](std::size_t& sample) {
+    if (sample < first_) return;
+    const auto [scatter, number] = sample_places_[sample - first_];
+    sample = mesh_.scatters_[scatter].first_sample + number;
+  };
+  std::ranges::for_each(mesh_.vertex_samples_, place);
+  std::ranges::for_each(mesh_.corner_samples_, place);
+}
+
+}  // namespace splinecore
