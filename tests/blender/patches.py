@@ -55,11 +55,11 @@ def patches_of(ob):
 
 
 def meetings(patch_set):
-    """In how many places two patches share points, for each two that share more than a corner or a pole."""
+    """In how many places two patches share points, for each two that share as many as an edge has."""
     rows = [set(patch['indices'].ravel().tolist()) for patch in patch_set.patches]
     places = {(a, b): len({tuple(patch_set.points[row]) for row in rows[a] & rows[b]})
               for a, b in itertools.combinations(range(len(rows)), 2)}
-    return {pair: count for pair, count in places.items() if count > 1}
+    return {pair: count for pair, count in places.items() if count > 2}
 
 
 def size_of(patches):

@@ -1,18 +1,16 @@
-"""Patches that share points go on sharing them, keep their looks, and are chosen by number."""
+"""Patches that share points go on sharing them, and are chosen by number; menus and the redo panel."""
 
 import bpy
-import numpy as np
 import pytest
 
 import shapes
 from curves import run
 from patches import DIRECTIONS, farthest, meetings, patches_of, value_of
 from shapes import activate, add, op, require_exact
-from support import corner_normals, part, splinecore as sc, vertices
+from support import part, splinecore as sc
 
-patch_verbs, extract, mesh_looks, shape, store = (part(name) for name in (
-    'ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.mesh_looks', 'bridge.shape', 'bridge.store'))
-AT = {'parameter_u': 0.3, 'parameter_v': 0.3}
+patch_verbs, extract, store = (part(name) for name in (
+    'ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.store'))
 KEPT_EDGES = (('patch_insert_knot', {'where': 'SPANS'}), ('patch_raise_degree', {'times': 2}), ('patch_reverse', {}),
               ('patch_reparametrise', {'end': 3.0}),
               ('patch_reparametrise', {'how': 'MOEBIUS', 'rho': 1.0}), ('patch_swap', {}), ('patch_to_nurbs', {}))
@@ -133,81 +131,6 @@ def test_a_set_of_hermite_patches_shares_points_and_handles():
     shapes.enter()
     shapes.leave()
     assert bpy.data.objects["shape"].data.splinewright.value == after
-
-
-# How it looks -----------------------------------------------------------------------------------------------------
-
-
-def dressed(value, name="shape"):
-    """A shape whose patches differ in material and shading."""
-    ob = add(value, name)
-    for i in range(len(patches_of(ob))):
-        ob.data.materials.append(bpy.data.materials.new(str(i)))
-    mesh_looks.set_looks(ob.data, {i: look(i) for i in range(len(ob.data.materials))})
-    shape.rewrite(ob.data)
-    bpy.ops.ed.undo_push(message="dress")
-    return ob
-
-
-def look(i):
-    return mesh_looks.Look(i, i % 2 == 0)
-
-
-def looks_of(ob):
-    return [look for _, look in sorted(mesh_looks.looks_by_patch(ob.data).items())]
-
-
-def require_flat_normals(ob):
-    """The corners of flat faces, of which there are some, have the normals of their faces."""
-    flat, normals = [polygon for polygon in ob.data.polygons if not polygon.use_smooth], corner_normals(ob.data)
-    assert flat
-    for polygon in flat:
-        corners = np.s_[polygon.loop_start:polygon.loop_start + polygon.loop_total]
-        assert np.allclose(normals[corners], polygon.normal, atol=1e-3)
-
-
-def test_flat_patches_that_are_joined_stay_flat():
-    first, second = dressed(value_of('bicubic'), "first"), dressed(value_of('four around a corner'), "second")
-    activate(first, second)
-    op(bpy.ops.splinewright.join)
-    assert [look.use_smooth for look in looks_of(first)] == [True, True, False, True, False]
-    require_flat_normals(first)
-
-
-@pytest.mark.parametrize('name, settings, expected', (
-    ('patch_split', {'piece': 2, **AT}, [0, 1, 1, 2]),
-    ('patch_split', {'direction': 'BOTH', **AT}, [0] * 4 + [1] * 4 + [2] * 4),
-    ('patch_to_bezier', {'piece': 1}, [0, 0, 0, 1, 2]), ('patch_reverse', {}, [0, 1, 2]), ('patch_swap', {}, [0, 1, 2]),
-    ('patch_insert_knot', {'where': 'SPANS'}, [0, 1, 2])))
-def test_material_and_shading_stay_with_each_patch(name, settings, expected):
-    first = sc.NurbsPatch((3, 3), (shapes.CLAMPED, [0, 0, 0, 0, 1, 1, 1, 1]), shapes.points(6, 4))
-    ob = dressed(sc.PatchSet.from_patches([first, value_of('bicubic'), value_of('bezier patch')]))
-    run(name, **settings)
-    assert looks_of(ob) == [look(i) for i in expected]
-    assert len(ob.data.materials) == 3
-    require_flat_normals(ob)
-    assert not shape.is_touched(ob.data)
-    bpy.ops.ed.undo()
-    assert looks_of(bpy.data.objects["shape"]) == [look(i) for i in range(3)]
-
-
-@pytest.mark.parametrize('name, settings', (('patch_reverse', {}), ('patch_swap', {})))
-def test_a_turned_patch_shows_the_same_points_and_its_normals_are_turned(name, settings):
-    ob = add(value_of('plain nurbs'))
-    ob.data.splinewright.set_resolution(3, 5)
-    bpy.ops.ed.undo_push(message="resolution")
-    before = {tuple(co) for co in np.round(vertices(ob.data), 5).tolist()}
-    normal = np.array(ob.data.polygons[0].normal), ob.data.polygons[0].center.copy()
-    run(name, **settings)
-    assert {tuple(co) for co in np.round(vertices(ob.data), 5).tolist()} == before
-    nearest = min(ob.data.polygons, key=lambda polygon: (polygon.center - normal[1]).length)
-    assert np.allclose(nearest.normal, -normal[0], atol=1e-4)
-    resolution = ob.data.splinewright.resolution_u, ob.data.splinewright.resolution_v
-    assert resolution == ((5, 3) if name == 'patch_swap' else (3, 5))
-    require_exact(ob)
-    bpy.ops.ed.undo()
-    settings_of = bpy.data.objects["shape"].data.splinewright
-    assert (settings_of.resolution_u, settings_of.resolution_v) == (3, 5)
 
 
 # Which shapes -----------------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 """A shape is given other pieces, and its splines or faces keep their look."""
 
 from ..core import verbs
-from . import mesh_looks, recipes, shape, store, write_curve
+from . import mesh_attributes, mesh_looks, recipes, shape, store, write_curve, write_mesh
 
 
 def is_curve_shape(ob):
@@ -51,7 +51,8 @@ def _put_curves(data, before, changed):
 
 def _put_patches(data, before, changed):
     looks = mesh_looks.looks_by_patch(data)
-    shape.set_definition(data, changed.definition)
+    with mesh_attributes.moved(data, write_mesh.owner_of(data), changed.parents, changed.places):
+        shape.set_definition(data, changed.definition)
     if changed.parents == tuple(range(len(before.pieces))):
         return                          # a patch of the same number is the same one
     give_looks(data, [looks.get(parent, mesh_looks.Look()) for parent in changed.parents])

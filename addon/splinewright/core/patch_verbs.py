@@ -3,19 +3,22 @@
 What a verb is says core.verbs. An axis is 'u' or 'v'; axes are 'u', 'v' or 'uv'.
 """
 
-from . import verbs
+from . import parameters, places, verbs
 from .library import sc
 
 _PAIRS = ('degree', 'domain', 'knots', 'periodic')
-_VERBS = ('clamped', 'elevate', 'insert_knot', 'moebius', 'reduce', 'refine', 'remove_knot', 'remove_knots', 'reversed',
-          'split', 'to_periodic', 'unclamped', 'with_domain')
+_VERBS = ('clamped', 'elevate', 'insert_knot', 'reduce', 'refine', 'remove_knot', 'remove_knots', 'to_periodic',
+          'unclamped', 'with_domain')
 
 
 class Along:
-    """A patch as the verbs of curves see it: as a curve along one of its axes."""
+    """A patch as the verbs of curves see it: as a curve along one of its axes.
 
-    def __init__(self, patch, axis):
-        self.patch, self.axis = patch, axis
+    stretches: of core.places, where it lies along that axis on the patch that a verb was asked to change.
+    """
+
+    def __init__(self, patch, axis, stretches=places.WHOLE):
+        self.patch, self.axis, self.stretches = patch, axis, stretches
 
     def __getattr__(self, name):
         if name in _PAIRS:
@@ -29,14 +32,26 @@ class Along:
         return self.axis == other.axis and self.patch == other.patch
 
     def to_nurbs(self):
-        return Along(self.patch.to_nurbs(), self.axis)
+        return self._of(self.patch.to_nurbs())
+
+    def reversed(self):
+        return Along(self.patch.reversed(self.axis), self.axis, places.reversed_(self.stretches))
+
+    def moebius(self, rho):
+        return Along(self.patch.to_nurbs().moebius(self.axis, rho), self.axis, places.sped(self.stretches, rho))
+
+    def split(self, at):
+        parts, (start, end) = self.patch.split(self.axis, at), self.domain
+        fraction = (at - start) / (end - start)
+        if len(parts) == 1:
+            return [Along(parts[0], self.axis, places.opened(self.stretches, fraction))]
+        return [Along(part, self.axis, places.cut(self.stretches, *ends))
+                for part, ends in zip(parts, ((0.0, fraction), (fraction, 1.0)))]
 
     def _of(self, result):
-        if isinstance(result, tuple):
-            return [Along(patch, self.axis) for patch in result]
         if isinstance(result, sc.Approximation):
-            return verbs.Near(Along(result.value, self.axis), result.error)
-        return Along(result, self.axis)
+            return verbs.Near(self._of(result.value), result.error)
+        return Along(result, self.axis, self.stretches)
 
 
 def along(axes, make):
@@ -45,27 +60,28 @@ def along(axes, make):
     Raises what that raises, naming the axis where there are two.
     """
     def verb(patch):
-        patches, errors = [patch], []
+        parts, errors = [verbs.Part(patch, places.Place())], []
         for axis in axes:
             try:
-                patches, error = _along_one(patches, axis, make(axis, sum(errors)))
+                parts, error = _along_one(parts, axis, make(axis, sum(errors)))
             except (ValueError, ArithmeticError) as error:
                 if len(axes) == 1:
                     raise
                 raise type(error)(f"along {axis}: {error}") from error
             errors.append(error)
-        return patches if len(patches) > 1 else verbs.Near(patches[0], _total(errors, patch, patches[0]))
+        return parts if len(parts) > 1 else verbs.Near(parts[0], _total(errors, patch, parts[0].value))
     return verb
 
 
-def _along_one(patches, axis, verb):
-    """(the patches that stand for these, the largest error)."""
+def _along_one(parts, axis, verb):
+    """(the verbs.Part that stand for these, the largest error)."""
     after, worst = [], 0.0
-    for patch in patches:
-        result = verb(Along(patch, axis))
+    for part in parts:
+        result = verb(Along(part.value, axis))
         if isinstance(result, verbs.Near):
             result, worst = result.value, max(worst, result.error)
-        after += [part.patch for part in (result if isinstance(result, list) else [result])]
+        after += [verbs.Part(along.patch, part.place._replace(**{axis: along.stretches}))
+                  for along in (result if isinstance(result, list) else [result])]
     return after, worst
 
 
@@ -85,12 +101,17 @@ def first_parameters(patch, first):
 
 
 def swap():
-    return lambda patch: patch.swapped()
+    return lambda patch: [verbs.Part(patch.swapped(), places.Place(is_swapped=True))]
 
 
 def to_bezier():
     """In rows along v."""
-    return lambda patch: [part for row in patch.to_bezier() for part in row]
+    def verb(patch):
+        spans_u, spans_v = ([places.cut(places.WHOLE, *ends) for ends in parameters.spans_of(Along(patch, axis))]
+                            for axis in 'uv')
+        return [verbs.Part(part, places.Place(u, v)) for row, u in zip(patch.to_bezier(), spans_u)
+                for part, v in zip(row, spans_v)]
+    return verb
 
 
 def to_hermite():

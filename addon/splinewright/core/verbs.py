@@ -1,6 +1,7 @@
 """Verbs, on the pieces of a definition; those of curves, which core.patch_verbs does along an axis of a patch, too.
 
-A verb takes a curve or patch and gives one, a list of those that stand for it, or a splinecore Approximation or Near.
+A verb takes a curve or patch and gives one, a list of those that stand for it, or a splinecore Approximation or Near;
+a patch that lies elsewhere than its parent is a Part.
 Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does. A tolerance is a length.
 """
 
@@ -9,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import definition as definitions
-from . import parameters, sewing
+from . import parameters, places, sewing
 from .library import sc
 
 
@@ -20,12 +21,20 @@ class Near(NamedTuple):
     error: float
 
 
+class Part(NamedTuple):
+    """A patch that stands for another or a part of it, and its core.places.Place there."""
+
+    value: object
+    place: object
+
+
 class Changed(NamedTuple):
     """What became of a definition."""
 
     definition: definitions.Definition
     parents: tuple              # for each piece, the number of the piece it came from, counted from 0
     error: float                # how far the shape is from what it was, at most; 0 where nothing but rounding was lost
+    places: tuple = ()          # for each patch, its core.places.Place on the one it came from
 
 
 def changed(definition, number, verb, already="nothing changes"):
@@ -36,16 +45,17 @@ def changed(definition, number, verb, already="nothing changes"):
     """
     before = pieces_of(definition)
     require_piece(before, number, least=0)
-    after, parents, error = [], [], 0.0
+    parts, parents, error = [], [], 0.0
     for i, value in enumerate(before):
         values, piece_error = _done(verb, value, i, len(before)) if number in (0, i + 1) else ([value], 0.0)
-        after += values
+        parts += [part if isinstance(part, Part) else Part(part, places.Place()) for part in values]
         parents += [i] * len(values)
         error = max(error, piece_error)
+    after = [part.value for part in parts]
     if after == before:
         raise ValueError(already)
     made = _of_curves(definition, after) if definition.has_curves else sewing.sewn(definition, after, parents)
-    return Changed(made, tuple(parents), error)
+    return Changed(made, tuple(parents), error, tuple(part.place for part in parts))
 
 
 def _of_curves(before, curves):
