@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <array>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "splinecore/patch/panels.hpp"
@@ -160,6 +162,18 @@ py::dict edge_counts(const PatchSet& set) {
   return counts;
 }
 
+py::list seams(const PatchSet& set) {
+  const auto side = [](std::size_t patch, splinecore::Border border) {
+    constexpr std::array<const char*, 4> kNames{"u_start", "u_end", "v_start", "v_end"};
+    return py::make_tuple(patch, kNames[static_cast<std::size_t>(border)]);
+  };
+  py::list found;
+  for (const splinecore::SharedEdge& edge : splinecore::shared_edges(set)) {
+    found.append(py::make_tuple(side(edge.first_patch, edge.first), side(edge.second_patch, edge.second)));
+  }
+  return found;
+}
+
 void bind_set(py::module_& module) {
   py::class_<PatchSet> cls(
       module, "PatchSet", py::module_local(),
@@ -221,6 +235,9 @@ void bind_set(py::module_& module) {
           "{'shared', 'free', 'pole'}: how the sides of the patches meet. An edge counts once, however many sides lie\n"
           "on it; a pole is a side shrunk to a point. Two sides are one edge where they are one curve at equal scaled\n"
           "parameters, to 1e-10 of the extent of all points, whatever their degrees and knots.");
+  cls.def("seams", &seams,
+          "[((patch, side), (patch, side)), ...]: the whole sides that are one edge, as of edge_counts(); sides are\n"
+          "named as by boundary().");
   cls.def("__repr__", [](const PatchSet& self) {
     return "PatchSet(patches=" + std::to_string(self.patches().size()) + ", points=" + std::to_string(self.points().size()) + ")";
   });

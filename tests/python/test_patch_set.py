@@ -71,6 +71,16 @@ def test_edges_are_counted_by_how_they_meet():
     assert tube == {"shared": 1, "free": 2, "pole": 0}
 
 
+def test_seams_name_the_sides_that_are_one():
+    assert sc.PatchSet(POOL, SQUARES).seams() == [((0, "u_end"), (1, "u_start"))]
+    assert sc.PatchSet.from_patches([torus()]).seams() == [((0, "u_start"), (0, "u_end")), ((0, "v_start"), (0, "v_end"))]
+    assert sc.PatchSet.from_patches([sphere_octant()]).seams() == []
+    gap = sc.NurbsPatch((1, 1), ([0, 0, 1, 1, 2, 2], [0, 0, 1, 1]), [[(i, j, 0) for j in (0, 1)] for i in (0, 1, 1, 2)])
+    assert gap.degree == (1, 1) and sc.PatchSet.from_patches([gap]).seams() == [], "halves of one patch are no seam"
+    third = sc.PatchSet(POOL, [*SQUARES, [[2, 3], [0, 5]]])
+    assert {((0, "u_end"), (1, "u_start")), ((1, "u_start"), (2, "u_start"))} <= set(third.seams())
+
+
 def test_an_edge_may_run_both_ways():
     turned = sc.PatchSet(POOL, [SQUARES[0], [[3, 2], [5, 4]]])
     assert turned.edge_counts()["shared"] == 1

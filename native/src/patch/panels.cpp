@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <map>
 
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -166,6 +167,35 @@ std::vector<int> side_counts(const std::vector<Panel>& panels) {
     }
   }
   return counts;
+}
+
+std::vector<SharedEdge> shared_edges(const PatchSet& set) {
+  struct Known {
+    std::size_t patch;
+    int side;
+    bool reversed;
+  };
+  std::map<int, Known> last;
+  std::vector<SharedEdge> found;
+  for (const Panel& panel : panels_of(set)) {
+    const NurbsPatch& patch = nurbs_of(set.patch(panel.patch));
+    for (int side = 0; side < 4; ++side) {
+      const PanelSide& own = panel.sides[side];
+      const bool is_whole = (side < 2 ? panel.v : panel.u) == patch.knot_vector(side < 2 ? Axis::v : Axis::u).domain();
+      const Interval domain = patch.knot_vector(side < 2 ? Axis::u : Axis::v).domain();
+      const Interval& across = side < 2 ? panel.u : panel.v;
+      const bool is_outer = side % 2 == 0 ? across.start == domain.start : across.end == domain.end;
+      if (own.edge < 0 || !is_whole || !is_outer) continue;
+      const auto before = last.find(own.edge);
+      if (before != last.end()) {
+        const Known& first = before->second;
+        found.push_back({first.patch, static_cast<Border>(first.side), panel.patch, static_cast<Border>(side),
+                         first.reversed != own.reversed});
+      }
+      last[own.edge] = {panel.patch, side, own.reversed};
+    }
+  }
+  return found;
 }
 
 }  // namespace splinecore

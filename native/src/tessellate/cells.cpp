@@ -21,8 +21,8 @@ constexpr Place kSmallest = kSpan >> 22;
 class Splitter {
  public:
   /// @param widest_u, widest_v  no cell is wider
-  Splitter(const Fineness& fineness, Place widest_u, Place widest_v, std::vector<Cell>& cells)
-      : fineness_(fineness), widest_u_(widest_u), widest_v_(widest_v), cells_(cells) {}
+  Splitter(const Fineness& fineness, Probe probe, Place widest_u, Place widest_v, std::vector<Cell>& cells)
+      : fineness_(fineness), probe_(std::move(probe)), widest_u_(widest_u), widest_v_(widest_v), cells_(cells) {}
 
   void add(const Net& net, const Cell& cell) {
     const auto axis = axis_to_split(net, cell);
@@ -61,16 +61,17 @@ class Splitter {
     }
     if (bent.distance() > fineness_.distance) return chosen(bent.uu + bent.uv, bent.vv + bent.uv);
     if (fineness_.angle < HUGE_VAL) {
-      const Turns turned = turns(net);
+      const Turns turned = probe_.turns(net);
       if (turned.all > fineness_.angle) return chosen(turned.u, turned.v);
     }
-    const Lengths sides = lengths(net);
+    const Lengths sides = probe_.lengths(net);
     if (can_u && sides.v > 0.0 && sides.u > kLongest * sides.v) return Axis::u;
     if (can_v && sides.u > 0.0 && sides.v > kLongest * sides.u) return Axis::v;
     return std::nullopt;
   }
 
   const Fineness& fineness_;
+  Probe probe_;
   Place widest_u_;
   Place widest_v_;
   std::vector<Cell>& cells_;
@@ -83,10 +84,13 @@ std::vector<Cell> cells_of(const NurbsPatch& patch, const std::array<std::vector
   const BezierGrid grid = to_bezier(patch);
   std::vector<Cell> cells;
   const auto widest = [](Place length, bool closed) { return closed ? length / 3 : length; };
-  Splitter splitter(fineness, widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v), cells);
+  const Probe probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree());
+  Splitter splitter(fineness, probe, widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v),
+                    cells);
   for (Place i = whole.u0 / kSpan; i < whole.u1 / kSpan; ++i) {
     for (Place j = whole.v0 / kSpan; j < whole.v1 / kSpan; ++j) {
-      const BezierPatch& piece = grid.patches[static_cast<std::size_t>(spans[0][i].number * grid.count_v + spans[1][j].number)];
+      const int number = spans[0][i].number * grid.count_v + spans[1][j].number;
+      const BezierPatch& piece = grid.patches[static_cast<std::size_t>(number)];
       splitter.add(net_of(piece), {i * kSpan, (i + 1) * kSpan, j * kSpan, (j + 1) * kSpan});
     }
   }

@@ -110,28 +110,10 @@ glm::dvec4 blended(const Net& net, std::span<const double> along_u, std::span<co
   return sum;
 }
 
-std::vector<double> values(int degree, double t) {
-  std::vector<double> found(degree + 1);
-  bernstein(degree, t, 1.0 - t, found);
-  return found;
-}
-
-std::vector<double> slopes(int degree, double t) {
-  const std::vector<double> lower = values(degree - 1, t);
-  std::vector<double> found(degree + 1, 0.0);
-  for (int i = 0; i < degree; ++i) {
-    found[i] -= degree * lower[i];
-    found[i + 1] += degree * lower[i];
-  }
-  return found;
-}
-
-glm::dvec3 normal_at(const Net& net, double s, double t) {
-  const auto values_u = values(net.rows - 1, s);
-  const auto values_v = values(net.columns - 1, t);
-  const glm::dvec4 h = blended(net, values_u, values_v);
-  const glm::dvec4 hu = blended(net, slopes(net.rows - 1, s), values_v);
-  const glm::dvec4 hv = blended(net, values_u, slopes(net.columns - 1, t));
+glm::dvec3 normal_at(const Net& net, const BernsteinRow& u, const BernsteinRow& v) {
+  const glm::dvec4 h = blended(net, u.values, v.values);
+  const glm::dvec4 hu = blended(net, u.slopes, v.values);
+  const glm::dvec4 hv = blended(net, u.values, v.slopes);
   const glm::dvec3 su = glm::dvec3(hu) * h.w - hu.w * glm::dvec3(h);
   const glm::dvec3 sv = glm::dvec3(hv) * h.w - hv.w * glm::dvec3(h);
   const glm::dvec3 normal = glm::cross(su, sv);
@@ -140,12 +122,11 @@ glm::dvec3 normal_at(const Net& net, double s, double t) {
   return length > kNothing * glm::length(su) * glm::length(sv) && length > 0.0 ? normal / length : glm::dvec3(0.0);
 }
 
-/// The normal there, or where it vanishes, as at a pole, the one a little farther inside.
+/// The normal a little inside, for places where it vanishes, as at a pole.
 glm::dvec3 normal_near(const Net& net, double s, double t) {
   constexpr double kInside = 0x1p-10;
-  const glm::dvec3 normal = normal_at(net, s, t);
-  if (normal != glm::dvec3(0.0)) return normal;
-  return normal_at(net, std::clamp(s, kInside, 1.0 - kInside), std::clamp(t, kInside, 1.0 - kInside));
+  const auto inside = [&](double place) { return std::clamp(place, kInside, 1.0 - kInside); };
+  return normal_at(net, BernsteinRow(net.rows - 1, inside(s)), BernsteinRow(net.columns - 1, inside(t)));
 }
 
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
@@ -153,31 +134,46 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-glm::dvec3 point_at(const Net& net, double s, double t) {
-  return project(blended(net, values(net.rows - 1, s), values(net.columns - 1, t)));
+std::array<BernsteinRow, 3> rows_of(int degree) {
+  return {BernsteinRow(degree, 0.0), BernsteinRow(degree, 0.5), BernsteinRow(degree, 1.0)};
 }
 
 }  // namespace
 
-Lengths lengths(const Net& net) {
+BernsteinRow::BernsteinRow(int degree, double t) : values(degree + 1), slopes(degree + 1, 0.0) {
+  bernstein(degree, t, 1.0 - t, values);
+  std::vector<double> lower(degree);
+  bernstein(degree - 1, t, 1.0 - t, lower);
+  for (int i = 0; i < degree; ++i) {
+    slopes[i] -= degree * lower[i];
+    slopes[i + 1] += degree * lower[i];
+  }
+}
+
+Probe::Probe(int degree_u, int degree_v) : u_(rows_of(degree_u)), v_(rows_of(degree_v)) {}
+
+Lengths Probe::lengths(const Net& net) const {
+  const auto point = [&](int i, int j) { return project(blended(net, u_[i].values, v_[j].values)); };
   Lengths found;
-  for (const double side : {0.0, 1.0}) {
-    const auto along = [&](auto at) { return glm::length(at(0.5) - at(0.0)) + glm::length(at(1.0) - at(0.5)); };
-    found.u = std::max(found.u, along([&](double s) { return point_at(net, s, side); }));
-    found.v = std::max(found.v, along([&](double t) { return point_at(net, side, t); }));
+  for (const int side : {0, 2}) {
+    const glm::dvec3 middle_u = point(1, side);
+    const glm::dvec3 middle_v = point(side, 1);
+    found.u = std::max(found.u, glm::length(middle_u - point(0, side)) + glm::length(point(2, side) - middle_u));
+    found.v = std::max(found.v, glm::length(middle_v - point(side, 0)) + glm::length(point(side, 2) - middle_v));
   }
   return found;
 }
 
-Turns turns(const Net& net) {
-  std::array<std::array<glm::dvec3, 3>, 3> normals;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) normals[i][j] = normal_near(net, 0.5 * i, 0.5 * j);
+Turns Probe::turns(const Net& net) const {
+  std::array<glm::dvec3, 9> normals;
+  for (int k = 0; k < 9; ++k) {
+    normals[k] = normal_at(net, u_[k / 3], v_[k % 3]);
+    if (normals[k] == glm::dvec3(0.0)) normals[k] = normal_near(net, 0.5 * (k / 3), 0.5 * (k % 3));
   }
   Turns found;
   for (int i = 0; i < 9; ++i) {
     for (int j = 0; j < i; ++j) {
-      const double angle = angle_between(normals[i / 3][i % 3], normals[j / 3][j % 3]);
+      const double angle = angle_between(normals[i], normals[j]);
       found.all = std::max(found.all, angle);
       if (i % 3 == j % 3) found.u = std::max(found.u, angle);
       if (i / 3 == j / 3) found.v = std::max(found.v, angle);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
+#include "splinecore/patch/isocurve.hpp"
 #include "splinecore/patch/patch_set.hpp"
 
 namespace splinecore {
@@ -37,5 +38,17 @@ std::vector<Panel> panels_of(const PatchSet& set);
 
 /// How many sides each edge has.
 std::vector<int> side_counts(const std::vector<Panel>& panels);
+
+/// A side of a patch that is one edge with a side of a patch.
+struct SharedEdge {
+  std::size_t first_patch;
+  Border first;
+  std::size_t second_patch;
+  Border second;
+  bool reversed;  ///< the second runs against the first
+};
+
+/// Where whole sides of patches are one, by patches and sides; of more than two on an edge each one with the next.
+std::vector<SharedEdge> shared_edges(const PatchSet& set);
 
 }  // namespace splinecore

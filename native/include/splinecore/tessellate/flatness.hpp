@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/vec4.hpp>
 #include <utility>
 #include <vector>
@@ -42,8 +43,6 @@ struct Lengths {
   double v = 0.0;
 };
 
-Lengths lengths(const Net& net);
-
 /// Largest angles between unit normals at 3 x 3 places of a piece, along each direction and of all; where a
 /// normal vanishes that of a place beside it counts.
 struct Turns {
@@ -52,6 +51,23 @@ struct Turns {
   double all = 0.0;
 };
 
-Turns turns(const Net& net);
+/// Values and slopes of the Bernstein polynomials at one place.
+struct BernsteinRow {
+  BernsteinRow(int degree, double t);
+  std::vector<double> values;
+  std::vector<double> slopes;
+};
+
+/// Looks at pieces of one bidegree at 0, 1/2 and 1 of each direction.
+class Probe {
+ public:
+  Probe(int degree_u, int degree_v);
+  Lengths lengths(const Net& net) const;
+  Turns turns(const Net& net) const;
+
+ private:
+  std::array<BernsteinRow, 3> u_;
+  std::array<BernsteinRow, 3> v_;
+};
 
 }  // namespace splinecore
