@@ -11,7 +11,7 @@ from curves import curves_of, run, said_distance, value_of
 from shapes import activate, add, require_exact
 from support import part, splinecore as sc
 
-curve_verbs = part('ui.operators.curve_verbs')
+curve_verbs, pieces = part('ui.operators.curve_verbs'), part('ui.operators.pieces')
 
 ALL = ('cubic', 'rational cubic', 'quintic', 'semicircle', 'hermite', 'hermite with corners', 'closed hermite', 'nurbs',
        'periodic')
@@ -33,10 +33,10 @@ def said(monkeypatch):
     """What the operators say behind the name of what they did."""
     texts = []
 
-    def told(outcomes, told=curve_verbs.told):
+    def told(outcomes, told=pieces.told):
         texts.append(told(outcomes))
         return texts[-1]
-    for module in (curve_verbs, part('ui.operators.curve_join')):
+    for module in (pieces, part('ui.operators.curve_join')):
         monkeypatch.setattr(module, 'told', told)
     return texts
 

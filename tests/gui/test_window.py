@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, run, save_picture
+from window import View, part, run, save_picture
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -50,7 +50,8 @@ def steps():
     yield 1.0
     empty = picture("empty")
 
-    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", 3, "menu")
+    surfaces = sum(recipe.is_surface for recipe in part('core.recipes.table').STARTING)
+    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", 3 + surfaces, "menu")
     ob = bpy.context.object
     assert ob is not None and len(ob.data.splinewright.value) == 32, "the menu entry added no teapot"
     yield from frame(view)

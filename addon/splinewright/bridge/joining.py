@@ -6,7 +6,7 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
-from ..core import joints, transform
+from ..core import joints, patch_joints, transform
 from . import blocks, mesh_looks, recipes, replacing, shape, store, write_curve
 
 
@@ -38,6 +38,27 @@ def join_ends(active, other, first, second, smoothness):
     _give_looks(active.data, looks._replace(worn=worn))
     _remove([other])
     return definition, changed
+
+
+def join_patches(active, other, first, second, smoothness, moves):
+    """join() of two patch shapes in which a side of one goes on as a side of the other; of the active shape alone
+    where the other is None.
+
+    Returns the core.patch_joints.Joined. Raises, and changes nothing, as join() and core.patch_joints.joined() do.
+    """
+    if other is None:
+        replacing.require_changeable(active.data)
+        before = store.read(active.data)
+        found = patch_joints.joined(before, first, second, smoothness, moves, linear_of(active))
+        replacing.put(active.data, before, found.changed)
+        return found
+    parted = len(store.read(active.data).pieces)
+    found = patch_joints.joined(together(active, [other]), first, second, smoothness, moves, linear_of(active), parted)
+    looks = _looks([active, other])
+    shape.set_definition(active.data, found.changed.definition)
+    _give_looks(active.data, looks)
+    _remove([other])
+    return found
 
 
 def linear_of(ob):
@@ -106,4 +127,4 @@ def _give_looks(data, looks):
         if len(looks.worn) == len(data.splines):
             write_curve.put_on(data, looks.worn)
     else:
-        mesh_looks.set_looks(data, dict(enumerate(looks.of_pieces)))
+        replacing.give_looks(data, looks.of_pieces)

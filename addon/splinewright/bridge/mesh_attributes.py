@@ -4,6 +4,8 @@ Numbers are interpolated over the parameters of each patch, which every corner k
 switches are those of the nearest corner. What lies on edges goes with them.
 """
 
+import contextlib
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -45,10 +47,63 @@ class Kept(NamedTuple):
 
 def write_parameters(mesh, tessellation):
     """Keep for each corner where it lies."""
+    attribute = mesh.attributes.get(PARAMETERS) or mesh.attributes.new(PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
+    attribute.data.foreach_set('vector', _parameters(tessellation).ravel())
+
+
+def lies_as(mesh, tessellation):
+    """Whether each corner lies where write_parameters() would say, if the mesh says it at all."""
+    known = mesh.attributes.get(PARAMETERS)
+    if known is None or len(known.data) != len(mesh.loops):
+        return True
+    return np.array_equal(_read(known.data, 'vector', 3, np.float32), _parameters(tessellation))
+
+
+def _parameters(tessellation):
     sizes = np.diff(np.append(tessellation.face_starts, len(tessellation.corner_vertices)))
     values = np.column_stack([tessellation.corner_uvs, np.repeat(tessellation.face_patches, sizes)])
-    attribute = mesh.attributes.get(PARAMETERS) or mesh.attributes.new(PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
-    attribute.data.foreach_set('vector', np.ascontiguousarray(values, np.float32).ravel())
+    return np.ascontiguousarray(values, np.float32)
+
+
+@contextlib.contextmanager
+def moved(mesh, owner, parents, places):
+    """While other patches are written, what lies on the faces lies on those: each came of one of `parents`, and lies
+    there in a core.places.Place. Where that fails it lies where it lay."""
+    kept = keep(mesh, owner)
+    if kept is None:
+        yield
+        return
+    layer = mesh.uv_layers.get(UV_NAME)
+    uvs = _read(*_uv(layer), 2, np.float32) if layer is not None else None
+    is_ours = uvs is not None and np.abs(uvs - kept.corners[:, :2]).max() <= 1e-6
+    corners = _on_parts(mesh, kept.corners, parents, places)
+    _put(mesh, corners, corners[:, :2] if is_ours else None)
+    try:
+        yield
+    except Exception:
+        _put(mesh, kept.corners, uvs if is_ours else None)
+        raise
+
+
+def _put(mesh, corners, uvs):
+    mesh.attributes[PARAMETERS].data.foreach_set('vector', np.ascontiguousarray(corners, np.float32).ravel())
+    if uvs is not None:
+        data, field = _uv(mesh.uv_layers[UV_NAME])
+        data.foreach_set(field, np.ascontiguousarray(uvs, np.float32).ravel())
+
+
+def _on_parts(mesh, corners, parents, places):
+    """(c, 3): the parameters of corners on the patches that came of theirs; a face lies where its middle lies."""
+    starts = _read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
+    counts = np.diff(np.append(starts, len(corners)))
+    middles, found = np.add.reduceat(corners, starts) / counts[:, None], corners.copy()
+    for number, (parent, place) in enumerate(zip(parents, places)):
+        for u, v in itertools.product(place.u, place.v):
+            is_there = (np.rint(middles[:, 2]) == parent) & (u.start <= middles[:, 0]) & (middles[:, 0] <= u.end)
+            there = np.repeat(is_there & (v.start <= middles[:, 1]) & (middles[:, 1] <= v.end), counts)
+            at = [u.of(corners[there, 0]), v.of(corners[there, 1])]
+            found[there] = np.column_stack([*(at[::-1] if place.is_swapped else at), np.full(there.sum(), number)])
+    return found
 
 
 def keep(mesh, owner):
@@ -128,7 +183,8 @@ def _barycentric(corners, at):
     area = _cross(b - a, c - a)
     area = np.where(area == 0, 1, area)
     second, third = _cross(at - a, c - a) / area, _cross(b - a, at - a) / area
-    return np.clip(np.stack([1 - second - third, second, third], 1), 0, 1)
+    weights = np.clip(np.stack([1 - second - third, second, third], 1), 0, 1)
+    return weights / weights.sum(1, keepdims=True)
 
 
 def _cross(a, b):

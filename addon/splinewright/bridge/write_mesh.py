@@ -10,7 +10,7 @@ def write(mesh, tessellation, positions, normals, sharp):
     """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
     sharp edges (k, 2). Where the faces are the same as before only positions and normals change.
     What a user put on them stays, or is carried over to the new ones."""
-    if _has_faces(mesh, tessellation) and len(mesh.uv_layers):
+    if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
     else:
         _replace_faces(mesh, tessellation, positions)
@@ -52,7 +52,7 @@ def _write_positions(mesh, positions):
 
 
 def _replace_faces(mesh, tessellation, positions):
-    owner = _owner(mesh)
+    owner = owner_of(mesh)
     looks, kept = mesh_looks.looks_by_patch(mesh), mesh_attributes.keep(mesh, owner)
     mesh.clear_geometry()
     _write_faces(mesh, tessellation, positions)
@@ -64,7 +64,7 @@ def _replace_faces(mesh, tessellation, positions):
         mesh_attributes.restore(mesh, owner, kept)
 
 
-def _owner(mesh):
+def owner_of(mesh):
     """An object of the mesh that has vertex groups, or None."""
     if not mesh.users:
         return None

@@ -49,7 +49,18 @@ def span_middles(curve):
     return _spans(curve)[0]
 
 
+def spans_of(curve):
+    """Pairs of where each span starts and ends, as parts of the domain."""
+    ends, (start, end) = _ends(curve), curve.domain
+    fractions = ((ends - start) / (end - start)).tolist()
+    return list(zip(fractions, fractions[1:]))
+
+
 def _spans(curve):
-    start, end = curve.domain
-    ends = np.concatenate([[start], inner_knots(curve), [end]])
+    ends = _ends(curve)
     return ends[:-1] + np.diff(ends) / 2, np.diff(ends)
+
+
+def _ends(curve):
+    start, end = curve.domain
+    return np.concatenate([[start], inner_knots(curve), [end]])

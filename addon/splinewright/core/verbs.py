@@ -1,7 +1,8 @@
-"""Verbs of curves, on the pieces of a definition.
+"""Verbs, on the pieces of a definition; those of curves, which core.patch_verbs does along an axis of a patch, too.
 
-A verb takes a curve and gives a curve, a list of curves that stand for it, or a splinecore Approximation or Near.
-Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does.
+A verb takes a curve or patch and gives one, a list of those that stand for it, or a splinecore Approximation or Near;
+a patch that lies elsewhere than its parent is a Part.
+Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does. A tolerance is a length.
 """
 
 from typing import NamedTuple
@@ -9,15 +10,22 @@ from typing import NamedTuple
 import numpy as np
 
 from . import definition as definitions
-from . import parameters
+from . import parameters, places, sewing
 from .library import sc
 
 
 class Near(NamedTuple):
-    """A curve that stands for another, as splinecore's Approximation."""
+    """A curve or patch that stands for another, as splinecore's Approximation."""
 
     value: object
     error: float
+
+
+class Part(NamedTuple):
+    """A patch that stands for another or a part of it, and its core.places.Place there."""
+
+    value: object
+    place: object
 
 
 class Changed(NamedTuple):
@@ -26,26 +34,37 @@ class Changed(NamedTuple):
     definition: definitions.Definition
     parents: tuple              # for each piece, the number of the piece it came from, counted from 0
     error: float                # how far the shape is from what it was, at most; 0 where nothing but rounding was lost
+    places: tuple = ()          # for each patch, its core.places.Place on the one it came from
 
 
 def changed(definition, number, verb, already="nothing changes"):
     """The Changed definition, after a verb was done with one piece, counted from 1, or with all where `number` is 0.
 
-    Raises ValueError or ArithmeticError, naming the piece where there are several, if a curve refuses; ValueError
-    with the sentence `already` if every curve came out as it went in.
+    Raises ValueError or ArithmeticError, naming the piece where there are several, if one refuses; ValueError
+    with the sentence `already` if every piece came out as it went in.
     """
-    before = curves_of(definition)
+    before = pieces_of(definition)
     require_piece(before, number, least=0)
-    after, parents, error = [], [], 0.0
-    for i, curve in enumerate(before):
-        values, piece_error = _done(verb, curve, i, len(before)) if number in (0, i + 1) else ([curve], 0.0)
-        after += values
+    parts, parents, error = [], [], 0.0
+    for i, value in enumerate(before):
+        values, piece_error = _done(verb, value, i, len(before)) if number in (0, i + 1) else ([value], 0.0)
+        parts += [part if isinstance(part, Part) else Part(part, places.Place()) for part in values]
         parents += [i] * len(values)
         error = max(error, piece_error)
+    after = [part.value for part in parts]
     if after == before:
         raise ValueError(already)
-    value = after[0] if definition.form == 'curve' and len(after) == 1 else after
-    return Changed(definitions.from_value(value), tuple(parents), error)
+    made = _of_curves(definition, after) if definition.has_curves else sewing.sewn(definition, after, parents)
+    return Changed(made, tuple(parents), error, tuple(part.place for part in parts))
+
+
+def _of_curves(before, curves):
+    return definitions.from_value(curves[0] if before.form == 'curve' and len(curves) == 1 else curves)
+
+
+def pieces_of(definition):
+    """The curves or the patches of a definition, as a list."""
+    return curves_of(definition) if definition.has_curves else sewing.patches_of(definition)
 
 
 def curves_of(definition):
@@ -54,17 +73,17 @@ def curves_of(definition):
     return value if isinstance(value, list) else [value]
 
 
-def require_piece(curves, number, least=1):
+def require_piece(pieces, number, least=1):
     """Raises ValueError unless there is a piece of this number, counted from 1."""
-    count = len(curves)
+    count = len(pieces)
     if not least <= number <= count:
         raise ValueError(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {number}")
 
 
-def _done(verb, curve, i, count):
-    """(the curves that stand for a curve, the error)."""
+def _done(verb, value, i, count):
+    """(what stands for a curve or patch, the error)."""
     try:
-        result = verb(curve)
+        result = verb(value)
     except (ValueError, ArithmeticError) as error:
         if count == 1:
             raise
@@ -93,12 +112,12 @@ def insert_span_middles(times):
 
 
 def remove_knot(parameter, is_nearest, times, tolerance):
-    """is_nearest: the inner knot nearest to the parameter is meant. tolerance: a length, or None."""
+    """is_nearest: the inner knot nearest to the parameter is meant. tolerance: or None."""
     def verb(curve):
         knot = parameters.snapped(parameter, parameters.knots_of(curve))
         if is_nearest:
             knot = _nearest_removable(curve, knot)
-        return curve.to_nurbs().remove_knot(knot, times, _length(tolerance))
+        return curve.to_nurbs().remove_knot(knot, times, tolerance)
     return verb
 
 
@@ -113,7 +132,7 @@ def remove_knots(tolerance):
     """Of Bezier curves, which have none, nothing; other curves stay as they are where no knot can go."""
     def verb(curve):
         nurbs = curve.to_nurbs()
-        result = nurbs.remove_knots(_length(tolerance))
+        result = nurbs.remove_knots(tolerance)
         return curve if result.value == nurbs else result
     return verb
 
@@ -126,14 +145,14 @@ def raise_degree(times):
 
 
 def lower_degree(times, tolerance):
-    """tolerance: a length, or None."""
+    """tolerance: or None."""
     def verb(curve):
         result = _capable(curve, 'reduce').reduce(times)
         if isinstance(curve, sc.BezierCurve):
             # Its own error adds up those of all steps.
             result = Near(result.value, curve.to_nurbs().largest_distance(result.value.to_nurbs()))
-        if tolerance is not None and result.error > _length(tolerance):
-            raise ValueError(f"the degree cannot be lowered within {_length(tolerance):.4g}: "
+        if tolerance is not None and result.error > tolerance:
+            raise ValueError(f"the degree cannot be lowered within {tolerance:.4g}: "
                              f"the error would be {result.error:.4g}")
         return result
     return verb
@@ -156,11 +175,10 @@ def split_at_knots():
 
 
 def split_until_flat(tolerance):
-    """Halved until every part lies within the tolerance, a length, of its chord (S6)."""
+    """Halved until every part lies within the tolerance of its chord (S6)."""
     def verb(curve):
-        length = parameters.exact(tolerance)
         parts = [part.to_bezier()[0] for bezier in curve.to_bezier()
-                 for part in _split_at(bezier.to_nurbs(), bezier.flatten(length)[0][1:-1])]
+                 for part in _split_at(bezier.to_nurbs(), bezier.flatten(tolerance)[0][1:-1])]
         return [curve] if len(parts) == 1 else parts
     return verb
 
@@ -201,15 +219,19 @@ def standard_form():
 
 def clamp():
     """Bezier curves and Hermite chains begin and end in their outer points already."""
-    return lambda curve: curve.clamped() if isinstance(curve, sc.NurbsCurve) else curve
+    return lambda curve: curve.clamped() if _is_nurbs(curve) else curve
 
 
 def unclamp():
     return lambda curve: curve if _is_unclamped(curve) else curve.to_nurbs().unclamped()
 
 
+def _is_nurbs(curve):
+    return hasattr(curve, 'knots')
+
+
 def _is_unclamped(curve):
-    if not isinstance(curve, sc.NurbsCurve) or curve.periodic:
+    if not _is_nurbs(curve) or curve.periodic:
         return False
     outer = np.diff(curve.knots)[[*range(curve.degree), *range(-curve.degree, 0)]]
     return bool((outer > 0).all())
@@ -218,7 +240,7 @@ def _is_unclamped(curve):
 def make_periodic(tolerance):
     def verb(curve):
         is_periodic = getattr(curve, 'periodic', False)
-        return curve if is_periodic else curve.to_nurbs().to_periodic(_length(tolerance))
+        return curve if is_periodic else curve.to_nurbs().to_periodic(tolerance)
     return verb
 
 
@@ -245,11 +267,11 @@ def to_bezier_chain():
 
 
 def to_hermite(tolerance):
-    """Of a conic with weights, which no Hermite chain is, cubics within the tolerance, a length."""
+    """Of a conic with weights, which no Hermite chain is, cubics within the tolerance."""
     def verb(curve):
         if isinstance(curve, sc.HermiteCurve):
             return curve
-        return _conic_as_hermite(curve, parameters.exact(tolerance)) if _is_conic(curve) else curve.to_hermite()
+        return _conic_as_hermite(curve, tolerance) if _is_conic(curve) else curve.to_hermite()
     return verb
 
 
@@ -266,7 +288,3 @@ def _conic_as_hermite(curve, tolerance):
 
 def to_nurbs():
     return lambda curve: curve.to_nurbs()
-
-
-def _length(tolerance):
-    return None if tolerance is None else parameters.exact(tolerance)

@@ -3,9 +3,9 @@
 import bpy
 
 from ..bridge import replacing
+from . import tools
 from .sub_panel import SubPanel
 
-#: Names of operators, group by group.
 _GROUPS = (
     ("Knots", ('insert_knot', 'remove_knot', 'remove_knots')),
     ("Degree", ('raise_degree', 'lower_degree')),
@@ -22,13 +22,7 @@ class SPLINEWRIGHT_MT_curve(bpy.types.Menu):
     bl_label = "Curve"
 
     def draw(self, context):
-        layout = self.layout
-        layout.operator_context = 'INVOKE_REGION_WIN'
-        for i, (_, names) in enumerate(_GROUPS):
-            if i:
-                layout.separator()
-            for name in names:
-                layout.operator(f"splinewright.{name}")
+        tools.draw_menu(self.layout, _GROUPS)
 
 
 class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
@@ -40,12 +34,7 @@ class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
         return replacing.is_curve_shape(context.object)
 
     def draw(self, context):
-        for label, names in _GROUPS:
-            row = self.layout.split(factor=0.3)
-            row.label(text=label)
-            column = row.column(align=True)
-            for name in names:
-                column.operator(f"splinewright.{name}")
+        tools.draw_panel(self.layout, _GROUPS)
 
 
 CLASSES = (SPLINEWRIGHT_MT_curve, SPLINEWRIGHT_PT_curve_tools)

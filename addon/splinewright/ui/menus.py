@@ -4,7 +4,7 @@ import bpy
 
 from ..bridge.net import net
 from ..core.recipes.table import DERIVED, FOLLOW, STARTING
-from . import curve_tools
+from . import curve_tools, patch_tools
 
 #: Conics come before it, splines and formulas from it on.
 _FIRST_SPLINE = 'catmull_rom'
@@ -88,6 +88,7 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
         layout.operator("splinewright.set_knots")
         layout.menu(curve_tools.SPLINEWRIGHT_MT_curve.bl_idname, icon='CURVE_DATA')
+        layout.menu(patch_tools.SPLINEWRIGHT_MT_patch.bl_idname, icon='SURFACE_DATA')
         layout.separator()
         layout.operator("splinewright.make_exact")
         layout.operator("splinewright.to_native")

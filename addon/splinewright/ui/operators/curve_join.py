@@ -7,7 +7,7 @@ from ...bridge import joining, replacing, store
 from ...core import joints
 from ...core.failures import FAILURES, sentence
 from . import polls
-from .curve_verbs import tolerance_property, told
+from .pieces import tolerance_property, told
 from .selected import OnSelected
 
 _WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",

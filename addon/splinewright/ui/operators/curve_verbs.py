@@ -1,117 +1,32 @@
-"""Verbs of curve shapes: knots, degree, parts, parameters, ends and kinds, in Object Mode.
-
-A number in the redo panel is float32. It stands for the shortest decimal that it is, and for a knot of the curve
-that is the same number as float32: core.parameters.snapped().
-"""
+"""Verbs of curve shapes: knots, degree, parts, parameters, ends and kinds, in Object Mode."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty
 
-from ...bridge import replacing, store
+from ...bridge import replacing
 from ...core import parameters, verbs
-from ...core.failures import FAILURES
-from .selected import OnSelected
-
-PARAMETER = "; a knot of the curve is met where both are equal in single precision"
+from . import pieces
+from .pieces import parameter_property, times_property, tolerance_property
 
 
-def parameter_property():
-    """Its first value in a session of the redo panel is the operator's invoke() to find."""
-    return FloatProperty(name="Parameter", description="Parameter u on the curve" + PARAMETER, default=0.5,
-                         precision=5, step=1, options={'SKIP_SAVE'})
+class OnCurves(pieces.OnPieces):
+    """Does verb() with pieces of every selected curve shape."""
 
-
-def times_property(what):
-    return IntProperty(name="Times", description=what, default=1, min=1, soft_max=8)
-
-
-def tolerance_property(what, default, least=0.0):
-    return FloatProperty(name="Tolerance", description=f"{what}, in units of the object", default=default, min=least,
-                         precision=6, step=0.01)
-
-
-class OnCurves(OnSelected):
-    """Does verb() with pieces of every selected curve shape; `already` is said where that changes nothing."""
-
-    needs, already = "Select a curve shape", "nothing changes"
+    needs = "Select a curve shape"
     fits = staticmethod(replacing.is_curve_shape)
 
-    piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1; 0 for all of them",
-                       default=0, min=0, options={'SKIP_SAVE'})
 
-    def verb(self):
-        """A verb of core.verbs."""
-        raise NotImplementedError
-
-    def settings(self):
-        """Names of the properties in the redo panel above the piece."""
-        return [name for name in type(self).__annotations__ if name != 'piece']
-
-    def work(self, context, ob):
-        return replacing.do(ob.data, self.piece, self.verb(), self.already)
-
-    def report_done(self, outcomes):
-        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
-
-    def draw(self, context):
-        self.layout.use_property_split = True
-        for name in (*self.settings(), 'piece'):
-            self.layout.prop(self, name)
-
-
-def told(outcomes):
-    """What changed, for pairs of a definition and the verbs.Changed that came of it."""
-    outcomes = list(outcomes)
-    texts = []
-    if len(outcomes) == 1:
-        before, changed = outcomes[0]
-        for count, noun in ((lambda d: len(d.pieces), "piece"), (points, "point")):
-            old, new = count(before), count(changed.definition)
-            if old != new:
-                texts.append(f"{old} {noun}{'s' if old > 1 else ''} became {new}")
-    error = max(changed.error for _, changed in outcomes)
-    if error > 0:
-        texts.append(f"largest distance {error:.2g}")
-    return ": " + ", ".join(texts) if texts else ""
-
-
-def points(definition):
-    """How many control points the pieces have; of Hermite chains, how many points."""
-    return sum(piece.indices.shape[-1] for piece in definition.pieces)
-
-
-class _AtParameter(OnCurves):
+class _AtParameter(pieces.FromActive, OnCurves):
     """Begins with the parameter that fits the active curve."""
+
+    asked = ('parameter',)
 
     @staticmethod
     def first_parameter(curve):
         return parameters.middle(curve)
 
-    def invoke(self, context, event):
-        if not self.properties.is_property_set('parameter'):
-            try:
-                curves = verbs.curves_of(store.read(self._a_shape(context).data))
-                self.parameter = self.first_parameter(curves[max(self.piece, 1) - 1])
-            except (*FAILURES, IndexError):
-                pass                    # execute() says it
-        return self.execute(context)
-
-    def _a_shape(self, context):
-        return [ob for ob in self._in_order(context) if self.fits(ob)][-1]
-
-
-class _WithinTolerance:
-    """An error that is allowed, if the user wants a limit."""
-
-    limited: BoolProperty(name="Limit Error", description="Refuse what moves the curve farther than the tolerance")
-    tolerance: tolerance_property("Largest distance that is allowed", 1e-4)
-
-    @property
-    def allowed(self):
-        return self.tolerance if self.limited else None
-
-    def limits(self):
-        return ['limited', 'tolerance'] if self.limited else ['limited']
+    def first_values(self, curve):
+        return (self.first_parameter(curve),)
 
 
 class SPLINEWRIGHT_OT_insert_knot(_AtParameter, bpy.types.Operator):
@@ -123,7 +38,7 @@ class SPLINEWRIGHT_OT_insert_knot(_AtParameter, bpy.types.Operator):
     where: EnumProperty(name="Where", items=(
         ('PARAMETER', "At Parameter", "At one parameter"),
         ('SPANS', "In Every Span", "In the middle of every span")))
-    parameter: parameter_property()
+    parameter: parameter_property("Parameter", "Parameter u on the curve")
     times: times_property("How many copies of the knot are added")
 
     first_parameter = staticmethod(parameters.middle_of_widest_span)
@@ -137,14 +52,14 @@ class SPLINEWRIGHT_OT_insert_knot(_AtParameter, bpy.types.Operator):
         return verbs.insert_knot(self.parameter, self.times)
 
 
-class SPLINEWRIGHT_OT_remove_knot(_WithinTolerance, _AtParameter, bpy.types.Operator):
+class SPLINEWRIGHT_OT_remove_knot(pieces.WithinTolerance, _AtParameter, bpy.types.Operator):
     bl_idname = "splinewright.remove_knot"
     bl_label = "Remove Knot"
     bl_description = ("Take copies of an inner knot away, move the control points as little as that asks, "
                       "and say how far the curve moved")
     done = "Removed a knot of {}"
 
-    parameter: parameter_property()
+    parameter: parameter_property("Parameter", "Parameter u on the curve")
     nearest: BoolProperty(name="Nearest", description="Take the inner knot that is nearest to the parameter; "
                           "otherwise there must be one at it", default=True)
     times: times_property("How many copies of the knot are taken away")
@@ -166,7 +81,7 @@ class SPLINEWRIGHT_OT_remove_knots(OnCurves, bpy.types.Operator):
     tolerance: tolerance_property("Largest distance that is allowed", 1e-6)
 
     def verb(self):
-        return verbs.remove_knots(self.tolerance)
+        return verbs.remove_knots(self.length)
 
 
 class SPLINEWRIGHT_OT_raise_degree(OnCurves, bpy.types.Operator):
@@ -181,7 +96,7 @@ class SPLINEWRIGHT_OT_raise_degree(OnCurves, bpy.types.Operator):
         return verbs.raise_degree(self.times)
 
 
-class SPLINEWRIGHT_OT_lower_degree(_WithinTolerance, OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_lower_degree(pieces.WithinTolerance, OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.lower_degree"
     bl_label = "Lower Degree"
     bl_description = "Take the nearest curve of a lower degree, and say how far it lies from the present one"
@@ -206,7 +121,7 @@ class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
         ('PARAMETER', "At Parameter", "At one parameter"),
         ('KNOTS', "At Every Knot", "At every inner knot; a periodic curve also at its seam"),
         ('FLAT', "Until Flat", "By halves, into Bezier curves that lie within the tolerance of their chords")))
-    parameter: parameter_property()
+    parameter: parameter_property("Parameter", "Parameter u on the curve")
     tolerance: tolerance_property("How far a part may lie from its chord", 0.01, least=1e-9)
 
     @property
@@ -218,7 +133,7 @@ class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
 
     def verb(self):
         if self.where == 'FLAT':
-            return verbs.split_until_flat(self.tolerance)
+            return verbs.split_until_flat(self.length)
         return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(self.parameter)
 
 
@@ -254,7 +169,7 @@ class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):
     tolerance: tolerance_property("How far the ends may lie apart, and the curve move", 1e-6)
 
     def verb(self):
-        return verbs.make_periodic(self.tolerance)
+        return verbs.make_periodic(self.length)
 
 
 class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
@@ -291,17 +206,10 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
     tolerance: tolerance_property("How far cubics may lie from a conic", 1e-5, least=1e-12)
 
     def verb(self):
-        return verbs.to_hermite(self.tolerance)
+        return verbs.to_hermite(self.length)
 
 
-def _plain(name, label, description, done, already, verb):
-    """The operator of a verb without settings."""
-    members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
-               'already': already, 'verb': lambda self: verb(), '__annotations__': {}}
-    return type(f"SPLINEWRIGHT_OT_{name}", (OnCurves, bpy.types.Operator), members)
-
-
-_PLAIN = tuple(_plain(*row) for row in (
+_PLAIN = tuple(pieces.plain(OnCurves, *row) for row in (
     ('reverse', "Reverse", "Let curves run the other way over the same domain",
      "Reversed {}", "it is the same in both directions", verbs.reverse),
     ('standard_form', "Standard Form", "Change the parameter so that both end weights are 1; the curve stays the same",

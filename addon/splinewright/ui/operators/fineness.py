@@ -3,17 +3,13 @@
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ...bridge import fineness, mesh_looks, shape
+from ...bridge import fineness, mesh_looks, replacing, shape
 from .selected import OnSelected
-
-
-def is_patch_shape(ob):
-    return shape.has_shape(ob) and ob.type == 'MESH'
 
 
 class _OnPatches(OnSelected):
     needs = "Select a shape of patches"
-    fits = staticmethod(is_patch_shape)
+    fits = staticmethod(replacing.is_patch_shape)
 
 
 class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):

@@ -30,8 +30,7 @@ class OnSelected:
         return True
 
     def execute(self, context):
-        # One for each data-block: objects that share one are changed together.
-        chosen = list({(ob.type, ob.data.name_full): ob for ob in self._in_order(context) if self.fits(ob)}.values())
+        chosen = self.chosen(context)
         names, outcomes, failed = [ob.name for ob in chosen], {}, {}
         with progress.shown(context, len(chosen)) as step:
             for i, ob in enumerate(chosen):
@@ -54,6 +53,10 @@ class OnSelected:
 
     def summary(self, outcomes):
         return self.done.format(list(outcomes)[0] if len(outcomes) == 1 else f"{len(outcomes)} objects")
+
+    def chosen(self, context):
+        """The objects it is done with, one for each data-block: those that share one are changed together."""
+        return list({(ob.type, ob.data.name_full): ob for ob in self._in_order(context) if self.fits(ob)}.values())
 
     @staticmethod
     def _in_order(context):

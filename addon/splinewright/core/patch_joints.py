@@ -1,0 +1,100 @@
+"""Two patches brought together along a side of each (lecture row S21)."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import definition as definitions
+from . import patch_curves, sewing, verbs
+from .library import sc
+
+#: For continuity, in the order in which it asks for more.
+SMOOTHNESS = ('C0', 'G1', 'C1', 'G2', 'C2')
+SIDES = tuple(patch_curves.SIDES)
+#: Places along a side at which the distance of two is taken.
+_PLACES = np.linspace(0.0, 1.0, 9)
+
+
+class Choice(NamedTuple):
+    """Which patch, counted from 1, or 0 for the nearest; which of its sides, or None for the nearest."""
+
+    number: int = 0
+    side: str | None = None
+
+
+class Joined(NamedTuple):
+    """What became of a definition, and what was achieved."""
+
+    changed: verbs.Changed
+    first: tuple                        # (number counted from 1, side, how far it moved)
+    second: tuple
+    measured: object                    # the splinecore SeamContinuity of the edge
+    came_apart: int                     # seams that were there before
+
+
+def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parted=None):
+    """The Joined definition in which two patches go on as one another.
+
+    first, second: Choices. moves: 'second', 'first' or 'both'. linear: (3, 3), what takes the points to the space in
+    which distances are measured. parted: `first` is one of so many patches at the beginning, `second` one of the rest,
+    counted from there. Raises ValueError where there are no such sides, or they cannot be joined.
+    """
+    patches = verbs.pieces_of(definition)
+    if len(patches) < 2:
+        raise ValueError("it has one patch: select two shapes to join, or Make Periodic to close it")
+    rows = _sides(patches, 0, parted or len(patches), first, linear)
+    columns = _sides(patches, parted or 0, len(patches), second, linear)
+    (a, side_a), (b, side_b) = _nearest(rows, columns)
+    found = sc.build.join_patches(patches[a], side_a, patches[b], side_b, smoothness, moves)
+    after = list(patches)
+    after[a], after[b] = found.first, found.second
+    made = sewing.sewn(definition, after, range(len(after)), joined=((a, b),))
+    changed = verbs.Changed(made, tuple(range(len(after))), max(found.first_error, found.second_error))
+    before, now = (len(definitions.to_patch_set(one).seams()) for one in (definition, made))
+    return Joined(changed, (a + 1, side_a, found.first_error), (b + 1, side_b, found.second_error),
+                  sc.seam_continuity(found.first, side_a, found.second, side_b), max(before - now, 0))
+
+
+class _Side(NamedTuple):
+    patch: int
+    side: str
+    points: np.ndarray                  # (9, 3) along it
+
+
+def _sides(patches, start, end, choice, linear):
+    """The sides that a Choice among the patches from start to end leaves. Raises ValueError if there is none."""
+    if choice.number > end - start:
+        raise ValueError(f"there {'is' if end - start == 1 else 'are'} {end - start} patch{'' if end - start == 1 else 'es'},"
+                         f" none of number {choice.number}")
+    numbers = [start + choice.number - 1] if choice.number else range(start, end)
+    found, reasons = [], []
+    for i in numbers:
+        for side in (choice.side,) if choice.side else SIDES:
+            curve, reason = patch_curves.side_of(patches[i], side)
+            if reason:
+                reasons.append(f"patch {i - start + 1}: {reason}")
+                continue
+            low, high = curve.domain
+            places = np.minimum(low + _PLACES * (high - low), high)
+            points = np.concatenate([curve.evaluate(places[:-1], at_infinity='nan'),
+                                     curve.evaluate(places[-1:], side='left', at_infinity='nan')])
+            found.append(_Side(i, side, points @ linear.T))
+    if not found:
+        raise ValueError(", ".join(reasons[:4]))
+    return found
+
+
+def _nearest(rows, columns):
+    """((patch, side), (another patch, side)) of the two sides that lie nearest to each other."""
+    others = np.stack([side.points for side in columns])
+    owners = np.array([side.patch for side in columns])
+    best, pair = np.inf, None
+    for row in rows:
+        gaps = np.minimum(*(np.linalg.norm(row.points[::step] - others, axis=-1).mean(axis=1) for step in (1, -1)))
+        gaps[(owners == row.patch) | np.isnan(gaps)] = np.inf
+        nearest = int(gaps.argmin())
+        if gaps[nearest] < best:
+            best, pair = gaps[nearest], ((row.patch, row.side), (columns[nearest].patch, columns[nearest].side))
+    if pair is None:
+        raise ValueError("a patch is not joined to itself: Make Periodic closes it")
+    return pair

@@ -1,0 +1,84 @@
+"""Curves on patch shapes become shapes of their own."""
+
+import bpy
+from bpy.props import EnumProperty
+
+from ...bridge import extracting
+from ...core import patch_curves
+from .adding import can_add
+from .patch_verbs import AtParameters, OnPatches, direction_property
+
+
+class _Extract(OnPatches):
+    """Adds a curve shape for every selected patch shape, in its place."""
+
+    @classmethod
+    def poll(cls, context):
+        return can_add(cls, context) and super().poll(context)
+
+    def chosen(self, context):
+        """Also of objects that share data: their curves lie in different places."""
+        return [ob for ob in self._in_order(context) if self.fits(ob)]
+
+    def execute(self, context):
+        sources = context.selected_objects
+        self.added = []
+        result = super().execute(context)
+        if self.added:
+            for ob in sources:
+                ob.select_set(False)
+            for ob in self.added:
+                ob.select_set(True)
+            context.view_layer.objects.active = self.added[-1]
+        return result
+
+    def add(self, context, source, name, curves, axes):
+        ob = extracting.new_object(source, name, curves, axes)
+        context.collection.objects.link(ob)
+        self.added.append(ob)
+
+    def report_done(self, outcomes):
+        left_out = [text for texts in outcomes.values() for text in texts]
+        self.report({'INFO'}, self.summary(outcomes) + (f"; left out: {', '.join(left_out)}" if left_out else ""))
+
+
+class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):
+    bl_idname = "splinewright.extract_isocurve"
+    bl_label = "Extract Isocurve"
+    bl_description = "Add the curve on a patch on which u or v is one number: a shape of its own, exact"
+    done = "Extracted an isocurve of {}"
+
+    direction: direction_property("The curve at one u", "The curve at one v", "Both curves through one point")
+
+    def settings(self):
+        return ['direction', *self.parameters()]
+
+    def work(self, context, ob):
+        axes = [name[-1] for name in self.parameters()]
+        curves, left_out = extracting.isocurves(ob.data, self.piece, [(axis, self.parameter(axis)) for axis in axes])
+        self.add(context, ob, "Isocurve", curves, axes)
+        return left_out
+
+
+class SPLINEWRIGHT_OT_extract_boundary(_Extract, bpy.types.Operator):
+    bl_idname = "splinewright.extract_boundary"
+    bl_label = "Extract Boundary"
+    bl_description = "Add the sides of a patch as curves, a shape of its own, exact; a side that is a point is left out"
+    done = "Extracted the boundary of {}"
+
+    side: EnumProperty(name="Side", items=(
+        ('ALL', "All Four", "Every side, a piece each"), ('U_START', "U Start", "Where u starts"),
+        ('U_END', "U End", "Where u ends"), ('V_START', "V Start", "Where v starts"),
+        ('V_END', "V End", "Where v ends")))
+
+    def settings(self):
+        return ['side']
+
+    def work(self, context, ob):
+        sides = list(patch_curves.SIDES) if self.side == 'ALL' else [self.side.lower()]
+        curves, left_out = extracting.boundaries(ob.data, self.piece, sides)
+        self.add(context, ob, "Boundary", curves, [side[0] for side in sides])
+        return left_out
+
+
+CLASSES = (SPLINEWRIGHT_OT_extract_isocurve, SPLINEWRIGHT_OT_extract_boundary)

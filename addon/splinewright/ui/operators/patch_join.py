@@ -1,0 +1,97 @@
+"""Patches go on as one another where two of their sides meet."""
+
+import math
+
+import bpy
+from bpy.props import EnumProperty, IntProperty
+
+from ...bridge import joining, replacing
+from ...core import patch_joints
+from ...core.failures import FAILURES, sentence
+from ...core.patch_curves import SIDES
+from . import polls
+
+_WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
+          'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
+          'C2': "They share the first two derivatives across the edge"}
+_MOVES = (('second', "The Other", "The second patch moves to the first"), ('first', "The First", "The first patch moves"),
+          ('both', "Both", "Each as little as it must"))
+
+
+def _number_property(name, what):
+    return IntProperty(name=name, description=f"{what}, counted from 1; 0 for the nearest", default=0, min=0,
+                       options={'SKIP_SAVE'})
+
+
+def _side_property(of):
+    items = [('NEAREST', "Nearest", "The side that lies nearest to the other patch"),
+             *((name, words.title(), f"Where {words[0]} {words[2:]}s") for name, words in SIDES.items())]
+    return EnumProperty(name="Side", description=f"Which side of {of}", items=items, default='NEAREST',
+                        options={'SKIP_SAVE'})
+
+
+class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
+    bl_idname = "splinewright.join_patches"
+    bl_label = "Join Patches"
+    bl_description = ("Let two patches go on as one another where their nearest sides meet, and say what was achieved "
+                      "and how far they moved: two of the active shape, or one of each of two selected shapes")
+    bl_options = {'REGISTER', 'UNDO'}
+
+    continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
+                             items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS])
+    moves: EnumProperty(name="Moves", description="Which patch gives way", items=_MOVES)
+    first: _number_property("Patch", "Which patch of the active shape")
+    first_side: _side_property("it")
+    second: _number_property("Other Patch", "Which other patch of it, or of the other shape")
+    second_side: _side_property("the other patch")
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        chosen = context.selected_objects
+        if context.object not in chosen or len(chosen) > 2 or not all(map(replacing.is_patch_shape, chosen)):
+            cls.poll_message_set("Select one or two patch shapes")
+            return False
+        return True
+
+    def execute(self, context):
+        ob = context.object
+        other = next((other for other in context.selected_objects if other != ob), None)
+        try:
+            found = joining.join_patches(ob, other, self._choice('first'), self._choice('second'), self.continuity,
+                                         self.moves)
+        except FAILURES as error:
+            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
+            return {'CANCELLED'}
+        self.report({'INFO'}, f"{ob.name}: {told(found)}")
+        if found.came_apart:
+            seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
+            self.report({'WARNING'}, f"{ob.name}: {seams} with other patches came apart")
+        return {'FINISHED'}
+
+    def _choice(self, which):
+        side = getattr(self, f"{which}_side")
+        return patch_joints.Choice(getattr(self, which), None if side == 'NEAREST' else side)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.row().prop(self, "continuity", expand=True)
+        layout.row().prop(self, "moves", expand=True)
+        for name in ("first", "second"):
+            column = layout.column(align=True)
+            column.prop(self, name)
+            column.prop(self, f"{name}_side")
+
+
+def told(found):
+    """A core.patch_joints.Joined in words."""
+    sides = " and ".join(f"{number} {SIDES[side]}" for number, side, _ in (found.first, found.second))
+    moved = [f"patch {number} moved by {error:.2g}" for number, _, error in (found.first, found.second) if error > 0]
+    measured = found.measured
+    return (f"{sides} are C{measured.c} G{measured.g}, angle {math.degrees(measured.angle):.2g}°, curvatures differ by "
+            f"{measured.curvature_difference:.2g}; {', '.join(moved) or 'nothing moved'}")
+
+
+CLASSES = (SPLINEWRIGHT_OT_join_patches,)

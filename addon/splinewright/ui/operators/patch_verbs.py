@@ -1,0 +1,271 @@
+"""Verbs of patch shapes: knots, degree, parts, parameters, ends and kinds, in Object Mode.
+
+They are those of curves, done along u, along v, or along both, one after the other.
+"""
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty
+
+from ...bridge import replacing
+from ...core import parameters, patch_verbs, verbs
+from . import pieces
+from .pieces import parameter_property, times_property, tolerance_property
+
+_AXES = {'U': 'u', 'V': 'v', 'BOTH': 'uv'}
+
+
+def direction_property(u="Along u", v="Along v", both="Along u, then along v"):
+    return EnumProperty(name="Direction", items=(('U', "U", u), ('V', "V", v), ('BOTH', "Both", both)))
+
+
+class OnPatches(pieces.OnPieces):
+    """Does verb() with pieces of every selected patch shape."""
+
+    needs, expanded = "Select a patch shape", ('direction',)
+    fits = staticmethod(replacing.is_patch_shape)
+
+
+class _Along(OnPatches):
+    """Does verb_along() along each chosen axis."""
+
+    direction: direction_property()
+
+    @property
+    def axes(self):
+        return _AXES[self.direction]
+
+    def verb_along(self, axis, spent):
+        """The verb of core.verbs for an axis, of which `spent` is the error made along the one before."""
+        raise NotImplementedError
+
+    def verb(self):
+        return patch_verbs.along(self.axes, self.verb_along)
+
+    def settings(self):
+        return ['direction', *super().settings()]
+
+
+class AtParameters(pieces.FromActive):
+    """Begins with the parameters that fit the active patch."""
+
+    asked = ('parameter_u', 'parameter_v')
+    first_parameter = staticmethod(parameters.middle)
+
+    parameter_u: parameter_property("U", "Parameter u on the patch")
+    parameter_v: parameter_property("V", "Parameter v on the patch")
+
+    def first_values(self, patch):
+        return patch_verbs.first_parameters(patch, self.first_parameter)
+
+    def parameter(self, axis):
+        return getattr(self, f"parameter_{axis}")
+
+    def parameters(self):
+        """Names of the properties that are asked for."""
+        return [f"parameter_{axis}" for axis in _AXES[self.direction]]
+
+
+class _WithinTolerance(pieces.WithinTolerance):
+    """What the first axis has left of the tolerance is the second one's."""
+
+    def left(self, spent):
+        return None if self.allowed is None else max(self.allowed - spent, 0.0)
+
+
+class SPLINEWRIGHT_OT_patch_insert_knot(AtParameters, _Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_insert_knot"
+    bl_label = "Insert Knot"
+    bl_description = "Add a knot, and with it a row of control points; the patch stays the same"
+    done = "Inserted knots into {}"
+
+    where: EnumProperty(name="Where", items=(
+        ('PARAMETER', "At Parameter", "At one parameter"),
+        ('SPANS', "In Every Span", "In the middle of every span")))
+    times: times_property("How many copies of the knot are added")
+
+    first_parameter = staticmethod(parameters.middle_of_widest_span)
+
+    def settings(self):
+        return ['direction', 'where', *(self.parameters() if self.where == 'PARAMETER' else []), 'times']
+
+    def verb_along(self, axis, spent):
+        if self.where == 'SPANS':
+            return verbs.insert_span_middles(self.times)
+        return verbs.insert_knot(self.parameter(axis), self.times)
+
+
+class SPLINEWRIGHT_OT_patch_remove_knot(_WithinTolerance, AtParameters, _Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_remove_knot"
+    bl_label = "Remove Knot"
+    bl_description = ("Take copies of an inner knot away, move the control points as little as that asks, "
+                      "and say how far the patch moved")
+    done = "Removed a knot of {}"
+
+    nearest: BoolProperty(name="Nearest", description="Take the inner knot that is nearest to the parameter; "
+                          "otherwise there must be one at it", default=True)
+    times: times_property("How many copies of the knot are taken away")
+
+    def settings(self):
+        return ['direction', *self.parameters(), 'nearest', 'times', *self.limits()]
+
+    def verb_along(self, axis, spent):
+        return verbs.remove_knot(self.parameter(axis), self.nearest, self.times, self.left(spent))
+
+
+class SPLINEWRIGHT_OT_patch_remove_knots(_Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_remove_knots"
+    bl_label = "Remove Knots"
+    bl_description = ("Take every inner knot away that can go while the patch moves no farther than a tolerance; "
+                      "a Hermite patch becomes NURBS")
+    done, already = "Removed knots of {}", "no knot can go within the tolerance"
+
+    tolerance: tolerance_property("Largest distance that is allowed", 1e-6)
+
+    def verb_along(self, axis, spent):
+        return verbs.remove_knots(max(self.length - spent, 0.0))
+
+
+class SPLINEWRIGHT_OT_patch_raise_degree(_Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_raise_degree"
+    bl_label = "Raise Degree"
+    bl_description = "Give the patch a higher degree and more control points; it stays the same"
+    done = "Raised the degree of {}"
+
+    times: times_property("By how much the degree is raised")
+
+    def verb_along(self, axis, spent):
+        return verbs.raise_degree(self.times)
+
+
+class SPLINEWRIGHT_OT_patch_lower_degree(_WithinTolerance, _Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_lower_degree"
+    bl_label = "Lower Degree"
+    bl_description = "Take the nearest patch of a lower degree, and say how far it lies from the present one"
+    done = "Lowered the degree of {}"
+
+    times: times_property("By how much the degree is lowered")
+
+    def settings(self):
+        return ['direction', 'times', *self.limits()]
+
+    def verb_along(self, axis, spent):
+        return verbs.lower_degree(self.times, self.left(spent))
+
+
+class SPLINEWRIGHT_OT_patch_split(AtParameters, _Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_split"
+    bl_label = "Split"
+    bl_description = ("Cut patches into more pieces of the same shape, which share the points of the cut; "
+                      "a periodic patch is opened")
+    done, already = "Split {}", "there is no inner knot to split at"
+
+    where: EnumProperty(name="Where", items=(
+        ('PARAMETER', "At Parameter", "At one parameter"),
+        ('KNOTS', "At Every Knot", "At every inner knot; a periodic patch also at its seam")))
+
+    def settings(self):
+        return ['direction', 'where', *(self.parameters() if self.where == 'PARAMETER' else [])]
+
+    def verb_along(self, axis, spent):
+        return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(self.parameter(axis))
+
+
+class SPLINEWRIGHT_OT_patch_reverse(_Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_reverse"
+    bl_label = "Reverse"
+    bl_description = ("Let patches run the other way over the same domain; in one direction this turns their normals, "
+                      "in both it does not")
+    done, already = "Reversed {}", "it is the same in both directions"
+
+    def verb_along(self, axis, spent):
+        return verbs.reverse()
+
+
+class SPLINEWRIGHT_OT_patch_swap(OnPatches, bpy.types.Operator):
+    bl_idname = "splinewright.patch_swap"
+    bl_label = "Swap U and V"
+    bl_description = "Exchange both directions of patches, which turns their normals; the shape stays the same"
+    done, already = "Swapped u and v of {}", "u and v are the same"
+
+    def verb(self):
+        return patch_verbs.swap()
+
+    def work(self, context, ob):
+        """The resolutions are exchanged with the directions, where all are."""
+        outcome, settings = super().work(context, ob), ob.data.splinewright
+        if self.piece == 0 or len(outcome[0].pieces) == 1:
+            settings.set_resolution(settings.resolution_v, settings.resolution_u)
+        return outcome
+
+
+class SPLINEWRIGHT_OT_patch_reparametrise(_Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_reparametrise"
+    bl_label = "Reparametrise"
+    bl_description = "Give the patch another domain, or another speed across it; it stays the same"
+    done, already = "Reparametrised {}", "the parameters are these already"
+
+    how: EnumProperty(name="How", items=(
+        ('AFFINE', "New Domain", "Map the domain to another one; control points and weights stay"),
+        ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly; "
+         "a periodic patch is opened")))
+    start: FloatProperty(name="Start", description="Where the new domain starts", default=0.0, precision=5)
+    end: FloatProperty(name="End", description="Where the new domain ends", default=1.0, precision=5)
+    rho: FloatProperty(name="Rho", description="Ratio of the speeds at both ends; above 0, 1 changes nothing",
+                       default=2.0, soft_min=0.01, soft_max=100.0, precision=5)
+
+    def settings(self):
+        return ['direction', 'how', *(['start', 'end'] if self.how == 'AFFINE' else ['rho'])]
+
+    def verb_along(self, axis, spent):
+        return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)
+
+
+class SPLINEWRIGHT_OT_patch_clamp(_Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_clamp"
+    bl_label = "Clamp"
+    bl_description = ("Let the patch begin and end in its outer control points; it stays the same. "
+                      "A periodic one is cut at its seam")
+    done, already = "Clamped {}", "it begins and ends in its outer points already"
+
+    def verb_along(self, axis, spent):
+        return verbs.clamp()
+
+
+class SPLINEWRIGHT_OT_patch_unclamp(_Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_unclamp"
+    bl_label = "Unclamp"
+    bl_description = ("Spread the knots at the ends, so that the patch touches no outer point; it stays the same, "
+                      "and shares no points with its neighbours any more. A periodic one is opened")
+    done, already = "Unclamped {}", "its knots go on outside the domain already"
+
+    def verb_along(self, axis, spent):
+        return verbs.unclamp()
+
+
+class SPLINEWRIGHT_OT_patch_make_periodic(_Along, bpy.types.Operator):
+    bl_idname = "splinewright.patch_make_periodic"
+    bl_label = "Make Periodic"
+    bl_description = ("Make a closed patch periodic, as smooth at its seam as it is; "
+                      "a gap within the tolerance is closed")
+    done, already = "Made {} periodic", "it is periodic already"
+
+    tolerance: tolerance_property("How far the ends may lie apart, and the patch move", 1e-6)
+
+    def verb_along(self, axis, spent):
+        return verbs.make_periodic(max(self.length - spent, 0.0))
+
+
+_PLAIN = tuple(pieces.plain(OnPatches, *row) for row in (
+    ('patch_to_bezier', "To Bezier Patches", "Make every span a Bezier patch of its own, a piece of the same shape; "
+     "neighbours share their points",
+     "Made {} Bezier patches", "its pieces are Bezier patches already", patch_verbs.to_bezier),
+    ('patch_to_hermite', "To Hermite", "Make patches of degree 3 or less without weights Hermite patches; "
+     "they stay the same",
+     "Made {} Hermite", "it is Hermite already", patch_verbs.to_hermite),
+    ('patch_to_nurbs', "To NURBS", "Make Bezier and Hermite patches NURBS patches; they stay the same",
+     "Made {} NURBS", "it is NURBS already", patch_verbs.to_nurbs)))
+
+CLASSES = (SPLINEWRIGHT_OT_patch_insert_knot, SPLINEWRIGHT_OT_patch_remove_knot, SPLINEWRIGHT_OT_patch_remove_knots,
+           SPLINEWRIGHT_OT_patch_raise_degree, SPLINEWRIGHT_OT_patch_lower_degree, SPLINEWRIGHT_OT_patch_split,
+           SPLINEWRIGHT_OT_patch_reverse, SPLINEWRIGHT_OT_patch_swap, SPLINEWRIGHT_OT_patch_reparametrise,
+           SPLINEWRIGHT_OT_patch_clamp, SPLINEWRIGHT_OT_patch_unclamp, SPLINEWRIGHT_OT_patch_make_periodic, *_PLAIN)

@@ -1,0 +1,140 @@
+"""What the verbs of curve shapes and of patch shapes have in common as operators, in Object Mode.
+
+A number in the redo panel is float32. It stands for the shortest decimal that it is, and for a knot that is the same
+number as float32: core.parameters.snapped().
+"""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, FloatProperty, IntProperty
+
+from ...bridge import replacing, store
+from ...core import parameters, verbs
+from ...core.failures import FAILURES
+from .selected import OnSelected
+
+
+def parameter_property(name, what):
+    """Its first value in a session of the redo panel is FromActive.invoke()'s to find."""
+    return FloatProperty(name=name, description=what + "; a knot is met where both are equal in single precision",
+                         default=0.5, precision=5, step=1, options={'SKIP_SAVE'})
+
+
+def times_property(what):
+    return IntProperty(name="Times", description=what, default=1, min=1, soft_max=8)
+
+
+def tolerance_property(what, default, least=0.0):
+    return FloatProperty(name="Tolerance", description=f"{what}, in units of the object", default=default, min=least,
+                         precision=6, step=0.01)
+
+
+class OnPieces(OnSelected):
+    """Does verb() with pieces of every selected shape that fits; `already` is said where that changes nothing."""
+
+    already = "nothing changes"
+    #: Names of settings whose choices are shown side by side.
+    expanded = ()
+
+    piece: IntProperty(name="Piece", description="Which piece of the shape, counted from 1; 0 for all of them",
+                       default=0, min=0, options={'SKIP_SAVE'})
+
+    def verb(self):
+        """A verb of core.verbs."""
+        raise NotImplementedError
+
+    @property
+    def length(self):
+        """The tolerance, as it was typed."""
+        return parameters.exact(self.tolerance)
+
+    def settings(self):
+        """Names of the properties in the redo panel above the piece."""
+        return [name for name in type(self).__annotations__ if name != 'piece']
+
+    def work(self, context, ob):
+        return replacing.do(ob.data, self.piece, self.verb(), self.already)
+
+    def report_done(self, outcomes):
+        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        for name in (*self.settings(), 'piece'):
+            if name in self.expanded:
+                self.layout.row().prop(self, name, expand=True)
+            else:
+                self.layout.prop(self, name)
+
+
+def told(outcomes):
+    """What changed, for pairs of a definition and the verbs.Changed that came of it."""
+    outcomes = list(outcomes)
+    texts = []
+    if len(outcomes) == 1:
+        before, changed = outcomes[0]
+        for count, noun in ((lambda d: len(d.pieces), "piece"), (points, "point")):
+            old, new = count(before), count(changed.definition)
+            if old != new:
+                texts.append(f"{old} {noun}{'s' if old > 1 else ''} became {new}")
+    error = max(changed.error for _, changed in outcomes)
+    if error > 0:
+        texts.append(f"largest distance {error:.2g}")
+    return ": " + ", ".join(texts) if texts else ""
+
+
+def points(definition):
+    """How many control points there are, without tangents and twists; of patches, those that they share count once."""
+    if definition.has_curves:
+        return sum(piece.indices.shape[-1] for piece in definition.pieces)
+    nets = [piece.indices[0] if piece.kind == 'hermite' else piece.indices for piece in definition.pieces]
+    return len(np.unique(np.concatenate([net.ravel() for net in nets])))
+
+
+class FromActive:
+    """Begins with values that fit the active shape, for the properties named `asked`."""
+
+    asked = ()
+
+    def first_values(self, piece):
+        """For each of `asked`, from a curve or patch of the active shape."""
+        raise NotImplementedError
+
+    def invoke(self, context, event):
+        """With one piece, where no value fits all."""
+        is_given = self.properties.is_property_set
+        try:
+            found = verbs.pieces_of(store.read(self._a_shape(context).data))
+            if self.piece == 0 and not is_given('piece') and len({piece.domain for piece in found}) > 1:
+                self.piece = 1
+            values = self.first_values(found[max(self.piece, 1) - 1])
+        except (*FAILURES, IndexError):
+            values = ()                 # execute() says it
+        for name, value in zip(self.asked, values):
+            if not is_given(name):
+                setattr(self, name, value)
+        return self.execute(context)
+
+    def _a_shape(self, context):
+        return [ob for ob in self._in_order(context) if self.fits(ob)][-1]
+
+
+class WithinTolerance:
+    """An error that is allowed, if the user wants a limit."""
+
+    limited: BoolProperty(name="Limit Error", description="Refuse what moves the shape farther than the tolerance")
+    tolerance: tolerance_property("Largest distance that is allowed", 1e-4)
+
+    @property
+    def allowed(self):
+        return self.length if self.limited else None
+
+    def limits(self):
+        return ['limited', 'tolerance'] if self.limited else ['limited']
+
+
+def plain(base, name, label, description, done, already, verb):
+    """The operator of a verb without settings."""
+    members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
+               'already': already, 'verb': lambda self: verb(), '__annotations__': {}}
+    return type(f"SPLINEWRIGHT_OT_{name}", (base, bpy.types.Operator), members)

@@ -1,0 +1,41 @@
+"""The verbs of patch shapes in a menu and in the sidebar."""
+
+import bpy
+
+from ..bridge import replacing
+from . import tools
+from .sub_panel import SubPanel
+
+_GROUPS = (
+    ("Knots", ('patch_insert_knot', 'patch_remove_knot', 'patch_remove_knots')),
+    ("Degree", ('patch_raise_degree', 'patch_lower_degree')),
+    ("Pieces", ('patch_split', 'join_patches')),
+    ("Direction", ('patch_reverse', 'patch_swap')),
+    ("Speed", ('patch_reparametrise',)),
+    ("Ends", ('patch_clamp', 'patch_unclamp', 'patch_make_periodic')),
+    ("Kind", ('patch_to_bezier', 'patch_to_hermite', 'patch_to_nurbs')),
+    ("Curves", ('extract_isocurve', 'extract_boundary')),
+)
+
+
+class SPLINEWRIGHT_MT_patch(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_patch"
+    bl_label = "Patch"
+
+    def draw(self, context):
+        tools.draw_menu(self.layout, _GROUPS)
+
+
+class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_patch_tools"
+    bl_label = "Patch Tools"
+
+    @classmethod
+    def poll(cls, context):
+        return replacing.is_patch_shape(context.object)
+
+    def draw(self, context):
+        tools.draw_panel(self.layout, _GROUPS)
+
+
+CLASSES = (SPLINEWRIGHT_MT_patch, SPLINEWRIGHT_PT_patch_tools)

@@ -1,0 +1,232 @@
+"""The verbs of patch shapes as operators: what they keep, and what they say that they do not."""
+
+import types
+
+import bpy
+import numpy as np
+import pytest
+
+from curves import run, said_distance
+from patches import DIRECTIONS, LETTERS, farthest, patches_of, size_of, value_of
+from shapes import activate, add, require_exact
+from support import part, splinecore as sc
+
+patch_verbs, pieces = part('ui.operators.patch_verbs'), part('ui.operators.pieces')
+
+ALL = ('bezier patch', 'hermite patch', 'nurbs patch', 'rational nurbs', 'uniform', 'both periodic', 'bicubic')
+WITH_KNOTS = ('rational nurbs', 'both periodic', 'uniform', 'plain nurbs')
+AT = {'parameter_u': 0.3, 'parameter_v': 0.2}
+#: Operator, settings, kinds of patches that it keeps, in every direction.
+ALONG = (
+    ('patch_insert_knot', AT, ALL), ('patch_insert_knot', {'where': 'SPANS', 'times': 2}, ALL),
+    ('patch_raise_degree', {'times': 2}, ALL), ('patch_reverse', {}, ALL), ('patch_split', AT, ALL),
+    ('patch_split', {'where': 'KNOTS'}, WITH_KNOTS), ('patch_reparametrise', {'start': -1.5, 'end': 3.1}, ALL),
+    ('patch_reparametrise', {'how': 'MOEBIUS', 'rho': 2.5}, ALL), ('patch_clamp', {}, ('both periodic', 'uniform')),
+    ('patch_unclamp', {}, ('bezier patch', 'hermite patch', 'rational nurbs', 'both periodic')),
+    ('patch_make_periodic', {}, ('torus',)))
+WHOLE = (
+    ('patch_swap', ALL), ('patch_to_bezier', ('hermite patch', 'nurbs patch', *WITH_KNOTS)),
+    ('patch_to_hermite', ('bicubic', 'plain nurbs', 'nurbs patch', 'bilinear')),
+    ('patch_to_nurbs', ('bezier patch', 'hermite patch', 'bicubic')))
+KEEPING = [(name, {**settings, 'direction': direction}, kind)
+           for name, settings, kinds in ALONG for kind in kinds for direction in DIRECTIONS]
+KEEPING += [(name, {}, kind) for name, kinds in WHOLE for kind in kinds]
+
+
+@pytest.fixture
+def said(monkeypatch):
+    """What the operators say behind the name of what they did."""
+    texts = []
+
+    def told(outcomes, told=pieces.told):
+        texts.append(told(outcomes))
+        return texts[-1]
+    monkeypatch.setattr(pieces, 'told', told)
+    return texts
+
+
+@pytest.mark.parametrize('name, settings, kind', [
+    pytest.param(*row, id=f"{row[0]}-{'-'.join(map(str, row[1].values()))}-{row[2]}") for row in KEEPING])
+def test_the_shape_is_kept_in_double_precision_and_taken_back_by_undo(name, settings, kind, said):
+    before = value_of(kind)
+    ob = add(before)
+    assert run(name, **settings) == {'FINISHED'}
+    after, value = patches_of(ob), ob.data.splinewright.value
+    assert value != before and said_distance(said[0]) < 1e-12
+    assert farthest(before, after, name, settings) < 1e-12 * max(size_of([before]), 1)
+    require_exact(ob)
+    bpy.ops.ed.undo()
+    assert bpy.data.objects["shape"].data.splinewright.value == before
+    bpy.ops.ed.redo()
+    assert bpy.data.objects["shape"].data.splinewright.value == value
+
+
+def test_the_measure_of_these_tests_sees_a_move_of_a_millionth():
+    before = value_of('rational nurbs')
+    moved = before.points.copy()
+    moved[2, 2] += 1e-9
+    assert farthest(before, [before.with_points(moved)], 'patch_raise_degree', {}) > 1e-11
+
+
+@pytest.mark.parametrize('direction', DIRECTIONS)
+def test_what_was_asked_for_is_done_along_the_chosen_axes_and_no_other(direction):
+    def changes(name, what, kind='rational nurbs', **settings):
+        value = value_of(kind)
+        ob = add(value)
+        assert run(name, direction=direction, **settings) == {'FINISHED'}
+        before, after = what(value), what(patches_of(ob)[0])
+        chosen = [letter in DIRECTIONS[direction] for letter in LETTERS]
+        assert [bool(np.any(np.not_equal(a, b))) for a, b in zip(before, after)] == chosen
+        return [pair for pair, is_chosen in zip(after, chosen) if is_chosen]
+
+    def knots_of(patch):
+        return [knots.tolist() for knots in patch.to_nurbs().knots]
+
+    def count_of(patch):
+        return patch.points.shape[:2]
+
+    assert changes('patch_raise_degree', lambda p: p.degree, times=2) == [
+        degree for degree, letter in zip((5, 4), LETTERS) if letter in DIRECTIONS[direction]]
+    assert all(domain == (0.1, 0.7) for domain in changes(
+        'patch_reparametrise', lambda p: p.domain, start=0.1, end=0.7)), "a typed 0.1 is 0.1"
+    changes('patch_insert_knot', count_of, times=2, **AT)
+    changes('patch_remove_knot', count_of, 'plain nurbs', parameter_u=0.3, parameter_v=0.3)
+    changes('patch_remove_knots', count_of, 'plain nurbs', tolerance=10.0)
+    changes('patch_lower_degree', lambda p: p.degree, 'biquintic', times=3)
+    changes('patch_make_periodic', lambda p: p.periodic, 'torus')
+    changes('patch_unclamp', lambda p: [len(set(knots)) for knots in knots_of(p)])
+    changes('patch_clamp', lambda p: [len(set(knots)) for knots in knots_of(p)], 'uniform')
+
+
+KINDS_AFTERWARDS = (
+    ('patch_to_bezier', 'rational nurbs', sc.BezierPatch), ('patch_to_hermite', 'bicubic', sc.HermitePatch),
+    ('patch_to_nurbs', 'hermite patch', sc.NurbsPatch), ('patch_raise_degree', 'bicubic', sc.BezierPatch),
+    ('patch_reverse', 'hermite patch', sc.HermitePatch), ('patch_swap', 'hermite patch', sc.HermitePatch),
+    ('patch_split', 'hermite patch', sc.HermitePatch), ('patch_insert_knot', 'bicubic', sc.NurbsPatch))
+
+
+@pytest.mark.parametrize('name, kind, expected', KINDS_AFTERWARDS)
+def test_the_kind_is_what_the_name_says_or_the_one_before(name, kind, expected):
+    ob = add(value_of(kind))
+    run(name)
+    assert {type(patch) for patch in patches_of(ob)} == {expected}
+
+
+def test_numbers_in_single_precision_meet_the_knots_that_are_meant():
+    ob = add(value_of('rational nurbs'))
+    third = {'parameter_u': 1 / 3, 'parameter_v': 1 / 3, 'direction': 'BOTH'}
+    run('patch_insert_knot', **third)
+    for knots in ob.data.splinewright.value.knots:
+        assert (knots == 1 / 3).sum() == 2 and np.float32(1 / 3) not in knots
+    run('patch_remove_knot', nearest=False, **third)
+    assert [(knots == 1 / 3).sum() for knots in ob.data.splinewright.value.knots] == [1, 1]
+    run('patch_split', **third)
+    assert [patch.domain for patch in patches_of(ob)] == [
+        (u, v) for u in ((0, 1 / 3), (1 / 3, 1)) for v in ((0, 1 / 3), (1 / 3, 3))]
+
+
+def first_parameters(cls, piece=0, given=()):
+    """What an operator begins with. Its invoke() is called in a window only, so a stand-in calls it."""
+    settings = types.SimpleNamespace(is_property_set=lambda name: name in given)
+    own = {name: vars(base)[name] for base in cls.__mro__[::-1] for name in ('first_parameter', 'first_values', 'asked')
+           if name in vars(base)}
+    menu = type("Menu", (patch_verbs.AtParameters, patch_verbs.OnPatches), {
+        **own, 'properties': settings, 'piece': piece, 'parameter_u': 0.25, 'parameter_v': 0.75,
+        'execute': lambda self, context: (self.parameter_u, self.parameter_v)})
+    return menu().invoke(bpy.context, None)
+
+
+def test_from_a_menu_the_parameters_are_those_of_the_active_patch_unless_they_are_given():
+    insert, split = patch_verbs.SPLINEWRIGHT_OT_patch_insert_knot, patch_verbs.SPLINEWRIGHT_OT_patch_split
+    first = add(value_of('rational nurbs'))
+    assert np.allclose(first_parameters(insert), (2 / 3, 7 / 6)) and first_parameters(split) == (0.5, 1.5)
+    assert first_parameters(split, given=['parameter_u']) == (0.25, 1.5)
+    other = add(value_of('mixed set'), "other")
+    activate(other, first)
+    assert np.allclose(first_parameters(insert, piece=1), (0.15, 2.5))
+    assert first_parameters(split, piece=2) == (0.5, 0.5)
+    assert first_parameters(insert, piece=3) == (0.25, 0.75), "execute() refuses piece 3"
+
+
+def test_from_a_menu_one_piece_is_meant_where_pieces_have_other_domains():
+    for kind, piece in (('teapot', 0), ('mixed set', 1)):
+        add(value_of(kind))
+        chosen = []
+        menu = type("Menu", (patch_verbs.AtParameters, patch_verbs.OnPatches), {
+            'properties': types.SimpleNamespace(is_property_set=lambda name: False), 'piece': 0,
+            'parameter_u': 0.0, 'parameter_v': 0.0, 'execute': lambda self, context: chosen.append(self.piece)})
+        menu().invoke(bpy.context, None)
+        assert chosen == [piece]
+
+
+# What is said -----------------------------------------------------------------------------------------------------
+
+
+def measured(before, after):
+    """At equal parameters, on so many that little is missed."""
+    at = [np.linspace(*domain, 301) for domain in before.domain]
+    return np.linalg.norm(before.evaluate_grid(*at) - after.evaluate_grid(*at), axis=-1).max()
+
+
+APPROXIMATING = (
+    ('patch_remove_knot', {'parameter_u': 0.3, 'parameter_v': 0.3}, 'plain nurbs'),
+    ('patch_remove_knots', {'tolerance': 9.0}, 'plain nurbs'), ('patch_lower_degree', {}, 'plain nurbs'),
+    ('patch_lower_degree', {'times': 2}, 'biquintic'), ('patch_lower_degree', {}, 'hermite patch'),
+    ('patch_lower_degree', {}, 'both periodic'))
+
+
+@pytest.mark.parametrize('direction', DIRECTIONS)
+@pytest.mark.parametrize('name, settings, kind', APPROXIMATING)
+def test_the_error_said_is_the_error_made(name, settings, kind, direction, said):
+    before = value_of(kind)
+    ob = add(before)
+    assert run(name, **{**settings, 'direction': direction}) == {'FINISHED'}
+    error = measured(before, ob.data.splinewright.value)
+    assert error > 1e-6 and 0.94 * error < said_distance(said[0]) < 1.2 * error
+    assert error <= settings.get('tolerance', np.inf)
+    require_exact(ob)
+
+
+def test_both_axes_share_one_tolerance():
+    raised = value_of('plain nurbs').elevate('u').elevate('v')
+    noise = 1e-3 * np.cos(np.arange(raised.points.size)).reshape(raised.points.shape)
+    moved = raised.with_points(raised.points + noise)
+    errors = {}
+    for direction in DIRECTIONS:
+        ob = add(moved)
+        run('patch_lower_degree', direction=direction)
+        errors[direction] = measured(moved, ob.data.splinewright.value)
+        ob.data.splinewright.value = moved
+        if direction == 'BOTH':
+            limit = 1.05 * max(errors['U'], errors['V'])
+            with pytest.raises(RuntimeError, match="along v: the degree cannot be lowered within"):
+                run('patch_lower_degree', direction=direction, limited=True, tolerance=limit)
+            assert ob.data.splinewright.value == moved
+            limit = 1.3 * (errors['U'] + errors['V'])
+            run('patch_lower_degree', direction=direction, limited=True, tolerance=limit)
+            assert measured(moved, ob.data.splinewright.value) <= limit
+
+
+@pytest.mark.parametrize('direction', DIRECTIONS)
+@pytest.mark.parametrize('name, settings, kind, undoes', (
+    ('patch_remove_knot', {'parameter_u': 0.6, 'parameter_v': 0.6}, 'plain nurbs', ('patch_insert_knot', {
+        'parameter_u': 0.6, 'parameter_v': 0.6})),
+    ('patch_remove_knots', {}, 'bicubic', ('patch_insert_knot', {'where': 'SPANS'})),
+    ('patch_lower_degree', {'times': 2}, 'rational nurbs', ('patch_raise_degree', {'times': 2})),
+    ('patch_lower_degree', {}, 'bicubic', ('patch_raise_degree', {}))))
+def test_what_was_added_goes_without_an_error(name, settings, kind, undoes, direction, said):
+    before = value_of(kind)
+    ob = add(before)
+    run(undoes[0], direction=direction, **undoes[1])
+    limit = {} if name == 'patch_remove_knots' else {'limited': True}
+    run(name, direction=direction, tolerance=1e-9, **limit, **settings)
+    after = ob.data.splinewright.value
+    assert said_distance(said[1]) < 1e-12 and measured(before, after) < 1e-12
+    assert after.points.shape == before.points.shape
+
+
+def test_counts_of_pieces_and_points_are_said_and_shared_points_count_once(said):
+    add(value_of('plain nurbs'))
+    run('patch_to_bezier')
+    run('patch_split', piece=2, parameter_v=0.5, direction='V')
+    assert said == [": 1 piece became 9, 36 points became 100", ": 9 pieces became 10, 100 points became 114"]
