@@ -88,10 +88,16 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 def told(found):
     """A core.patch_joints.Joined in words."""
     sides = " and ".join(f"{number} {SIDES[side]}" for number, side, _ in (found.first, found.second))
-    moved = [f"patch {number} moved by {error:.2g}" for number, _, error in (found.first, found.second) if error > 0]
+    moved = [f"patch {number} moved by {error:.2g}" for number, _, error in (found.first, found.second) if error > 1e-12]
     measured = found.measured
-    return (f"{sides} are C{measured.c} G{measured.g}, angle {math.degrees(measured.angle):.2g}°, curvatures differ by "
-            f"{measured.curvature_difference:.2g}; {', '.join(moved) or 'nothing moved'}")
+    angle, bend = math.degrees(measured.angle), measured.curvature_difference
+    return (f"{sides} are C{measured.c} G{measured.g}, angle {_short(angle)}°, curvatures differ by {_short(bend)}; "
+            f"{', '.join(moved) or 'nothing moved'}")
+
+
+def _short(number):
+    """Rounding is nothing to tell."""
+    return f"{number:.2g}" if number > 1e-9 else "0"
 
 
 CLASSES = (SPLINEWRIGHT_OT_join_patches,)
