@@ -1,11 +1,13 @@
 """The README's tour in a real window; its pictures are those of the README."""
 
+import math
 import os
 import sys
 from pathlib import Path
 
 import bpy
 import numpy as np
+from mathutils import Euler
 
 sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, part, run, save_picture, select_points
@@ -17,6 +19,14 @@ def frame(view):
     with view.override():
         bpy.ops.view3d.view_selected()
     yield 0.6
+
+
+def look_from_above(view):
+    """From the side and above, in perspective."""
+    with view.override():
+        region = bpy.context.space_data.region_3d
+        region.view_rotation = Euler((math.radians(64), 0, math.radians(28))).to_quaternion()
+        region.view_perspective = 'PERSP'
 
 
 def teapot(view):
@@ -174,13 +184,94 @@ def conics(view):
     ob.hide_set(True)
 
 
+def surfaces(view):
+    """A vase follows the net of its profile; by tolerance its flat parts have few faces."""
+    with view.override():
+        bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True)
+        profile = bpy.context.object
+        radii, heights = (0.0, 0.75, 1.25, 0.4, 0.35, 0.75), (0.0, 0.0, 0.9, 1.6, 2.1, 2.4)
+        profile.data.splinewright.value = library().NurbsCurve(
+            3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [(r, 0, z) for r, z in zip(radii, heights)])
+        bpy.ops.splinewright.add_revolve('EXEC_DEFAULT', True)
+        vase = bpy.context.object
+        vase.data.splinewright.set_tolerance(0.01)
+        bpy.context.space_data.overlay.show_wireframes = True
+        vase.select_set(False)
+        profile.select_set(True)
+        bpy.context.view_layer.objects.active = profile
+    before = len(vase.data.polygons)
+    look_from_above(view)
+    yield from frame(view)
+    view.press('TAB')
+    yield 0.8
+    with view.override():
+        select_points(2)
+        bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0.5, 0, 0))
+    yield 0.8
+    assert np.abs(part('bridge.shape').points_of(vase.data)[:, 0]).max() > 1.1 and len(vase.data.polygons) != before
+    view.press('TAB')
+    yield 0.8
+    with view.override():
+        profile.select_set(False)
+        vase.select_set(True)
+        bpy.context.view_layer.objects.active = vase
+    yield 0.6
+    save_picture(OUTPUT / "tour-revolve.png")
+    with view.override():
+        bpy.context.space_data.overlay.show_wireframes = False
+    for ob in (profile, vase):
+        ob.hide_set(True)
+
+
+def seams(view):
+    """The edge between two patches is orange, and green once they are joined."""
+    sc = library()
+    nets = np.array([[[(i, j, 0.4 * np.cos(1.3 * i) * np.sin(j)) for j in range(4)] for i in range(4)] for _ in range(2)])
+    nets[1] = nets[1] * (-1, 1, -1.5)
+    with view.override():
+        bpy.ops.splinewright.add_bezier_patch('EXEC_DEFAULT', True)
+    ob = bpy.context.object
+    flat = nets.copy()
+    flat[:, 0, :, 2] = 0.0
+    ob.data.splinewright.value = sc.PatchSet.from_patches([sc.BezierPatch(net) for net in flat])
+    ob.data.splinewright.show_seams = True
+    yield from frame(view)
+    orange = count(save_picture(OUTPUT / "seam-before.png"), (255, 180, 0), 70)
+    with view.override():
+        assert bpy.ops.splinewright.join_patches('EXEC_DEFAULT', True, continuity='G2', moves='both') == {'FINISHED'}
+        bpy.ops.object.select_all(action='DESELECT')
+    bpy.context.view_layer.objects.active = ob
+    yield 0.8
+    green = count(save_picture(OUTPUT / "seam-after.png"), (89, 231, 137), 70)
+    assert orange > 100 and green > 100, (orange, green)
+    ob.hide_set(True)
+    with view.override():
+        bpy.ops.splinewright.add_teapot('EXEC_DEFAULT', True)
+    pot = bpy.context.object
+    pot.data.splinewright.show_seams = True
+    look_from_above(view)
+    yield from frame(view)
+    save_picture(OUTPUT / "tour-seams.png")
+    pot.hide_set(True)
+
+
+def count(picture, color, distance):
+    """How many pixels have about this colour."""
+    return int((np.abs(picture.astype(int) - color).sum(-1) < distance).sum())
+
+
+def library():
+    """splinecore, as the add-on carries it."""
+    return part('core.library').sc
+
+
 def steps():
     view = View()
     empty_file()
     view.open_sidebar()
     view.move(420, 420)
     yield 0.8
-    for stop in (teapot, knots, following, native, teaching, conics):
+    for stop in (teapot, knots, following, native, teaching, conics, surfaces, seams):
         yield from stop(view)
     print("the tour is as the README says:", bpy.app.version_string, flush=True)
 

@@ -94,7 +94,9 @@ def _draw_settings(layout, data, definition):
     else:
         _draw_fineness(column, settings)
         layout.prop(settings, "sharp_angle")
-        layout.label(text=f"{len(data.vertices):,} vertices, {_faces(data)}")
+        column = layout.column(align=True)
+        column.label(text=f"{len(data.vertices):,} vertices")
+        column.label(text=_faces(data))
         if len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
     if settings.problem:

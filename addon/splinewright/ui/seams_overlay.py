@@ -15,8 +15,8 @@ COLORS = {-2: (0.5, 0.5, 0.5, 1.0), -1: (0.9, 0.05, 0.05, 1.0), 0: (1.0, 0.45, 0
           1: (1.0, 0.9, 0.1, 1.0), 2: (0.1, 0.8, 0.25, 1.0)}
 #: What they mean, as the panel says it.
 LEGEND = "red a gap, orange an edge, yellow G1, green G2"
-#: Lines are drawn nearer by this part of the depth, so that the surface does not hide them.
-_NEARER = 2e-4
+#: Lines are drawn nearer by this part of their distance, so that the surface does not hide them.
+_NEARER = 2e-3
 
 _handle = None
 
@@ -40,7 +40,8 @@ def draw():
         return
     gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
     with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
-        gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix()))
+        distance = bpy.context.region_data.view_distance
+        gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix(), distance))
         gpu.matrix.multiply_matrix(ob.matrix_world)
         for points, colors in lines:
             _draw_line(points, colors)
@@ -59,11 +60,11 @@ def coloured_lines(data):
     return found
 
 
-def _nearer(projection):
+def _nearer(projection, distance):
     """The projection with everything a little nearer to the eye, in the same place of the picture."""
-    rows = np.array(projection)
-    rows[2] -= _NEARER * rows[3]
-    return Matrix(rows)
+    if projection[3][3] == 0.0:
+        return projection @ Matrix.Scale(1.0 - _NEARER, 4)
+    return projection @ Matrix.Translation((0.0, 0.0, _NEARER * distance))
 
 
 def _draw_line(points, colors):
