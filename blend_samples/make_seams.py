@@ -1,0 +1,55 @@
+"""Two patches joined C0, G1, C1 and G2 under a material whose stripes show what the eye sees of it (lecture row S21)."""
+
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+import stage
+
+stage.begin()
+sc = stage.splinecore()
+
+
+def striped():
+    """Stripes by the direction in which light is reflected: a kink cuts them, a jump of curvature bends them."""
+    material = bpy.data.materials.new("stripes")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    seen, wave = nodes.new('ShaderNodeTexCoord'), nodes.new('ShaderNodeTexWave')
+    wave.bands_direction = 'X'
+    wave.inputs["Scale"].default_value = 2.2
+    ramp = nodes.new('ShaderNodeValToRGB')
+    for element, place, value in zip(ramp.color_ramp.elements, (0.46, 0.54), (0.02, 0.9)):
+        element.position, element.color = place, (value, value, value, 1.0)
+    light = nodes.new('ShaderNodeEmission')
+    links.new(seen.outputs["Reflection"], wave.inputs["Vector"])
+    links.new(wave.outputs["Fac"], ramp.inputs["Fac"])
+    links.new(ramp.outputs["Color"], light.inputs["Color"])
+    links.new(light.outputs["Emission"], nodes["Material Output"].inputs["Surface"])
+    return material
+
+
+def fender(start, heights):
+    """A bicubic patch over [start, start + 1.5] x [0, 2.4], the heights of whose points are given along x."""
+    x, y = np.meshgrid(start + np.linspace(0, 1.5, 4), np.linspace(0, 2.4, 4), indexing='ij')
+    bow = np.array([0.0, 0.55, 0.55, 0.0])
+    return sc.BezierPatch(np.stack([x, y, np.array(heights)[:, None] + bow], -1))
+
+
+stripes = striped()
+for number, name in enumerate(('C0', 'G1', 'C1', 'G2')):
+    place = (4.2 * (number % 2), -4.0 * (number // 2), 0)
+    first, second = fender(-1.5, (0.0, 0.55, 0.85, 0.9)), fender(0.0, (0.9, 0.55, 0.5, 0.55))
+    joined = sc.build.join_patches(first, 'u_end', second, 'u_start', name, 'both')
+    ob = stage.add('add_bezier_patch', f"Joined {name}", place, resolution_u=48, resolution_v=48)
+    ob.data.splinewright.value = sc.PatchSet.from_patches([joined.first, joined.second])
+    ob.data.materials[0] = stripes
+    found = sc.seam_continuity(joined.first, 'u_end', joined.second, 'u_start')
+    stage.label(f"joined {name}: C{found.c} G{found.g}, angle {np.degrees(found.angle):.1f}°, curvature "
+                f"{found.curvature_difference:.2f}", (place[0], place[1] - 0.45), 0.22, 'CENTER')
+stage.ground(stage.PAPER, color='paper')
+stage.camera((2.1, -9.0, 13.5), (2.1, -1.15, 0.1), 64)
+stage.finish("seams", samples=24, size=(1060, 800))
