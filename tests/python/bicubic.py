@@ -68,7 +68,7 @@ def box(patches, slack=Real(1e-17)):
 
 
 def sides(patches):
-    """{control points of a side, whichever way: how many patches have it}, and the number of sides that are one point."""
+    """{control points of a side, whichever way: how many patches have it}, and how many sides are one point."""
     counts, poles = collections.Counter(), 0
     for patch in patches:
         for side in (patch[0], patch[-1], patch[:, 0], patch[:, -1]):
@@ -81,7 +81,7 @@ def sides(patches):
 
 
 def loops(edges):
-    """How many closed chains edges make, each a row of points that is joined by its ends; None if one does not close."""
+    """How many closed chains edges make, each a row of points that is joined by its ends; None if one is open."""
     left, count = list(edges), 0
     while left:
         chain = left.pop()

@@ -14,7 +14,8 @@ from splinecore import build
 
 TURNS = {'whole': (0.0, 2 * math.pi), 'quarter': (0.0, math.pi / 2), 'half': (-1.0, math.pi), 'narrow': (0.4, 0.5),
          'clockwise': (2.0, -3.9)}
-PLACES = {'origin': ((0, 0, 0), (0, 0, 1)), 'away': ((3.5, -2.25, 1.0), (2, -1, 2)), 'below': ((-1, 4, 2), (-0.3, 0.1, -1))}
+PLACES = {'origin': ((0, 0, 0), (0, 0, 1)), 'away': ((3.5, -2.25, 1.0), (2, -1, 2)),
+          'below': ((-1, 4, 2), (-0.3, 0.1, -1))}
 SIZES = (1e-3, 1.0, 2.5, 4e4)
 
 
