@@ -15,6 +15,7 @@ TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/c
 ORIGIN, UP = (0, 0, 0), (0, 0, 1)
 PROFILE = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2],
                         [(1, 0, 0), (1.5, 0, 0.5), (0.5, 0, 1), (1, 0, 1.5), (1.2, 0, 2)], [1, 2, 1, 0.5, 1])
+BOWL = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(0, 0, 0.1), (0.5, 0, 0.1), (1, 0, 0.5), (0.9, 0, 1), (1.2, 0, 1.4)])
 PARABOLA = sc.BezierCurve([(0, 0, 2), (1, 0, 2), (2, 0, 0)])
 
 
@@ -41,12 +42,14 @@ SHAPES = {
     'cylinder with caps': can,
     'half a cylinder': lambda: set_of(build.cylinder(ORIGIN, UP, 1, 2, 0.5, math.pi)),
     'cone with its cap': lambda: set_of(build.cone(ORIGIN, UP, 1, 2), build.disc(ORIGIN, UP, 1).reversed('v')),
+    'cone of another height': lambda: set_of(build.cone(ORIGIN, UP, 1, 1.9)),
     'truncated cone': lambda: set_of(build.cone(ORIGIN, UP, 1, 2, 0.5)),
     'sphere': lambda: set_of(build.sphere(ORIGIN, 1)),
     'slice of a sphere': lambda: set_of(build.sphere(ORIGIN, 1, UP, 0.5, 2.0)),
     'torus': lambda: set_of(build.torus(ORIGIN, UP, 1, 0.25)),
     'third of a torus': lambda: set_of(build.torus(ORIGIN, UP, 1, 0.25, 0, -2.0)),
     'revolved': lambda: set_of(build.revolve(PROFILE, ORIGIN, UP)),
+    'bowl': lambda: set_of(build.revolve(BOWL, ORIGIN, UP)),
     'revolved from the axis': lambda: set_of(build.revolve(PARABOLA, ORIGIN, UP)),
     'partly revolved': lambda: set_of(build.revolve(PROFILE, ORIGIN, UP, 0, 4.0)),
     'extruded': lambda: set_of(build.extrude(PROFILE, (0, 1, 0))),
