@@ -24,4 +24,5 @@ for x, color, (operator, name, settings) in zip((-3.9, -1.3, 1.3, 3.9), ('sea', 
               size=0.7 if 'tube' in name else 1.0, **settings)
 stage.ground()
 stage.camera((0, -12.5, 7.6), (0, 0.35, 0.75), 44)
-stage.finish("gallery")
+stage.smooth()
+stage.finish("gallery", samples=96)

@@ -1,7 +1,7 @@
-"""The profile of a vase three ways, each revolved by a Screw modifier, and the same point moved in each.
+"""The profile of a vase three ways, and the same point moved in each (lecture rows S7, S13).
 
-One Bezier curve of degree 11 changes everywhere, two joined Beziers change in one half, a B-spline
-changes near the point only.
+One Bezier curve of degree 11 changes everywhere, two joined Beziers change in one half, a B-spline changes near the
+point only. The vases are exact surfaces that follow their profiles, the dark lines: edit one, and its vase follows.
 """
 
 import sys
@@ -38,23 +38,27 @@ def b_spline(sc, points):
     return sc.NurbsCurve(3, knots, in_space(points))
 
 
-def revolve(ob):
-    screw = ob.modifiers.new("Revolve", 'SCREW')
-    screw.axis, screw.steps, screw.render_steps = 'Z', 96, 96
-    screw.use_merge_vertices, screw.use_smooth_shade, screw.use_normal_calculate = True, True, True
-
-
 stage.begin()
 sc = stage.splinecore()
 moved = PROFILE.copy()
 moved[MOVED] += BY
-for x, operator, name, make, color in ((-4.5, 'add_bezier_curve', "Bezier of degree 11", bezier, 'clay'),
-                                       (0.0, 'add_bezier_curve', "Two joined Beziers", two_beziers, 'sea'),
-                                       (4.5, 'add_nurbs_curve', "Cubic B-spline", b_spline, 'moss')):
-    for step, points, suffix in ((-1.05, PROFILE, ""), (1.05, moved, ", moved")):
-        ob = stage.add(operator, name + suffix, (x + step, 0, 0), color=color, resolution_u=48)
-        ob.data.splinewright.value = make(sc, points)
-        revolve(ob)
+for x, name, caption, make, color, steps in (
+        (-4.6, "Bezier of degree 11", "one Bezier curve, degree 11", bezier, 'clay', 48),
+        (0.0, "Two joined Beziers", "two joined Bezier curves", two_beziers, 'sea', 24),
+        (4.6, "Cubic B-spline", "cubic B-spline", b_spline, 'moss', 6)):
+    for step, points, suffix in ((-1.1, PROFILE, ""), (1.1, moved, ", moved")):
+        turn, place = np.radians(-65), (x + step, 0, 0)
+        profile = stage.add('add_bezier_curve', f"Profile: {name}{suffix}", place, (0, 0, turn), 'ink', resolution_u=48)
+        profile.data.splinewright.value = make(sc, points)
+        stage.tube(profile, 0.018)
+        vase = stage.follow('add_revolve', [profile], f"Vase: {name}{suffix}", color, resolution_u=20)
+        vase.data.splinewright.resolution_v = steps
+        radius, height = points[MOVED]
+        point = radius * np.cos(turn), radius * np.sin(turn), height
+        stage.beads([point], f"Point: {name}{suffix}", place, radius=0.055)
+    stage.label(caption, (x, -1.85), 0.3, 'CENTER', 0.004)
 stage.ground()
-stage.camera((0, -16.0, 7.0), (0, 0, 1.2), 44)
-stage.finish("vase", size=(1100, 520))
+stage.lamp((-6, -5, 8), (0, 0, 1), 120, 3)
+stage.camera((0, -19.0, 8.6), (0, -0.15, 1.15), 53)
+stage.smooth()
+stage.finish("vase", samples=96, size=(1100, 520))

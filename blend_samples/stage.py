@@ -14,8 +14,13 @@ from mathutils import Matrix, Vector
 PALETTE = {
     'clay': (0.72, 0.22, 0.09), 'sea': (0.10, 0.36, 0.52), 'moss': (0.24, 0.42, 0.16),
     'sand': (0.75, 0.50, 0.18), 'plum': (0.33, 0.10, 0.30), 'snow': (0.62, 0.62, 0.60), 'ink': (0.05, 0.05, 0.06),
-    'paper': (0.95, 0.95, 0.92),
+    'paper': (0.95, 0.95, 0.92), 'porcelain': (0.80, 0.79, 0.75), 'cobalt': (0.03, 0.10, 0.30),
+    'tea': (0.16, 0.035, 0.008), 'jam': (0.35, 0.01, 0.02), 'biscuit': (0.62, 0.36, 0.13), 'silver': (0.75, 0.74, 0.72),
+    'cloth': (0.55, 0.60, 0.56),
 }
+#: Of the colours that are not as dull as the others.
+ROUGHNESS = {'porcelain': 0.12, 'cobalt': 0.12, 'tea': 0.04, 'jam': 0.1, 'silver': 0.18, 'biscuit': 0.7, 'cloth': 0.8}
+METALS = {'silver'}
 #: Where the paper of a drawing lies.
 PAPER = -0.05
 _rows = []
@@ -46,10 +51,32 @@ def add(operator, name, place=(0, 0, 0), rotation=(0, 0, 0), color='snow', **set
     """Call an Add operator; returns the named and painted object, and keeps a row for the table."""
     started = time.perf_counter()
     getattr(bpy.ops.splinewright, operator)(location=place, rotation=rotation, **settings)
+    return _named(name, color, operator, started)
+
+
+def follow(operator, sources, name, color='snow', **settings):
+    """Call an operator that makes a shape from other objects, which it follows; the first one is the active one."""
+    started = time.perf_counter()
+    bpy.context.view_layer.update()
+    for ob in bpy.context.view_layer.objects:
+        ob.select_set(ob in sources)
+    bpy.context.view_layer.objects.active = sources[0]
+    getattr(bpy.ops.splinewright, operator)(**settings)
+    return _named(name, color, operator, started)
+
+
+def _named(name, color, operator, started):
     ob = bpy.context.object
     ob.name = ob.data.name = name
     ob.data.materials.append(paint(color))
     _rows.append((ob, operator, 1e3 * (time.perf_counter() - started)))
+    return ob
+
+
+def patch(value, name, place=(0, 0, 0), color='snow', resolution=8, **settings):
+    """An object of any splinecore patch or PatchSet."""
+    ob = add('add_nurbs_patch', name, place, color=color, resolution_u=resolution, resolution_v=resolution, **settings)
+    ob.data.splinewright.value = value
     return ob
 
 
@@ -84,10 +111,10 @@ def beads(points, name, place=(0, 0, 0), color='ink', radius=0.04):
     return _plain(name, ball, place, color)
 
 
-def label(text, place, size=0.16, align='LEFT'):
+def label(text, place, size=0.16, align='LEFT', height=PAPER + 0.002):
     data = bpy.data.curves.new(text, 'FONT')
     data.body, data.size, data.align_x, data.align_y = text, size, align, 'CENTER'
-    return _plain(text, data, (*place, PAPER + 0.002), 'ink')
+    return _plain(text, data, (*place, height), 'ink')
 
 
 def _plain(name, data, place, color):
@@ -111,7 +138,8 @@ def paint(color):
     material.use_nodes = True
     shader = material.node_tree.nodes["Principled BSDF"]
     shader.inputs["Base Color"].default_value = (*PALETTE[color], 1.0)
-    shader.inputs["Roughness"].default_value = 0.35
+    shader.inputs["Roughness"].default_value = ROUGHNESS.get(color, 0.35)
+    shader.inputs["Metallic"].default_value = color in METALS
     material.diffuse_color = (*PALETTE[color], 1.0)
     return material
 
@@ -130,6 +158,30 @@ def camera(place, target, lens=50):
     ob.rotation_euler = (Vector(target) - Vector(place)).to_track_quat('-Z', 'Y').to_euler()
     bpy.context.scene.collection.objects.link(ob)
     bpy.context.scene.camera = ob
+
+
+def lamp(place, target, power, size):
+    """A square of light."""
+    light = bpy.data.lights.new("Lamp", 'AREA')
+    light.energy, light.size = power, size
+    ob = bpy.data.objects.new("Lamp", light)
+    ob.location = place
+    ob.rotation_euler = (Vector(target) - Vector(place)).to_track_quat('-Z', 'Y').to_euler()
+    bpy.context.scene.collection.objects.link(ob)
+
+
+def smooth(strength=2):
+    """Blur noise of the rendering where it is no edge: pictures of solid things get a third of the bytes."""
+    scene = bpy.context.scene
+    scene.use_nodes, scene.render.dither_intensity = True, 0.0
+    nodes, links = scene.node_tree.nodes, scene.node_tree.links
+    nodes.clear()
+    layers, blur = nodes.new('CompositorNodeRLayers'), nodes.new('CompositorNodeBilateralblur')
+    output = nodes.new('CompositorNodeComposite')
+    blur.iterations, blur.sigma_color, blur.sigma_space = strength, 0.06, 4.0
+    links.new(layers.outputs["Image"], blur.inputs["Image"])
+    links.new(layers.outputs["Image"], blur.inputs["Determinator"])
+    links.new(blur.outputs["Image"], output.inputs["Image"])
 
 
 def drawing(centre, width):

@@ -8,12 +8,14 @@ import pytest
 
 from support import curve_points, part, splinecore as sc, vertices
 
+recipes = part('bridge.recipes')
 SAMPLES = Path(__file__).resolve().parents[2] / "blend_samples"
 NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.py"))
 
 
 def test_there_are_samples():
-    assert {'gallery', 'teapot', 'vase', 'conics', 'moebius', 'knots', 'points', 'runge', 'joins'} <= set(NAMES)
+    assert {'gallery', 'teapot', 'vase', 'solids', 'cups', 'conics', 'moebius', 'knots', 'points', 'runge',
+            'joins'} <= set(NAMES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -86,3 +88,90 @@ def test_moebius_maps_and_joins_are_what_they_are_called():
     classes = {name.split()[-1]: value.joints()[0][1] for name, value in opened('joins').items()}
     assert {name: (found.c, min(found.g, 2)) for name, found in classes.items()} == {
         'C0': (0, 0), 'G1': (0, 1), 'C1': (1, 1), 'C2': (2, 2)}
+
+
+def patches_of(value):
+    return [value[i] for i in range(len(value))] if isinstance(value, sc.PatchSet) else [value]
+
+
+def test_solids_are_recipes_whose_radius_is_within_what_the_picture_says():
+    shapes = opened('solids')
+    assert {name: recipes.kind(bpy.data.objects[name].data) for name in shapes} == {
+        'Sphere': 'sphere', 'Torus': 'torus', 'Cylinder': 'cylinder', 'Cone': 'cone'}
+    round_ones = {name: patches_of(value)[0] for name, value in shapes.items()}
+    assert {name: patch.degree for name, patch in round_ones.items()} == {
+        'Sphere': (2, 2), 'Torus': (2, 2), 'Cylinder': (2, 1), 'Cone': (2, 1)}
+    points = {name: patch.evaluate_grid(*(np.linspace(*domain, 57) for domain in patch.domain))
+              for name, patch in round_ones.items()}
+    across = {name: np.linalg.norm(rows[..., :2], axis=-1) for name, rows in points.items()}
+    errors = (np.linalg.norm(points['Sphere'], axis=-1) - 1, across['Cylinder'] / 0.85 - 1,
+              np.hypot(points['Torus'][..., 2], across['Torus'] - 0.85) / 0.36 - 1,
+              across['Cone'] + (points['Cone'][..., 2] + 0.95) / 1.9 - 1)
+    assert max(np.abs(error).max() for error in errors) <= 2e-15
+    for name, end in (('Sphere', "4e-16"), ('Torus', "2e-15"), ('Cylinder', "4e-16"), ('Cone', "4e-16")):
+        captions = [ob.data.body for ob in bpy.data.objects if ob.type == 'FONT' and ob.location.x == pytest.approx(
+            bpy.data.objects[name].location.x)]
+        assert f"radius to {end}" in captions and name.lower() in captions
+
+
+def change_and_follow(source, followers):
+    """Moves the points of a curve; asserts that all that was made of it, and nothing else, follows."""
+    before = {ob.name: ob.data.splinewright.value for ob in bpy.data.objects
+              if ob.type == 'MESH' and part('bridge.shape').has_shape(ob)}
+    curve = source.data.splinewright.value
+    bend = lambda piece: piece.with_points(piece.points * (1.25, 1.25, 1))
+    source.data.splinewright.value = [bend(piece) for piece in curve] if isinstance(curve, list) else bend(curve)
+    bpy.context.view_layer.update()
+    changed = {name for name, value in before.items() if bpy.data.objects[name].data.splinewright.value != value}
+    assert changed == set(followers)
+
+
+def test_vases_are_exact_surfaces_that_follow_the_three_kinds_of_profiles():
+    shapes = opened('vase')
+    profiles = {name.removeprefix("Profile: "): value for name, value in shapes.items() if name.startswith("Profile")}
+    assert len(profiles) == 6 and len(shapes) == 12
+    for suffix in ("", ", moved"):
+        assert profiles[f"Bezier of degree 11{suffix}"].degree == 11
+        assert [curve.degree for curve in profiles[f"Two joined Beziers{suffix}"]] == [6, 6]
+        spline = profiles[f"Cubic B-spline{suffix}"]
+        assert spline.degree == 3 and len(spline.points) == 12
+        for name in ("Bezier of degree 11", "Two joined Beziers", "Cubic B-spline"):
+            vase = bpy.data.objects[f"Vase: {name}{suffix}"]
+            assert recipes.kind(vase.data) == 'revolve' and not vase.modifiers
+    for name in list(profiles):
+        change_and_follow(bpy.data.objects[f"Profile: {name}"], [f"Vase: {name}"])
+
+
+def test_the_same_point_changes_the_whole_vase_one_half_or_its_neighbourhood():
+    shapes = opened('vase')
+    heights = {}
+    for name in ("Bezier of degree 11", "Two joined Beziers", "Cubic B-spline"):
+        still, moved = (patches_of(shapes[f"Vase: {name}{suffix}"]) for suffix in ("", ", moved"))
+        v = [np.linspace(*patch.domain[1], 400) for patch in still]
+        pairs = [(a.evaluate(0.0, at), b.evaluate(0.0, at)) for a, b, at in zip(still, moved, v)]
+        differs = np.concatenate([np.linalg.norm(a - b, axis=1) > 1e-12 for a, b in pairs])
+        heights[name] = differs.mean()
+    assert heights["Bezier of degree 11"] > 0.95
+    assert 0.45 < heights["Two joined Beziers"] <= 0.5
+    assert 0.3 < heights["Cubic B-spline"] < 0.45
+
+
+def test_cups_are_made_of_curves_that_they_follow_and_of_tubes():
+    shapes = opened('cups')
+    kinds = {name: recipes.kind(bpy.data.objects[name].data) for name in shapes}
+    assert {name for name, kind in kinds.items() if kind == 'revolve'} == {"Cup", "Saucer", "Sugar bowl", "Lid"}
+    assert list(kinds.values()).count('extrude') == 4 and list(kinds.values()).count('ruled') == 2
+    for name in ("Handle", "Ear 1", "Ear 2", "Spoon"):
+        assert shapes[name].degree == (3, 3) and shapes[name].periodic == (False, True)
+    change_and_follow(bpy.data.objects["Profile of Cup"], ["Cup"])
+    change_and_follow(bpy.data.objects["Outline of Biscuit 1"], ["Biscuit 1, outside", "Biscuit 1, top"])
+
+
+def test_bodies_of_the_cups_are_closed_and_tubes_have_their_normals_outside():
+    shapes = opened('cups')
+    for name in ("Cup", "Saucer", "Sugar bowl", "Lid", "Spoon"):
+        assert sc.PatchSet.from_patches([shapes[name]]).volume() > 0, name
+    for name in ("Handle", "Ear 1", "Ear 2"):
+        points, normals = shapes[name].evaluate_grid_with_normals(*(np.linspace(*d, 9)[:-1] for d in shapes[name].domain))
+        outward = points - points.mean(axis=1, keepdims=True)
+        assert ((outward * normals).sum(axis=-1) > 0).all(), name

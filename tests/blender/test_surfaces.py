@@ -75,6 +75,17 @@ def test_a_curve_is_revolved_about_the_axis_of_its_object(sweep):
     assert ob.data.splinewright.value != patch and follow.problem(ob.data) == ""
 
 
+@pytest.mark.parametrize('place', ((-5.65, 0, 0), (1 / 3, -0.1, 7.7)))
+def test_where_a_profile_was_placed_changes_no_digit_and_its_end_on_the_axis_stays_a_pole(place):
+    profile = sc.BezierCurve([(0, 0, 0), (1.1, 0, 0.3), (0.7, 0, 1.9)])
+    source = add(profile)
+    source.location, source.rotation_euler, source.scale = place, (0.4, -0.3, -1.1), (1, 1, 1)
+    bpy.context.view_layer.update()
+    value = add_recipe('revolve').data.splinewright.value
+    assert value == sc.build.revolve(profile, (0, 0, 0), (0, 0, 1))
+    assert sc.PatchSet.from_patches([value]).edge_counts()['pole'] == 1
+
+
 def test_a_surface_of_two_curves_follows_both_and_stays_when_one_goes():
     first, second = add(PROFILE, "first"), add(PROFILE.elevate(), "second")
     second.location.y = 3.0

@@ -3,41 +3,51 @@
 import numpy as np
 
 
+def sizes_of(mesh):
+    """The number of corners of each face."""
+    return np.diff([*mesh.face_starts, len(mesh.corner_vertices)])
+
+
 def faces_of(mesh):
     """A list of (corner numbers) of each face."""
-    starts = [*mesh.face_starts, len(mesh.corner_vertices)]
-    return [np.arange(a, b) for a, b in zip(starts, starts[1:])]
+    return np.split(np.arange(len(mesh.corner_vertices)), mesh.face_starts[1:])
+
+
+def edge_rows(mesh):
+    """(low vertex, high vertex, does the face run from low to high) of the edge that begins at each corner."""
+    following = np.arange(1, len(mesh.corner_vertices) + 1)
+    following[np.cumsum(sizes_of(mesh)) - 1] = mesh.face_starts
+    a, b = mesh.corner_vertices, mesh.corner_vertices[following]
+    return np.minimum(a, b), np.maximum(a, b), a < b
 
 
 def edges_of(mesh):
     """{(low vertex, high vertex): [does a face run from low to high, …]}."""
     found = {}
-    for corners in faces_of(mesh):
-        around = mesh.corner_vertices[corners]
-        for a, b in zip(around, np.roll(around, -1)):
-            found.setdefault((min(a, b), max(a, b)), []).append(bool(a < b))
+    for low, high, way in zip(*(row.tolist() for row in edge_rows(mesh))):
+        found.setdefault((low, high), []).append(way)
     return found
 
 
 def counts_of(mesh):
     """(edges with one face, with more than two, of two faces wound against each other)."""
-    edges = edges_of(mesh).values()
-    return (sum(len(e) == 1 for e in edges), sum(len(e) > 2 for e in edges),
-            sum(len(e) == 2 and e[0] == e[1] for e in edges))
+    low, high, way = edge_rows(mesh)
+    _, edge, uses = np.unique(low.astype(np.int64) << 32 | high, return_inverse=True, return_counts=True)
+    upwards = np.bincount(edge, way)
+    return (uses == 1).sum(), (uses > 2).sum(), ((uses == 2) & (upwards != 1)).sum()
 
 
 def triangles_of(mesh):
-    """(n, 3) corner numbers: each face cut from its first corner, quads from the second, too."""
-    found = []
-    for corners in faces_of(mesh):
-        for turn in range(2 if len(corners) == 4 else 1):
-            around = np.roll(corners, -turn)
-            found += [(around[0], around[k], around[k + 1]) for k in range(1, len(around) - 1)]
-    return np.array(found)
+    """(n, 3) corner numbers: triangles, and quads cut both ways."""
+    sizes = sizes_of(mesh)
+    assert set(sizes) <= {3, 4}
+    quads = mesh.face_starts[sizes == 4][:, None]
+    return np.concatenate([mesh.face_starts[sizes == 3][:, None] + (0, 1, 2), quads + (0, 1, 2), quads + (0, 2, 3),
+                           quads + (1, 2, 3), quads + (1, 3, 0)])
 
 
 def patch_of_corner(mesh):
-    return np.repeat(mesh.face_patches, np.diff([*mesh.face_starts, len(mesh.corner_vertices)]))
+    return np.repeat(mesh.face_patches, sizes_of(mesh))
 
 
 def largest_distance(mesh, patch_set, positions, steps=5):

@@ -18,10 +18,18 @@ def made(recipe, values, sources, owner, depsgraph):
 
 def _moved(definition, source, owner, depsgraph):
     """A definition of one object in the space of another. Raises ValueError where that has no room for it."""
-    space = np.array(_matrix(owner, depsgraph), dtype=np.float64)
+    space, place = (np.array(_matrix(ob, depsgraph), dtype=np.float64) for ob in (owner, source))
     if not abs(np.linalg.det(space[:3, :3])) > 0.0:
         raise ValueError(f"{owner.name} has a scale of 0: it cannot show what it follows")
-    return transform.transformed(definition, np.linalg.inv(space) @ np.array(_matrix(source, depsgraph), dtype=np.float64))
+    if _are_one(space, place):
+        return definition
+    return transform.transformed(definition, np.linalg.inv(space) @ place)
+
+
+def _are_one(space, place):
+    """Whether two places differ by less than Blender's single precision: going there and back would move every point
+    by a rounding, and the end of a profile that is off its axis by a rounding is no pole."""
+    return np.abs(space - place).max() <= 4 * np.finfo(np.float32).eps * max(1.0, np.abs(place).max())
 
 
 def is_possible(ob):
