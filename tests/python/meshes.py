@@ -51,20 +51,68 @@ def patch_of_corner(mesh):
 
 
 def largest_distance(mesh, patch_set, positions, steps=5):
-    """How far points of the surface, sampled densely, lie from the triangle of their parameters, at most."""
-    triangles, patches = triangles_of(mesh), patch_of_corner(mesh)
+    """How far points of the surface, sampled densely, lie from the mesh, at most, whichever way its quads are cut."""
+    every = triangles_of(mesh)
+    quads = int((sizes_of(mesh) == 4).sum())
+    whole = len(every) - 4 * quads
+    cuts = [every[:whole + 2 * quads], np.concatenate([every[:whole], every[whole + 2 * quads:]])]
+    return max(_largest_distance(mesh, triangles, patch_set, positions.astype(float), steps) for triangles in cuts)
+
+
+def _largest_distance(mesh, triangles, patch_set, positions, steps):
+    patches = patch_of_corner(mesh)[triangles[:, 0]]
     weights = np.array([(i, j, steps - i - j) for i in range(steps + 1) for j in range(steps + 1 - i)]) / steps
-    flat = np.einsum('sk,nkx->nsx', weights, positions[mesh.corner_vertices[triangles]])
     uvs = np.einsum('sk,nkx->nsx', weights, mesh.corner_uvs[triangles].astype(float))
-    largest = 0.0
-    for i in range(len(patch_set)):
-        rows = patches[triangles[:, 0]] == i
-        if rows.any():
-            patch = patch_set[i]
-            (a, b), (c, d) = patch.domain
-            u, v = np.clip(a + uvs[rows, :, 0] * (b - a), a, b), np.clip(c + uvs[rows, :, 1] * (d - c), c, d)
-            largest = max(largest, np.linalg.norm(patch.evaluate(u, v) - flat[rows], axis=-1).max())
+    points = np.empty((*uvs.shape[:2], 3))
+    for i in np.unique(patches):
+        rows, patch = patches == i, patch_set[int(i)]
+        (a, b), (c, d) = patch.domain
+        u, v = np.clip(a + uvs[rows, :, 0] * (b - a), a, b), np.clip(c + uvs[rows, :, 1] * (d - c), c, d)
+        points[rows] = patch.evaluate(u, v)
+    corners = positions[mesh.corner_vertices[triangles]]
+    own = np.repeat(np.arange(len(triangles)), len(weights))
+    points = points.reshape(-1, 3)
+    distances = distances_to_triangles(points, corners[own])
+    # The nearest face may be one beside its own: that is looked for from the farthest point on, until it stays ahead.
+    neighbours = _neighbours(mesh.corner_vertices[triangles], len(positions))
+    order, largest = np.argsort(-distances), 0.0
+    for point in order:
+        if distances[point] <= largest:
+            break
+        others = neighbours(own[point])
+        found = distances_to_triangles(np.broadcast_to(points[point], (len(others), 3)), corners[others]).min()
+        largest = max(largest, min(found, distances[point]))
     return largest
+
+
+def _neighbours(vertices, count):
+    """A function that gives the triangles in two rings around one."""
+    order = np.argsort(vertices.ravel(), kind='stable')
+    starts = np.searchsorted(vertices.ravel()[order], np.arange(count + 1))
+
+    def around(corners):
+        return np.unique(np.concatenate([order[starts[v]:starts[v + 1]] // 3 for v in np.unique(corners).tolist()]))
+
+    return lambda triangle: around(vertices[around(vertices[triangle])])
+
+
+def distances_to_triangles(points, corners):
+    """(n,): of each point from its triangle (Ericson, Real-Time Collision Detection, 5.1.5)."""
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    normal = np.cross(b - a, c - a)
+    area = np.maximum((normal * normal).sum(1), 1e-300)
+    second = (np.cross(points - a, c - a) * normal).sum(1) / area
+    third = (np.cross(b - a, points - a) * normal).sum(1) / area
+    inside = (second >= 0) & (third >= 0) & (second + third <= 1)
+    over = np.abs(((points - a) * normal).sum(1)) / np.sqrt(area)
+    beside = np.minimum.reduce([_distances_to_edges(points, *edge) for edge in ((a, b), (b, c), (c, a))])
+    return np.where(inside, over, beside)
+
+
+def _distances_to_edges(points, a, b):
+    along = b - a
+    share = np.clip(((points - a) * along).sum(1) / np.maximum((along * along).sum(1), 1e-300), 0, 1)
+    return np.linalg.norm(points - a - share[:, None] * along, axis=1)
 
 
 def smallest_angle(mesh, positions):

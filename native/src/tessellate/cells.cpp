@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
+#include <numbers>
 #include <optional>
 
 #include "splinecore/base/errors.hpp"
@@ -15,15 +17,30 @@ namespace {
 constexpr std::size_t kMaxCells = std::size_t{1} << 21;
 /// A cell is no longer than this many times its width.
 constexpr double kLongest = 16.0;
+/// A line along a cell bows by no more than this part of the width, so that faces neither fold nor become slivers.
+constexpr double kDeepest = 0.125;
 /// Cells this small are not split any more: 2^-22 of a span.
 constexpr Place kSmallest = kSpan >> 22;
 
+/// Something along u and along v.
+struct Both {
+  double u;
+  double v;
+};
+
 class Splitter {
  public:
-  /// @param widest_u, widest_v  no cell is wider
-  Splitter(const Fineness& fineness, Probe probe, Place widest_u, Place widest_v, std::vector<Cell>& cells)
-      : fineness_(fineness), probe_(std::move(probe)), widest_u_(widest_u), widest_v_(widest_v), cells_(cells) {}
+  /// @param widest  no cell is wider
+  Splitter(const Fineness& fineness, Probe probe, const std::array<Place, 2>& widest, std::vector<Cell>& cells)
+      : fineness_(fineness), probe_(std::move(probe)), widest_(widest), cells_(cells) {}
 
+  /// Tiles the cell that a piece fills.
+  void add_piece(const Net& net, const Cell& cell) {
+    piece_ = cell;
+    add(net, cell);
+  }
+
+ private:
   void add(const Net& net, const Cell& cell) {
     const auto axis = axis_to_split(net, cell);
     if (!axis) {
@@ -43,37 +60,77 @@ class Splitter {
     add(after, second);
   }
 
- private:
   std::optional<Axis> axis_to_split(const Net& net, const Cell& cell) const {
-    if (cell.u1 - cell.u0 > widest_u_) return Axis::u;
-    if (cell.v1 - cell.v0 > widest_v_) return Axis::v;
+    if (cell.u1 - cell.u0 > widest_[0]) return Axis::u;
+    if (cell.v1 - cell.v0 > widest_[1]) return Axis::v;
     const bool can_u = cell.u1 - cell.u0 > kSmallest;
     const bool can_v = cell.v1 - cell.v0 > kSmallest;
-    const auto chosen = [&](double along_u, double along_v) -> std::optional<Axis> {
-      if (!can_u && !can_v) return std::nullopt;
-      if (!can_u || !can_v) return can_u ? Axis::u : Axis::v;
-      return along_u >= along_v ? Axis::u : Axis::v;
-    };
     const Bends bent = bends(net);
     if (bent.distance() == HUGE_VAL) {
       if (!can_u && !can_v) throw InvalidShape("the patch runs to infinity: no mesh is near it everywhere");
-      return chosen(static_cast<double>(cell.u1 - cell.u0), static_cast<double>(cell.v1 - cell.v0));
+      return can_u && (!can_v || cell.u1 - cell.u0 >= cell.v1 - cell.v0) ? Axis::u : Axis::v;
     }
-    if (bent.distance() > fineness_.distance) return chosen(bent.uu + bent.uv, bent.vv + bent.uv);
-    if (fineness_.angle < HUGE_VAL) {
-      const Turns turned = probe_.turns(net);
-      if (turned.all > fineness_.angle) return chosen(turned.u, turned.v);
+    const Look look = probe_.look(net);
+    for (const auto& needed : {by_distance(net, bent, look), by_sides(net, bent, cell), by_angle(look), by_form(look)}) {
+      if (!needed) continue;
+      const bool is_u = needed->u >= needed->v;
+      if (is_u ? can_u : can_v) return is_u ? Axis::u : Axis::v;
+      if (can_u || can_v) return can_u ? Axis::u : Axis::v;
     }
-    const Lengths sides = probe_.lengths(net);
-    if (can_u && sides.v > 0.0 && sides.u > kLongest * sides.v) return Axis::u;
-    if (can_v && sides.u > 0.0 && sides.v > kLongest * sides.u) return Axis::v;
     return std::nullopt;
+  }
+
+  /// How much each direction adds to the distance from a face, where that is too large.
+  ///
+  /// A point of the piece lies off the plane of its face by as much as its height bends. In that plane it lies off the
+  /// place of its parameters, and perhaps over a face beside it, whose plane falls away by the angle between them.
+  std::optional<Both> by_distance(const Net& net, const Bends& bent, const Look& look) const {
+    if (bent.distance() <= fineness_.distance) return std::nullopt;
+    const glm::dvec3& normal = look.normals[4];
+    if (normal == glm::dvec3(0.0)) return Both{bent.uu + bent.uv, bent.vv + bent.uv};
+    const Bends height = bends_along(net, normal);
+    const double fall = std::sin(std::min(look.turns().all, 0.5 * std::numbers::pi));
+    if (height.distance() + fall * bent.distance() <= fineness_.distance) return std::nullopt;
+    return Both{height.uu + height.uv + fall * (bent.uu + bent.uv), height.vv + height.uv + fall * (bent.vv + bent.uv)};
+  }
+
+  /// On the border of a piece, where the next one may go on in any direction, the line itself must be near.
+  std::optional<Both> by_sides(const Net& net, const Bends& bent, const Cell& cell) const {
+    if (bent.distance() <= fineness_.distance) return std::nullopt;
+    const std::array<bool, 4> is_border{cell.u0 == piece_.u0, cell.u1 == piece_.u1, cell.v0 == piece_.v0,
+                                        cell.v1 == piece_.v1};
+    Both far{0.0, 0.0};
+    for (int side = 0; side < 4; ++side) {
+      if (!is_border[side]) continue;
+      double& along = side < 2 ? far.v : far.u;
+      along = std::max(along, side_distance(net, side));
+    }
+    return std::max(far.u, far.v) > fineness_.distance ? std::optional(far) : std::nullopt;
+  }
+
+  std::optional<Both> by_angle(const Look& look) const {
+    if (fineness_.angle == HUGE_VAL) return std::nullopt;
+    const Turns turned = look.turns();
+    return turned.all > fineness_.angle ? std::optional(Both{turned.u, turned.v}) : std::nullopt;
+  }
+
+  /// Neither much too long, but for the triangles around a pole, nor bowed like a sickle.
+  static std::optional<Both> by_form(const Look& look) {
+    constexpr double kPoint = 1e-9;
+    const auto [short_u, u] = look.lengths(Axis::u);
+    const auto [short_v, v] = look.lengths(Axis::v);
+    const bool is_long_u = u > kLongest * v && short_v > kPoint * v;
+    const bool is_long_v = v > kLongest * u && short_u > kPoint * u;
+    const bool is_along_u = v > 0.0 && (is_long_u || look.sagitta(Axis::u) > kDeepest * v);
+    const bool is_along_v = u > 0.0 && (is_long_v || look.sagitta(Axis::v) > kDeepest * u);
+    if (!is_along_u && !is_along_v) return std::nullopt;
+    return Both{is_along_u ? u : 0.0, is_along_v ? v : 0.0};
   }
 
   const Fineness& fineness_;
   Probe probe_;
-  Place widest_u_;
-  Place widest_v_;
+  std::array<Place, 2> widest_;
+  Cell piece_;
   std::vector<Cell>& cells_;
 };
 
@@ -84,14 +141,13 @@ std::vector<Cell> cells_of(const NurbsPatch& patch, const std::array<std::vector
   const BezierGrid grid = to_bezier(patch);
   std::vector<Cell> cells;
   const auto widest = [](Place length, bool closed) { return closed ? length / 3 : length; };
-  const Probe probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree());
-  Splitter splitter(fineness, probe, widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v),
-                    cells);
+  Splitter splitter(fineness, Probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree()),
+                    {widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)}, cells);
   for (Place i = whole.u0 / kSpan; i < whole.u1 / kSpan; ++i) {
     for (Place j = whole.v0 / kSpan; j < whole.v1 / kSpan; ++j) {
       const int number = spans[0][i].number * grid.count_v + spans[1][j].number;
       const BezierPatch& piece = grid.patches[static_cast<std::size_t>(number)];
-      splitter.add(net_of(piece), {i * kSpan, (i + 1) * kSpan, j * kSpan, (j + 1) * kSpan});
+      splitter.add_piece(net_of(piece), {i * kSpan, (i + 1) * kSpan, j * kSpan, (j + 1) * kSpan});
     }
   }
   return cells;

@@ -97,6 +97,21 @@ Bends bends(const Net& net) {
           (d.vv.point + 2.0 * d.v.weight * sv + d.vv.weight * reach) / least};
 }
 
+Bends bends_along(const Net& net, const glm::dvec3& normal) {
+  Net heights = centred(net);
+  for (glm::dvec4& p : heights.points) p = glm::dvec4(glm::dot(normal, glm::dvec3(p)), 0.0, 0.0, p.w);
+  return bends(heights);
+}
+
+double side_distance(const Net& net, int side) {
+  Net line;
+  line.rows = side < 2 ? 1 : net.rows;
+  line.columns = side < 2 ? net.columns : 1;
+  const int at = side % 2 == 0 ? 0 : (side < 2 ? net.rows : net.columns) - 1;
+  for (int k = 0; k < line.rows * line.columns; ++k) line.points.push_back(side < 2 ? net.at(at, k) : net.at(k, at));
+  return bends(line).distance();
+}
+
 namespace {
 
 /// The sum of the net with these factors along u and v.
@@ -110,23 +125,34 @@ glm::dvec4 blended(const Net& net, std::span<const double> along_u, std::span<co
   return sum;
 }
 
-glm::dvec3 normal_at(const Net& net, const BernsteinRow& u, const BernsteinRow& v) {
+/// Largest coordinate times the weight: what rounding is relative to.
+double magnitude(const Net& net) {
+  double found = 0.0;
+  for (const glm::dvec4& p : net.points) found = std::max(found, glm::length(glm::dvec3(p)));
+  return found;
+}
+
+/// The unit normal, or (0, 0, 0) where a derivative is no more than rounding.
+glm::dvec3 normal_at(const Net& net, const BernsteinRow& u, const BernsteinRow& v, double magnitude) {
   const glm::dvec4 h = blended(net, u.values, v.values);
   const glm::dvec4 hu = blended(net, u.slopes, v.values);
   const glm::dvec4 hv = blended(net, u.values, v.slopes);
-  const glm::dvec3 su = glm::dvec3(hu) * h.w - hu.w * glm::dvec3(h);
-  const glm::dvec3 sv = glm::dvec3(hv) * h.w - hv.w * glm::dvec3(h);
+  const glm::dvec3 su = glm::dvec3(hu) - hu.w / h.w * glm::dvec3(h);
+  const glm::dvec3 sv = glm::dvec3(hv) - hv.w / h.w * glm::dvec3(h);
   const glm::dvec3 normal = glm::cross(su, sv);
   const double length = glm::length(normal);
   constexpr double kNothing = 0x1p-40;
-  return length > kNothing * glm::length(su) * glm::length(sv) && length > 0.0 ? normal / length : glm::dvec3(0.0);
+  const double least = kNothing * magnitude;
+  const bool is_noise = !(glm::length(su) > least) || !(glm::length(sv) > least) ||
+                        !(length > kNothing * glm::length(su) * glm::length(sv));
+  return is_noise ? glm::dvec3(0.0) : normal / length;
 }
 
 /// The normal a little inside, for places where it vanishes, as at a pole.
-glm::dvec3 normal_near(const Net& net, double s, double t) {
+glm::dvec3 normal_near(const Net& net, double s, double t, double magnitude) {
   constexpr double kInside = 0x1p-10;
   const auto inside = [&](double place) { return std::clamp(place, kInside, 1.0 - kInside); };
-  return normal_at(net, BernsteinRow(net.rows - 1, inside(s)), BernsteinRow(net.columns - 1, inside(t)));
+  return normal_at(net, BernsteinRow(net.rows - 1, inside(s)), BernsteinRow(net.columns - 1, inside(t)), magnitude);
 }
 
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
@@ -150,26 +176,7 @@ BernsteinRow::BernsteinRow(int degree, double t) : values(degree + 1), slopes(de
   }
 }
 
-Probe::Probe(int degree_u, int degree_v) : u_(rows_of(degree_u)), v_(rows_of(degree_v)) {}
-
-Lengths Probe::lengths(const Net& net) const {
-  const auto point = [&](int i, int j) { return project(blended(net, u_[i].values, v_[j].values)); };
-  Lengths found;
-  for (const int side : {0, 2}) {
-    const glm::dvec3 middle_u = point(1, side);
-    const glm::dvec3 middle_v = point(side, 1);
-    found.u = std::max(found.u, glm::length(middle_u - point(0, side)) + glm::length(point(2, side) - middle_u));
-    found.v = std::max(found.v, glm::length(middle_v - point(side, 0)) + glm::length(point(side, 2) - middle_v));
-  }
-  return found;
-}
-
-Turns Probe::turns(const Net& net) const {
-  std::array<glm::dvec3, 9> normals;
-  for (int k = 0; k < 9; ++k) {
-    normals[k] = normal_at(net, u_[k / 3], v_[k % 3]);
-    if (normals[k] == glm::dvec3(0.0)) normals[k] = normal_near(net, 0.5 * (k / 3), 0.5 * (k % 3));
-  }
+Turns Look::turns() const {
   Turns found;
   for (int i = 0; i < 9; ++i) {
     for (int j = 0; j < i; ++j) {
@@ -178,6 +185,37 @@ Turns Probe::turns(const Net& net) const {
       if (i % 3 == j % 3) found.u = std::max(found.u, angle);
       if (i / 3 == j / 3) found.v = std::max(found.v, angle);
     }
+  }
+  return found;
+}
+
+std::pair<double, double> Look::lengths(Axis axis) const {
+  const auto along = [&](int line) {
+    const glm::dvec3& middle = point(axis, line, 1);
+    return glm::length(middle - point(axis, line, 0)) + glm::length(point(axis, line, 2) - middle);
+  };
+  return std::minmax(along(0), along(2));
+}
+
+double Look::sagitta(Axis axis) const {
+  double found = 0.0;
+  for (int line = 0; line < 3; ++line) {
+    found = std::max(found, glm::length(point(axis, line, 1) - 0.5 * (point(axis, line, 0) + point(axis, line, 2))));
+  }
+  return found;
+}
+
+Probe::Probe(int degree_u, int degree_v) : u_(rows_of(degree_u)), v_(rows_of(degree_v)) {}
+
+Look Probe::look(const Net& net) const {
+  const double size = magnitude(net);
+  Look found;
+  for (int k = 0; k < 9; ++k) {
+    const BernsteinRow& u = u_[k / 3];
+    const BernsteinRow& v = v_[k % 3];
+    found.points[k] = project(blended(net, u.values, v.values));
+    found.normals[k] = normal_at(net, u, v, size);
+    if (found.normals[k] == glm::dvec3(0.0)) found.normals[k] = normal_near(net, 0.5 * (k / 3), 0.5 * (k % 3), size);
   }
   return found;
 }
