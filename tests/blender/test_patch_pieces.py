@@ -9,8 +9,8 @@ from patches import DIRECTIONS, farthest, meetings, patches_of, value_of
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-patch_verbs, extract, store = (part(name) for name in (
-    'ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.store'))
+patch_verbs, patch_join, extract, store = (part(name) for name in (
+    'ui.operators.patch_verbs', 'ui.operators.patch_join', 'ui.operators.extract', 'bridge.store'))
 KEPT_EDGES = (('patch_insert_knot', {'where': 'SPANS'}), ('patch_raise_degree', {'times': 2}), ('patch_reverse', {}),
               ('patch_reparametrise', {'end': 3.0}),
               ('patch_reparametrise', {'how': 'MOEBIUS', 'rho': 1.0}), ('patch_swap', {}), ('patch_to_nurbs', {}))
@@ -153,7 +153,8 @@ def test_every_selected_shape_is_done_those_that_share_data_once_and_failures_ar
 def test_every_verb_is_in_the_menu_and_in_the_sidebar():
     tools = part('ui.patch_tools')
     listed = [name for _, names in tools._GROUPS for name in names]
-    assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for cls in (*patch_verbs.CLASSES, *extract.CLASSES))
+    classes = (*patch_verbs.CLASSES, *patch_join.CLASSES, *extract.CLASSES)
+    assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for cls in classes)
     drawn = []
 
     class Layout:

@@ -215,3 +215,14 @@ def test_what_is_no_curve_is_refused():
                  lambda: build.ruled(LINE, None)):
         with pytest.raises(TypeError, match="must be a curve"):
             call()
+
+
+def test_a_profile_that_was_moved_to_the_axis_and_back_ends_in_a_pole():
+    profile = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(0, 0, 0.1), (1, 0, 0.1), (1, 0, 1)])
+    rng = np.random.default_rng(8)
+    for _ in range(200):
+        turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        place = rng.uniform(-3, 3, 3)
+        there = profile.points @ turn.T + place
+        back = sc.NurbsCurve(2, profile.knots, (there - place) @ turn)
+        assert sc.PatchSet.from_patches([build.revolve(back, (0, 0, 0), (0, 0, 1))]).edge_counts()["pole"] == 1

@@ -12,8 +12,9 @@ namespace splinecore {
 
 namespace {
 
-/// What is left of a point on the axis after its part along the axis has been taken away is less.
-constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+/// What is left of a point on the axis after its part along the axis has been taken away is less, as a part of the
+/// curve's size, also after the curve was moved there.
+constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 /// An axis through a point, of unit length.
 struct Line {
@@ -23,13 +24,21 @@ struct Line {
   glm::dvec3 along(const glm::dvec3& v) const { return glm::dot(v, direction) * direction; }
 };
 
-Spoke spoke_of(const glm::dvec4& p, const Line& axis) {
+/// How far the points of a curve and the axis lie from one another and from the origin, at most.
+double size_of(const NurbsCurve& curve, const Line& axis) {
+  double size = glm::length(axis.point);
+  for (const glm::dvec4& p : curve.points()) {
+    if (p.w != 0.0) size = std::max({size, glm::length(glm::dvec3(p)), glm::length(glm::dvec3(p) - axis.point)});
+  }
+  return size;
+}
+
+Spoke spoke_of(const glm::dvec4& p, const Line& axis, double size) {
   const glm::dvec3 from_axis = p.w == 0.0 ? glm::dvec3(p) : glm::dvec3(p) - axis.point;
   const glm::dvec3 once = from_axis - axis.along(from_axis);
   // Twice, because far up the axis the first step leaves a rest along it.
   const glm::dvec3 out = once - axis.along(once);
-  const double far = p.w == 0.0 ? 0.0 : std::max(glm::length(glm::dvec3(p)), glm::length(axis.point));
-  const double size = std::max(glm::length(from_axis), far);
+  if (p.w == 0.0) size = glm::length(from_axis);
   if (!(glm::length(out) > kRounding * size)) return {glm::dvec3(p), glm::dvec3(0.0), glm::dvec3(0.0), p.w};
   return {glm::dvec3(p) - out, out, glm::cross(axis.direction, out), p.w};
 }
@@ -51,7 +60,8 @@ NurbsPatch revolve(const NurbsCurve& curve, const glm::dvec3& axis_point, const 
   const double length = require_length(axis_direction, "axis_direction");
   const Line axis{axis_point, axis_direction / length};
   std::vector<Spoke> spokes;
-  for (const glm::dvec4& p : curve.points()) spokes.push_back(spoke_of(p, axis));
+  const double size = size_of(curve, axis);
+  for (const glm::dvec4& p : curve.points()) spokes.push_back(spoke_of(p, axis, size));
   const bool is_flat = std::ranges::all_of(spokes, [](const Spoke& spoke) { return spoke.out == glm::dvec3(0.0); });
   if (is_flat) throw InvalidShape("the curve lies on the axis: turning it makes no surface");
   return turned(curve.knot_vector(), spokes, turn);
