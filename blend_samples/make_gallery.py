@@ -25,4 +25,4 @@ for x, color, (operator, name, settings) in zip((-3.9, -1.3, 1.3, 3.9), ('sea', 
 stage.ground()
 stage.camera((0, -12.5, 7.6), (0, 0.35, 0.75), 44)
 stage.smooth()
-stage.finish("gallery", samples=96)
+stage.finish("gallery", samples=64)

@@ -48,8 +48,10 @@ for number, name in enumerate(('C0', 'G1', 'C1', 'G2')):
     ob.data.splinewright.value = sc.PatchSet.from_patches([joined.first, joined.second])
     ob.data.materials[0] = stripes
     found = sc.seam_continuity(joined.first, 'u_end', joined.second, 'u_start')
-    stage.label(f"joined {name}: C{found.c} G{found.g}, angle {np.degrees(found.angle):.1f}°, curvature "
-                f"{found.curvature_difference:.2f}", (place[0], place[1] - 0.45), 0.22, 'CENTER')
+    stage.label(f"{name}: C{found.c} G{found.g}, angle {np.degrees(found.angle):.1f}°, curvature "
+                f"{found.curvature_difference:.2f}", (place[0], place[1] - 0.45), 0.2, 'CENTER')
 stage.ground(stage.PAPER, color='paper')
-stage.camera((2.1, -9.0, 13.5), (2.1, -1.15, 0.1), 64)
-stage.finish("seams", samples=24, size=(1060, 800))
+stage.lamp((2, -3, 8), (2, -1, 0), 200, 6)
+stage.smooth()
+stage.camera((2.1, -9.0, 13.5), (2.1, -1.3, 0.1), 55)
+stage.finish("seams", samples=24, size=(1060, 820))

@@ -11,4 +11,4 @@ stage.add('add_teapot', "Teapot", color='clay', resolution_u=16, resolution_v=16
 stage.ground()
 stage.camera((2.4, -4.4, 2.7), (0.1, 0, 0.68), 50)
 stage.smooth()
-stage.finish("teapot", samples=96)
+stage.finish("teapot", samples=64)
