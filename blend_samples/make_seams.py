@@ -50,8 +50,9 @@ for number, name in enumerate(('C0', 'G1', 'C1', 'G2')):
     found = sc.seam_continuity(joined.first, 'u_end', joined.second, 'u_start')
     stage.label(f"{name}: C{found.c} G{found.g}, angle {np.degrees(found.angle):.1f}°, curvature "
                 f"{found.curvature_difference:.2f}", (place[0], place[1] - 0.45), 0.2, 'CENTER')
-stage.ground(stage.PAPER, color='paper')
-stage.lamp((2, -3, 8), (2, -1, 0), 200, 6)
-stage.smooth()
+stage.ground(stage.PAPER, color='snow')
+for color in ('snow', 'ink'):
+    stage.flatten(bpy.data.materials[color])
 stage.camera((2.1, -9.0, 13.5), (2.1, -1.3, 0.1), 55)
-stage.finish("seams", samples=24, size=(1060, 820))
+bpy.context.scene.render.dither_intensity = 0.0
+stage.finish("seams", samples=16, size=(1060, 820))

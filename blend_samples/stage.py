@@ -188,14 +188,14 @@ def drawing(centre, width):
     """Seen straight from above, in flat colours, as on paper that is `width` wide."""
     ground(PAPER, color='paper')
     for material in bpy.data.materials:
-        _flatten(material)
+        flatten(material)
     camera((*centre, 20.0), (*centre, 0.0))
     bpy.context.scene.camera.data.type = 'ORTHO'
     bpy.context.scene.camera.data.ortho_scale = width
     bpy.context.scene.render.dither_intensity = 0.0
 
 
-def _flatten(material):
+def flatten(material):
     """Let a material look the same in any light."""
     nodes, links = material.node_tree.nodes, material.node_tree.links
     light = nodes.new('ShaderNodeEmission')

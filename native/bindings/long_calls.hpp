@@ -22,21 +22,30 @@ inline bool is_true(const py::object& answer) {
   return truth != 0;
 }
 
-/// Calls work(begin, end) on consecutive parts of [0, total) without the interpreter's lock. Between
-/// parts Ctrl-C and `cancel`, a callable that returns true to end the call, are heeded.
 /// @throws py::type_error if cancel is neither None nor callable.
-template <class Work>
-void in_parts(std::size_t total, std::size_t part, const py::object& cancel, Work work) {
+inline void require_callable(const py::object& cancel) {
   if (!cancel.is_none() && PyCallable_Check(cancel.ptr()) == 0) {
     throw py::type_error("cancel = " + std::string(py::repr(cancel)) + " is not callable");
   }
+}
+
+/// Heeds Ctrl-C and `cancel`, a callable that returns true to end the call. With the interpreter's lock.
+inline void heed(const py::object& cancel) {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  if (!cancel.is_none() && is_true(cancel())) throw Cancelled();
+}
+
+/// Calls work(begin, end) on consecutive parts of [0, total) without the interpreter's lock, and heed() between them.
+/// @throws py::type_error if cancel is neither None nor callable.
+template <class Work>
+void in_parts(std::size_t total, std::size_t part, const py::object& cancel, Work work) {
+  require_callable(cancel);
   for (std::size_t begin = 0; begin < total; begin += part) {
     {
       const py::gil_scoped_release unlocked;
       work(begin, std::min(total, begin + part));
     }
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!cancel.is_none() && is_true(cancel())) throw Cancelled();
+    heed(cancel);
   }
 }
 

@@ -345,3 +345,49 @@ def test_several_shapes_are_set_at_once():
     activate(first, second)
     assert op(bpy.ops.splinewright.tolerance_from_render) == {'FINISHED'}
     assert first.data.splinewright.mode == second.data.splinewright.mode == 'TOLERANCE'
+
+
+# Facets or smoothness ------------------------------------------------------------------------------
+
+
+def exact_normals(ob):
+    value = ob.data.splinewright.value
+    patch_set = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value])
+    return part('bridge.fineness').tessellated(ob.data, patch_set).evaluate(patch_set)[1]
+
+
+def largest_angle(a, b):
+    return np.degrees(np.arccos(np.clip((a.astype(float) * b).sum(1), -1, 1)).max())
+
+
+def test_normals_are_exact_at_every_move_where_that_costs_little_and_at_its_end_everywhere():
+    ob = add(VALUES['nurbs patch']())
+    held = enter()
+    select(held, 7, 8)
+    for _ in range(3):
+        move(0, 0, 0.4)
+        if part('bridge.write_mesh').keeps_normals():
+            assert largest_angle(corner_normals(ob.data), exact_normals(ob)) < 0.1
+    editing.settle()
+    assert largest_angle(corner_normals(ob.data), exact_normals(ob)) < 0.1
+    leave()
+
+
+@pytest.mark.parametrize('smooth', (False, True))
+def test_one_definition_gives_a_thousand_faces_or_ten_thousand_flat_or_smooth(smooth):
+    ob = add(starters.teapot())
+    for face in ob.data.polygons:
+        face.use_smooth = smooth
+    counts = []
+    for resolution in (6, 18):
+        ob.data.splinewright.set_resolution(resolution, resolution)
+        counts.append(len(ob.data.polygons))
+        flags = np.empty(len(ob.data.polygons), bool)
+        ob.data.polygons.foreach_get('use_smooth', flags)
+        assert (flags == smooth).all()
+        normals = corner_normals(ob.data)
+        spread = max(np.ptp(normals[face.loop_start:face.loop_start + face.loop_total], axis=0).max()
+                     for face in ob.data.polygons)
+        assert (spread > 0.01) == smooth
+    assert 1000 <= counts[0] <= 1300 and 9_800 <= counts[1] <= 11_000
+    assert ob.data.splinewright.value == starters.teapot()

@@ -18,6 +18,8 @@ CALLS = {
     "curve.derivatives": lambda cancel: circle().derivatives(MANY, 1, cancel=cancel),
     "patch.evaluate": lambda cancel: torus().evaluate(MANY, MANY, cancel=cancel),
     "patch.derivatives": lambda cancel: torus().derivatives(MANY, MANY, 1, cancel=cancel),
+    "Tessellation.adaptive":
+        lambda cancel: sc.Tessellation.adaptive(sc.PatchSet.from_patches([torus()]), tolerance=1e-5, cancel=cancel),
     "patch.evaluate_grid": lambda cancel: torus().evaluate_grid(MANY[::400], MANY[::400], cancel=cancel),
     "patch.evaluate_grid_with_normals":
         lambda cancel: torus().evaluate_grid_with_normals(MANY[::400], MANY[::400], cancel=cancel),

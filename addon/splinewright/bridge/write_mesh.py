@@ -21,14 +21,21 @@ def write(mesh, tessellation, positions, normals, sharp):
     mesh.update()
 
 
-def move(mesh, positions):
-    """Give the vertices other positions; normals are Blender's own until the next write()."""
-    if _has_exact_normals(mesh) and 'custom_normal' in mesh.attributes:
-        mesh.attributes.remove(mesh.attributes['custom_normal'])
+def move(mesh, positions, normals=None):
+    """Give the vertices other positions, and the corners other normals (c, 3) where the mesh keeps_normals(); else they
+    are Blender's own until the next write()."""
     if hasattr(mesh, 'use_auto_smooth'):
         mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
     _write_positions(mesh, positions)
+    if normals is not None:
+        mesh.update()
+        _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
     mesh.update()
+
+
+def keeps_normals():
+    """Whether exact normals cost little: from Blender 4.5 on they may be stored as they are, not as 16-bit angles."""
+    return bpy.app.version >= (4, 5, 0)
 
 
 def _has_faces(mesh, tessellation):
@@ -111,7 +118,7 @@ def _edge_numbers(pairs, count):
 
 def _write_normals(mesh, normals):
     flat = np.ascontiguousarray(normals, np.float32)
-    if _has_exact_normals(mesh):
+    if keeps_normals():
         attribute = mesh.attributes.get('custom_normal')
         if attribute is not None and (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'CORNER'):
             mesh.attributes.remove(attribute)
@@ -124,8 +131,3 @@ def _write_normals(mesh, normals):
         mesh.use_auto_smooth = True
         mesh.auto_smooth_angle = np.pi
     mesh.normals_split_custom_set(flat.tolist())
-
-
-def _has_exact_normals(mesh):
-    """From Blender 4.5 on custom normals may be stored as they are, not as 16-bit angles."""
-    return bpy.app.version >= (4, 5, 0)

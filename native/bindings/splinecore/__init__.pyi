@@ -790,7 +790,11 @@ class Tessellation:
     def __init__(self, patch_set: PatchSet, resolution: SupportsIndex | tuple[SupportsIndex, SupportsIndex]) -> None: ...
     @staticmethod
     def adaptive(
-        patch_set: PatchSet, *, tolerance: float | None = None, angle: float | None = None
+        patch_set: PatchSet,
+        *,
+        tolerance: float | None = None,
+        angle: float | None = None,
+        cancel: _Cancel | None = None,
     ) -> Tessellation: ...
     @property
     def vertex_count(self) -> int: ...

@@ -15,6 +15,7 @@ namespace splinecore {
 namespace {
 
 constexpr std::size_t kMaxCells = std::size_t{1} << 21;
+constexpr std::size_t kCellsBetweenPauses = std::size_t{1} << 14;
 /// A cell is no longer than this many times its width.
 constexpr double kLongest = 16.0;
 /// A line along a cell bows by no more than this part of the width, so that faces neither fold nor become slivers.
@@ -31,8 +32,9 @@ struct Both {
 class Splitter {
  public:
   /// @param widest  no cell is wider
-  Splitter(const Fineness& fineness, Probe probe, const std::array<Place, 2>& widest, std::vector<Cell>& cells)
-      : fineness_(fineness), probe_(std::move(probe)), widest_(widest), cells_(cells) {}
+  Splitter(const Fineness& fineness, Probe probe, const std::array<Place, 2>& widest, const Pause& pause,
+           std::vector<Cell>& cells)
+      : fineness_(fineness), probe_(std::move(probe)), widest_(widest), pause_(pause), cells_(cells) {}
 
   /// Tiles the cell that a piece fills.
   void add_piece(const Net& net, const Cell& cell) {
@@ -46,6 +48,7 @@ class Splitter {
     if (!axis) {
       if (cells_.size() == kMaxCells) throw InvalidShape("the mesh would have more than 2^21 cells: allow more");
       cells_.push_back(cell);
+      if (pause_ && cells_.size() % kCellsBetweenPauses == 0) pause_();
       return;
     }
     const auto [before, after] = halved(net, *axis);
@@ -130,6 +133,7 @@ class Splitter {
   const Fineness& fineness_;
   Probe probe_;
   std::array<Place, 2> widest_;
+  const Pause& pause_;
   Cell piece_;
   std::vector<Cell>& cells_;
 };
@@ -137,12 +141,13 @@ class Splitter {
 }  // namespace
 
 std::vector<Cell> cells_of(const NurbsPatch& patch, const std::array<std::vector<MeshSpan>, 2>& spans,
-                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v) {
+                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v,
+                           const Pause& pause) {
   const BezierGrid grid = to_bezier(patch);
   std::vector<Cell> cells;
   const auto widest = [](Place length, bool closed) { return closed ? length / 3 : length; };
   Splitter splitter(fineness, Probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree()),
-                    {widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)}, cells);
+                    {widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)}, pause, cells);
   for (Place i = whole.u0 / kSpan; i < whole.u1 / kSpan; ++i) {
     for (Place j = whole.v0 / kSpan; j < whole.v1 / kSpan; ++j) {
       const int number = spans[0][i].number * grid.count_v + spans[1][j].number;

@@ -66,13 +66,15 @@ class Session:
         return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
     def moved(self, data, patch_set):
-        """Positions on the faces that the shape has, or None where it needs others."""
+        """(positions, exact normals or None) on the faces that the shape has, or None where it needs others."""
         if self.faces is None or self._fineness != fineness.of(data):
             return None
         if not stamp.same_topology(self._stamp, store.read_stamp(data)):
             return None
         try:
-            return self.faces.evaluate_positions(patch_set)
+            if write_mesh.keeps_normals():
+                return self.faces.evaluate(patch_set)
+            return self.faces.evaluate_positions(patch_set), None
         except sc.InvalidShape:
             return None                 # sides that were one are not any more, or the other way round
 
@@ -171,14 +173,15 @@ def _show(data, definition, current):
         shape.set_definition(data, definition)
         current.pool = definition.pool
         return True
-    positions = current.moved(data, current.patch_set(definition))
-    if positions is None:
+    moved = current.moved(data, current.patch_set(definition))
+    if moved is None:
         current.wrote(data, shape.set_definition(data, definition))
         current.pool = definition.pool
         return True
+    positions, normals = moved
     if not np.isfinite(positions).all():
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
-    write_mesh.move(data, positions)
+    write_mesh.move(data, positions, normals)
     current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
     return True
