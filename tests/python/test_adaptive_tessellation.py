@@ -188,3 +188,15 @@ def test_a_patch_that_runs_to_infinity_is_refused():
 def test_without_a_tolerance_there_are_as_few_cells_as_knots_allow():
     mesh = sc.Tessellation.adaptive(set_of(hill()))
     assert len(triangles_of(mesh)) >= 2 and largest_distance(mesh, set_of(hill()), mesh.evaluate(set_of(hill()))[0]) > 0
+
+
+def test_a_surface_that_folds_over_is_not_refined_without_end():
+    """Around the pole the second row bends back, so that normals jump along a line that ends there."""
+    ring = np.array([(0.2, 0.0), (0.173, -0.015), (0.1, -0.032), (0, -0.04), (-0.1, -0.032), (-0.173, -0.015), (-0.2, 0.0),
+                     (-0.173, 0.005), (-0.1, 0.002), (0, 0.0), (0.1, 0.002), (0.173, 0.005)])
+    rows = [0 * ring, ring, 1.5 * ring, 2 * ring]
+    net = np.array([np.column_stack([np.full(12, 0.2 * max(i - 1, 0)), row]) for i, row in enumerate(rows)])
+    tip = sc.NurbsPatch((3, 3), ([0, 0, 0, 0, 1, 1, 1, 1], np.arange(13.0)), net, periodic=(False, True))
+    mesh = sc.Tessellation.adaptive(set_of(tip), angle=0.5)
+    assert 100 < len(mesh.face_starts) < 2**20
+    assert counts_of(mesh)[1:] == (0, 0)

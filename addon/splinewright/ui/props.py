@@ -46,7 +46,7 @@ class SplinewrightShape(bpy.types.PropertyGroup):
         default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH', update=_resolution_changed)
     angle: FloatProperty(
         name="Angle", description="Normals turn by no more on a face",
-        default=math.radians(15.0), min=math.radians(0.01), soft_min=math.radians(1.0), max=math.pi, subtype='ANGLE',
+        default=math.radians(15.0), min=math.radians(0.25), soft_min=math.radians(1.0), max=math.pi, subtype='ANGLE',
         update=_resolution_changed)
     resolution_u: IntProperty(
         name="Resolution U", description="Steps in every span along u",

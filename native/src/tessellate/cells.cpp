@@ -22,6 +22,8 @@ constexpr double kLongest = 16.0;
 constexpr double kDeepest = 0.125;
 /// Cells this small are not split any more: 2^-22 of a span.
 constexpr Place kSmallest = kSpan >> 22;
+/// And these not for their normals, which turn at once where a surface folds.
+constexpr Place kSmallestTurn = kSpan >> 10;
 
 /// Something along u and along v.
 struct Both {
@@ -74,7 +76,7 @@ class Splitter {
       return can_u && (!can_v || cell.u1 - cell.u0 >= cell.v1 - cell.v0) ? Axis::u : Axis::v;
     }
     const Look look = probe_.look(net);
-    for (const auto& needed : {by_distance(net, bent, look), by_sides(net, bent, cell), by_angle(look), by_form(look)}) {
+    for (const auto& needed : {by_distance(net, bent, look), by_sides(net, bent, cell), by_angle(look, cell), by_form(look)}) {
       if (!needed) continue;
       const bool is_u = needed->u >= needed->v;
       if (is_u ? can_u : can_v) return is_u ? Axis::u : Axis::v;
@@ -111,10 +113,13 @@ class Splitter {
     return std::max(far.u, far.v) > fineness_.distance ? std::optional(far) : std::nullopt;
   }
 
-  std::optional<Both> by_angle(const Look& look) const {
+  std::optional<Both> by_angle(const Look& look, const Cell& cell) const {
     if (fineness_.angle == HUGE_VAL) return std::nullopt;
     const Turns turned = look.turns();
-    return turned.all > fineness_.angle ? std::optional(Both{turned.u, turned.v}) : std::nullopt;
+    const Both needed{cell.u1 - cell.u0 > kSmallestTurn ? turned.u : 0.0,
+                      cell.v1 - cell.v0 > kSmallestTurn ? turned.v : 0.0};
+    if (turned.all <= fineness_.angle || std::max(needed.u, needed.v) <= 0.0) return std::nullopt;
+    return needed;
   }
 
   /// Neither much too long, but for the triangles around a pole, nor bowed like a sickle.

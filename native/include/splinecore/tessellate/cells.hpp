@@ -23,7 +23,8 @@ struct Cell {
 /// How fine a mesh is to be.
 struct Fineness {
   double distance;  ///< no point of the surface lies farther from the mesh; infinite for any
-  double angle;     ///< radians, between normals at 3 x 3 places of each face; infinite for any
+  double angle;     ///< radians, between normals at 3 x 3 places of each face, which is a 1024th of a span at least;
+                    ///< infinite for any
 };
 
 /// Called now and then during long work; empty for none. What it throws ends the work.
