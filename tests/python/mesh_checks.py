@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+import meshes
+
 SIDES = {'u_start': (0, 0.0), 'u_end': (0, 1.0), 'v_start': (1, 0.0), 'v_end': (1, 1.0)}
 
 
@@ -88,15 +90,6 @@ def check_borders(mesh, sides):
     assert explained.all(), f"{(~explained).sum()} edges are open inside or where patches meet"
 
 
-def triangles_of(mesh):
-    """(n, 3) corners: triangles, and quads cut both ways."""
-    sizes = np.diff([*mesh.starts, len(mesh.vertex)])
-    assert set(sizes) <= {3, 4}
-    quads = mesh.starts[sizes == 4][:, None]
-    return np.concatenate([mesh.starts[sizes == 3][:, None] + (0, 1, 2), quads + (0, 1, 2), quads + (0, 2, 3),
-                           quads + (1, 2, 3), quads + (1, 3, 0)])
-
-
 def quality(p, q, r):
     """4 sqrt(3) area / sum of squared sides: 1 of an equilateral triangle, 0 of one without area."""
     a, b, c = q - p, r - q, p - r
@@ -107,7 +100,7 @@ def quality(p, q, r):
 def qualities(mesh, patch_set):
     """Of every triangle of mesh: its own, and that of the triangle with the same parameters in the tangent plane at
     their middle, that is what the parametrisation alone makes of it."""
-    triangles = triangles_of(mesh)
+    triangles = meshes.triangles(mesh.starts, len(mesh.vertex))
     own = quality(*np.moveaxis(mesh.positions[mesh.vertex[triangles]], 1, 0))
     given = np.empty(len(triangles))
     for number in range(len(patch_set)):

@@ -38,11 +38,16 @@ def counts_of(mesh):
 
 
 def triangles_of(mesh):
-    """(n, 3) corner numbers: triangles, and quads cut both ways."""
-    sizes = sizes_of(mesh)
+    """triangles() of a Tessellation."""
+    return triangles(mesh.face_starts, len(mesh.corner_vertices))
+
+
+def triangles(starts, count):
+    """(n, 3) corner numbers, of `count` corners in faces that begin at starts: triangles, and quads cut both ways."""
+    sizes = np.diff([*starts, count])
     assert set(sizes) <= {3, 4}
-    quads = mesh.face_starts[sizes == 4][:, None]
-    return np.concatenate([mesh.face_starts[sizes == 3][:, None] + (0, 1, 2), quads + (0, 1, 2), quads + (0, 2, 3),
+    quads = starts[sizes == 4][:, None]
+    return np.concatenate([starts[sizes == 3][:, None] + (0, 1, 2), quads + (0, 1, 2), quads + (0, 2, 3),
                            quads + (1, 2, 3), quads + (1, 3, 0)])
 
 
