@@ -1,4 +1,4 @@
-"""The rows of a cage in two colours, and arrows for directions at infinity, over the 3D view."""
+"""Over the 3D view: seams, the rows of a cage in two colours, and arrows for directions at infinity."""
 
 import bmesh
 import bpy
@@ -7,7 +7,7 @@ import numpy as np
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge.net import live, net
-from . import editing
+from . import editing, seams_overlay
 
 #: As Blender colours the two directions of its own surfaces: u yellow, v magenta.
 COLORS = ((0.95, 0.78, 0.1, 1.0), (0.9, 0.25, 0.75, 1.0))
@@ -18,9 +18,10 @@ _handle = None
 
 def draw():
     """Called by Blender for each 3D view."""
-    if not editing.known or not bpy.context.space_data.overlay.show_overlays:
+    if not bpy.context.space_data.overlay.show_overlays:
         return
-    for ob in editing.nets():
+    seams_overlay.draw()
+    for ob in editing.nets() if editing.known else ():
         if ob.mode == 'EDIT' and ob.visible_get():
             gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
             with gpu.matrix.push_pop():

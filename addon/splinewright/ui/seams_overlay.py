@@ -18,8 +18,6 @@ LEGEND = "red a gap, orange an edge, yellow G1, green G2"
 #: Lines are drawn nearer by this part of their distance, so that the surface does not hide them.
 _NEARER = 2e-3
 
-_handle = None
-
 
 def shape_in_hand(ob):
     """The patch shape that is active, or whose net is; None where there is none."""
@@ -28,9 +26,7 @@ def shape_in_hand(ob):
 
 
 def draw():
-    """Called by Blender for each 3D view."""
-    if not bpy.context.space_data.overlay.show_overlays:
-        return
+    """In the 3D view at hand."""
     ob = shape_in_hand(bpy.context.object)
     if ob is None or not ob.data.splinewright.show_seams or not ob.visible_get():
         return
@@ -74,19 +70,3 @@ def _draw_line(points, colors):
     finite = np.isfinite(points).all(1)
     if finite.sum() > 1:
         batch_for_shader(shader, 'LINE_STRIP', {'pos': points[finite], 'color': colors[finite]}).draw(shader)
-
-
-CLASSES = ()
-
-
-def register():
-    global _handle
-    if not bpy.app.background:
-        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW')
-
-
-def unregister():
-    global _handle
-    if _handle is not None:
-        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
-        _handle = None

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "count_plan.hpp"
 #include "mesh_writer.hpp"
 #include "side_vertices.hpp"
 #include "splinecore/base/errors.hpp"
@@ -41,12 +42,6 @@ class CountBuilder {
 
   const Panel& panel_of(const Block& block) const { return mesh_.panels_[block.panel]; }
   const Grid& grid_of(const Block& block) const { return mesh_.grids_[panel_of(block).patch]; }
-  std::pair<int, int> spans(std::size_t panel, int axis) const;
-  int strips(std::size_t panel, int axis) const;
-  std::vector<double> places(std::size_t panel, int side) const;
-  bool has_places_of_edge(std::size_t panel, int side) const;
-  void choose_edge_places();
-  bool raise_narrow_panels();
   void make_grids();
 
   Block block_of(std::size_t panel) const;
@@ -63,122 +58,32 @@ class CountBuilder {
 
   const PatchSet& set_;
   Tessellation& mesh_;
-  std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
-  std::vector<std::array<int, 2>> resolutions_;              // of each patch
-  std::vector<std::vector<double>> edge_places_;             // of each edge, from 0 to 1
+  CountPlan plan_;
   std::optional<MeshWriter> writer_;
   std::optional<SideVertices> side_vertices_;
 };
 
 namespace {
 
-/// The number of the axis that a side lies across, and of the one it runs along.
+/// The number of the axis that a side lies across.
 int across_of(int side) { return side < 2 ? 0 : 1; }
-int along_of(int side) { return side < 2 ? 1 : 0; }
 
 }  // namespace
 
 CountBuilder::CountBuilder(const PatchSet& set, int resolution_u, int resolution_v, Tessellation& mesh)
-    : set_(set), mesh_(mesh), spans_(mesh_spans(set)), resolutions_(set.patches().size(), {resolution_u, resolution_v}) {
-  constexpr int kLeastAround = 3;
-  for (std::size_t i = 0; i < mesh.panels_.size(); ++i) {
-    const Panel& panel = mesh.panels_[i];
-    for (const int axis : {0, 1}) {
-      const PanelSide& start = panel.sides[2 * axis];
-      if (start.edge < 0 || start.edge != panel.sides[2 * axis + 1].edge) continue;
-      // A closed direction of fewer strips would fold onto itself.
-      const auto [from, to] = spans(i, axis);
-      int& resolution = resolutions_[panel.patch][axis];
-      resolution = std::max(resolution, (kLeastAround - 1 + to - from) / (to - from));
-    }
-  }
-  do {
-    choose_edge_places();
-  } while (raise_narrow_panels());
+    : set_(set), mesh_(mesh), plan_(set, mesh.panels_, resolution_u, resolution_v) {
   make_grids();
   std::vector<std::size_t> counts;
-  for (const std::vector<double>& places : edge_places_) counts.push_back(places.size());
+  for (const std::vector<double>& places : plan_.edges()) counts.push_back(places.size());
   writer_.emplace(set, mesh);
   side_vertices_.emplace(mesh.panels_, counts);
-}
-
-/// The first of the spans that a panel has, and the one behind the last.
-std::pair<int, int> CountBuilder::spans(std::size_t panel, int axis) const {
-  const Panel& own = mesh_.panels_[panel];
-  const Interval& range = axis == 0 ? own.u : own.v;
-  const std::vector<MeshSpan>& all = spans_[own.patch][axis];
-  const auto number = [&](double u) { return static_cast<int>((place_of(all, u) + kSpan / 2) / kSpan); };
-  return {number(range.start), number(range.end)};
-}
-
-int CountBuilder::strips(std::size_t panel, int axis) const {
-  const auto [from, to] = spans(panel, axis);
-  return (to - from) * resolutions_[mesh_.panels_[panel].patch][axis];
-}
-
-/// Where the lines of the panel's grid meet a side, in the direction of its edge.
-std::vector<double> CountBuilder::places(std::size_t panel, int side) const {
-  const int axis = along_of(side);
-  const Panel& own = mesh_.panels_[panel];
-  const Interval& range = axis == 0 ? own.u : own.v;
-  const int resolution = resolutions_[own.patch][axis];
-  const auto [from, to] = spans(panel, axis);
-  std::vector<double> found;
-  for (int i = from; i < to; ++i) {
-    const Interval& span = spans_[own.patch][axis][i].range;
-    for (int k = 0; k < resolution; ++k) {
-      found.push_back((span.start + span.length() * (static_cast<double>(k) / resolution) - range.start) / range.length());
-    }
-  }
-  found.push_back(1.0);
-  if (own.sides[side].reversed) {
-    std::ranges::reverse(found);
-    for (double& t : found) t = 1.0 - t;
-  }
-  return found;
-}
-
-bool CountBuilder::has_places_of_edge(std::size_t panel, int side) const {
-  const int edge = mesh_.panels_[panel].sides[side].edge;
-  if (edge < 0) return true;
-  return std::ranges::equal(places(panel, side), edge_places_[edge],
-                            [](double a, double b) { return std::abs(a - b) <= kOneStep; });
-}
-
-/// An edge has the places of the side that has most.
-void CountBuilder::choose_edge_places() {
-  edge_places_.assign(side_counts(mesh_.panels_).size(), {});
-  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
-    for (int side = 0; side < 4; ++side) {
-      const int edge = mesh_.panels_[panel].sides[side].edge;
-      if (edge < 0) continue;
-      std::vector<double>& known = edge_places_[edge];
-      if (known.size() < static_cast<std::size_t>(strips(panel, along_of(side))) + 1) known = places(panel, side);
-    }
-  }
-}
-
-/// Beside a side whose edge has other places a panel needs two strips both ways; whether one had fewer.
-bool CountBuilder::raise_narrow_panels() {
-  bool is_any_raised = false;
-  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
-    if (strips(panel, 0) > 1 && strips(panel, 1) > 1) continue;
-    bool fits = true;
-    for (int side = 0; side < 4; ++side) fits = fits && has_places_of_edge(panel, side);
-    if (fits) continue;
-    for (const int axis : {0, 1}) {
-      if (strips(panel, axis) == 1) resolutions_[mesh_.panels_[panel].patch][axis] = 2;
-    }
-    is_any_raised = true;
-  }
-  return is_any_raised;
 }
 
 void CountBuilder::make_grids() {
   for (std::size_t i = 0; i < set_.patches().size(); ++i) {
     const NurbsPatch& form = nurbs_of(set_.patch(i));
-    Grid grid{sample_axis(form.knot_vector(Axis::u), spans_[i][0], resolutions_[i][0]),
-              sample_axis(form.knot_vector(Axis::v), spans_[i][1], resolutions_[i][1]), mesh_.sample_count_};
+    Grid grid{sample_axis(form.knot_vector(Axis::u), plan_.spans_of(i)[0], plan_.resolution_of(i)[0]),
+              sample_axis(form.knot_vector(Axis::v), plan_.spans_of(i)[1], plan_.resolution_of(i)[1]), mesh_.sample_count_};
     mesh_.sample_count_ += grid.u.samples.size() * grid.v.samples.size();
     mesh_.grids_.push_back(std::move(grid));
   }
@@ -189,10 +94,10 @@ CountBuilder::Block CountBuilder::block_of(std::size_t panel) const {
   block.panel = panel;
   const Grid& grid = mesh_.grids_[mesh_.panels_[panel].patch];
   for (const int axis : {0, 1}) {
-    block.begin[axis] = (axis == 0 ? grid.u : grid.v).span_starts[spans(panel, axis).first];
-    block.end[axis] = block.begin[axis] + strips(panel, axis);
+    block.begin[axis] = (axis == 0 ? grid.u : grid.v).span_starts[plan_.spans(panel, axis).first];
+    block.end[axis] = block.begin[axis] + plan_.strips(panel, axis);
   }
-  for (int side = 0; side < 4; ++side) block.is_strip[side] = !has_places_of_edge(panel, side);
+  for (int side = 0; side < 4; ++side) block.is_strip[side] = !plan_.has_places_of_edge(panel, side);
   block.vertices.assign(static_cast<std::size_t>(block.end[0] - block.begin[0] + 1) * block.columns(), -1);
   return block;
 }
@@ -216,10 +121,10 @@ void CountBuilder::number(Block& block) {
 void CountBuilder::number_side(Block& block, int side) {
   const PanelSide& description = panel_of(block).sides[side];
   const Grid& grid = grid_of(block);
-  const int axis = along_of(side);
+  const int axis = side_runs_along(side);
   const int count = block.end[axis] - block.begin[axis] + 1;
   const int line = side % 2 == 0 ? block.begin[across_of(side)] : block.end[across_of(side)];
-  const auto last = description.edge < 0 ? std::size_t{0} : edge_places_[description.edge].size() - 1;
+  const auto last = description.edge < 0 ? std::size_t{0} : plan_.edges()[description.edge].size() - 1;
   for (int k = 0; k < count; ++k) {
     if (block.is_strip[side] && k > 0 && k + 1 < count) continue;
     const bool is_last = k + 1 == count;
@@ -265,7 +170,7 @@ void CountBuilder::add_cell(Block& block, int row, int column) {
 CountBuilder::Rail CountBuilder::outer_rail(const Block& block, int side) {
   const Panel& panel = panel_of(block);
   const PanelSide& description = panel.sides[side];
-  std::vector<double> places = edge_places_[description.edge];
+  std::vector<double> places = plan_.edges()[description.edge];
   const std::size_t last = places.size() - 1;
   if (description.reversed) {
     std::ranges::reverse(places);
@@ -295,7 +200,7 @@ CountBuilder::Rail CountBuilder::outer_rail(const Block& block, int side) {
 /// The line of the grid beside a side, without its end where that lies beside another strip.
 CountBuilder::Rail CountBuilder::inner_rail(Block& block, int side) {
   const Grid& grid = grid_of(block);
-  const int axis = along_of(side);
+  const int axis = side_runs_along(side);
   const int first_side = 2 * axis;
   const bool is_start = side % 2 == 0;
   const int line = is_start ? block.begin[across_of(side)] + 1 : block.end[across_of(side)] - 1;
