@@ -16,7 +16,7 @@ _TYPES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT
           'BOOLEAN': ('value', 1, bool), 'FLOAT_VECTOR': ('vector', 3, np.float32),
           'FLOAT_COLOR': ('color', 4, np.float32), 'BYTE_COLOR': ('color', 4, np.float32),
           'FLOAT2': ('vector', 2, np.float32), 'INT16_2D': ('value', 2, np.int32), 'INT32_2D': ('value', 2, np.int32),
-          'FLOAT4': ('value', 4, np.float32), 'QUATERNION': ('value', 4, np.float32),
+          'FLOAT4': ('vector', 4, np.float32), 'QUATERNION': ('value', 4, np.float32),
           'FLOAT4X4': ('value', 16, np.float32), 'STRING': ('value', 1, object)}
 #: A mixture of two turns is none.
 _NEVER_MIXED = {'QUATERNION', 'FLOAT4X4'}
