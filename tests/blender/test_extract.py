@@ -162,3 +162,18 @@ def test_the_resolution_is_that_of_the_patch_along_the_curve():
         activate(ob)
         run('extract_isocurve', direction=direction)
         assert bpy.context.object.data.splinewright.resolution_u == resolution
+
+
+def test_a_curve_of_a_sheared_shape_lies_on_it():
+    source = add(value_of('bicubic'))
+    parent = bpy.data.objects.new("parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    parent.scale, parent.rotation_euler = (1, 3, 1), (0.3, 0.4, 0.5)
+    source.parent, source.rotation_euler, source.location = parent, (1, 0.2, 0.7), (1, 2, 3)
+    bpy.context.view_layer.update()
+    assert run('extract_boundary', side='U_START') == {'FINISHED'}
+    ob = bpy.context.object
+    bpy.context.view_layer.update()
+    here, there = (np.array(one.matrix_world) for one in (ob, source))
+    expected = patches_of(source)[0].points[0] @ there[:3, :3].T + there[:3, 3]
+    assert np.allclose(curves_of(ob)[0].points @ here[:3, :3].T + here[:3, 3], expected, atol=1e-5)

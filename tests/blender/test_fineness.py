@@ -338,6 +338,35 @@ def test_without_a_camera_or_behind_it_nothing_changes():
     assert ob.data.splinewright.mode == 'COUNT'
 
 
+def set_scale(ob, scale):
+    ob.scale = (scale,) * 3
+    bpy.context.view_layer.update()
+
+
+def test_what_no_tolerance_shows_is_said_and_the_settings_stay():
+    op(bpy.ops.splinewright.add_sphere)
+    ob = bpy.context.object
+    camera = camera_at(5.0)
+    ob.data.splinewright.tolerance = 0.5
+    faces = len(ob.data.polygons)
+
+    def require_refused(word):
+        with pytest.raises(RuntimeError, match=word):
+            op(bpy.ops.splinewright.tolerance_from_render)
+        settings = ob.data.splinewright
+        assert (settings.mode, settings.tolerance, settings.problem) == ('COUNT', 0.5, "")
+        assert len(ob.data.polygons) == faces
+    camera.data.lens = 1e6
+    require_refused("2\\^21")
+    camera.data.lens = 1e9
+    require_refused("less than the least")
+    set_scale(ob, 0.0)
+    require_refused("has a scale of 0: no camera")
+    set_scale(ob, 1.0)
+    set_scale(camera, 0.0)
+    require_refused("the camera has a scale of 0")
+
+
 def test_several_shapes_are_set_at_once():
     first = add(VALUES['nurbs patch'](), "first")
     second = add(starters.teapot(), "second")

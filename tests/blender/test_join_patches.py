@@ -133,3 +133,13 @@ def test_recipes_and_curves_are_refused():
 def test_three_shapes_are_too_many():
     activate(*(add(sc.BezierPatch(net(3 * i)), str(i)) for i in range(3)))
     assert not bpy.ops.splinewright.join_patches.poll()
+
+
+def test_shape_keys_of_either_are_not_lost():
+    first, second = add(sc.BezierPatch(net(0)), "first"), add(sc.BezierPatch(net(4)), "second")
+    second.shape_key_add(name="Basis")
+    activate(first, second)
+    for operator in (bpy.ops.splinewright.join_patches, bpy.ops.splinewright.join):
+        with pytest.raises(RuntimeError, match="second has shape keys"):
+            op(operator)
+    assert second.data.shape_keys and len(patches_of(first)) == 1

@@ -73,6 +73,16 @@ def test_of_several_shapes_those_that_can_are_done_and_the_others_are_named(capf
     assert "flat: there is no inner knot" in "".join(capfd.readouterr())
 
 
+@pytest.mark.parametrize('name, kind, settings', (
+    ('patch_make_periodic', 'bicubic', {}), ('patch_remove_knots', 'nurbs patch', {'direction': 'V'})))
+def test_a_tolerance_as_large_as_the_shape_is_refused(name, kind, settings):
+    ob = add(value_of(kind))
+    before = state(ob)
+    with pytest.raises(RuntimeError, match="nothing of it would be left"):
+        run(name, tolerance=1e3, **settings)
+    assert state(ob) == before
+
+
 NAMES = [cls.bl_idname.split('.')[1] for cls in patch_verbs.CLASSES]
 EXTRACTING = [cls.bl_idname.split('.')[1] for cls in extract.CLASSES]
 

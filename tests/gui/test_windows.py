@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, part, run, save_picture, select_points
+from window import View, empty_file, part, run, save_picture, select_points, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 FOLDER = Path(tempfile.mkdtemp())
@@ -26,6 +26,10 @@ def in_net():
 
 def is_out():
     return bpy.context.mode == 'OBJECT' and not nets()
+
+
+def value():
+    return bpy.data.objects["NURBS Patch"].data.splinewright.value
 
 
 def require_exact(name):
@@ -54,13 +58,15 @@ def add_patch(view):
 
 def saving(view):
     view.press('TAB')
-    yield 0.8
+    yield from until(in_net)
     select_points(14)
+    before = value()
     yield from drag(view, 60)
     view.press('LEFTMOUSE')
-    yield 0.8
     store = part('bridge.store')
+    yield from until(lambda: value() != before and not store.is_draft(bpy.data.objects["NURBS Patch"].data))
     assert not store.is_draft(require_exact("NURBS Patch").data), "the exact normals did not come"
+    assert value() != before
     moved = bpy.data.objects["NURBS Patch"].data.splinewright.value
     path = str(FOLDER / "saved.blend")
     bpy.ops.wm.save_as_mainfile(filepath=path)
@@ -77,9 +83,10 @@ def saving(view):
         assert inside.objects == ["NURBS Patch"], inside.objects
     yield from drag(view, 30)
     view.press('LEFTMOUSE')
-    yield 0.6
+    yield from until(lambda: value() != moved)
+    assert value() != moved
     view.press('Z', ctrl=True)
-    yield 0.8
+    yield from until(lambda: in_net() and value() == moved)
     assert in_net() and require_exact("NURBS Patch").data.splinewright.value == moved
     print("saving", flush=True)
 
@@ -87,24 +94,24 @@ def saving(view):
 def other_ways_out(view):
     with view.override():
         bpy.ops.object.mode_set('EXEC_DEFAULT', True, mode='OBJECT')
-    yield 0.8
+    yield from until(is_out)
     assert is_out() and bpy.context.object.name == "NURBS Patch", "the net was not swept"
     after = require_exact("NURBS Patch").data.splinewright.value
     view.press('Z', ctrl=True)
-    yield 0.8
+    yield from until(in_net)
     assert in_net(), "undo does not lead back into the net"
     view.press('Z', ctrl=True)
     yield 0.8
     view.press('Z', ctrl=True, shift=True)
     yield 0.8
     view.press('Z', ctrl=True, shift=True)
-    yield 0.8
+    yield from until(lambda: is_out() and value() == after)
     assert is_out() and require_exact("NURBS Patch").data.splinewright.value == after
     view.press('TAB')
-    yield 0.8
+    yield from until(in_net)
     assert in_net()
     view.press('TAB')
-    yield 0.8
+    yield from until(is_out)
     assert is_out()
     print("other ways out", flush=True)
 
@@ -113,7 +120,7 @@ def snapping(view):
     """With the magnet on the shape goes where Blender snaps the point to, by whole steps."""
     value = bpy.data.objects["NURBS Patch"].data.splinewright.value
     view.press('TAB')
-    yield 0.8
+    yield from until(in_net)
     select_points(0)
     settings = bpy.context.scene.tool_settings
     settings.snap_elements, settings.use_snap = {'INCREMENT'}, True
@@ -134,7 +141,7 @@ def snapping(view):
     step = (point - value.points[0, 0])[2]
     assert step != 0 and abs(10 * step - round(10 * step)) < 1e-4, step
     view.press('TAB')
-    yield 0.8
+    yield from until(is_out)
     assert is_out()
     print(f"snapping: {step:.6f}", flush=True)
 
@@ -156,14 +163,14 @@ def redo_panel(view):
     ob = require_exact("NURBS Patch")
     assert ob.data.splinewright.value != applied and tuple(ob.scale) == (2, 2, 2), "the redo panel changed nothing"
     view.press('TAB')
-    yield 0.8
+    yield from until(in_net)
     assert in_net()
     with view.override():
         bpy.ops.ed.undo_redo()          # of Tab itself
     yield 0.8
     assert in_net() and require_exact("NURBS Patch")
     view.press('TAB')
-    yield 0.8
+    yield from until(is_out)
     assert is_out()
     print("redo panel", flush=True)
 
@@ -173,12 +180,12 @@ def local_view(view):
         bpy.ops.view3d.localview()
     yield 0.8
     view.press('TAB')
-    yield 0.8
+    yield from until(in_net)
     with view.override():
         assert in_net() and nets()[0] in bpy.context.visible_objects, "the net is not to be seen in local view"
     save_picture(OUTPUT / "windows-local-view.png")
     view.press('TAB')
-    yield 0.8
+    yield from until(is_out)
     assert is_out()
     with view.override():
         bpy.ops.view3d.localview()

@@ -4,6 +4,7 @@ import importlib
 import os
 import struct
 import sys
+import time
 import traceback
 import zlib
 
@@ -90,6 +91,14 @@ def empty_file():
     for ob in list(bpy.data.objects):
         bpy.data.objects.remove(ob)
     bpy.ops.ed.undo_push(message="empty")
+
+
+def until(is_so, seconds=10.0):
+    """Steps until it is so; they end after a while even if it is not, for the caller to say what is wrong."""
+    end = time.monotonic() + seconds
+    yield 0.3
+    while not is_so() and time.monotonic() < end:
+        yield 0.3
 
 
 def pick_by_keys(view, keys):

@@ -1,8 +1,11 @@
 """Curves of a patch shape as shapes of their own."""
 
 import bpy
+import numpy as np
+from mathutils import Matrix
 
-from ..core import patch_curves, verbs
+from ..core import definition as definitions
+from ..core import patch_curves, transform, verbs
 from . import shape, store
 
 
@@ -20,7 +23,17 @@ def new_object(source, name, curves, axes):
     """A new object, not linked to a scene, of curves across these axes of a shape; it lies where that lies."""
     settings = source.data.splinewright
     resolution = max(settings.resolution_v if axis == 'u' else settings.resolution_u for axis in axes)
-    data = shape.new_data(f"{source.name} {name}", curves[0] if len(curves) == 1 else curves, (resolution, resolution))
+    value = _without_shear(curves[0] if len(curves) == 1 else curves, source.matrix_world)
+    data = shape.new_data(f"{source.name} {name}", value, (resolution, resolution))
     ob = bpy.data.objects.new(data.name, data)
     ob.matrix_world = source.matrix_world
     return ob
+
+
+def _without_shear(value, matrix):
+    """Curves as they lie in the place that an object without a parent can take in the place of that matrix."""
+    world, place = (np.array(one, dtype=np.float64) for one in (matrix, Matrix.LocRotScale(*matrix.decompose())))
+    size = np.abs(world).max()
+    if np.abs(world - place).max() <= 1e-6 * size or np.linalg.det(place[:3, :3]) == 0:
+        return value
+    return definitions.to_value(transform.transformed(definitions.from_value(value), np.linalg.inv(place) @ world))

@@ -32,11 +32,17 @@ def of_render(ob, points, scene, depsgraph):
     camera = scene.camera
     if camera is None:
         raise ValueError("the scene has no camera")
+    scale = largest_scale(ob.matrix_world)
+    if scale == 0.0:
+        raise ValueError("it has a scale of 0: no camera sees it")
     render = scene.render
     width, height = (size * render.resolution_percentage / 100 for size in (render.resolution_x, render.resolution_y))
     window = np.array(camera.calc_matrix_camera(depsgraph, x=round(width), y=round(height),
                                                 scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y))
-    to_camera = camera.matrix_world.normalized().inverted() @ ob.matrix_world
+    from_world = camera.matrix_world.normalized().inverted(None)
+    if from_world is None:
+        raise ValueError("the camera has a scale of 0")
+    to_camera = from_world @ ob.matrix_world
     depth = -(np.array(to_camera)[2, :3] @ points.T + to_camera[2][3])
     # The window's matrix leads to clip space, which is 2 wide and divided by w: the depth, or 1 where all is parallel.
     is_perspective = window[3, 3] == 0.0
@@ -46,7 +52,7 @@ def of_render(ob, points, scene, depsgraph):
         raise ValueError("the shape lies behind the camera")
     distance = seen.min() if is_perspective else 1.0
     pixel = distance * min(2 / (width * window[0, 0]), 2 / (height * window[1, 1]))
-    return float(pixel / largest_scale(ob.matrix_world))
+    return float(pixel / scale)
 
 
 def largest_scale(matrix: Matrix):

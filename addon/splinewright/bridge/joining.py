@@ -68,11 +68,11 @@ def linear_of(ob):
 
 def together(active, others):
     """The definition of all pieces in the space of the active shape. Raises ValueError as join() does."""
-    shape.require_writable(active.data)
     for ob in [active, *others]:
         if ob.library or ob.override_library or ob.data.library:
             raise ValueError(f"{ob.name} is linked from another file")
         recipes.require_free(ob.data)
+        shape.require_writable(ob.data)
         shape.require_untouched(ob.data)
     into = np.array(active.matrix_world, dtype=np.float64)
     if np.linalg.det(into[:3, :3]) == 0:

@@ -11,52 +11,32 @@ from typing import NamedTuple
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-#: Corner attribute: u, v in [0, 1] of the patch, and the number of the patch.
-PARAMETERS = "parameters"
-UV_NAME = "UVMap"
-_OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face'}
-#: How a value of each type is read: the name of its field, how many numbers it has, their type.
-_TYPES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT8': ('value', 1, np.int32),
-          'BOOLEAN': ('value', 1, bool), 'FLOAT_VECTOR': ('vector', 3, np.float32),
-          'FLOAT_COLOR': ('color', 4, np.float32), 'BYTE_COLOR': ('color', 4, np.float32),
-          'FLOAT2': ('vector', 2, np.float32)}
-_DOMAINS = ('POINT', 'FACE', 'CORNER')
-
-
-class Layer(NamedTuple):
-    """One attribute or UV map of a mesh."""
-
-    name: str
-    data_type: str                      # as Blender's attributes, or 'UV'
-    domain: str
-    values: np.ndarray                  # (n, numbers)
+from . import mesh_layers
+from .mesh_layers import MOST_UV_MAPS, PARAMETERS, UV_NAME, read
 
 
 class Kept(NamedTuple):
     """What was on a mesh, and the triangles over whose parameters it lies."""
 
     layers: list
-    groups: list                        # names of the vertex groups
-    weights: np.ndarray                 # (v, groups)
+    groups: object                      # mesh_layers.Groups or None
     triangles: np.ndarray               # (t, 3) corners
     corners: np.ndarray                 # (c, 3) parameters
     vertices: np.ndarray                # (c,) the vertex of each corner
     faces: np.ndarray                   # (t,) the face of each triangle
-    active: dict                        # names of the active colours and UV map
+    active: dict                        # of mesh_layers.active()
 
 
 def write_parameters(mesh, tessellation):
-    """Keep for each corner where it lies."""
-    attribute = mesh.attributes.get(PARAMETERS) or mesh.attributes.new(PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
+    """Keep for each corner of new faces where it lies."""
+    attribute = mesh.attributes.new(PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
     attribute.data.foreach_set('vector', _parameters(tessellation).ravel())
 
 
 def lies_as(mesh, tessellation):
     """Whether each corner lies where write_parameters() would say, if the mesh says it at all."""
-    known = mesh.attributes.get(PARAMETERS)
-    if known is None or len(known.data) != len(mesh.loops):
-        return True
-    return np.array_equal(_read(known.data, 'vector', 3, np.float32), _parameters(tessellation))
+    known = mesh_layers.parameters(mesh)
+    return known is None or np.array_equal(known, _parameters(tessellation))
 
 
 def _parameters(tessellation):
@@ -74,7 +54,7 @@ def moved(mesh, owner, parents, places):
         yield
         return
     layer = mesh.uv_layers.get(UV_NAME)
-    uvs = _read(*_uv(layer), 2, np.float32) if layer is not None else None
+    uvs = read(*mesh_layers.uv_of(layer), 2, np.float32) if layer is not None else None
     is_ours = uvs is not None and np.abs(uvs - kept.corners[:, :2]).max() <= 1e-6
     corners = _on_parts(mesh, kept.corners, parents, places)
     _put(mesh, corners, corners[:, :2] if is_ours else None)
@@ -88,13 +68,13 @@ def moved(mesh, owner, parents, places):
 def _put(mesh, corners, uvs):
     mesh.attributes[PARAMETERS].data.foreach_set('vector', np.ascontiguousarray(corners, np.float32).ravel())
     if uvs is not None:
-        data, field = _uv(mesh.uv_layers[UV_NAME])
+        data, field = mesh_layers.uv_of(mesh.uv_layers[UV_NAME])
         data.foreach_set(field, np.ascontiguousarray(uvs, np.float32).ravel())
 
 
 def _on_parts(mesh, corners, parents, places):
     """(c, 3): the parameters of corners on the patches that came of theirs; a face lies where its middle lies."""
-    starts = _read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
+    starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     counts = np.diff(np.append(starts, len(corners)))
     middles, found = np.add.reduceat(corners, starts) / counts[:, None], corners.copy()
     for number, (parent, place) in enumerate(zip(parents, places)):
@@ -106,27 +86,30 @@ def _on_parts(mesh, corners, parents, places):
     return found
 
 
+def has_room_for_ours(kept):
+    """Whether a mesh that gets what was kept may have our UV map, too."""
+    return kept is None or sum(layer.data_type == 'UV' for layer in kept.layers if layer.name != UV_NAME) < MOST_UV_MAPS
+
+
 def keep(mesh, owner):
     """The Kept of a mesh, or None where a user put nothing on it. owner: an object of it, for vertex groups, or None."""
-    parameters = mesh.attributes.get(PARAMETERS)
-    if parameters is None or not len(mesh.polygons) or len(parameters.data) != len(mesh.loops):
+    corners = mesh_layers.parameters(mesh)
+    if corners is None or not len(mesh.polygons):
         return None
-    corners = _read(parameters.data, 'vector', 3, np.float32)
-    layers = [*_attributes(mesh), *_uv_maps(mesh, corners)]
-    weights = _weights(mesh, owner)
-    groups = [group.name for group in owner.vertex_groups] if owner is not None else []
-    if not layers and not groups:
+    layers = [*mesh_layers.attributes(mesh), *mesh_layers.uv_maps(mesh, corners[:, :2])]
+    groups = mesh_layers.groups_of(mesh, owner)
+    if not layers and groups is None:
         return None
     triangles, faces = _triangles(mesh)
-    vertices = _read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
-    return Kept(layers, groups, weights, triangles, corners, vertices, faces, _active(mesh))
+    vertices = read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
+    return Kept(layers, groups, triangles, corners, vertices, faces, mesh_layers.active(mesh))
 
 
 def restore(mesh, owner, kept):
     """Put what was kept on the faces that the mesh has now."""
-    corners = _read(mesh.attributes[PARAMETERS].data, 'vector', 3, np.float32)
-    vertices = _read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
-    starts = _read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
+    corners = mesh_layers.parameters(mesh)
+    vertices = read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
+    starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     counts = np.diff(np.append(starts, len(corners)))
     of_faces = np.add.reduceat(corners, starts) / counts[:, None]
     # A corner is asked for a little inside its face, so that it gets the value of the side it belongs to.
@@ -135,10 +118,11 @@ def restore(mesh, owner, kept):
     places = {'CORNER': inside, 'FACE': of_faces, 'POINT': corners[first]}
     found = _Found(kept)
     for layer in kept.layers:
-        _write(mesh, layer, found.values(layer, places))
-    if kept.groups:
-        _write_weights(owner, kept.groups, found.blended(kept.weights[kept.vertices], 'POINT', places))
-    _set_active(mesh, kept.active)
+        mesh_layers.write(mesh, layer, found.values(layer, places))
+    if kept.groups is not None:
+        weights = found.blended(kept.groups.weights[kept.vertices], 'POINT', places)
+        mesh_layers.write_groups(owner, kept.groups, weights)
+    mesh_layers.set_active(mesh, kept.active)
 
 
 class _Found:
@@ -153,7 +137,7 @@ class _Found:
             triangle, _ = self._at('FACE', places)
             return layer.values[self.kept.faces[triangle]]
         of_corners = layer.values if layer.domain == 'CORNER' else layer.values[self.kept.vertices]
-        if layer.values.dtype == np.float32:
+        if layer.is_mixed:
             return self.blended(of_corners, layer.domain, places)
         triangle, weights = self._at(layer.domain, places)
         nearest = self.kept.triangles[triangle, weights.argmax(1)]
@@ -193,78 +177,9 @@ def _cross(a, b):
 
 def _triangles(mesh):
     """(corners (t, 3), faces (t,)): each face cut from its first corner."""
-    starts = _read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
+    starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     counts = np.diff(np.append(starts, len(mesh.loops)))
     faces = np.repeat(np.arange(len(starts)), counts - 2)
     step = np.arange(len(faces)) - np.repeat(np.cumsum(counts - 2) - (counts - 2), counts - 2)
     first = starts[faces]
     return np.stack([first, first + step + 1, first + step + 2], 1), faces
-
-
-def _read(data, field, numbers, dtype):
-    flat = np.empty(numbers * len(data), dtype)
-    data.foreach_get(field, flat)
-    return flat.reshape(-1, numbers)
-
-
-def _attributes(mesh):
-    for attribute in mesh.attributes:
-        if attribute.name in _OWN or attribute.name.startswith('.') or getattr(attribute, 'is_internal', False):
-            continue
-        if attribute.name in mesh.uv_layers or attribute.data_type not in _TYPES or attribute.domain not in _DOMAINS:
-            continue
-        yield Layer(attribute.name, attribute.data_type, attribute.domain, _read(attribute.data, *_TYPES[attribute.data_type]))
-
-
-def _uv_maps(mesh, corners):
-    """All but ours, and ours where a user changed it."""
-    for layer in mesh.uv_layers:
-        values = _read(*_uv(layer), 2, np.float32)
-        if layer.name != UV_NAME or np.abs(values - corners[:, :2]).max() > 1e-6:
-            yield Layer(layer.name, 'UV', 'CORNER', values)
-
-
-def _uv(layer):
-    return (layer.uv, 'vector') if hasattr(layer, 'uv') else (layer.data, 'uv')
-
-
-def _write(mesh, layer, values):
-    if layer.data_type == 'UV':
-        data, field = _uv(mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False))
-    else:
-        attribute = mesh.attributes.new(layer.name, layer.data_type, layer.domain)
-        data, field = attribute.data, _TYPES[layer.data_type][0]
-    data.foreach_set(field, np.ascontiguousarray(values).ravel())
-
-
-def _weights(mesh, owner):
-    """(vertices, groups) float32."""
-    groups = len(owner.vertex_groups) if owner is not None else 0
-    weights = np.zeros((len(mesh.vertices), groups), np.float32)
-    if groups:
-        for i, vertex in enumerate(mesh.vertices):
-            for entry in vertex.groups:
-                if entry.group < groups:
-                    weights[i, entry.group] = entry.weight
-    return weights
-
-
-def _write_weights(owner, names, weights):
-    """The groups are gone with the geometry that they lay on."""
-    for name, column in zip(names, weights.T):
-        group = owner.vertex_groups.get(name) or owner.vertex_groups.new(name=name)
-        for i in np.flatnonzero(column).tolist():
-            group.add([i], float(column[i]), 'REPLACE')
-
-
-def _active(mesh):
-    colours = getattr(mesh, 'color_attributes', None)
-    return {'colour': getattr(colours, 'active_color_name', "") if colours is not None else "",
-            'uv': mesh.uv_layers.active.name if mesh.uv_layers.active else ""}
-
-
-def _set_active(mesh, names):
-    if names['colour'] and names['colour'] in mesh.attributes and hasattr(mesh.color_attributes, 'active_color_name'):
-        mesh.color_attributes.active_color_name = names['colour']
-    if names['uv'] in mesh.uv_layers:
-        mesh.uv_layers.active = mesh.uv_layers[names['uv']]

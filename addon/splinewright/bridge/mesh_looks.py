@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import mesh_layers
+
 #: Face attribute: which patch of the shape a face belongs to.
 PATCH_NAME = "patch"
 
@@ -15,7 +17,12 @@ class Look(NamedTuple):
 
 def name_patches(mesh, face_patches):
     """Note for each face its patch."""
-    attribute = mesh.attributes.get(PATCH_NAME) or mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
+    attribute = mesh_layers.ours(mesh, PATCH_NAME, 'INT', 'FACE')
+    if attribute is None:
+        users = mesh.attributes.get(PATCH_NAME)
+        if users is not None:
+            mesh.attributes.remove(users)
+        attribute = mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
     attribute.data.foreach_set('value', face_patches)
 
 
@@ -48,7 +55,7 @@ def set_material(mesh, piece, index):
     patches = _patches(mesh)
     count = 0 if patches is None else 1 + int(patches.max())
     if piece > count:
-        raise ValueError(f"the shape has {count} patch{'es' if count > 1 else ''}, there is none of number {piece}")
+        raise ValueError(f"the shape has {count} patch{'' if count == 1 else 'es'}, there is none of number {piece}")
     indices = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('material_index', indices)
     indices[(patches == piece - 1) if piece else slice(None)] = index
@@ -70,7 +77,7 @@ def shaded_normals(mesh, normals):
 
 def _patches(mesh):
     """The patch of each face, or None where that is not known."""
-    attribute = mesh.attributes.get(PATCH_NAME)
+    attribute = mesh_layers.ours(mesh, PATCH_NAME, 'INT', 'FACE')
     if attribute is None or not len(mesh.polygons) or len(attribute.data) != len(mesh.polygons):
         return None
     patches = np.empty(len(mesh.polygons), np.int32)

@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from . import mesh_attributes, mesh_looks
+from . import mesh_attributes, mesh_layers, mesh_looks
 
 
 def write(mesh, tessellation, positions, normals, sharp):
@@ -12,6 +12,7 @@ def write(mesh, tessellation, positions, normals, sharp):
     What a user put on them stays, or is carried over to the new ones."""
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
+        mesh_looks.name_patches(mesh, tessellation.face_patches)
     else:
         _replace_faces(mesh, tessellation, positions)
     _write_sharp_edges(mesh, sharp)
@@ -66,7 +67,8 @@ def _replace_faces(mesh, tessellation, positions):
     mesh_looks.name_patches(mesh, tessellation.face_patches)
     mesh_looks.set_looks(mesh, looks)
     mesh_attributes.write_parameters(mesh, tessellation)
-    _write_uvs(mesh, tessellation)
+    if mesh_attributes.has_room_for_ours(kept):
+        _write_uvs(mesh, tessellation)
     if kept is not None:
         mesh_attributes.restore(mesh, owner, kept)
 
@@ -92,12 +94,8 @@ def _write_faces(mesh, tessellation, positions):
 
 
 def _write_uvs(mesh, tessellation):
-    layer = mesh.uv_layers.get(mesh_attributes.UV_NAME) or mesh.uv_layers.new(name=mesh_attributes.UV_NAME, do_init=False)
-    flat = tessellation.corner_uvs.ravel()
-    if hasattr(layer, 'uv'):
-        layer.uv.foreach_set('vector', flat)
-    else:
-        layer.data.foreach_set('uv', flat)
+    data, field = mesh_layers.uv_of(mesh.uv_layers.new(name=mesh_layers.UV_NAME, do_init=False))
+    data.foreach_set(field, tessellation.corner_uvs.ravel())
 
 
 def _write_sharp_edges(mesh, sharp):

@@ -51,6 +51,8 @@ class Along:
     def _of(self, result):
         if isinstance(result, sc.Approximation):
             return verbs.Near(self._of(result.value), result.error)
+        if isinstance(result, sc.NurbsPatch) and min(result.points.shape[:2]) < 2:
+            raise ValueError("within that tolerance nothing of it would be left")
         return Along(result, self.axis, self.stretches)
 
 

@@ -85,6 +85,13 @@ class SplinewrightShape(bpy.types.PropertyGroup):
         self.quiet = False
         self.tolerance = tolerance
 
+    def take_back(self, mode, tolerance):
+        """Have these again after others showed nothing new."""
+        self.quiet = True
+        self.mode, self.tolerance = mode, tolerance
+        self.quiet = False
+        self.problem = ""
+
     @property
     def value(self):
         """The exact shape: a splinecore curve, list of curves, patch or PatchSet; None without one.

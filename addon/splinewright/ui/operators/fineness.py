@@ -26,9 +26,15 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         tolerance = self.pixels * fineness.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
         shape.require_writable(ob.data)
         before, settings = len(ob.data.polygons), ob.data.splinewright
+        least = settings.bl_rna.properties['tolerance'].hard_min
+        if tolerance < least:
+            raise ValueError(f"it would take a tolerance of {tolerance:.2g}, less than the least, {least:.0e}")
+        was = settings.mode, settings.tolerance
         settings.set_tolerance(tolerance)
         if settings.problem:
-            raise ValueError(settings.problem)
+            problem = settings.problem
+            settings.take_back(*was)
+            raise ValueError(problem)
         return tolerance, before, len(ob.data.polygons)
 
     def report_done(self, outcomes):
