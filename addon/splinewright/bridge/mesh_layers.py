@@ -120,7 +120,8 @@ def groups_of(mesh, owner):
         for entry in vertex.groups:
             if entry.group < len(groups):
                 weights[i, entry.group] = entry.weight
-    return Groups([group.name for group in groups], [group.lock_weight for group in groups], groups.active_index, weights)
+    names, locked = [group.name for group in groups], [group.lock_weight for group in groups]
+    return Groups(names, locked, groups.active_index, weights)
 
 
 def write_groups(owner, groups, weights):
