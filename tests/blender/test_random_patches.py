@@ -12,7 +12,7 @@ mesh_layers, overlay, shape, store, surveys = (part(name) for name in (
 VERBS = [cls.bl_idname.split('.')[1] for cls in part('ui.operators.patch_verbs').CLASSES]
 KINDS = (*MORE, 'bezier patch', 'hermite patch', 'nurbs patch', 'mixed set')
 LARGEST = 400                           # points of a shape that is still refined
-STEPS = 220
+STEPS = 300
 
 
 class PatchWalk(Walk):
@@ -128,4 +128,4 @@ def test_random_steps_with_patches(tmp_path):
         assert not Failures.seen, Failures.seen
     walk.check()
     print(f"{walk.done['object_verb']} verbs, {walk.done['object_join_patches']} joins, {walk.checked} shapes compared")
-    assert walk.done['object_verb'] > 15 and walk.checked > 20
+    assert walk.done['object_verb'] > 8 and walk.checked > 20
