@@ -13,7 +13,8 @@ VALUES = {'FLOAT': ('value', 0.5), 'INT': ('value', 70_000), 'INT8': ('value', -
           'FLOAT_VECTOR': ('vector', (1.0, 2.0, 3.0)), 'FLOAT_COLOR': ('color', (0.25, 0.5, 0.75, 0.5)),
           'BYTE_COLOR': ('color', (0.0, 1.0, 0.0, 1.0)), 'FLOAT2': ('vector', (0.5, 2.0)), 'STRING': ('value', "clay"),
           'INT16_2D': ('value', (-3, 300)), 'INT32_2D': ('value', (-3, 70_000)),
-          'QUATERNION': ('value', (0.0, 1.0, 0.0, 0.0)), 'FLOAT4': ('vector', (0.5, 1.0, 2.0, 4.0)), 'FLOAT4X4': ('value', tuple(range(16)))}
+          'QUATERNION': ('value', (0.0, 1.0, 0.0, 0.0)), 'FLOAT4': ('vector', (0.5, 1.0, 2.0, 4.0)),
+          'FLOAT4X4': ('value', tuple(range(16)))}
 TYPES = [item.identifier for item in bpy.types.Attribute.bl_rna.properties['data_type'].enum_items]
 
 

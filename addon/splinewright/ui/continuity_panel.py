@@ -11,6 +11,8 @@ from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
 _WIDTH = 26
+#: Characters of a place that leave room beside it.
+_SHORT = 14
 
 
 class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
@@ -57,7 +59,7 @@ def _draw_in_columns(layout, items):
 def _draw_joints(layout, survey):
     for joint in survey.joints:
         box = layout.box().column(align=True)
-        row = box.split(factor=0.6)
+        row = box.split(factor=0.6) if len(joint.place) <= _SHORT else box
         row.label(text=joint.place)
         row.label(text=kind(joint))
         _draw_in_columns(box, numbers(joint))

@@ -39,7 +39,7 @@ class SplinewrightShape(bpy.types.PropertyGroup):
         items=((fineness.COUNT, "By Count", "So many in every span"),
                (fineness.TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
                (fineness.ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
-               (fineness.BOTH, "By Tolerance and Angle", "As many as both take")),
+               (fineness.BOTH, "By Both", "As many as tolerance and angle take together")),
         default=fineness.COUNT, update=_resolution_changed)
     tolerance: FloatProperty(
         name="Tolerance", description="No point of the surface lies farther from the mesh, in units of the object",
