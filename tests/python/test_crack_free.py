@@ -167,3 +167,11 @@ def test_knots_a_rounding_apart_are_one_crease_without_faces_between(degree, mak
     positions, normals = mesh.evaluate(patch_set)
     assert len(border_of(mesh)) == 1 and areas_in_parameters(mesh).min() > 1e-6
     assert len(mesh.sharp_edges(normals, 0.01)) > 0
+
+
+@pytest.mark.parametrize('counts', ((2, 3), (64, 96), (100, 101), (64, 65)))
+def test_knots_that_never_meet_do_not_refine_one_another_without_end(counts):
+    parts = [sc.build.plane((x, 0, 0), (1, 0, 0), (0, 4, 0)).to_nurbs().refine('v', np.arange(1, n) / n)
+             for x, n in enumerate(counts)]
+    mesh = sc.Tessellation.adaptive(set_of(*parts), tolerance=0.01)
+    assert len(mesh.face_starts) <= 4 * sum(counts) and len(border_of(mesh)) == 1

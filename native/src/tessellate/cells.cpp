@@ -25,6 +25,11 @@ constexpr Place kSmallest = kSpan >> 22;
 /// And these not for their normals, which turn at once where a surface folds.
 constexpr Place kSmallestTurn = kSpan >> 10;
 
+/// @throws InvalidShape if there are as many cells as there may be.
+void require_room(const std::vector<Cell>& cells) {
+  if (cells.size() >= kMaxCells) throw InvalidShape("the mesh would have more than 2^21 cells: allow more");
+}
+
 /// Something along u and along v.
 struct Both {
   double u;
@@ -48,7 +53,7 @@ class Splitter {
   void add(const Net& net, const Cell& cell) {
     const auto axis = axis_to_split(net, cell);
     if (!axis) {
-      if (cells_.size() == kMaxCells) throw InvalidShape("the mesh would have more than 2^21 cells: allow more");
+      require_room(cells_);
       cells_.push_back(cell);
       if (pause_ && cells_.size() % kCellsBetweenPauses == 0) pause_();
       return;
@@ -217,6 +222,7 @@ bool CellGrid::split(std::size_t i) {
   } else {
     return false;
   }
+  require_room(cells_);
   cells_[i] = first;
   cells_.push_back(second);
   add_corners(first);

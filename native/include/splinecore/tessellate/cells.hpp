@@ -53,6 +53,7 @@ class CellGrid {
   bool add(Axis axis, Place line, Place at);
 
   /// Splits cells until each has at most one vertex inside a side, and not one on all four.
+  /// @throws InvalidShape if that takes more than 2^21.
   void balance();
 
  private:
