@@ -1,4 +1,4 @@
-"""Two patches joined C0, G1, C1 and G2 under a material whose stripes show what the eye sees of it (lecture row S21)."""
+"""Two patches joined C0, G1, C1 and G2, under stripes that show what the eye sees of it (lecture row S21)."""
 
 import sys
 from pathlib import Path

@@ -92,7 +92,7 @@ def has_room_for_ours(kept):
 
 
 def keep(mesh, owner):
-    """The Kept of a mesh, or None where a user put nothing on it. owner: an object of it, for vertex groups, or None."""
+    """The Kept of a mesh, or None where a user put nothing on it. owner: of its vertex groups, an object or None."""
     corners = mesh_layers.parameters(mesh)
     if corners is None or not len(mesh.polygons):
         return None

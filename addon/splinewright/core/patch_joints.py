@@ -63,9 +63,10 @@ class _Side(NamedTuple):
 
 def _sides(patches, start, end, choice, linear):
     """The sides that a Choice among the patches from start to end leaves. Raises ValueError if there is none."""
-    if choice.number > end - start:
-        raise ValueError(f"there {'is' if end - start == 1 else 'are'} {end - start} patch{'' if end - start == 1 else 'es'},"
-                         f" none of number {choice.number}")
+    count = end - start
+    if choice.number > count:
+        patches_are = "is 1 patch" if count == 1 else f"are {count} patches"
+        raise ValueError(f"there {patches_are}, none of number {choice.number}")
     numbers = [start + choice.number - 1] if choice.number else range(start, end)
     found, reasons = [], []
     for i in numbers:

@@ -27,7 +27,8 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
         for recipe in (recipe for recipe in STARTING if not recipe.is_surface):
             if recipe.kind == _FIRST_SPLINE:
                 layout.separator()
-            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS.get(recipe.kind, 'CURVE_DATA'))
+            icon = _ICONS.get(recipe.kind, 'CURVE_DATA')
+            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
 
 
 class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
@@ -42,7 +43,8 @@ class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
         layout.operator("splinewright.add_nurbs_patch", text="NURBS Patch", icon='SURFACE_DATA')
         layout.separator()
         for recipe in (recipe for recipe in STARTING if recipe.is_surface):
-            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS.get(recipe.kind, 'SURFACE_DATA'))
+            icon = _ICONS.get(recipe.kind, 'SURFACE_DATA')
+            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
         layout.separator()
         layout.operator("splinewright.add_teapot", text="Newell's Teapot", icon='MESH_UVSPHERE')
 

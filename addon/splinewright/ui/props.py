@@ -37,13 +37,16 @@ class SplinewrightShape(bpy.types.PropertyGroup):
     mode: EnumProperty(
         name="Faces", description="How many faces show the surface",
         items=((fineness.COUNT, "By Count", "So many in every span"),
-               (fineness.TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
-               (fineness.ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
+               (fineness.TOLERANCE, "By Tolerance",
+                "As many as it takes to come this near to the surface: few where it is flat"),
+               (fineness.ANGLE, "By Angle",
+                "As many as it takes for normals to turn by no more than an angle on a face"),
                (fineness.BOTH, "By Both", "As many as tolerance and angle take together")),
         default=fineness.COUNT, update=_resolution_changed)
     tolerance: FloatProperty(
         name="Tolerance", description="No point of the surface lies farther from the mesh, in units of the object",
-        default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH', update=_resolution_changed)
+        default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH',
+        update=_resolution_changed)
     angle: FloatProperty(
         name="Angle", description="Normals turn by no more on a face",
         default=math.radians(15.0), min=math.radians(0.25), soft_min=math.radians(1.0), max=math.pi, subtype='ANGLE',

@@ -18,7 +18,8 @@ _CAPS = Parameter("caps", "Caps", "Close it by discs", False)
 _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
 _AXIS = Parameter("axis", "Axis", "Of the object, through its origin", "z", choices=tuple(
     (name, name.upper(), f"The {name} axis of the object") for name in _AXES))
-_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9, unit='LENGTH')
+_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9,
+                       unit='LENGTH')
 _ORIGIN = (0.0, 0.0, 0.0)
 _UP = (0.0, 0.0, 1.0)
 
@@ -78,7 +79,8 @@ def _patches(patches):
 
 
 def _revolve(inputs, axis, start, sweep):
-    return _patches([sc.build.revolve(curve, _ORIGIN, _AXES[axis], start, _turn(sweep)) for curve in _curves(inputs[0])])
+    turn = _turn(sweep)
+    return _patches([sc.build.revolve(curve, _ORIGIN, _AXES[axis], start, turn) for curve in _curves(inputs[0])])
 
 
 def _extrude(inputs, x, y, z):
@@ -96,16 +98,17 @@ PRIMITIVES = (
     Recipe("plane", "Plane", "An exact flat patch",
            (Parameter("width", "Width", "Along x", 2.0, 1e-6, unit='LENGTH'),
             Parameter("depth", "Depth", "Along y", 2.0, 1e-6, unit='LENGTH')), _plane, is_surface=True, resolution=1),
-    Recipe("cylinder", "Cylinder", "An exact cylinder, open or with caps", (_RADIUS, _HEIGHT, _START, _SWEEP, _CAPS), _cylinder,
-           is_surface=True, resolution=12),
+    Recipe("cylinder", "Cylinder", "An exact cylinder, open or with caps",
+           (_RADIUS, _HEIGHT, _START, _SWEEP, _CAPS), _cylinder, is_surface=True, resolution=12),
     Recipe("cone", "Cone", "An exact cone, with a tip or truncated",
-           (_RADIUS, Parameter("top_radius", "Top Radius", "0 for a tip", 0.0, 0.0, unit='LENGTH'), _HEIGHT, _START, _SWEEP, _CAPS),
-           _cone, is_surface=True, resolution=12),
+           (_RADIUS, Parameter("top_radius", "Top Radius", "0 for a tip", 0.0, 0.0, unit='LENGTH'), _HEIGHT, _START,
+            _SWEEP, _CAPS), _cone, is_surface=True, resolution=12),
     Recipe("sphere", "Sphere", "An exact sphere", (_RADIUS, _START, _SWEEP), _sphere, is_surface=True, resolution=12),
     Recipe("torus", "Torus", "An exact torus",
-           (_RADIUS, Parameter("tube_radius", "Tube Radius", "Of the tube", 0.25, 1e-6, unit='LENGTH'), _START, _SWEEP), _torus,
-           is_surface=True, resolution=12),
-    Recipe("surface_formula", "From Formula", "A surface from formulas in u and v: exact for polynomials, otherwise within a tolerance",
+           (_RADIUS, Parameter("tube_radius", "Tube Radius", "Of the tube", 0.25, 1e-6, unit='LENGTH'), _START,
+            _SWEEP), _torus, is_surface=True, resolution=12),
+    Recipe("surface_formula", "From Formula",
+           "A surface from formulas in u and v: exact for polynomials, otherwise within a tolerance",
            (Parameter("x", "x(u, v)", "Numbers, u, v, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "u"),
             Parameter("y", "y(u, v)", "As x", "v"), Parameter("z", "z(u, v)", "As x", "0.3*sin(pi*u)*cos(pi*v)"),
             Parameter("start_u", "First u", "Where u begins", -1.0), Parameter("end_u", "Last u", "Where u ends", 1.0),
@@ -117,7 +120,8 @@ PRIMITIVES = (
 FROM_CURVES = (
     Recipe("revolve", "Revolve", "The surface of a curve that turns about an axis; it follows when the curve is edited",
            (_AXIS, _START, _SWEEP), _revolve, is_surface=True, resolution=12, inputs=("one curve",)),
-    Recipe("extrude", "Extrude", "The surface of a curve that moves along a vector; it follows when the curve is edited",
+    Recipe("extrude", "Extrude",
+           "The surface of a curve that moves along a vector; it follows when the curve is edited",
            tuple(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')
                  for name, default in (("x", 0.0), ("y", 0.0), ("z", 1.0))),
            _extrude, is_surface=True, resolution=12, inputs=("one curve",)),

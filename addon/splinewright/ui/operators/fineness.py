@@ -48,7 +48,8 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.set_patch_material"
     bl_label = "Set Patch Material"
-    bl_description = "Give one patch of the shape, or all, the material of a slot; it stays whatever faces show the patch"
+    bl_description = ("Give one patch of the shape, or all, the material of a slot; it stays whatever faces show the "
+                      "patch")
     done = "Set the material of {}"
 
     piece: IntProperty(name="Patch", description="Which patch of the shape, counted from 1; 0 for all of them",

@@ -14,8 +14,8 @@ from . import polls
 _WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
           'C2': "They share the first two derivatives across the edge"}
-_MOVES = (('second', "The Other", "The second patch moves to the first"), ('first', "The First", "The first patch moves"),
-          ('both', "Both", "Each as little as it must"))
+_MOVES = (('second', "The Other", "The second patch moves to the first"),
+          ('first', "The First", "The first patch moves"), ('both', "Both", "Each as little as it must"))
 
 
 def _number_property(name, what):
@@ -88,7 +88,8 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 def told(found):
     """A core.patch_joints.Joined in words."""
     sides = " and ".join(f"{number} {SIDES[side]}" for number, side, _ in (found.first, found.second))
-    moved = [f"patch {number} moved by {error:.2g}" for number, _, error in (found.first, found.second) if error > 1e-12]
+    moved = [f"patch {number} moved by {error:.2g}" for number, _, error in (found.first, found.second)
+             if error > 1e-12]
     measured = found.measured
     angle, bend = math.degrees(measured.angle), measured.curvature_difference
     return (f"{sides} are C{measured.c} G{measured.g}, angle {_short(angle)}°, curvatures differ by {_short(bend)}; "
