@@ -5,7 +5,7 @@ import bpy
 from patches import MORE, value_of
 from shapes import activate, add, require_exact
 from support import part, vertices
-from test_random_walk import MOST_OBJECTS, SEED, Failures, Walk
+from test_random_walk import MOST_OBJECTS, SEED, Walk, run
 
 mesh_layers, overlay, shape, store, surveys = (part(name) for name in (
     'bridge.mesh_layers', 'ui.seams_overlay', 'bridge.shape', 'bridge.store', 'bridge.surveys'))
@@ -115,17 +115,8 @@ class PatchWalk(Walk):
 
 
 def test_random_steps_with_patches(tmp_path):
-    bpy.ops.ed.undo_push(message="start")
     walk = PatchWalk(SEED, tmp_path)
-    with Failures():
-        try:
-            walk.walk(STEPS)
-        except BaseException:
-            print(f"seed {SEED}, after {len(walk.log)} steps, the last: {' '.join(walk.log[-40:])}")
-            raise
-        if bpy.context.mode != 'OBJECT':
-            bpy.ops.object.mode_set(mode='OBJECT')
-        assert not Failures.seen, Failures.seen
+    run(walk, STEPS)
     walk.check()
     print(f"{walk.done['object_verb']} verbs, {walk.done['object_join_patches']} joins, {walk.checked} shapes compared")
     assert walk.done['object_verb'] > 8 and walk.checked > 20

@@ -30,13 +30,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not polls.in_object_mode(cls, context):
-            return False
-        chosen = context.selected_objects
-        if context.object not in chosen or len(chosen) > 2 or not all(map(replacing.is_curve_shape, chosen)):
-            cls.poll_message_set("Select one or two curve shapes")
-            return False
-        return True
+        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
 
     def execute(self, context):
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]

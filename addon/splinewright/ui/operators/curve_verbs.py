@@ -1,7 +1,7 @@
 """Verbs of curve shapes: knots, degree, parts, parameters, ends and kinds, in Object Mode."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty
+from bpy.props import BoolProperty, EnumProperty, FloatVectorProperty
 
 from ...bridge import replacing
 from ...core import parameters, verbs
@@ -137,26 +137,17 @@ class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
         return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(self.parameter)
 
 
-class SPLINEWRIGHT_OT_reparametrise(OnCurves, bpy.types.Operator):
+class SPLINEWRIGHT_OT_reparametrise(pieces.Reparametrises, OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.reparametrise"
     bl_label = "Reparametrise"
     bl_description = "Give the curve another domain, or another speed along it; it stays the same"
     done, already = "Reparametrised {}", "the parameters are these already"
 
-    how: EnumProperty(name="How", items=(
-        ('AFFINE', "New Domain", "Map the domain to another one; control points and weights stay"),
-        ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly; "
-         "a periodic curve is opened")))
-    start: FloatProperty(name="Start", description="Where the new domain starts", default=0.0, precision=5)
-    end: FloatProperty(name="End", description="Where the new domain ends", default=1.0, precision=5)
-    rho: FloatProperty(name="Rho", description="Ratio of the speeds at both ends; above 0, 1 changes nothing",
-                       default=2.0, soft_min=0.01, soft_max=100.0, precision=5)
-
     def settings(self):
-        return ['how', 'start', 'end'] if self.how == 'AFFINE' else ['how', 'rho']
+        return self.how_settings()
 
     def verb(self):
-        return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)
+        return self.change()
 
 
 class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):

@@ -47,13 +47,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not polls.in_object_mode(cls, context):
-            return False
-        chosen = context.selected_objects
-        if context.object not in chosen or len(chosen) > 2 or not all(map(replacing.is_patch_shape, chosen)):
-            cls.poll_message_set("Select one or two patch shapes")
-            return False
-        return True
+        return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
 
     def execute(self, context):
         ob = context.object

@@ -4,7 +4,7 @@ They are those of curves, done along u, along v, or along both, one after the ot
 """
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty
+from bpy.props import BoolProperty, EnumProperty
 
 from ...bridge import replacing
 from ...core import parameters, patch_verbs, verbs
@@ -198,26 +198,17 @@ class SPLINEWRIGHT_OT_patch_swap(OnPatches, bpy.types.Operator):
         return outcome
 
 
-class SPLINEWRIGHT_OT_patch_reparametrise(_Along, bpy.types.Operator):
+class SPLINEWRIGHT_OT_patch_reparametrise(pieces.Reparametrises, _Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_reparametrise"
     bl_label = "Reparametrise"
     bl_description = "Give the patch another domain, or another speed across it; it stays the same"
     done, already = "Reparametrised {}", "the parameters are these already"
 
-    how: EnumProperty(name="How", items=(
-        ('AFFINE', "New Domain", "Map the domain to another one; control points and weights stay"),
-        ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly; "
-         "a periodic patch is opened")))
-    start: FloatProperty(name="Start", description="Where the new domain starts", default=0.0, precision=5)
-    end: FloatProperty(name="End", description="Where the new domain ends", default=1.0, precision=5)
-    rho: FloatProperty(name="Rho", description="Ratio of the speeds at both ends; above 0, 1 changes nothing",
-                       default=2.0, soft_min=0.01, soft_max=100.0, precision=5)
-
     def settings(self):
-        return ['direction', 'how', *(['start', 'end'] if self.how == 'AFFINE' else ['rho'])]
+        return ['direction', *self.how_settings()]
 
     def verb_along(self, axis, spent):
-        return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)
+        return self.change()
 
 
 class SPLINEWRIGHT_OT_patch_clamp(_Along, bpy.types.Operator):

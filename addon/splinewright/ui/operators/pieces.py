@@ -6,7 +6,7 @@ number as float32: core.parameters.snapped().
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, FloatProperty, IntProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ...bridge import replacing, store
 from ...core import parameters, verbs
@@ -131,6 +131,27 @@ class WithinTolerance:
 
     def limits(self):
         return ['limited', 'tolerance'] if self.limited else ['limited']
+
+
+class Reparametrises:
+    """Another domain, or a Moebius map of the parameter."""
+
+    how: EnumProperty(name="How", items=(
+        ('AFFINE', "New Domain", "Map the domain to another one; control points and weights stay"),
+        ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly; "
+         "what is periodic is opened")))
+    start: FloatProperty(name="Start", description="Where the new domain starts", default=0.0, precision=5)
+    end: FloatProperty(name="End", description="Where the new domain ends", default=1.0, precision=5)
+    rho: FloatProperty(name="Rho", description="Ratio of the speeds at both ends; above 0, 1 changes nothing",
+                       default=2.0, soft_min=0.01, soft_max=100.0, precision=5)
+
+    def how_settings(self):
+        """Names of the properties that count."""
+        return ['how', 'start', 'end'] if self.how == 'AFFINE' else ['how', 'rho']
+
+    def change(self):
+        """The verb of core.verbs."""
+        return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)
 
 
 def plain(base, name, label, description, done, already, verb):

@@ -7,3 +7,14 @@ def in_object_mode(cls, context):
         cls.poll_message_set("Leave the present mode first")
         return False
     return True
+
+
+def one_or_two_selected(cls, context, fits, what):
+    """For poll(): whether the active object and at most one more are selected in Object Mode, and fit."""
+    if not in_object_mode(cls, context):
+        return False
+    chosen = context.selected_objects
+    if context.object not in chosen or len(chosen) > 2 or not all(map(fits, chosen)):
+        cls.poll_message_set(f"Select one or two {what} shapes")
+        return False
+    return True
