@@ -3,6 +3,7 @@
 #include "curve_steps.hpp"
 #include "finding.hpp"
 #include "shapes.hpp"
+#include "splinecore/base/points.hpp"
 #include "splinecore/build/chain.hpp"
 #include "splinecore/build/join.hpp"
 #include "splinecore/conic/conic_arc.hpp"
@@ -74,7 +75,9 @@ constexpr CurveStep kForms[] = {
     [](Bytes& bytes, NurbsCurve& curve) { curve = standard_form(bezier(bytes, curve)).nurbs(); },
     [](Bytes& bytes, NurbsCurve& curve) {
       const BezierCurve one = bezier(bytes, curve);
-      const Flattened line = flattened(one, bytes.tolerance());
+      // Finer than this takes seconds, for points by the hundred thousand.
+      const double least = 1e-6 * extent(one.points());
+      const Flattened line = flattened(one, bytes.flag() ? std::max(least, bytes.tolerance()) : bytes.number());
       demand_finite<double>(line.parameters, "a parameter of a polyline");
       for (const glm::dvec3& p : line.points) demand_finite<double>(std::span(glm::value_ptr(p), 3), "a point");
     },

@@ -9,7 +9,7 @@ namespace splinecore::fuzz {
 namespace {
 
 /// A pause comes every 2^14 cells.
-constexpr int kMostPauses = 2;
+constexpr int kMostPauses = 1;
 
 struct EnoughWork {};
 

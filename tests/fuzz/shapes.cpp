@@ -28,7 +28,8 @@ std::vector<double> stepped(Bytes& bytes, std::size_t count) {
 
 int degree(Bytes& bytes, int most) {
   const int tag = bytes.byte();
-  return std::min(most, tag < 0xf0 ? 1 + tag % 8 : 1 + bytes.byte());
+  if (tag < 0xf0) return std::min(most, 1 + tag % 8);
+  return std::min(most, 1 + (tag < 0xff ? bytes.integer(0, 31) : bytes.byte()));
 }
 
 KnotVector knots(Bytes& bytes, int most_degree) {

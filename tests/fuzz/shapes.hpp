@@ -14,9 +14,9 @@ namespace splinecore::fuzz {
 // Shapes out of bytes: valid ones as a rule, otherwise the library refuses them with InvalidShape.
 
 /// More points than this are not walked on with: a walk could double them at every step.
-inline constexpr std::size_t kManyPoints = 700;
+inline constexpr std::size_t kManyPoints = 500;
 
-/// 1 to 8 as a rule, up to `most` now and then.
+/// 1 to 8 as a rule, up to 32 now and then and up to `most` rarely: most of what is done takes the square of it.
 int degree(Bytes& bytes, int most);
 
 /// Of any kind: one span, clamped, uniform, periodic, or steps of which many are 0.

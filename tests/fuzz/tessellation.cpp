@@ -13,7 +13,7 @@ namespace splinecore::fuzz {
 namespace {
 
 /// A pause comes every 2^14 cells.
-constexpr int kMostPauses = 3;
+constexpr int kMostPauses = 1;
 
 struct EnoughWork {};
 

@@ -44,6 +44,7 @@ def is_same(a, b):
 def look_at(value):
     """What everything else relies on, of a value that came through."""
     again = DEFINITION.from_value(value)
+    again.require_consistent()
     assert DEFINITION.to_value(again) == value
     assert sc.loads(sc.dumps(value)) == value
     if isinstance(value, sc.PatchSet):

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/printable.hpp"
 #include "splinecore/exchange/json.hpp"
 
 namespace splinecore {

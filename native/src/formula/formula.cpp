@@ -5,6 +5,7 @@
 
 #include "parser.hpp"
 #include "program.hpp"
+#include "splinecore/base/printable.hpp"
 
 namespace splinecore {
 

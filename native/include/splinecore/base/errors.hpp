@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 namespace splinecore {
 
@@ -21,10 +20,6 @@ class PointAtInfinity : public std::domain_error {
 
 /// Shortest text that reads back as the same double.
 std::string text_of(double value);
-
-/// A text as messages show it, valid UTF-8 whatever it was: unprintable bytes, and those of no character, as \x.. and
-/// of one longer than `most` bytes the whole characters that fit, and "...".
-std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
 
 /// "[3]" or, where the array has rows of row_length, "[1, 3]".
 std::string index_text(std::size_t index, std::size_t row_length = 0);

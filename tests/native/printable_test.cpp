@@ -1,4 +1,4 @@
-#include "splinecore/base/errors.hpp"
+#include "splinecore/base/printable.hpp"
 #include "splinecore/exchange/json.hpp"
 #include "splinecore/formula/formula.hpp"
 #include "support.hpp"
