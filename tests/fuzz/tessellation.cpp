@@ -59,7 +59,7 @@ void check_edges(const PatchSet& set) {
 
 void tessellation(Input data) {
   Bytes bytes(data);
-  const bool is_adaptive = bytes.flag();
+  const bool is_adaptive = bytes.integer(0, 3) == 0;
   const int resolution_u = bytes.integer(0, 12);
   const int resolution_v = bytes.integer(0, 12);
   const double distance = bytes.tolerance() * 10.0;
