@@ -8,6 +8,7 @@ from ...bridge import shape
 from ...core import starters
 from ...core.failures import FAILURES, sentence
 from .. import progress
+from . import reports
 
 
 def can_add(cls, context):
@@ -25,7 +26,8 @@ def can_add(cls, context):
 
 def require_place(context):
     """Raises ValueError where no object can be added."""
-    if context.scene.library or (context.collection and context.collection.library):
+    collection = context.collection
+    if context.scene.library or (collection and (collection.library or collection.override_library)):
         raise ValueError("the active collection is linked from another file")
 
 
@@ -68,8 +70,7 @@ class AddShape(AddObjectHelper):
             with progress.shown(context, shape.STEPS) as step:
                 data = self.new_data(step)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
         self._align(context)
         object_data_add(context, data, operator=self)
         return {'FINISHED'}

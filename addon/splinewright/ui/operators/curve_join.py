@@ -5,8 +5,8 @@ from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing, store
 from ...core import joints
-from ...core.failures import FAILURES, sentence
-from . import polls
+from ...core.failures import FAILURES
+from . import polls, reports
 from .pieces import tolerance_property, told
 from .selected import OnSelected
 
@@ -37,10 +37,8 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
         try:
             outcome = self._joined(ob, others)
         except FAILURES as error:
-            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"Joined ends of {ob.name}" + told([outcome]))
-        return {'FINISHED'}
+            return reports.failed(self, error, ob.name)
+        return reports.finished(self, reports.Said(f"Joined ends of {ob.name}" + told([outcome])))
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
@@ -77,8 +75,8 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
         replacing.put(ob.data, before, changed)
         return before, changed
 
-    def report_done(self, outcomes):
-        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+    def said(self, outcomes):
+        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
 
 CLASSES = (SPLINEWRIGHT_OT_join_ends, SPLINEWRIGHT_OT_join_pieces)

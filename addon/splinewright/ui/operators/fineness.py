@@ -4,6 +4,7 @@ import bpy
 from bpy.props import FloatProperty, IntProperty
 
 from ...bridge import fineness, mesh_looks, replacing, shape
+from . import reports
 from .selected import OnSelected
 
 
@@ -37,12 +38,11 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
             raise ValueError(problem)
         return tolerance, before, len(ob.data.polygons)
 
-    def report_done(self, outcomes):
+    def said(self, outcomes):
         if len(outcomes) > 1:
-            self.report({'INFO'}, f"{len(outcomes)} objects are shown as the render needs")
-            return
+            return reports.Said(f"{len(outcomes)} objects are shown as the render needs")
         (name, (tolerance, before, now)), = outcomes.items()
-        self.report({'INFO'}, f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
+        return reports.Said(f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
 
 
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):

@@ -4,9 +4,9 @@ import bpy
 from bpy.props import StringProperty
 
 from ...bridge import derived, follow, shape
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES
 from ...core.recipes.table import FOLLOW
-from . import polls
+from . import polls, reports
 from .adding import add_in_front, require_place, resolution_property
 
 
@@ -44,10 +44,8 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
             else:
                 follow.attach(target, source, depsgraph)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"{target.name} follows {source.name}")
-        return {'FINISHED'}
+            return reports.failed(self, error)
+        return reports.finished(self, reports.Said(f"{target.name} follows {source.name}"))
 
     def _chosen(self, context):
         """(the shape that will follow or None for a new one, the object it follows)."""

@@ -5,7 +5,8 @@ from bpy.props import FloatProperty, IntProperty
 
 from ...bridge import replacing, store
 from ...core import formulas, teaching
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES
+from . import reports
 
 #: On a text that we wrote: the object it is about.
 _OWNER = "splinewright_formulas_of"
@@ -35,12 +36,10 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
             curve = teaching.nurbs_of(store.read(ob.data), self.piece)
             written = formulas.text(curve, float(str(round(self.position, 7))))
         except FAILURES as error:
-            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
-            return {'CANCELLED'}
+            return reports.failed(self, error, ob.name)
         text = _text_for(ob)
         text.from_string(written)
-        self.report({'INFO'}, f"{text.name} is in the Text Editor")
-        return {'FINISHED'}
+        return reports.finished(self, reports.Said(f"{text.name} is in the Text Editor"))
 
 
 def _text_for(ob):

@@ -5,9 +5,10 @@ import numpy as np
 from mathutils import Matrix
 
 from ...bridge import derived, follow, shape
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import recipe_props
+from . import reports
 from .adding import add_in_front, can_add, resolution_property
 
 
@@ -33,8 +34,7 @@ class _FromObjects:
         try:
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
         except FAILURES as error:
-            self.report({'ERROR'}, f"{sources[0].name}: {sentence(error)}")
-            return {'CANCELLED'}
+            return reports.failed(self, error, sources[0].name)
         if recipe.is_beside:
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)

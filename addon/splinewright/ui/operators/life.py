@@ -4,8 +4,8 @@ import bpy
 from bpy.props import BoolProperty
 
 from ...bridge import joining, recipes, shape, transforming
-from ...core.failures import FAILURES, sentence
-from . import polls
+from ...core.failures import FAILURES
+from . import polls, reports
 from .selected import OnSelected
 
 
@@ -95,8 +95,7 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
         try:
             joining.join(context.object, others)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
         return {'FINISHED'}
 
 

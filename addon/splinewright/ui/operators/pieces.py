@@ -11,6 +11,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 from ...bridge import replacing, store
 from ...core import parameters, verbs
 from ...core.failures import FAILURES
+from . import reports
 from .selected import OnSelected
 
 
@@ -55,8 +56,8 @@ class OnPieces(OnSelected):
     def work(self, context, ob):
         return replacing.do(ob.data, self.piece, self.verb(), self.already)
 
-    def report_done(self, outcomes):
-        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+    def said(self, outcomes):
+        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
     def draw(self, context):
         self.layout.use_property_split = True
