@@ -8,7 +8,7 @@ import pytest
 from shapes import VALUES, add, enter, first_point, leave, move, numbers_of, op, require_exact, select, shown
 from support import part, splinecore as sc, vertices
 
-definitions, editing, live, net, selection, shape, store = (part(name) for name in (
+definitions, editing, live, net_object, selection, shape, store = (part(name) for name in (
     'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection',
     'bridge.shape', 'bridge.store'))
 

@@ -11,7 +11,7 @@ import pytest
 from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select, shown
 from support import part, vertices
 
-editing, live, net, shape, store = (part(name) for name in (
+editing, live, net_object, shape, store = (part(name) for name in (
     'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.shape', 'bridge.store'))
 
 DATA = Path(__file__).resolve().parent.parent / "data"

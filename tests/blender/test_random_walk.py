@@ -11,7 +11,7 @@ import numpy as np
 from shapes import VALUES, activate, add, numbers_of, require_exact
 from support import part, splinecore as sc
 
-editing, handlers, live, net, selection, recipes, shape, store = (part(name) for name in (
+editing, handlers, live, net_object, selection, recipes, shape, store = (part(name) for name in (
     'ui.editing', 'ui.handlers', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection', 'bridge.recipes',
     'bridge.shape', 'bridge.store'))
 

@@ -7,7 +7,7 @@ import pytest
 from shapes import enter, leave, move, numbers_of, op, require_exact, select
 from support import part
 
-editing, live, net, selection, net_props, recipes, table = (part(name) for name in (
+editing, live, net_object, selection, net_props, recipes, table = (part(name) for name in (
     'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection', 'ui.net_props', 'bridge.recipes',
     'core.recipes.table'))
 ANY_COUNT = [recipe.kind for recipe in table.STARTING if recipe.has_any_count]

@@ -174,7 +174,7 @@ def _valid(group):
         definition = decoded(group)
         definitions.to_value(definition)
         return definition
-    except (Refusal, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError,
+    except (Refusal, sc.Error, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError,
             MemoryError) as error:
         raise _unreadable(error) from error
 

@@ -19,7 +19,7 @@ class WrongKind(Refusal, TypeError):
 
 
 #: What a modeller is told of.
-FAILURES = (Refusal, sc.InvalidShape, sc.PointAtInfinity, sc.ToleranceNotReached, sc.Cancelled, OSError, MemoryError)
+FAILURES = (Refusal, sc.Error, OSError, MemoryError)
 
 
 def sentence(error):
