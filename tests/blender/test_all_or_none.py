@@ -7,8 +7,8 @@ from curves import value_of
 from shapes import activate, add, enter, op, require_exact
 from support import part, scene_state
 
-editing, live, net, net_points, recipes, shape = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape'))
+editing, live, net_object, selection = (part(name) for name in (
+    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection'))
 
 
 def two_nets(first, second):
@@ -23,8 +23,12 @@ def select_in_each(row):
     """In every net the points of a row, as an undo step."""
     for held in editing.nets():
         numbers = live.session(held.data).net
-        net_points.select(held, numbers, [i for i, of in enumerate(numbers.rows) if of == row])
+        selection.select(held, numbers, [i for i, of in enumerate(numbers.rows) if of == row])
     bpy.ops.ed.undo_push(message="select")
+
+
+def refuse(*_):
+    raise part('core.failures').Refusal("there is no room")
 
 
 def values(obs):
@@ -61,9 +65,9 @@ def test_where_the_second_could_not_be_shown_the_first_is_left_alone():
     obs = two_nets('bezier patch', 'bezier patch')
     before = values(obs)
     for held in editing.nets():         # a whole row may go, a corner not
-        wanted = (4, 5, 6, 7) if net.shape_of(held) == obs[0] else (0,)
+        wanted = (4, 5, 6, 7) if net_object.shape_of(held) == obs[0] else (0,)
         numbers = live.session(held.data).net
-        net_points.select(held, numbers, [i for i, row in enumerate(numbers.rows) if row in wanted])
+        selection.select(held, numbers, [i for i, row in enumerate(numbers.rows) if row in wanted])
     with pytest.raises(RuntimeError, match="second: "):
         op(bpy.ops.splinewright.point_to_infinity)
     assert values(obs) == before
@@ -74,11 +78,8 @@ def test_a_net_that_does_not_come_out_again_is_told_and_the_change_is_an_undo_st
     before = ob.data.splinewright.value
     enter()
     select_in_each(1)
-
-    def refuse(*_):
-        raise ValueError("there is no room")
     with monkeypatch.context() as patch:
-        patch.setattr(net, 'make', refuse)
+        patch.setattr(net_object, 'make', refuse)
         assert op(bpy.ops.splinewright.point_to_infinity) == {'FINISHED'}
     assert "Warning: the net did not come out again: there is no room" in capfd.readouterr().out
     assert bpy.context.mode == 'OBJECT' and not editing.nets()
@@ -87,27 +88,26 @@ def test_a_net_that_does_not_come_out_again_is_told_and_the_change_is_an_undo_st
     assert bpy.data.objects["shape"].data.splinewright.value == before
 
 
-def test_a_net_that_cannot_be_made_leaves_nothing_behind():
+def test_a_net_that_cannot_be_made_leaves_nothing_behind(monkeypatch):
     op(bpy.ops.splinewright.add_catmull_rom)
-    ob = bpy.context.object
-    ob.data[recipes.KEY]['version'] = 99
-    before = scene_state()
-    with pytest.raises(RuntimeError, match="newer Splinewright"):
+    ob, before = bpy.context.object, scene_state()
+    monkeypatch.setattr(part('bridge.remaking'), 'is_closed', refuse)
+    with pytest.raises(RuntimeError, match="there is no room"):
         op(bpy.ops.splinewright.edit_net)
-    assert scene_state() == before and bpy.context.object == ob
+    assert scene_state() == before and bpy.context.object == ob and bpy.context.mode == 'OBJECT'
 
 
-def test_of_two_nets_of_which_one_cannot_be_made_neither_comes():
-    good = add(value_of('cubic'))
+def test_of_two_nets_of_which_one_cannot_be_made_neither_comes(monkeypatch):
+    good = add(value_of('cubic'), "good")
     op(bpy.ops.splinewright.add_catmull_rom)
-    newer = bpy.context.object
-    newer.data[recipes.KEY]['version'] = 99
-    activate(good, newer)
+    bad = bpy.context.object
+    activate(good, bad)
     before = scene_state()
-    with pytest.raises(RuntimeError, match="newer Splinewright"):
+    monkeypatch.setattr(part('bridge.remaking'), 'is_closed', refuse)
+    with pytest.raises(RuntimeError, match="there is no room"):
         op(bpy.ops.splinewright.edit_net)
     assert scene_state() == before and bpy.context.mode == 'OBJECT'
-    assert set(bpy.context.selected_objects) == {good, newer} and bpy.context.object == good
+    assert set(bpy.context.selected_objects) == {good, bad} and bpy.context.object == good
 
 
 def test_what_was_done_before_a_mistake_of_ours_can_be_undone(monkeypatch):

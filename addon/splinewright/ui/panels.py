@@ -1,9 +1,11 @@
 """The sidebar panel, and the same in the object data properties."""
 
+import contextlib
+
 import bpy
 
-from ..bridge import derived, fineness, follow, recipes, shape, store
-from ..bridge.net import net
+from ..bridge import derived, fineness, follow, problems, recipes, shape, store
+from ..bridge.net import net_object
 from ..core import describe
 from . import net_panel, recipe_props, texts
 
@@ -13,11 +15,11 @@ class _ShapePanel:
 
     @classmethod
     def poll(cls, context):
-        return shape.has_shape(context.object) or net.is_net(context.object)
+        return shape.has_shape(context.object) or net_object.is_net(context.object)
 
     def draw(self, context):
         ob = context.object
-        if net.is_net(ob):
+        if net_object.is_net(ob):
             net_panel.draw(self.layout, ob)
             return
         try:
@@ -37,7 +39,7 @@ def _draw_state(layout, ob):
         texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net")
     elif recipes.follows(data):
         _draw_following(layout, data)
-    elif shape.is_touched(data):
+    elif shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
         column.operator("splinewright.restore", text="Restore: throw the changes away")
@@ -63,6 +65,7 @@ def _draw_following(layout, data):
         recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
+        layout.operator("splinewright.make_editable")
         return
     names = " and ".join(source.name for source in sources if source)
     layout.label(text=f"Follows {names or 'nothing any more'}", icon='LINKED')
@@ -89,7 +92,7 @@ def _draw_settings(layout, data, definition):
     column = layout.column(align=True)
     if definition.has_curves:
         column.prop(settings, "resolution_u", text="Resolution")
-        if definition.runs_to_infinity or recipes.around(data) is not None:
+        if definition.runs_to_infinity or _is_endless(data):
             column.prop(settings, "reach")
     else:
         _draw_fineness(column, settings)
@@ -99,8 +102,16 @@ def _draw_settings(layout, data, definition):
         column.label(text=_faces(data))
         if len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
-    if settings.problem:
-        texts.draw_problem(layout, settings.problem)
+    problem = problems.of(data, problems.SETTING)
+    if problem:
+        texts.draw_problem(layout, problem)
+
+
+def _is_endless(data):
+    """Whether the recipe of a shape, if it can be read, makes curves that may run far."""
+    with contextlib.suppress(store.UnreadableDefinition):
+        return recipes.around(data) is not None
+    return False
 
 
 def _draw_fineness(column, settings):

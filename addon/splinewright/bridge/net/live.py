@@ -10,12 +10,12 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
-from ...core.failures import FAILURES, sentence
+from ...core.failures import Refusal, told
 from ...core.library import sc
-from ...core.net import net as nets
-from .. import fineness, made, recipes, shape, stamp, store, write_mesh
-from . import net as bridge
-from . import points_net
+from ...core.net import exact_net
+from .. import fineness, problems, recipes, remaking, shape, stamp, store, write_mesh
+from ..file_state import state
+from . import free_net, net_object
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
@@ -27,7 +27,6 @@ class Session:
 
     def __init__(self, net):
         self.made_with = net
-        self.problem = ""
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
@@ -39,12 +38,12 @@ class Session:
         """Take this for the net, and its points for those that are there."""
         self.net = net                  # other than it was made with where that has gained or lost points
         self.points = net.single        # for the overlay
-        self.state = nets.exact(net, net.single, net.single_weights)
+        self.state = exact_net.exact(net, net.single, net.single_weights)
 
     def require_alone(self, data, pool):
-        """Raises ValueError where others changed the shape since its net last wrote it."""
+        """Raises Refusal where others changed the shape since its net last wrote it."""
         if self.pool is not None and not np.array_equal(pool, self.pool):
-            raise ValueError("the shape was given another definition while its net was out: leave the net")
+            raise Refusal("the shape was given another definition while its net was out: leave the net")
         now = time.monotonic()
         if now - self._checked > _PAUSE:        # not at every step of a drag
             shape.require_untouched(data)
@@ -65,11 +64,18 @@ class Session:
             self._patch_sets[is_source] = definitions.to_patch_set(definition)
         return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
+    def _has_faces(self, data):
+        """Whether the shape has the faces that are known here."""
+        return (self.faces is not None and self._fineness == fineness.of(data)
+                and stamp.same_topology(self._stamp, store.read_stamp(data)))
+
+    def final_faces(self, data):
+        """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
+        return self.faces if self._has_faces(data) and fineness.by_count(data) else None
+
     def moved(self, data, patch_set):
         """(positions, exact normals or None) on the faces that the shape has, or None where it needs others."""
-        if self.faces is None or self._fineness != fineness.of(data):
-            return None
-        if not stamp.same_topology(self._stamp, store.read_stamp(data)):
+        if not self._has_faces(data):
             return None
         try:
             if write_mesh.keeps_normals():
@@ -79,39 +85,31 @@ class Session:
             return None                 # sides that were one are not any more, or the other way round
 
 
-_sessions = {}
-
-
 def session(data):
     """The session of a net's data-block."""
-    token = bridge.token(data)
-    if token not in _sessions:
-        begin(data, bridge.numbers(bridge.source(data)))
-    return _sessions[token]
+    token = net_object.token(data)
+    if token not in state.sessions:
+        begin(data, net_object.net_of(net_object.source(data)))
+    return state.sessions[token]
 
 
 def begin(data, net):
     """Start the session of a net's data-block that was made from these numbers."""
-    if len(_sessions) > 32:
+    if len(state.sessions) > 32:
         _drop_idle()
-    _sessions[bridge.token(data)] = Session(net)
+    state.sessions[net_object.token(data)] = Session(net)
 
 
 def _drop_idle():
     """Forget the sessions of nets that are no more; undo may bring them back, at the cost of a new one."""
-    living = {bridge.token(ob.data) for ob in bpy.data.objects if bridge.is_net(ob)}
-    for token in set(_sessions) - living:
-        del _sessions[token]
-
-
-def forget():
-    """Drop all sessions: another file was opened."""
-    _sessions.clear()
+    living = {net_object.token(ob.data) for ob in bpy.data.objects if net_object.is_net(ob)}
+    for token in set(state.sessions) - living:
+        del state.sessions[token]
 
 
 def trust():
     """After undo and redo: take shapes as they are."""
-    for current in _sessions.values():
+    for current in state.sessions.values():
         current.trust()
 
 
@@ -120,43 +118,44 @@ def pull(ob):
 
     Where the net cannot be read or shown, shape and definition stay as they were last; problem() says why.
     """
-    if not bridge.is_current(ob):
+    if not net_object.is_current(ob):
         return None
-    owner, current = bridge.shape_of(ob), session(ob.data)
-    follow = _follow_points if points_net.is_free(ob.data) else _follow
+    data, current = net_object.shape_of(ob).data, session(ob.data)
+    follow = _follow_points if free_net.is_free(ob.data) else _follow
     try:
-        return owner.data if follow(owner.data, ob, current) else None
-    except FAILURES as error:
-        current.problem = sentence(error)
+        is_changed = follow(data, ob, current)
+        problems.tell(data, problems.NET, "")
+        return data if is_changed else None
+    except Exception as error:
+        problems.tell(data, problems.NET, told(error))
         return None
 
 
 def _follow(data, ob, current):
     """Bring a shape up to date; whether it changed."""
-    current.points, weights = bridge.read(ob, current.net)
-    current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
-    definition = nets.read(current.net, current.state)
-    current.problem = ""
-    return made.follow_net(data, definition) if recipes.has_points(data) else _show(data, definition, current)
+    current.points, weights = net_object.read(ob, current.net)
+    current.state = exact_net.exact(current.net, current.points, weights, net_object.typed(ob.data))
+    definition = exact_net.read(current.net, current.state)
+    return remaking.follow_net(data, definition) if recipes.has_points(data) else _show(data, definition, current)
 
 
 def _follow_points(data, ob, current):
     """_follow() where the net may gain and lose points. They are shown in the panel even if the shape refuses them."""
-    current.show(points_net.read(ob.data, current.made_with))
-    current.problem = ""
-    return made.follow_points(data, current.net, points_net.is_turned(ob.data))
+    current.show(free_net.read(ob.data, current.made_with))
+    return remaking.follow_points(data, current.net, free_net.is_turned(ob.data))
 
 
 def problem(ob):
     """Why the shape does not follow its net, or ""."""
-    return session(ob.data).problem
+    owner = net_object.shape_of(ob)
+    return problems.of(owner.data, problems.NET) if owner else ""
 
 
 def settle(data):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
     if store.is_draft(data):
-        faces = shape.rewrite(data)
-        current = _sessions.get(bridge.editor(data))
+        current = state.sessions.get(net_object.editor(data))
+        faces = shape.rewrite(data, faces=current.final_faces(data) if current else None)
         if current is not None:
             current.wrote(data, faces)
 

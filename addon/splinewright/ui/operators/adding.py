@@ -6,7 +6,7 @@ from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
 from ...core import starters
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from .. import progress
 from . import reports
 
@@ -25,10 +25,10 @@ def can_add(cls, context):
 
 
 def require_place(context):
-    """Raises ValueError where no object can be added."""
+    """Raises Refusal where no object can be added."""
     collection = context.collection
     if context.scene.library or (collection and (collection.library or collection.override_library)):
-        raise ValueError("the active collection is linked from another file")
+        raise Refusal("the active collection is linked from another file")
 
 
 def add_in_front(context, ob, sources):

@@ -3,9 +3,9 @@
 import bpy
 
 from ...bridge import recipes, shape, store
-from ...bridge.net import live, net
+from ...bridge.net import live, net_object
 from ...core import infinity
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from .. import editing, net_props
 from . import reports
 
@@ -45,12 +45,12 @@ class _OnSelectedPoints:
 
     def _planned(self, ob, rows):
         """The shape.Plan for the shape of a net."""
-        owner = net.shape_of(ob)
+        owner = net_object.shape_of(ob)
         if owner is None:
-            raise ValueError("the shape of this net was deleted, or is in no scene")
+            raise Refusal("the shape of this net was deleted, or is in no scene")
         live.pull(ob)
         if live.problem(ob):
-            raise ValueError(live.problem(ob))
+            raise Refusal(live.problem(ob))
         recipes.require_free(owner.data)
         return shape.planned(owner.data, self.changed(store.read(owner.data), rows))
 
@@ -61,7 +61,7 @@ def _selected_rows(ob):
 
 
 def _name(ob):
-    owner = net.shape_of(ob)
+    owner = net_object.shape_of(ob)
     return owner.name if owner else ob.name
 
 

@@ -6,7 +6,7 @@ They are those of curves, done along u, along v, or along both, one after the ot
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import replacing
+from ...bridge import replacing, settings
 from ...core import parameters, patch_verbs, verbs
 from . import pieces
 from .pieces import parameter_property, times_property, tolerance_property
@@ -192,9 +192,9 @@ class SPLINEWRIGHT_OT_patch_swap(OnPatches, bpy.types.Operator):
 
     def work(self, context, ob):
         """The resolutions are exchanged with the directions, where all are."""
-        outcome, settings = super().work(context, ob), ob.data.splinewright
+        outcome, chosen = super().work(context, ob), settings.of(ob.data)
         if self.piece == 0 or len(outcome[0].pieces) == 1:
-            settings.set_resolution(settings.resolution_v, settings.resolution_u)
+            settings.set_resolution(ob.data, chosen.resolution_v, chosen.resolution_u)
         return outcome
 
 
