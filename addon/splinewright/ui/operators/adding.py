@@ -1,7 +1,7 @@
 """What all Add operators have in common."""
 
 import bpy
-from bpy.props import FloatProperty, IntProperty
+from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
@@ -50,6 +50,9 @@ class AddShape(AddObjectHelper):
     size: FloatProperty(
         name="Radius", description="Distance from the middle to the sides",
         default=1.0, min=0.0001, soft_max=100.0, unit='LENGTH')
+    # In place of those of Blender's helper, which presets would hold.
+    location: FloatVectorProperty(name="Location", subtype='TRANSLATION', options={'SKIP_SAVE'})
+    rotation: FloatVectorProperty(name="Rotation", subtype='EULER', options={'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):

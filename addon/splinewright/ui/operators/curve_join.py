@@ -19,7 +19,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     bl_label = "Join Ends"
     bl_description = ("Make two curves one where their nearest ends meet, and say how far they moved: "
                       "two pieces of the active shape, or one of each of two selected shapes")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the curves share where they meet",
                              items=[(name, name, _WORDS[name]) for name in joints.SMOOTHNESS])
@@ -63,6 +63,7 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     bl_label = "Join Pieces"
     bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
                       "The way back from To Bezier Chain")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
 

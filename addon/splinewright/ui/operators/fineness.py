@@ -16,9 +16,10 @@ class _OnPatches(OnSelected):
 
 class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.tolerance_from_render"
-    bl_label = "Tolerance From Render"
+    bl_label = "Set Tolerance From Render"
     bl_description = ("Show the surface as finely as the scene's camera needs it: where it is nearest, the mesh lies "
                       "within a part of a pixel")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     pixels: FloatProperty(name="Pixels", description="How far the mesh may lie from the surface in the picture",
                           default=0.25, min=0.001, soft_max=4.0)

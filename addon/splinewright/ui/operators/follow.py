@@ -15,9 +15,10 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
     bl_label = "Follow Object"
     bl_description = ("Add a shape that follows the active curve, surface or shape live; "
                       "with a shape active and another object selected, make that shape follow the other")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    source: StringProperty(name="Object", description="Name of the object to follow; empty: what is selected")
+    source: StringProperty(name="Object", description="Name of the object to follow; empty: what is selected",
+                           options={'SKIP_SAVE'})
     resolution_u: resolution_property("U")
     resolution_v: resolution_property("V")
 

@@ -11,11 +11,16 @@ from .. import recipe_props
 from . import reports
 from .adding import add_in_front, can_add, resolution_property
 
+#: Kinds of recipes that are called by what they do.
+_VERBS = ('revolve', 'extrude')
+#: Of parameters that mean something for one object only.
+_OPTIONS = {'piece': {'SKIP_SAVE'}}
+
 
 class _FromObjects:
     """`recipe` is what it makes, from the selected objects, the active one first."""
 
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     recipe = None
 
     @classmethod
@@ -67,12 +72,18 @@ def _corners(ob):
     return shape.points_of(ob.data) if shape.has_shape(ob) else np.array(ob.bound_box)
 
 
+def _label(recipe):
+    """What Undo History shows: a verb."""
+    return recipe.label if recipe.kind in _VERBS else f"Add {recipe.label}"
+
+
 def _class_for(recipe):
-    annotations = {parameter.name: recipe_props.property_of(parameter) for parameter in recipe.parameters}
+    annotations = {parameter.name: recipe_props.property_of(parameter, _OPTIONS.get(parameter.name))
+                   for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
     return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (_FromObjects, bpy.types.Operator), {
-        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': recipe.label, 'bl_description': recipe.description,
-        'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'recipe': recipe,
+        'bl_description': recipe.description, '__annotations__': annotations, '__module__': __name__})
 
 
 CLASSES = tuple(_class_for(recipe) for recipe in DERIVED if recipe is not FOLLOW)

@@ -51,6 +51,7 @@ class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.apply_transform"
     bl_label = "Apply Transform"
     bl_description = "Move location, rotation and scale of the object into the definition; nothing moves on the screen"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     done = "Applied the transform of {}"
 
     location: BoolProperty(name="Location", default=True, description="Apply the location")

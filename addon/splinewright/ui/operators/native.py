@@ -39,7 +39,7 @@ class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_to_native(_Conversion, bpy.types.Operator):
     bl_idname = "splinewright.to_native"
-    bl_label = "To Blender's Own"
+    bl_label = "Convert To Blender's Own"
     bl_description = ("Turn selected Splinewright shapes into Blender's own curves and surfaces of the same geometry, "
                       "in their place; meshes of patches become surfaces")
     needs = "Select a Splinewright shape"

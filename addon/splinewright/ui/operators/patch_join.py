@@ -35,7 +35,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     bl_label = "Join Patches"
     bl_description = ("Let two patches go on as one another where their nearest sides meet, and say what was achieved "
                       "and how far they moved: two of the active shape, or one of each of two selected shapes")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
                              items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS])

@@ -33,6 +33,7 @@ def tolerance_property(what, default, least=0.0):
 class OnPieces(OnSelected):
     """Does verb() with pieces of every selected shape that fits; `already` is said where that changes nothing."""
 
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     already = "nothing changes"
     #: Names of settings whose choices are shown side by side.
     expanded = ()
@@ -158,5 +159,5 @@ class Reparametrises:
 def plain(base, name, label, description, done, already, verb):
     """The operator of a verb without settings."""
     members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
-               'already': already, 'verb': lambda self: verb(), '__annotations__': {}}
+               'already': already, 'verb': lambda self: verb(), 'bl_options': OnSelected.bl_options, '__annotations__': {}}
     return type(f"SPLINEWRIGHT_OT_{name}", (base, bpy.types.Operator), members)
