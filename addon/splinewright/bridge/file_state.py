@@ -22,6 +22,10 @@ class FileState:
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
     surveys: dict = field(default_factory=dict)         # of net_object.surveys
     suspended: list = field(default_factory=list)       # of ui.saving
+    asking: set = field(default_factory=set)            # names of open dialogs that ask for a piece
+    asked: dict = field(default_factory=dict)           # of ui.hand: what the last operator asked for pieces of
+    picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
+    hovered: tuple = field(default_factory=tuple)       # the name of an object and the number of its piece at the mouse
 
 
 state = FileState()

@@ -9,7 +9,7 @@ from .sub_panel import SubPanel
 _GROUPS = (
     ("Knots", ('insert_knot', 'remove_knot', 'remove_knots')),
     ("Degree", ('raise_degree', 'lower_degree')),
-    ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'reverse')),
+    ("Pieces", ('pick_piece', 'split_curve', 'join_ends', 'join_pieces', 'reverse')),
     ("Speed", ('reparametrise', 'standard_form')),
     ("Ends", ('clamp', 'unclamp', 'make_periodic')),
     ("Place", ('project_curve',)),
@@ -34,6 +34,7 @@ class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
         return replacing.is_curve_shape(context.object)
 
     def draw(self, context):
+        tools.draw_hand(self.layout, context.object.data)
         tools.draw_panel(self.layout, _GROUPS)
 
 

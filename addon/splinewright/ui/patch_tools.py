@@ -9,7 +9,7 @@ from .sub_panel import SubPanel
 _GROUPS = (
     ("Knots", ('patch_insert_knot', 'patch_remove_knot', 'patch_remove_knots')),
     ("Degree", ('patch_raise_degree', 'patch_lower_degree')),
-    ("Pieces", ('patch_split', 'join_patches')),
+    ("Pieces", ('pick_piece', 'patch_split', 'join_patches')),
     ("Direction", ('patch_reverse', 'patch_swap')),
     ("Speed", ('patch_reparametrise',)),
     ("Ends", ('patch_clamp', 'patch_unclamp', 'patch_make_periodic')),
@@ -35,6 +35,7 @@ class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
         return replacing.is_patch_shape(context.object)
 
     def draw(self, context):
+        tools.draw_hand(self.layout, context.object.data)
         tools.draw_panel(self.layout, _GROUPS)
 
 

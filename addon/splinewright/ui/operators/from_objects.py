@@ -7,9 +7,10 @@ from mathutils import Matrix
 from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES
 from ...core.recipes.table import DERIVED, FOLLOW
-from .. import recipe_props
+from .. import hand, recipe_props
 from . import reports
 from .adding import add_in_front, can_add, resolution_property
+from .pick_piece import draw_number
 
 #: Kinds of recipes that are called by what they do.
 _VERBS = ('revolve', 'extrude')
@@ -33,8 +34,16 @@ class _FromObjects:
             return False
         return True
 
+    def invoke(self, context, event):
+        if 'piece' in self.recipe.defaults:
+            hand.begin(self, _sources(context))
+        return self.execute(context)
+
     def execute(self, context):
         sources, recipe = _sources(context), self.recipe
+        hand.forget_asked()
+        if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
+            hand.note(self, 'piece', sources[0])
         values, resolution = recipe_props.typed(recipe, self), (self.resolution_u, self.resolution_u)
         try:
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
@@ -49,7 +58,10 @@ class _FromObjects:
         layout = self.layout
         layout.use_property_split = True
         for parameter in self.recipe.parameters:
-            layout.prop(self, parameter.name)
+            if parameter.name == 'piece':
+                draw_number(layout, self, parameter.name)
+            else:
+                layout.prop(self, parameter.name)
         layout.prop(self, "resolution_u", text="Resolution")
 
 

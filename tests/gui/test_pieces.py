@@ -1,0 +1,158 @@
+"""Pieces are known by their numbers in the view: shown, picked by a click, asked for in the panel of the last operator."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+from bpy_extras import view3d_utils
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, empty_file, mean_difference, part, run, save_picture, until
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+
+
+def teapot():
+    return bpy.data.objects["Teapot"]
+
+
+def count():
+    return len(part('bridge.store').read(teapot().data).pieces)
+
+
+def hovered():
+    return part('bridge.file_state').state.hovered
+
+
+def place_of(view, number):
+    """Where the middle of a piece is in the window."""
+    point = teapot().matrix_world @ view.area.spaces.active.region_3d.view_location.__class__(
+        part('bridge.surveys').middles_of(teapot().data)[number - 1])
+    place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, point)
+    return round(view.region.x + place.x), round(view.region.y + place.y)
+
+
+def seen_numbers(view):
+    with view.override():
+        return part('ui.numbers_overlay').shown(bpy.context)
+
+
+def point_at(view, number):
+    view.move(*place_of(view, number))
+    yield from until(lambda: hovered() == ("Teapot", number))
+    assert hovered() == ("Teapot", number), (hovered(), number)
+
+
+def visible(view):
+    """Numbers of patches that are what is seen at their middles, in the middle of the view."""
+    found, picking = [], part('ui.picking')
+    for number in range(1, count() + 1):
+        x, y = place_of(view, number)
+        if 250 < x < 800 and 250 < y < 700:
+            with view.override():
+                hit = picking.piece_at(view.region, view.region.data, (x - view.region.x, y - view.region.y), [teapot()],
+                                       bpy.context.evaluated_depsgraph_get())
+            found += [number] if hit == (teapot(), number) else []
+    return found
+
+
+def numbers_are_shown(view):
+    plain = save_picture(OUTPUT / "pieces-plain.png")
+    assert seen_numbers(view) == []
+    teapot().data.splinewright.show_numbers = True
+    yield from until(lambda: len(seen_numbers(view)) == 1)
+    shown, = seen_numbers(view)
+    assert shown.numbers == tuple(range(1, 33)) and shown.marked == (0, 0)
+    numbered = save_picture(OUTPUT / "pieces-numbers.png")
+    assert mean_difference(numbered[:, :830], plain[:, :830]) > 0.2
+    teapot().data.splinewright.show_numbers = False
+    bpy.ops.ed.undo_push(message="numbers")
+    print("numbers", flush=True)
+
+
+def a_piece_is_picked(view):
+    first, second = visible(view)[:2]
+    with view.override():
+        bpy.ops.splinewright.pick_piece('INVOKE_DEFAULT')
+    yield from point_at(view, second)
+    yield from point_at(view, first)
+    save_picture(OUTPUT / "pieces-picking.png")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: teapot().data.splinewright.piece == first)
+    assert teapot().data.splinewright.piece == first and not hovered() and seen_numbers(view) == []
+    view.press('Z', ctrl=True)
+    yield from until(lambda: teapot().data.splinewright.piece == 0)
+    assert teapot().data.splinewright.piece == 0, "Pick Piece is no undo step"
+    view.press('Z', ctrl=True, shift=True)
+    yield from until(lambda: teapot().data.splinewright.piece == first)
+    with view.override():
+        bpy.ops.splinewright.pick_piece('INVOKE_DEFAULT', other=True)
+    yield from point_at(view, second)
+    view.press('ESC')
+    yield from until(lambda: not hovered())
+    assert part('ui.hand').of(teapot().data) == (first, 0), "Esc took a piece"
+    print("picked", flush=True)
+
+
+def a_verb_begins_with_it(view):
+    first = teapot().data.splinewright.piece
+    with view.override():
+        bpy.ops.splinewright.patch_split('INVOKE_DEFAULT', True)
+    yield from until(lambda: count() == 33)
+    assert bpy.context.window_manager.operators[-1].properties.piece == first and count() == 33
+    assert seen_numbers(view) == [], "the panel is closed"
+    print("begun", flush=True)
+
+
+def another_is_picked_in_the_panel(view):
+    """The eyedropper is at the right end of the last row."""
+    panel = view._region('HUD')
+    view.move(panel.x + panel.width // 2, panel.y + panel.height // 2)
+    yield 0.3
+    view.press('LEFTMOUSE')
+    yield from until(lambda: len(seen_numbers(view)) == 1)
+    save_picture(OUTPUT / "pieces-panel.png")
+    first = teapot().data.splinewright.piece
+    shown, = seen_numbers(view)
+    assert shown.numbers.count(first) == 2 and shown.marked == (first,), "both parts are of the patch that was split"
+    view.move(panel.x + panel.width - 39, panel.y + 18)
+    yield 0.3
+    view.press('LEFTMOUSE')
+    state = part('bridge.file_state').state
+    yield from until(lambda: state.picking)
+    assert state.picking, "the eyedropper was not hit"
+    wanted = next(number for number in visible(view) if shown.numbers[number - 1] != first)
+    yield from point_at(view, wanted)
+    view.press('LEFTMOUSE')
+    yield from until(lambda: bpy.context.window_manager.operators[-1].properties.piece != first)
+    now = bpy.context.window_manager.operators[-1].properties.piece
+    assert now == shown.numbers[wanted - 1] and count() == 33
+    yield from until(lambda: len(seen_numbers(view)) == 1)
+    save_picture(OUTPUT / "pieces-again.png")
+    numbers = seen_numbers(view)[0].numbers
+    assert numbers.count(now) == 2 and numbers.count(first) == 1, "the old one is split, too"
+    view.move(420, 600)
+    view.press('Z', ctrl=True)
+    yield from until(lambda: count() == 32)
+    assert count() == 32 and teapot().data.splinewright.piece == first, "undo goes farther than before the verb"
+    view.press('Z', ctrl=True, shift=True)
+    yield from until(lambda: count() == 33)
+    assert count() == 33
+    print("picked in the panel", flush=True)
+
+
+def steps():
+    view = View()
+    empty_file()
+    with view.override():
+        bpy.ops.splinewright.add_teapot('EXEC_DEFAULT', True)
+        bpy.ops.view3d.view_selected()
+    view.move(420, 600)
+    yield 1.0
+    for part_of_it in (numbers_are_shown, a_piece_is_picked, a_verb_begins_with_it, another_is_picked_in_the_panel):
+        yield from part_of_it(view)
+    print("pieces did what they should:", bpy.app.version_string, flush=True)
+
+
+run(steps())
