@@ -68,7 +68,7 @@ def _line_at(region, view, place, ob):
     distances = [min([_distance(on_screen(region, view, ob.matrix_world, line), place) for line in lines], default=np.inf)
                  for lines in shown]
     nearest = int(np.argmin(distances))
-    within = _NEAR * bpy.context.preferences.system.ui_scale
+    within = _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0)
     return (distances[nearest], ob, nearest + 1) if distances[nearest] <= within else None
 
 
