@@ -8,7 +8,7 @@ import bpy
 from . import hand
 
 #: What buttons leave out of an operator's label, which Undo History shows, too.
-_LEFT_OUT = ("Convert ", "Bring To ", "Take ")
+_LEFT_OUT = ("Add ", "Bring To ", "Convert ", "Take ")
 
 
 def draw_menu(layout, groups):
