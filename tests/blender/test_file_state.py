@@ -63,8 +63,9 @@ def test_a_resolution_that_is_none_changes_nothing_for_ever(resolution):
 
 def test_an_old_file_with_the_flag_set_for_ever_shows_settings_again(tmp_path):
     ob = add(patch())
-    if bpy.app.version < (5, 0, 0):     # later ones keep what is registered elsewhere
-        ob.data['splinewright'] = {**ob.data['splinewright'].to_dict(), 'quiet': 1} if 'splinewright' in ob.data else {'quiet': 1}
+    if bpy.app.version < (5, 0, 0):     # later ones keep elsewhere what is registered
+        ob.data.splinewright.resolution_v = 5
+        ob.data['splinewright']['quiet'] = 1
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "old.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "old.blend"))
     data = bpy.data.objects["shape"].data

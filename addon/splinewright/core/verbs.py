@@ -85,7 +85,7 @@ def _done(verb, value, i, count):
     """(what stands for a curve or patch, the error)."""
     try:
         result = verb(value)
-    except (ValueError, ArithmeticError) as error:
+    except (Refusal, sc.Error) as error:
         if count == 1:
             raise
         raise type(error)(f"piece {i + 1}: {error}") from error

@@ -48,7 +48,7 @@ def read(ob, depsgraph=None):
     for i, spline in enumerate(splines):
         try:
             piece, words = make(spline, f"spline {i + 1}")
-        except ValueError as error:
+        except (Refusal, sc.Error) as error:
             piece, words = None, [f"spline {i + 1} ({error})"]
         dropped += words
         if piece is not None:

@@ -43,7 +43,7 @@ def plan(value):
     for number, piece in enumerate(pieces):
         try:
             forms = make(piece)
-        except ValueError as error:
+        except (Refusal, sc.Error) as error:
             raise Refusal(f"piece {number + 1}: {error}" if len(pieces) > 1 else str(error)) from error
         found.forms.extend(forms)
         found.numbers.extend([number] * len(forms))

@@ -17,7 +17,7 @@ def can_add(cls, context):
         return False
     try:
         require_place(context)
-    except ValueError as error:
+    except Refusal as error:
         cls.poll_message_set(sentence(error))
         return False
     return True
