@@ -1,5 +1,6 @@
 """Two processes share test files: each is run once, and the last line and the exit code tell of all of them."""
 
+import os
 import re
 import subprocess
 import sys
@@ -13,7 +14,7 @@ CRASH = "import os\n\n\ndef test_a():\n    os.abort()\n"
 BROKEN = "import nowhere\n"
 
 
-def shared(tmp_path, **files):
+def shared(tmp_path, without="", **files):
     """The exit code and what was printed."""
     folder = tmp_path / "tests"
     folder.mkdir()
@@ -21,7 +22,8 @@ def shared(tmp_path, **files):
         (folder / f"test_{name}.py").write_text(text)
     script = (f'set -euo pipefail; source "{SHARING}/share.sh"; PYTHONPATH="{SHARING}" share "{tmp_path}/logs" '
               f'"{sys.executable}" -m pytest -q -p no:cacheprovider -p sharing --rootdir "{folder}" "{folder}"')
-    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=120)
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=120,
+                          env={**os.environ, 'SHARED_WITHOUT': without})
     return done.returncode, done.stdout
 
 
@@ -49,6 +51,11 @@ def test_a_crash_is_named_and_the_other_process_does_the_rest(tmp_path):
 def test_a_file_that_cannot_be_read_is_a_failure(tmp_path):
     code, said = shared(tmp_path, one=GOOD, two=BROKEN)
     assert code == 1 and "nowhere" in said
+
+
+def test_a_file_is_left_out(tmp_path):
+    code, said = shared(tmp_path, without="test_two.py test_four.py", one=GOOD, two=WRONG, three=GOOD)
+    assert code == 0 and last_line(said) == "4 passed, 0 failed" and "test_two" not in said
 
 
 def test_nothing_run_is_a_failure(tmp_path):

@@ -1,7 +1,7 @@
 """A plugin of pytest: several processes share the test files, each takes the next one that no other has taken.
 
 SHARED_FOLDER is where they see what is taken, and where each leaves its counts; a line about each file goes to SHARED_OUTPUT,
-the number of an open file. Without them nothing is shared.
+the number of an open file. Without them nothing is shared. SHARED_WITHOUT names files that are left out.
 """
 
 import collections
@@ -15,6 +15,7 @@ from pathlib import Path
 SLOW = ("test_random_walk.py", "test_memory.py", "test_random_patches.py", "test_against_blender.py", "test_fineness.py",
         "test_write_native.py", "test_sample_meshes.py", "test_patch_verbs.py")
 FOLDER = os.environ.get('SHARED_FOLDER')
+WITHOUT = os.environ.get('SHARED_WITHOUT', '').split()
 
 
 def pytest_configure(config):
@@ -44,7 +45,7 @@ class Sharing:
             raise session.Interrupted(f"{session.testsfailed} errors while the tests were collected")
         files = itertools.groupby(sorted(session.items, key=lambda item: order(item.path)), key=lambda item: item.path)
         for path, items in files:
-            if self.take(path.name):
+            if path.name not in WITHOUT and self.take(path.name):
                 self.run(path.name, list(items))
         return True
 
