@@ -116,6 +116,13 @@ def test_the_addon_imports_itself_relatively_and_touches_no_search_path():
         assert not re.search(r'\b(eval|exec)\(', text), path
 
 
+def test_one_file_of_the_addon_knows_versions_of_blender():
+    """Others ask it for a fact by its name."""
+    for _, path in addon_files():
+        if path != ADDON / "bridge" / "versions.py":
+            assert not re.search(r'\bapp\.version|hasattr\(bpy\.', path.read_text()), path
+
+
 def test_no_file_is_longer_than_500_lines():
     for pattern in ("native/**/*.?pp", "addon/**/*.py", "tests/**/*.py", "tests/**/*.?pp", "blend_samples/*.py"):
         for path in PROJECT.glob(pattern):

@@ -2,11 +2,9 @@
 
 from typing import NamedTuple
 
-import bpy
-
 from ...core.failures import Refusal
 from ...core.native import native_density
-from .. import blocks, mesh_looks, settings, shape, store
+from .. import blocks, mesh_looks, settings, shape, store, versions
 from . import measure_native, native_dress, native_links, read_native, retype
 
 
@@ -50,7 +48,7 @@ def _require_native(ob, users):
 
 def _curve(context, ob, reading, users):
     data = ob.data
-    steps = max(native_density.steps_of_curve(spline, data.splines[i].resolution_u, bpy.app.version)
+    steps = max(native_density.steps_of_curve(spline, data.splines[i].resolution_u, versions.sampling)
                 for spline, i in zip(reading.splines, reading.indices))
     rehearsal = shape.new_data(data.name, reading.value, (steps, steps))    # raises before anything is changed
     blocks.remove(rehearsal)

@@ -6,7 +6,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from ...bridge import blocks, shape
+from ...bridge import blocks, shape, versions
 from ...core import bpt
 from ...core.definition import ANY_CURVES
 from ...core.failures import FAILURES, Refusal, sentence
@@ -172,7 +172,7 @@ class SPLINEWRIGHT_OT_export_json(_Json, _Export, bpy.types.Operator):
 CLASSES = (SPLINEWRIGHT_OT_import_bpt, SPLINEWRIGHT_OT_export_bpt,
            SPLINEWRIGHT_OT_import_json, SPLINEWRIGHT_OT_export_json)
 
-if hasattr(bpy.types, 'FileHandler'):
+if versions.drops_files:
     class SPLINEWRIGHT_FH_bpt(bpy.types.FileHandler):
         bl_idname = "SPLINEWRIGHT_FH_bpt"
         bl_label = "Bezier Patches"
