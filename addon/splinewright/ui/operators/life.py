@@ -4,8 +4,8 @@ import bpy
 from bpy.props import BoolProperty
 
 from ...bridge import joining, recipes, shape, transforming
-from ...core.failures import FAILURES, Refusal, sentence
-from . import polls
+from ...core.failures import FAILURES, Refusal
+from . import polls, reports
 from .selected import OnSelected
 
 
@@ -51,6 +51,7 @@ class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.apply_transform"
     bl_label = "Apply Transform"
     bl_description = "Move location, rotation and scale of the object into the definition; nothing moves on the screen"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     done = "Applied the transform of {}"
 
     location: BoolProperty(name="Location", default=True, description="Apply the location")
@@ -95,8 +96,7 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
         try:
             joining.join(context.object, others)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
         return {'FINISHED'}
 
 
