@@ -61,3 +61,11 @@ def test_a_file_is_left_out(tmp_path):
 def test_nothing_run_is_a_failure(tmp_path):
     code, said = shared(tmp_path)
     assert code == 1 and last_line(said) == "0 passed, 0 failed"
+
+
+def test_all_closing_lines_are_added_up():
+    lines = ["100% tests passed, 0 tests failed out of 712", "  test_a.py   3 passed   0.1 s", "2403 passed, 3 failed, 1 skipped in 30 s",
+             "99% tests passed, 2 tests failed out of 10", "5 passed, 0 failed in 3 s"]
+    total = subprocess.run(["awk", "-f", str(SHARING.parents[1] / ".ci" / "total.awk")], input='\n'.join(lines),
+                           capture_output=True, text=True, check=True)
+    assert total.stdout.splitlines()[-1] == "3128 passed, 5 failed, 1 skipped"

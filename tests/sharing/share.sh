@@ -3,7 +3,7 @@
 # prints in LOGS/side-N.log, and what failed is shown.
 
 share() {
-  local logs=$1 start=$SECONDS side code=0 sides=() here=${BASH_SOURCE[0]%/*}; shift
+  local logs=$1 start=$SECONDS side code=0 sides=() summary=${BASH_SOURCE[0]%/*}/summary.py; shift
   mkdir -p "$logs"
   SHARED_FOLDER=$(mktemp -d)
   export SHARED_FOLDER SHARED_OUTPUT=3
@@ -14,7 +14,7 @@ share() {
   for side in 0 1; do
     wait "${sides[$side]}" || { code=1; show_failures "$logs/side-$side.log"; }
   done
-  python3 "$here/summary.py" "$SHARED_FOLDER" "$((SECONDS - start))" || code=1
+  python3 "$summary" "$SHARED_FOLDER" "$((SECONDS - start))" || code=1
   rm -rf "$SHARED_FOLDER"
   return $code
 }
