@@ -23,6 +23,38 @@ def join(active, others):
     _remove(others)
 
 
+def join_plainly(active, chosen):
+    """Blender's own Join of selected objects, some of which are no shapes: the definitions of the others end.
+
+    Returns a sentence for the user. Raises RuntimeError, and changes nothing, where Blender refuses.
+    """
+    said, ended = f"Joined into {active.name}", [ob.data for ob in chosen if shape.has_shape(ob)]
+    count = len(set(ended))
+    if bpy.ops.object.join() != {'FINISHED'}:
+        raise RuntimeError("Blender did not join them")
+    for data in set(ended):
+        if data == active.data:
+            shape.detach(data)
+        else:
+            blocks.remove(data)
+    return f"{said}: {count} definition{'s' if count > 1 else ''} ended"
+
+
+def ending_in_words(chosen):
+    """What join_plainly() ends, as a sentence."""
+    shapes, others = ([ob.name for ob in chosen if shape.has_shape(ob) == is_shape] for is_shape in (True, False))
+    are, them = ("is no Splinewright shape", "it") if len(others) == 1 else ("are no Splinewright shapes", "them")
+    end = "definition of {} ends: what it shows stays" if len(shapes) == 1 else "definitions of {} end: what they show stays"
+    return f"{_listed(others)} {are}. Joined with {them}, the {end.format(_listed(shapes))}, without a net"
+
+
+def _listed(names):
+    """A few names in words."""
+    if len(names) > 4:
+        names = [*names[:3], f"{len(names) - 3} more"]
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
 def join_ends(active, other, first, second, smoothness):
     """join() of two curve shapes in which a piece of one and a piece of the other are then one curve.
 
