@@ -22,6 +22,8 @@ class FileState:
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
     surveys: dict = field(default_factory=dict)         # of bridge.surveys
     suspended: list = field(default_factory=list)       # of ui.saving
+    selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
+    last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
 
 
 state = FileState()

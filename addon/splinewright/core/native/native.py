@@ -82,7 +82,7 @@ def _growing_knots(degree, flags):
         yield from itertools.repeat(value, degree if flags.bezier else 1)
 
 
-def _all_knots(direction):
+def all_knots(direction):
     """count + degree + 1 knots; degree more, for the points that come round again, if cyclic."""
     count, degree, flags = direction
     own = count if flags.cyclic or flags.endpoint else count + degree + 1
@@ -98,7 +98,7 @@ def _all_knots(direction):
 
 def domain(direction):
     """(start, end) of Blender's parameter."""
-    knots = _all_knots(direction)
+    knots = all_knots(direction)
     last = direction.count + direction.degree if direction.flags.cyclic else direction.count
     return knots[direction.degree], knots[last]
 
@@ -114,7 +114,7 @@ def used_count(direction):
 def plain_knots(direction):
     """The knots of the plain spline on wrapped() points."""
     used = direction._replace(count=used_count(direction))
-    return _all_knots(used)
+    return all_knots(used)
 
 
 def wrapped(points, direction, axis=0):
@@ -125,7 +125,7 @@ def wrapped(points, direction, axis=0):
 
 def periodic_knots(direction):
     """One period of a cyclic direction, for its own points, unrepeated."""
-    return _all_knots(direction)[direction.degree:direction.count + direction.degree + 1]
+    return all_knots(direction)[direction.degree:direction.count + direction.degree + 1]
 
 
 def curve_samples(spline, resolution, sampling):
@@ -165,7 +165,7 @@ def _spread(direction, count):
 
 def _parameters_by_span(direction, resolution):
     start, end = domain(direction)
-    joints = np.unique(_all_knots(direction))
+    joints = np.unique(all_knots(direction))
     joints = joints[(joints >= start) & (joints <= end)]
     steps = np.arange(resolution) / resolution
     parameters = (joints[:-1, None] + np.diff(joints)[:, None] * steps).ravel()
@@ -175,7 +175,7 @@ def _parameters_by_span(direction, resolution):
 def span_count(direction):
     """Non-empty spans of the domain."""
     start, end = domain(direction)
-    joints = np.unique(_all_knots(direction))
+    joints = np.unique(all_knots(direction))
     return np.count_nonzero((joints >= start) & (joints <= end)) - 1
 
 

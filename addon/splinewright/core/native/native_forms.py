@@ -34,6 +34,17 @@ class Form(NamedTuple):
         start, end = (0, len(joints) - 1) if self.spline.kind == 'BEZIER' else native.domain(direction)
         return np.interp(blenders, np.linspace(start, end, len(joints)), joints)
 
+    def at_parts(self, fractions):
+        """Our parameters, of a curve, at parts of its spline."""
+        joints, = self.joints
+        return np.interp(fractions, np.linspace(0.0, 1.0, len(joints)), joints)
+
+    def parts_at(self, parameters):
+        """At which parts of the spline of a curve our parameters lie; those beyond it are left out."""
+        joints, = self.joints
+        inside = parameters[(parameters >= joints[0]) & (parameters <= joints[-1])]
+        return np.interp(inside, joints, np.linspace(0.0, 1.0, len(joints)))
+
 
 def curve_forms(curve):
     """The Forms of a curve: one, or more where its knots break it. Raises Refusal with a sentence."""
