@@ -15,6 +15,23 @@ def of(data):
     return settings.mode, settings.resolution_u, settings.resolution_v, settings.tolerance, settings.angle
 
 
+#: All settings of how a shape is shown.
+_SETTINGS = ('mode', 'resolution_u', 'resolution_v', 'tolerance', 'angle', 'sharp_angle', 'reach')
+
+
+def settings(data):
+    """All settings of a data-block, as a value."""
+    return tuple(getattr(data.splinewright, name) for name in _SETTINGS)
+
+
+def take(data, values):
+    """Give a data-block these settings(); what it shows is not made anew."""
+    data.splinewright.quiet = True
+    for name, value in zip(_SETTINGS, values):
+        setattr(data.splinewright, name, value)
+    data.splinewright.quiet = False
+
+
 def tessellated(data, patch_set):
     """The splinecore Tessellation that the settings ask for. Raises InvalidShape where it cannot be."""
     mode, resolution_u, resolution_v, tolerance, angle = of(data)

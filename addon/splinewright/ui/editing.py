@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import made, recipes, shape
+from ..bridge import fineness, made, recipes, shape
 from ..bridge.net import live, net, net_points, points_net
 from ..core.failures import FAILURES, sentence
 
@@ -86,7 +86,7 @@ def _put_out(context, ob):
     held = net.make(ob, definition, numbers, context.scene)
     if made.takes_any_count(data):
         points_net.set_free(held.data, made.is_closed(data))
-    live.begin(held.data, numbers)
+    live.begin(held.data, numbers, fineness.settings(data))
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
         held.local_view_set(space, True)

@@ -6,6 +6,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 from ..bridge import fineness, shape, store
+from ..bridge.net import live
 from ..core.failures import FAILURES, sentence
 from . import progress
 
@@ -25,6 +26,7 @@ def _resolution_changed(self, context):
             self.faces_before = before
     except FAILURES as error:
         self.problem = sentence(error)
+    live.mark(self.id_data)
 
 
 def face_count(data):

@@ -14,6 +14,7 @@ from ...core.failures import FAILURES, sentence
 from ...core.library import sc
 from ...core.net import net as nets
 from .. import fineness, made, recipes, shape, stamp, store, write_mesh
+from . import marks
 from . import net as bridge
 from . import points_net
 
@@ -34,6 +35,7 @@ class Session:
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
+        self._settings = {}             # of the shape, by the number that the net is marked with
 
     def show(self, net):
         """Take this for the net, and its points for those that are there."""
@@ -57,6 +59,21 @@ class Session:
     def wrote(self, data, faces):
         """The shape has these faces now."""
         self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
+
+    def settings(self, mark, present):
+        """The settings that a mark stands for: from now on the present ones, where it is new or none of ours."""
+        return present if mark < marks.FIRST else self._settings.setdefault(mark, present)
+
+    def mark(self, settings):
+        """The mark that stands for settings of the shape."""
+        known = next((mark for mark, values in self._settings.items() if values == settings), None)
+        if known is None:
+            known = marks.FIRST + len(self._settings)
+            if known == marks.FIRST + marks.COUNT:
+                known = next(iter(self._settings))
+                del self._settings[known]
+            self._settings[known] = settings
+        return known
 
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
@@ -90,11 +107,13 @@ def session(data):
     return _sessions[token]
 
 
-def begin(data, net):
-    """Start the session of a net's data-block that was made from these numbers."""
+def begin(data, net, settings=None):
+    """Start the session of a net's data-block that was made from these numbers, and settings() of its shape."""
     if len(_sessions) > 32:
         _drop_idle()
-    _sessions[bridge.token(data)] = Session(net)
+    _sessions[bridge.token(data)] = started = Session(net)
+    if settings is not None:
+        started.settings(marks.FIRST, settings)
 
 
 def _drop_idle():
@@ -124,11 +143,36 @@ def pull(ob):
         return None
     owner, current = bridge.shape_of(ob), session(ob.data)
     follow = _follow_points if points_net.is_free(ob.data) else _follow
+    changed = _show_as_marked(owner.data, ob, current)
     try:
-        return owner.data if follow(owner.data, ob, current) else None
+        changed = follow(owner.data, ob, current) or changed
     except FAILURES as error:
         current.problem = sentence(error)
-        return None
+    return owner.data if changed else None
+
+
+def _show_as_marked(data, ob, current):
+    """Give a shape the settings that its net is marked with: undo may have brought others back. Whether it changed."""
+    present = fineness.settings(data)
+    wanted = current.settings(marks.read(ob), present)
+    if wanted == present:
+        return False
+    fineness.take(data, wanted)
+    try:
+        current.wrote(data, shape.rewrite(data))
+    except FAILURES as error:
+        data.splinewright.problem = sentence(error)
+        return False
+    return True
+
+
+def mark(data):
+    """The settings of a shape were changed: let its net know, if it is out."""
+    token = bridge.editor(data)
+    nets_of = (ob for ob in bpy.data.objects if bridge.is_net(ob) and bridge.token(ob.data) == token)
+    held = next((ob for ob in nets_of if ob.mode == 'EDIT'), None) if token is not None else None
+    if held is not None:
+        marks.write(held, session(held.data).mark(fineness.settings(data)))
 
 
 def _follow(data, ob, current):

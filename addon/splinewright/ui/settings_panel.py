@@ -1,0 +1,43 @@
+"""How finely a shape is shown, in panels."""
+
+from ..bridge import fineness, recipes
+from . import texts
+
+
+def draw(layout, data, definition):
+    """For the data-block of a shape and its definition."""
+    settings = data.splinewright
+    column = layout.column(align=True)
+    if definition.has_curves:
+        column.prop(settings, "resolution_u", text="Resolution")
+        if definition.runs_to_infinity or recipes.around(data) is not None:
+            column.prop(settings, "reach")
+    else:
+        _draw_fineness(column, settings)
+        layout.prop(settings, "sharp_angle")
+        column = layout.column(align=True)
+        column.label(text=f"{len(data.vertices):,} vertices")
+        column.label(text=_faces(data))
+        if len(definition.pieces) > 1 and len(data.materials) > 1:
+            layout.operator("splinewright.set_patch_material", icon='MATERIAL')
+    if settings.problem:
+        texts.draw_problem(layout, settings.problem)
+
+
+def _draw_fineness(column, settings):
+    column.prop(settings, "mode")
+    if settings.mode == fineness.COUNT:
+        column.prop(settings, "resolution_u")
+        column.prop(settings, "resolution_v", text="V")
+    if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
+        row = column.row(align=True)
+        row.prop(settings, "tolerance")
+        row.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
+    if settings.mode in (fineness.ANGLE, fineness.BOTH):
+        column.prop(settings, "angle")
+
+
+def _faces(data):
+    """Of a Mesh, and how many there were before."""
+    before, now = data.splinewright.faces_before, len(data.polygons)
+    return f"{before:,} → {now:,} faces" if before not in (0, now) else f"{now:,} faces"
