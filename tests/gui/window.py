@@ -60,6 +60,10 @@ class View:
         self.window.event_simulate(key, 'PRESS', x=self.x, y=self.y, **({'unicode': text} if text else {}), **modifiers)
         self.window.event_simulate(key, 'RELEASE', x=self.x, y=self.y, **modifiers)
 
+    def wheel_up(self, **modifiers):
+        """One notch; wheels are not released."""
+        self.window.event_simulate('WHEELUPMOUSE', 'PRESS', x=self.x, y=self.y, **modifiers)
+
     def open_sidebar(self):
         self.area.spaces.active.show_region_ui = True
 
@@ -78,6 +82,20 @@ class View:
             if sidebar.active_panel_category == name:
                 return
         raise AssertionError(f"the sidebar has no tab {name}")
+
+
+    def go_to_field(self, name):
+        """Steps that bring the mouse over the field of a property in the sidebar; fails if there is none."""
+        sidebar, manager = self._region('UI'), bpy.context.window_manager
+        manager.clipboard = ""
+        for y in range(sidebar.y + sidebar.height - 30, sidebar.y, -9):
+            self.move(sidebar.x + sidebar.width // 2, y)
+            yield 0.05
+            self.press('C', ctrl=True, shift=True)      # copies the name of what is below the mouse
+            yield 0.05
+            if manager.clipboard.endswith(name):
+                return
+        raise AssertionError(f"the sidebar has no field {name}")
 
 
 def part(name):
