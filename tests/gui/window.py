@@ -84,18 +84,18 @@ class View:
         raise AssertionError(f"the sidebar has no tab {name}")
 
 
-    def go_to_field(self, name):
-        """Steps that bring the mouse over the field of a property in the sidebar; fails if there is none."""
-        sidebar, manager = self._region('UI'), bpy.context.window_manager
+    def go_to_field(self, name, region=None):
+        """Steps that bring the mouse over the field of a property in the sidebar, or in a region; fails if there is none."""
+        region, manager = region or self._region('UI'), bpy.context.window_manager
         manager.clipboard = ""
-        for y in range(sidebar.y + sidebar.height - 30, sidebar.y, -9):
-            self.move(sidebar.x + sidebar.width // 2, y)
+        for y in range(region.y + region.height - 30, region.y, -9):
+            self.move(region.x + region.width // 2, y)
             yield 0.05
             self.press('C', ctrl=True, shift=True)      # copies the name of what is below the mouse
             yield 0.05
             if manager.clipboard.endswith(name):
                 return
-        raise AssertionError(f"the sidebar has no field {name}")
+        raise AssertionError(f"there is no field {name}")
 
 
 def part(name):

@@ -33,7 +33,7 @@ def draw(layout, ob):
     else:
         _draw_knots(layout, definition, _pieces_in_hand(ob))
     layout.separator()
-    settings_panel.draw(layout, owner.data, definition)
+    settings_panel.draw(layout, owner.data, definition, has_buttons=False)
 
 
 def _draw_points(layout, ob, has_weights):

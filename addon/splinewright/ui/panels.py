@@ -11,23 +11,46 @@ from . import net_panel, recipe_props, settings_panel, texts
 class _ShapePanel:
     bl_label = "Splinewright"
 
+    @staticmethod
+    def in_hand(context):
+        """(a data-block or None, the object through which it is seen or None)."""
+        ob = context.object
+        return (ob.data if ob else None), ob
+
     @classmethod
     def poll(cls, context):
-        return shape.has_shape(context.object) or net.is_net(context.object)
+        data, ob = cls.in_hand(context)
+        return net.is_net(ob) or shape.is_shape(data)
 
     def draw(self, context):
-        ob = context.object
+        data, ob = self.in_hand(context)
         if net.is_net(ob):
             net_panel.draw(self.layout, ob)
             return
         try:
-            definition = store.read(ob.data)
+            definition = store.read(data)
         except store.UnreadableDefinition as error:
             texts.draw_problem(self.layout, str(error))
             return
-        _draw_state(self.layout, ob)
+        is_active = ob is not None and ob == context.active_object
+        if is_active:
+            _draw_state(self.layout, ob)
+        else:
+            _draw_pinned(self.layout, data)
         _draw_definition(self.layout, definition)
-        settings_panel.draw(self.layout, ob.data, definition)
+        settings_panel.draw(self.layout, data, definition, has_buttons=is_active)
+
+
+def _draw_pinned(layout, data):
+    """What can be said and changed of a shape that is not the active one: buttons would take another."""
+    texts.draw_note(layout, "Pinned: for its buttons make its object active and unpin")
+    if shape.is_touched(data):
+        texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
+    elif recipes.has(data):
+        try:
+            recipe_props.draw(layout.box(), data, is_net_out=net.editor(data) is not None)
+        except store.UnreadableDefinition as error:
+            texts.draw_problem(layout, str(error))
 
 
 def _draw_state(layout, ob):
@@ -97,6 +120,12 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
     bl_region_type = 'WINDOW'
     bl_context = "data"
     bl_options = {'DEFAULT_CLOSED'}
+
+    @staticmethod
+    def in_hand(context):
+        """What is pinned, or else the active object's; pinned data is seen without an object."""
+        data, ob = context.mesh or context.curve, context.object
+        return data, ob if ob is not None and ob.data == data else None
 
 
 CLASSES = (SPLINEWRIGHT_PT_shape, SPLINEWRIGHT_PT_data)

@@ -4,8 +4,8 @@ from ..bridge import fineness, recipes
 from . import texts
 
 
-def draw(layout, data, definition):
-    """For the data-block of a shape and its definition."""
+def draw(layout, data, definition, has_buttons=True):
+    """For the data-block of a shape and its definition. has_buttons: those of operators, which take the active object."""
     settings = data.splinewright
     column = layout.column(align=True)
     if definition.has_curves:
@@ -13,18 +13,18 @@ def draw(layout, data, definition):
         if definition.runs_to_infinity or recipes.around(data) is not None:
             column.prop(settings, "reach")
     else:
-        _draw_fineness(column, settings)
+        _draw_fineness(column, settings, has_buttons)
         layout.prop(settings, "sharp_angle")
         column = layout.column(align=True)
         column.label(text=f"{len(data.vertices):,} vertices")
         column.label(text=_faces(data))
-        if len(definition.pieces) > 1 and len(data.materials) > 1:
+        if has_buttons and len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
     if settings.problem:
         texts.draw_problem(layout, settings.problem)
 
 
-def _draw_fineness(column, settings):
+def _draw_fineness(column, settings, has_buttons):
     column.prop(settings, "mode")
     if settings.mode == fineness.COUNT:
         column.prop(settings, "resolution_u")
@@ -32,7 +32,8 @@ def _draw_fineness(column, settings):
     if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
         row = column.row(align=True)
         row.prop(settings, "tolerance")
-        row.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
+        if has_buttons:
+            row.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
     if settings.mode in (fineness.ANGLE, fineness.BOTH):
         column.prop(settings, "angle")
 
