@@ -8,8 +8,8 @@ import pytest
 from shapes import VALUES, add, enter, first_point, leave, move, numbers_of, op, require_exact, select, shown
 from support import part, splinecore as sc, vertices
 
-definitions, editing, live, net, net_points, shape, store = (part(name) for name in (
-    'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points',
+definitions, editing, live, net_object, selection, shape, store = (part(name) for name in (
+    'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection',
     'bridge.shape', 'bridge.store'))
 
 
@@ -18,10 +18,10 @@ def test_entering_and_leaving_changes_no_digit(make):
     value = make()
     ob = add(value)
     before = shown(ob).copy()
-    assert net.is_net(enter()) and bpy.context.mode.startswith('EDIT')
+    assert net_object.is_net(enter()) and bpy.context.mode.startswith('EDIT')
     assert leave() == ob and bpy.context.mode == 'OBJECT'
     assert ob.data.splinewright.value == value and np.array_equal(shown(ob), before)
-    assert not [ob for ob in bpy.data.objects if net.is_net(ob)]
+    assert not [ob for ob in bpy.data.objects if net_object.is_net(ob)]
 
 
 POINTS_ONLY = [name for name in VALUES if 'hermite' not in name and name not in ('cubic', 'many curves', 'ferguson', 'mixed set')]
@@ -98,7 +98,7 @@ def test_undo_and_redo_cross_the_border_of_edit_mode(name):
 
     def state():
         editing.sweep()
-        nets = [ob for ob in bpy.data.objects if net.is_net(ob)]
+        nets = [ob for ob in bpy.data.objects if net_object.is_net(ob)]
         ob = bpy.data.objects["shape"]
         require_exact(ob)
         return bool(nets), ob.data.splinewright.value == moved, ob.data.splinewright.value == value
@@ -230,7 +230,7 @@ def test_several_shapes_are_edited_at_once():
     before = [ob.data.splinewright.value for ob in obs]
     enter()
     held = bpy.context.objects_in_mode
-    assert sorted(net.shape_of(ob).name for ob in held) == ["a", "b"], "only shapes of one kind"
+    assert sorted(net_object.shape_of(ob).name for ob in held) == ["a", "b"], "only shapes of one kind"
     for ob in held:
         select(ob, 0)
     move(0, 0, 1)
@@ -259,8 +259,8 @@ def test_knots_are_edited_as_text_in_the_net_and_undone():
     select(held, 2)
     move(0, 0, 1)
     assert bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=KNOTS) == {'FINISHED'}
-    assert bpy.context.mode == 'EDIT_CURVE' and net.is_net(bpy.context.object)
-    assert net_points.selected(bpy.context.object, numbers_of(bpy.context.object)) == [2]
+    assert bpy.context.mode == 'EDIT_CURVE' and net_object.is_net(bpy.context.object)
+    assert selection.selected(bpy.context.object, numbers_of(bpy.context.object)) == [2]
     changed = bpy.data.objects["shape"].data.splinewright.value
     assert " ".join(f"{knot:g}" for knot in changed.knots) == KNOTS
     require_exact(bpy.data.objects["shape"])
@@ -454,4 +454,4 @@ def test_knots_of_a_net_that_lost_points_are_refused():
     bpy.ops.curve.delete('EXEC_DEFAULT', True, type='VERT')
     with pytest.raises(RuntimeError, match="lost points"):
         bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=KNOTS)
-    assert net.is_net(bpy.context.object) and ob.data.splinewright.value == value
+    assert net_object.is_net(bpy.context.object) and ob.data.splinewright.value == value

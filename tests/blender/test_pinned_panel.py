@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn
+from layouts import drawn_by
 from shapes import VALUES, activate, add, enter, leave, op, require_exact, shown
 from support import part
 
@@ -29,7 +29,7 @@ def test_pinned_data_are_shown_with_their_settings_and_without_buttons(name):
     add(VALUES['bezier patch'](), "active")
     here = context(pinned.data)
     assert PANEL.poll(here)
-    layout = drawn(PANEL, here)
+    layout = drawn_by(PANEL, here)
     assert "resolution_u" in layout.props and not layout.operators
     assert any("Pinned" in text for text in layout.texts)
     kind = "curve" if pinned.type == 'CURVE' else "patch"
@@ -42,9 +42,9 @@ def test_an_object_that_is_pinned_and_not_active_has_no_buttons_either(mode):
     for name in ("red", "blue"):
         pinned.data.materials.append(bpy.data.materials.new(name))
     pinned.data.splinewright.mode = mode
-    assert {"splinewright.edit_net", "splinewright.set_patch_material"} <= set(drawn(PANEL, context(ob=pinned)).operators)
+    assert {"splinewright.edit_net", "splinewright.set_patch_material"} <= set(drawn_by(PANEL, context(ob=pinned)).operators)
     add(VALUES['bezier patch'](), "active")
-    assert not drawn(PANEL, context(ob=pinned)).operators
+    assert not drawn_by(PANEL, context(ob=pinned)).operators
 
 
 def test_what_is_pinned_is_changed_and_the_active_object_is_not():
@@ -67,9 +67,9 @@ def test_pinned_data_that_are_no_shape_have_no_panel_whatever_is_active():
 def test_the_shape_of_a_net_that_is_out_stays_pinned_and_follows():
     ob = add(VALUES['nurbs patch'](), "pinned")
     held = enter()
-    layout = drawn(PANEL, context(ob.data))
+    layout = drawn_by(PANEL, context(ob.data))
     assert "resolution_u" in layout.props and not layout.operators
-    assert "splinewright.leave_net" in drawn(PANEL, context(ob=held)).operators
+    assert "splinewright.leave_net" in drawn_by(PANEL, context(ob=held)).operators
     ob.data.splinewright.resolution_u = 9
     leave()
     require_exact(ob)
@@ -79,9 +79,11 @@ def test_the_numbers_of_a_pinned_recipe_are_there_and_those_of_a_touched_shape_a
     op(bpy.ops.splinewright.add_torus)
     ob = bpy.context.object
     add(VALUES['bezier patch'](), "active")
-    assert any(name.startswith("torus_") for name in drawn(PANEL, context(ob.data)).props)
+    assert any(name.startswith("torus_") for name in drawn_by(PANEL, context(ob.data)).props)
     ob.data.vertices[0].co.x += 1
-    layout = drawn(PANEL, context(ob.data))
+    ob.data.update()
+    bpy.context.view_layer.update()
+    layout = drawn_by(PANEL, context(ob.data))
     assert any("by hand" in text for text in layout.texts) and not any(name.startswith("torus_") for name in layout.props)
 
 
@@ -90,4 +92,4 @@ def test_a_damaged_definition_is_said_where_it_is_pinned():
     del ob.data["splinewright_definition"]["pool"]
     other = add(VALUES['bezier patch'](), "active")
     activate(other)
-    assert any("damaged" in text for text in drawn(PANEL, context(ob.data)).texts)
+    assert any("damaged" in text for text in drawn_by(PANEL, context(ob.data)).texts)

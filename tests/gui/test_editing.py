@@ -21,7 +21,7 @@ class Look:
         self.picture = save_picture(OUTPUT / f"{name}.png")[:, :830]     # left of the sidebar
         ob = bpy.data.objects.get(NAME)
         self.value = ob.data.splinewright.value if ob else None
-        self.nets = [net for net in bpy.data.objects if part('bridge.net.net').is_net(net)]
+        self.nets = [net for net in bpy.data.objects if part('bridge.net.net_object').is_net(net)]
         self.mode = bpy.context.mode
         assert len(np.unique(self.picture.reshape(-1, 3), axis=0)) > 50, f"{name}.png is empty"
         if ob:

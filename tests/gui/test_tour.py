@@ -175,7 +175,7 @@ def conics(view):
         ob.data.bevel_depth = 0.02
         bpy.ops.view3d.view_axis(type='TOP')
     for weight in (1.0, 3.0, -0.7, -2.0):
-        ob.data.splinewright_recipe.conic_weight = weight
+        ob.data.splinewright_parameters.conic_weight = weight
         ob.data.splinewright.reach = 3.0
         yield 0.3
     assert len(ob.data.splines) == 3
@@ -194,7 +194,7 @@ def surfaces(view):
             3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [(r, 0, z) for r, z in zip(radii, heights)])
         bpy.ops.splinewright.add_revolve('EXEC_DEFAULT', True)
         vase = bpy.context.object
-        vase.data.splinewright.set_tolerance(0.01)
+        part('bridge.settings').set_tolerance(vase.data, 0.01)
         bpy.context.space_data.overlay.show_wireframes = True
         vase.select_set(False)
         profile.select_set(True)

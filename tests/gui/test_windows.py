@@ -17,7 +17,7 @@ FOLDER = Path(tempfile.mkdtemp())
 
 
 def nets():
-    return [ob for ob in bpy.data.objects if part('bridge.net.net').is_net(ob)]
+    return [ob for ob in bpy.data.objects if part('bridge.net.net_object').is_net(ob)]
 
 
 def in_net():

@@ -129,7 +129,7 @@ def pick_by_keys(view, keys):
 def select_points(*numbers):
     """Select points of the net in Edit Mode, as an undo step."""
     ob = bpy.context.object
-    part('bridge.net.net_points').select(ob, part('bridge.net.live').session(ob.data).net, numbers)
+    part('bridge.net.selection').select(ob, part('bridge.net.live').session(ob.data).net, numbers)
     bpy.ops.ed.undo_push(message="select")
 
 

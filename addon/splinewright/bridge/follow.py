@@ -7,41 +7,36 @@ import bpy
 import numpy as np
 
 from ..core import definition as definitions
-from ..core.failures import FAILURES, sentence
+from ..core.failures import Refusal, told
 from ..core.recipes.table import FOLLOW
-from . import derived, recipes, shape, store
-
-#: (is it a curve, name) of data-blocks that follow something. Only a hint: scan() makes it anew.
-known = set()
-#: Why a follower is not up to date, by the same keys.
-problems = {}
-_owners = {}
+from . import derived, problems, recipes, shape, store
+from .file_state import block_of, key, state
 
 
-class Cycle(ValueError):
+class Cycle(Refusal):
     """A shape would follow itself."""
 
 
 def scan():
     """Find all followers of the file."""
-    known.clear()
-    problems.clear()
-    _owners.clear()
+    state.followers.clear()
+    state.owners.clear()
+    problems.forget(problems.FOLLOWING)
     for blocks in (bpy.data.meshes, bpy.data.curves):
-        known.update(_key(data) for data in blocks if recipes.follows(data))
+        state.followers.update(key(data) for data in blocks if recipes.follows(data))
 
 
 def new_object(recipe, values, sources, resolution, depsgraph):
     """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies.
 
-    Raises ValueError or ArithmeticError if it cannot be made.
+    Raises Refusal or an error of the library if it cannot be result.
     """
-    made = derived.made(recipe, values, sources, sources[0], depsgraph)
+    result = derived.result(recipe, values, sources, sources[0], depsgraph)
     name = f"{sources[0].name} {recipe.label if recipe.parameters else 'Exact'}"
-    data = shape.new_data(name, definitions.to_value(made.definition), resolution)
+    data = shape.new_data(name, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
     ob.matrix_world = sources[0].matrix_world
-    _write(data, recipe, values, sources, made.error)
+    _write(data, recipe, values, sources, result.error)
     return ob
 
 
@@ -51,28 +46,29 @@ def attach(ob, source, depsgraph):
     Raises Cycle if that follows the shape itself, ValueError if it cannot be followed.
     """
     if not shape.has_shape(ob):
-        raise ValueError(f"{ob.name} is no Splinewright shape: it cannot follow anything")
+        raise Refusal(f"{ob.name} is no Splinewright shape: it cannot follow anything")
     require_no_cycle(ob.data, source)
     shape.require_writable(ob.data)
-    made = derived.made(FOLLOW, {}, [source], ob, depsgraph)
-    shape.set_definition(ob.data, made.definition)
-    _write(ob.data, FOLLOW, {}, [source], made.error)
+    result = derived.result(FOLLOW, {}, [source], ob, depsgraph)
+    shape.set_definition(ob.data, result.definition)
+    _write(ob.data, FOLLOW, {}, [source], result.error)
 
 
 def set_parameter(data, name, value, depsgraph):
     """Change one number or text of what is made from objects. Raises, and changes nothing, where nothing comes of it."""
     owner, sources = owner_of(data), recipes.read_inputs(data)
     if owner is None or None in sources:
-        raise ValueError("an object it is made from was deleted: it stays as it was last")
-    recipe, values = recipes.of(data), {**recipes.parameters(data), name: value}
-    made = derived.made(recipe, values, sources, owner, depsgraph)
-    shape.set_definition(data, made.definition)
-    recipes.write_derived(data, recipe, values, sources, made.error)
+        raise Refusal("an object it is made from was deleted: it stays as it was last")
+    stored = recipes.read(data)
+    recipe, values = stored.recipe, {**stored.values, name: value}
+    result = derived.result(recipe, values, sources, owner, depsgraph)
+    shape.set_definition(data, result.definition)
+    recipes.write_derived(data, recipe, values, sources, result.error)
 
 
 def _write(data, recipe, values, sources, error):
     recipes.write_derived(data, recipe, values, sources, error)
-    known.add(_key(data))
+    state.followers.add(key(data))
 
 
 def require_no_cycle(data, source):
@@ -82,15 +78,15 @@ def require_no_cycle(data, source):
         ob = waiting.pop()
         if ob.data == data:
             raise Cycle(f"{ob.name} would follow itself")
-        if ob.name not in seen and ob.data:
+        if key(ob) not in seen and ob.data:
             waiting += _inputs(ob.data)
-        seen.add(ob.name)
+        seen.add(key(ob))
 
 
 def refresh(changed, depsgraph):
     """Bring the followers of changed blocks up to date, inputs before what follows them."""
     _note(changed)
-    if not known:
+    if not state.followers:
         return
     changed = set(changed)
     for data in _in_order():
@@ -110,7 +106,7 @@ def _note(blocks):
     """Add the followers among changed blocks, which may be new to the file."""
     for block in blocks:
         if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and recipes.follows(block):
-            known.add(_key(block))
+            state.followers.add(key(block))
 
 
 def refresh_all(depsgraph):
@@ -125,17 +121,22 @@ def problem(data):
     """Why a follower does not follow, or ""."""
     if not recipes.follows(data):
         return ""
-    if not all(source is not None and source.users_scene for source in recipes.read_inputs(data)):
+    try:
+        sources = recipes.read_inputs(data)
+    except store.UnreadableDefinition as error:
+        return str(error)
+    if not all(source is not None and source.users_scene for source in sources):
         return "The object it follows was deleted, or is in no scene: it stays as it was last"
-    return problems.get(_key(data), "")
+    return problems.of(data, problems.FOLLOWING)
 
 
 def owner_of(data):
     """The object in whose space a follower lies: the first by name that is in a scene, or None."""
-    hint = bpy.data.objects.get(_owners.get(_key(data), ""))
+    known = state.owners.get(key(data))
+    hint = block_of(known) if known else None
     if hint is None or hint.data != data or not hint.users_scene:
         hint = _find_owner(data)
-        _owners[_key(data)] = hint.name if hint else ""
+        state.owners[key(data)] = key(hint) if hint else None
     return hint
 
 
@@ -146,24 +147,24 @@ def _find_owner(data):
 
 
 def _update(data, owner, sources, depsgraph):
-    """Whether the follower changed."""
-    key = _key(data)
+    """Whether the follower changed. Whatever goes wrong is kept in words: others are to be brought up to date, too."""
     try:
         if not all(source.users_scene for source in sources):
             return False
-        for i, source in enumerate(sources):
-            if recipes.was_shape(data, i) and not shape.has_shape(source):
-                raise ValueError(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        made = derived.made(recipes.of(data), recipes.parameters(data), sources, owner, depsgraph)
-        definition = made.definition
-        problems.pop(key, None)
+        stored = recipes.read(data)
+        for source, was_shape in zip(sources, stored.were_shapes):
+            if was_shape and not shape.has_shape(source):
+                raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
+        result = derived.result(stored.recipe, stored.values, sources, owner, depsgraph)
+        definition = result.definition
+        problems.tell(data, problems.FOLLOWING, "")
         if _same(store.read(data), definition) and not shape.is_touched(data):
             return False
         shape.set_definition(data, definition)
-        recipes.write_error(data, made.error)
+        recipes.write_error(data, result.error)
         return True
-    except FAILURES as error:
-        problems[key] = sentence(error)
+    except Exception as error:
+        problems.tell(data, problems.FOLLOWING, told(error))
         return False
 
 
@@ -177,27 +178,27 @@ def _same(a, b):
 
 def _in_order():
     """The followers, each after the shape that it follows. Those of a cycle are left out."""
-    blocks = {_key(data): data for data in _blocks()}
+    blocks = {key(data): data for data in _blocks()}
     sorter = graphlib.TopologicalSorter(
-        {key: {_key(source.data) for source in _inputs(data) if source.data} for key, data in blocks.items()})
+        {name: {key(source.data) for source in _inputs(data) if source.data} for name, data in blocks.items()})
     with contextlib.suppress(graphlib.CycleError):
         sorter.prepare()
     order = []
     while sorter.is_active():
         ready = sorter.get_ready()
-        order += [blocks.pop(key) for key in sorted(ready) if key in blocks]
+        order += [blocks.pop(name) for name in sorted(ready) if name in blocks]
         sorter.done(*ready)
-    for key in blocks:
-        problems[key] = "It follows itself, in a circle: it stays as it was last"
+    for data in blocks.values():
+        problems.tell(data, problems.FOLLOWING, "It follows itself, in a circle: it stays as it was last")
     return order
 
 
 def _blocks():
-    blocks = [_block(key) for key in sorted(known)]
+    blocks = [block_of(name) for name in sorted(state.followers)]
     if all(data is not None and recipes.follows(data) for data in blocks):
         return blocks
     scan()                              # one was renamed or removed
-    return [_block(key) for key in sorted(known)]
+    return [block_of(name) for name in sorted(state.followers)]
 
 
 def _inputs(data):
@@ -205,15 +206,6 @@ def _inputs(data):
     try:
         sources = recipes.read_inputs(data)
     except store.UnreadableDefinition as error:
-        problems[_key(data)] = str(error)
+        problems.tell(data, problems.FOLLOWING, str(error))
         return []
     return [] if None in sources else sources
-
-
-def _key(data):
-    return isinstance(data, bpy.types.Curve), data.name
-
-
-def _block(key):
-    is_curve, name = key
-    return (bpy.data.curves if is_curve else bpy.data.meshes).get(name)

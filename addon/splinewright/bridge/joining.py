@@ -7,13 +7,14 @@ import bpy
 import numpy as np
 
 from ..core import joints, patch_joints, transform
+from ..core.failures import Refusal
 from . import blocks, mesh_looks, recipes, replacing, shape, store, write_curve
 
 
 def join(active, others):
     """The active shape takes the pieces of the others, where they stand; the others are removed.
 
-    Each piece keeps its material, splines their radius and tilt. Raises ValueError, and changes nothing, where one
+    Each piece keeps its material, splines their radius and tilt. Raises Refusal, and changes nothing, where one
     cannot be read or changed.
     """
     definition = together(active, others)
@@ -67,16 +68,16 @@ def linear_of(ob):
 
 
 def together(active, others):
-    """The definition of all pieces in the space of the active shape. Raises ValueError as join() does."""
+    """The definition of all pieces in the space of the active shape. Raises Refusal as join() does."""
     for ob in [active, *others]:
         if ob.library or ob.override_library or ob.data.library:
-            raise ValueError(f"{ob.name} is linked from another file")
+            raise Refusal(f"{ob.name} is linked from another file")
         recipes.require_free(ob.data)
         shape.require_writable(ob.data)
         shape.require_untouched(ob.data)
     into = np.array(active.matrix_world, dtype=np.float64)
     if np.linalg.det(into[:3, :3]) == 0:
-        raise ValueError(f"{active.name} has a scale of 0: nothing can be put into its space")
+        raise Refusal(f"{active.name} has a scale of 0: nothing can be put into its space")
     into = np.linalg.inv(into)
     parts = [store.read(active.data)]
     for ob in others:

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..core.failures import Refusal
 from . import mesh_layers
 
 #: Face attribute: which patch of the shape a face belongs to.
@@ -51,11 +52,11 @@ def set_looks(mesh, looks):
 
 
 def set_material(mesh, piece, index):
-    """Give the faces of one patch, counted from 1, or of all where it is 0, a material index. Raises ValueError."""
+    """Give the faces of one patch, counted from 1, or of all where it is 0, a material index. Raises Refusal."""
     patches = _patches(mesh)
     count = 0 if patches is None else 1 + int(patches.max())
     if piece > count:
-        raise ValueError(f"the shape has {count} patch{'' if count == 1 else 'es'}, there is none of number {piece}")
+        raise Refusal(f"the shape has {count} patch{'' if count == 1 else 'es'}, there is none of number {piece}")
     indices = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('material_index', indices)
     indices[(patches == piece - 1) if piece else slice(None)] = index

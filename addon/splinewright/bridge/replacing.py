@@ -15,7 +15,7 @@ def is_patch_shape(ob):
 
 
 def require_changeable(data):
-    """Raises ValueError where the definition is not to be changed, or cannot be."""
+    """Raises Refusal where the definition is not to be changed, or cannot be."""
     recipes.require_free(data)
     shape.require_writable(data)
     shape.require_untouched(data)

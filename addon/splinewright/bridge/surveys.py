@@ -2,6 +2,7 @@
 
 from ..core import continuity, seams
 from . import store
+from .file_state import remember, state
 
 #: Joints that are measured.
 SHOWN = 50
@@ -9,8 +10,6 @@ SHOWN = 50
 DRAWN = 500
 #: Definitions of which something is kept.
 _KEPT = 8
-
-_known = {}
 
 
 def survey_of(data):
@@ -33,9 +32,6 @@ def _survey(definition):
 
 def _kept(what, data, work):
     digest = store.digest(data)
-    if (what, digest) not in _known:
-        found = work(store.read(data))
-        while len(_known) >= _KEPT:
-            del _known[next(iter(_known))]
-        _known[what, digest] = found
-    return _known[what, digest]
+    if (what, digest) not in state.surveys:
+        remember(state.surveys, (what, digest), work(store.read(data)), _KEPT)
+    return state.surveys[what, digest]

@@ -4,23 +4,25 @@ from dataclasses import replace
 
 import numpy as np
 
+from .failures import Refusal
+
 
 def sent(definition, rows):
     """The definition with points of the pool sent off to infinity, each straight away from its neighbours.
 
-    Raises ValueError where a row is no point with a weight, or lies on all its neighbours.
+    Raises Refusal where a row is no point with a weight, or lies on all its neighbours.
     """
     pool = definition.pool.copy()
     for row in rows:
         _require_free(definition, row)
         if pool[row, 3] == 0:
-            raise ValueError("it lies at infinity already")
+            raise Refusal("it lies at infinity already")
         direction = definition.pool[row, :3] - _foot(definition, row)
         if not direction.any():
-            raise ValueError("a point that lies amid its neighbours has no direction to go")
+            raise Refusal("a point that lies amid its neighbours has no direction to go")
         pool[row] = *direction, 0.0
     if not pool[:, 3].any():
-        raise ValueError("one point must stay")
+        raise Refusal("one point must stay")
     return replace(definition, pool=pool)
 
 
@@ -30,14 +32,14 @@ def brought_back(definition, rows):
     for row in rows:
         _require_free(definition, row)
         if pool[row, 3] != 0:
-            raise ValueError("it does not lie at infinity")
+            raise Refusal("it does not lie at infinity")
         pool[row] = *(definition.pool[row, :3] + _foot(definition, row)), 1.0
     return replace(definition, pool=pool)
 
 
 def _require_free(definition, row):
     if any(piece.kind == 'hermite' and row in piece.indices for piece in definition.pieces):
-        raise ValueError("points and tangents of Hermite pieces have no weights")
+        raise Refusal("points and tangents of Hermite pieces have no weights")
 
 
 def _foot(definition, row):

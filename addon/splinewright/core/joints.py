@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from . import decimals, verbs
 from . import definition as definitions
-from . import parameters, verbs
+from .failures import Refusal
 
 #: For continuity, in the order in which it asks for more.
 SMOOTHNESS = ('C0', 'G1', 'C1', 'C2')
@@ -19,12 +20,12 @@ def joined(definition, first, second, smoothness, linear=np.eye(3), parted=None)
     parted: `first` is one of so many pieces at the beginning, `second` one of the rest, counted from there.
 
     The two nearest ends meet; a piece is reversed where it must be. The parameter of the first goes on in that
-    of the second. Raises ValueError where a piece has no ends or they lie at infinity.
+    of the second. Raises Refusal where a piece has no ends or they lie at infinity.
     """
     curves = verbs.curves_of(definition)
     count = len(curves)
     if count < 2:
-        raise ValueError("it has one piece: Make Periodic closes it, and two shapes are joined if both are selected")
+        raise Refusal("it has one piece: Make Periodic closes it, and two shapes are joined if both are selected")
     rows = _chosen(curves[:parted], first)
     columns = _chosen(curves[parted or 0:], second) + (parted or 0)
     a, end_a, b, end_b = _nearest_ends(curves, rows, columns, linear)
@@ -66,13 +67,13 @@ def _nearest_ends(curves, rows, columns, linear):
 
 
 def _refuse(curves, rows, columns):
-    """Raises ValueError: no two ends can meet."""
+    """Raises Refusal: no two ends can meet."""
     if len(rows) == len(columns) == 1 and rows[0] == columns[0]:
-        raise ValueError("a piece is not joined to itself: Make Periodic closes it")
+        raise Refusal("a piece is not joined to itself: Make Periodic closes it")
     for i in (*rows, *columns):
         if getattr(curves[i], 'periodic', False):
-            raise ValueError(f"piece {i + 1} is periodic: it has no end to join")
-    raise ValueError("the ends of the pieces lie at infinity")
+            raise Refusal(f"piece {i + 1} is periodic: it has no end to join")
+    raise Refusal("the ends of the pieces lie at infinity")
 
 
 def ends_of(curve):
@@ -101,14 +102,14 @@ def chained(definition, tolerance):
 
     A joint where the directions agree is made C1: the parameter of the later piece is scaled for that. Then knots
     go as far as the tolerance allows, so that a chain of Bezier curves is the B-spline again that it came from (S8).
-    Raises ValueError where no two ends meet.
+    Raises Refusal where no two ends meet.
     """
-    curves, length = verbs.curves_of(definition), parameters.exact(tolerance)
+    curves, length = verbs.curves_of(definition), decimals.typed(tolerance)
     if len(curves) == 1:
-        raise ValueError("it has one piece: there is nothing to join")
+        raise Refusal("it has one piece: there is nothing to join")
     rows = _rows(np.array([ends_of(curve) for curve in curves]), length)
     if len(rows) == len(curves):
-        raise ValueError(f"no two ends of its pieces lie within {length:.4g} of each other")
+        raise Refusal(f"no two ends of its pieces lie within {length:.4g} of each other")
     after, error = [], 0.0
     for row in rows:
         value, moved = _as_one(curves, row, length) if len(row) > 1 else (curves[row[0][0]], 0.0)

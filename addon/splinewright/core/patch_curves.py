@@ -1,6 +1,7 @@
 """Curves on patches: at one parameter, and around."""
 
 from . import parameters, verbs
+from .failures import Refusal
 from .patch_verbs import Along
 
 #: Sides as splinecore names them, and in words.
@@ -11,7 +12,7 @@ _POINT = 1e-12
 
 def isocurves(patches, number, at):
     """(the curves on patches at pairs of an axis and a parameter, why those that are none were left out), of one patch
-    or of all where the number is 0. Raises ValueError if no curve is left.
+    or of all where the number is 0. Raises Refusal if no curve is left.
     """
     return _found(patches, number, at, _isocurve)
 
@@ -32,7 +33,7 @@ def _found(patches, number, places, find):
             else:
                 left_out.append(f"piece {i + 1}: {reason}" if len(patches) > 1 else reason)
     if not curves:
-        raise ValueError(", ".join(left_out))
+        raise Refusal(", ".join(left_out))
     return curves, left_out
 
 

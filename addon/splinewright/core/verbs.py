@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import decimals, parameters, places, sewing
 from . import definition as definitions
-from . import parameters, places, sewing
+from .failures import Refusal
 from .library import sc
 
 
@@ -40,7 +41,7 @@ class Changed(NamedTuple):
 def changed(definition, number, verb, already="nothing changes"):
     """The Changed definition, after a verb was done with one piece, counted from 1, or with all where `number` is 0.
 
-    Raises ValueError or ArithmeticError, naming the piece where there are several, if one refuses; ValueError
+    Raises Refusal or an error of the library, naming the piece where there are several, if one refuses; ValueError
     with the sentence `already` if every piece came out as it went in.
     """
     before = pieces_of(definition)
@@ -53,7 +54,7 @@ def changed(definition, number, verb, already="nothing changes"):
         error = max(error, piece_error)
     after = [part.value for part in parts]
     if after == before:
-        raise ValueError(already)
+        raise Refusal(already)
     made = _of_curves(definition, after) if definition.has_curves else sewing.sewn(definition, after, parents)
     return Changed(made, tuple(parents), error, tuple(part.place for part in parts))
 
@@ -74,10 +75,10 @@ def curves_of(definition):
 
 
 def require_piece(pieces, number, least=1):
-    """Raises ValueError unless there is a piece of this number, counted from 1."""
+    """Raises Refusal unless there is a piece of this number, counted from 1."""
     count = len(pieces)
     if not least <= number <= count:
-        raise ValueError(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {number}")
+        raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {number}")
 
 
 def _done(verb, value, i, count):
@@ -124,7 +125,7 @@ def remove_knot(parameter, is_nearest, times, tolerance):
 def _nearest_removable(curve, parameter):
     knots = parameters.inner_knots(curve)
     if not len(knots):
-        raise ValueError("there is no inner knot")
+        raise Refusal("there is no inner knot")
     return float(knots[np.abs(knots - parameter).argmin()])
 
 
@@ -152,7 +153,7 @@ def lower_degree(times, tolerance):
             # Its own error adds up those of all steps.
             result = Near(result.value, curve.to_nurbs().largest_distance(result.value.to_nurbs()))
         if tolerance is not None and result.error > tolerance:
-            raise ValueError(f"the degree cannot be lowered within {tolerance:.4g}: "
+            raise Refusal(f"the degree cannot be lowered within {tolerance:.4g}: "
                              f"the error would be {result.error:.4g}")
         return result
     return verb
@@ -201,13 +202,13 @@ def reverse():
 
 def set_domain(start, end):
     def verb(curve):
-        domain = parameters.exact(start), parameters.exact(end)
+        domain = decimals.typed(start), decimals.typed(end)
         return curve if curve.domain == domain else curve.to_nurbs().with_domain(domain)
     return verb
 
 
 def moebius(rho):
-    return lambda curve: _capable(curve, 'moebius').moebius(parameters.exact(rho))
+    return lambda curve: _capable(curve, 'moebius').moebius(decimals.typed(rho))
 
 
 def standard_form():
@@ -249,12 +250,12 @@ def make_periodic(tolerance):
 
 def project(eye):
     """The image on the plane z = 0, seen from a point: new weights are what the perspective does (S9)."""
-    x, y, z = map(parameters.exact, eye)
+    x, y, z = map(decimals.typed, eye)
     matrix = [[z, 0, -x, 0], [0, z, -y, 0], [0, 0, 0, 0], [0, 0, -1, z]]
 
     def verb(curve):
         if z == 0.0:
-            raise ValueError("the eye lies in the plane of the image, z = 0")
+            raise Refusal("the eye lies in the plane of the image, z = 0")
         return curve.to_nurbs().transformed(matrix)
     return verb
 
@@ -283,7 +284,7 @@ def _conic_as_hermite(curve, tolerance):
     try:
         return sc.conics.as_hermite(curve, tolerance)
     except sc.InvalidShape as error:
-        raise ValueError("it runs to infinity or has a gap: a Hermite chain is finite and connected") from error
+        raise Refusal("it runs to infinity or has a gap: a Hermite chain is finite and connected") from error
 
 
 def to_nurbs():

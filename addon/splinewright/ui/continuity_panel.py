@@ -5,7 +5,7 @@ import math
 import bpy
 
 from ..bridge import shape, store, surveys
-from ..bridge.net import live, net
+from ..bridge.net import live, net_object
 from . import seams_overlay, texts
 from .sub_panel import SubPanel
 
@@ -28,7 +28,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
             survey = surveys.survey_of(_shape_in_hand(context.object).data)
         except store.UnreadableDefinition:
             return                      # the panel above says it
-        if net.is_net(context.object) and live.problem(context.object):
+        if net_object.is_net(context.object) and live.problem(context.object):
             texts.draw_note(self.layout, "As it was before the last change, which is not shown", _WIDTH)
         data = _shape_in_hand(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
@@ -45,7 +45,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
 
 def _shape_in_hand(ob):
     """The shape that is active, or whose net is; None where there is none."""
-    owner = net.shape_of(ob) if ob is not None and net.is_net(ob) else ob
+    owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
     return owner if shape.has_shape(owner) else None
 
 

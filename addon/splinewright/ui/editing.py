@@ -2,13 +2,10 @@
 
 import bpy
 
-from ..bridge import fineness, made, recipes, shape
-from ..bridge.net import live, net, net_points, points_net
-from ..core.failures import FAILURES, sentence
-
-#: Names of the objects that are nets. Only a hint: undo and loading make it anew.
-known = set()
-
+from ..bridge import problems, recipes, remaking, settings, shape, store
+from ..bridge.file_state import block_of, key, state
+from ..bridge.net import free_net, live, net_object, selection
+from ..core.failures import FAILURES, Refusal, sentence
 
 def why_not(ob):
     """Why an object's net cannot be edited, as a sentence, or ""."""
@@ -18,36 +15,38 @@ def why_not(ob):
         return "The shape is linked from another file: make it local first"
     if recipes.follows(ob.data):
         return "The shape follows another object: edit that, or use Make Editable first"
-    if recipes.has(ob.data) and not recipes.has_points(ob.data):
-        return "The shape is made by its numbers: change them in the panel, or use Make Editable first"
-    return ""
+    try:
+        is_of_numbers = recipes.has(ob.data) and not recipes.has_points(ob.data)
+    except store.UnreadableDefinition as error:
+        return str(error)
+    return "The shape is made by its numbers: change them in the panel, or use Make Editable first" if is_of_numbers else ""
 
 
 def nets():
     """All net objects of the file that the last scan or an operator told of."""
-    found = [bpy.data.objects.get(name) for name in sorted(known)]
-    if not all(net.is_net(ob) for ob in found):
+    found = [block_of(name) for name in sorted(state.nets)]
+    if not all(net_object.is_net(ob) for ob in found):
         find_nets()                     # one was renamed or removed
-        found = [bpy.data.objects[name] for name in sorted(known)]
+        found = [block_of(name) for name in sorted(state.nets)]
     return found
 
 
 def find_nets():
     """Scan the file."""
-    known.clear()
-    known.update(ob.name for ob in bpy.data.objects if net.is_net(ob))
+    state.nets.clear()
+    state.nets.update(key(ob) for ob in bpy.data.objects if net_object.is_net(ob))
 
 
 def nets_in_edit_mode(context):
     if not context.mode.startswith('EDIT'):
         return []
-    return [ob for ob in context.objects_in_mode if net.is_net(ob)]
+    return [ob for ob in context.objects_in_mode if net_object.is_net(ob)]
 
 
 def enter(context, active, progress=shape.no_progress):
     """Put the nets of the active shape, and of selected ones of its kind, into Edit Mode.
 
-    Raises ValueError, and nothing has changed, if the net of the active shape cannot be made.
+    Raises Refusal, and nothing has changed, if the net of the active shape cannot be made.
     """
     chosen = [active] + [ob for ob in context.selected_objects
                          if ob != active and ob.type == active.type and not why_not(ob) and not shape.is_touched(ob.data)]
@@ -60,20 +59,20 @@ def enter(context, active, progress=shape.no_progress):
                 progress(len(put_out))
     except Exception:
         for ob in put_out:
-            net.remove(ob)
+            net_object.remove(ob)
         raise
-    net.remember(put_out[0], [ob.name for ob in context.selected_objects if ob not in chosen])
+    net_object.remember(put_out[0], [ob.name for ob in context.selected_objects if ob not in chosen])
     for ob in context.selected_objects:
         ob.select_set(False)
     for ob in put_out:
         ob.select_set(True)
-        known.add(ob.name)
+        state.nets.add(key(ob))
     context.view_layer.objects.active = put_out[0]
     bpy.ops.object.mode_set(mode='EDIT')
     if put_out[0].mode != 'EDIT':
         for ob in put_out:
             put_away(context, ob)
-        raise ValueError(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
+        raise Refusal(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
     return put_out
 
 
@@ -81,12 +80,12 @@ def _put_out(context, ob):
     data = ob.data
     shape.require_writable(data)
     shape.require_untouched(data)
-    definition = made.edited(data)
-    numbers = net.numbers(definition)
-    held = net.make(ob, definition, numbers, context.scene)
-    if made.takes_any_count(data):
-        points_net.set_free(held.data, made.is_closed(data))
-    live.begin(held.data, numbers, fineness.settings(data))
+    definition = remaking.edited(data)
+    numbers = net_object.net_of(definition)
+    held = net_object.make(ob, definition, numbers, context.scene)
+    if remaking.takes_any_count(data):
+        free_net.set_free(held.data, remaking.is_closed(data))
+    live.begin(held.data, numbers, settings.values(data))
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
         held.local_view_set(space, True)
@@ -113,14 +112,14 @@ def leave(context, progress=shape.no_progress):
 
 def put_away(context, ob):
     """Remove a net in Object Mode; its shape is exact, and selected and active where the net was."""
-    owner = net.shape_of(ob)
+    owner = net_object.shape_of(ob)
     if not _is_copy(ob):
-        net.end(ob)
+        net_object.end(ob)
     layer = context.view_layer
-    others = net.remembered(ob)
+    others = net_object.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
-    known.discard(ob.name)
-    net.remove(ob)
+    state.nets.discard(key(ob))
+    net_object.remove(ob)
     if owner is None:
         return
     _settle(owner)
@@ -136,17 +135,17 @@ def anew(context, nets):
     """Put the nets away and out again, from what the shapes are now; points stay selected."""
     selections = {}
     for ob in nets:
-        owner = net.shape_of(ob)
+        owner = net_object.shape_of(ob)
         if owner is not None:
-            selections[owner.name] = net_points.selected(ob, live.session(ob.data).net)
-    active = net.shape_of(context.object)
+            selections[owner.name] = selection.selected(ob, live.session(ob.data).net)
+    active = net_object.shape_of(context.object)
     leave(context)
     if active is None or context.view_layer.objects.get(active.name) != active:
         return
     context.view_layer.objects.active = active
     for ob in enter(context, active):
         numbers = live.session(ob.data).net
-        net_points.select(ob, numbers, selections.get(net.shape_of(ob).name, ()))
+        selection.select(ob, numbers, selections.get(net_object.shape_of(ob).name, ()))
 
 
 def sweep():
@@ -174,7 +173,7 @@ def _to_object_mode(ob):
 
 def _is_copy(ob):
     """Whether the net itself is in Edit Mode, and this a part that was separated from it."""
-    return any(other != ob and other.mode == 'EDIT' and net.token(other.data) == net.token(ob.data) for other in nets())
+    return any(other != ob and other.mode == 'EDIT' and net_object.token(other.data) == net_object.token(ob.data) for other in nets())
 
 
 def end():
@@ -192,7 +191,7 @@ def end():
 def settle():
     """Exact normals for the shapes of all nets."""
     for ob in nets():
-        owner = net.shape_of(ob)
+        owner = net_object.shape_of(ob)
         if owner is not None:
             _settle(owner)
 
@@ -201,7 +200,7 @@ def _settle(owner):
     try:
         live.settle(owner.data)
     except FAILURES as error:
-        owner.data.splinewright.problem = sentence(error)
+        problems.tell(owner.data, problems.SETTING, sentence(error))
 
 
 def _is_in(layer, ob):

@@ -4,6 +4,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge import follow
+from ..bridge.file_state import forget, key, state
 from ..bridge.net import live
 from . import editing, saving
 
@@ -15,9 +16,10 @@ _SETTLE = 0.3
 def updated(scene, depsgraph):
     """Shapes follow their nets and their inputs. Cheap where nothing changed."""
     changed = set()
-    if follow.known or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
+    if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
         changed = _changed_blocks(depsgraph.updates)
-    if editing.known:
+        _look_again(changed)
+    if state.nets:
         changed |= _follow_nets(changed)
     if changed:
         follow.refresh(changed, depsgraph)
@@ -26,6 +28,7 @@ def updated(scene, depsgraph):
 @persistent
 def undone(*_):
     """After undo and redo every object is another."""
+    state.touched.clear()
     editing.find_nets()
     follow.scan()
     live.trust()
@@ -34,7 +37,7 @@ def undone(*_):
 
 @persistent
 def loaded(*_):
-    live.forget()
+    forget()
     undone()
 
 
@@ -55,6 +58,12 @@ def _follow_nets(changed):
     if written:
         _later(editing.settle)
     return written
+
+
+def _look_again(changed):
+    """What was found out about changed data-blocks may not be so any more."""
+    for block in changed if state.touched else ():
+        state.touched.pop(key(block), None)
 
 
 def _changed_blocks(updates):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge.net import net
+from ..bridge.net import net_object
 from ..core.recipes.table import DERIVED, FOLLOW, STARTING
 from . import curve_tools, patch_tools
 
@@ -115,7 +115,7 @@ def _draw_object(self, context):
 
 
 def _draw_net(self, context):
-    if any(net.is_net(ob) for ob in context.objects_in_mode):
+    if any(net_object.is_net(ob) for ob in context.objects_in_mode):
         self.layout.operator("splinewright.leave_net")
         self.layout.operator("splinewright.point_to_infinity")
         self.layout.operator("splinewright.point_from_infinity")

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..bridge import recipes, store
-from ..bridge.net import live, net
+from ..bridge.net import live, net_object
 from ..core import describe
 from . import net_props, recipe_props, settings_panel, texts
 
@@ -13,7 +13,7 @@ _PIECES = 4
 
 def draw(layout, ob):
     """For a net object in Edit Mode."""
-    owner = net.shape_of(ob)
+    owner = net_object.shape_of(ob)
     if owner is None:
         texts.draw_problem(layout, "The shape of this net was deleted, or is in no scene")
         return
@@ -25,15 +25,14 @@ def draw(layout, ob):
     _draw_points(layout, ob, has_weights=not recipes.has(owner.data))
     try:
         definition = store.read(owner.data)
+        if recipes.has(owner.data):
+            recipe_props.draw(layout.box(), owner.data, is_net_out=True)
+        else:
+            _draw_knots(layout, definition, _pieces_in_hand(ob))
+        layout.separator()
+        settings_panel.draw(layout, owner.data, definition, has_buttons=False)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
-        return
-    if recipes.has(owner.data):
-        recipe_props.draw(layout.box(), owner.data, is_net_out=True)
-    else:
-        _draw_knots(layout, definition, _pieces_in_hand(ob))
-    layout.separator()
-    settings_panel.draw(layout, owner.data, definition, has_buttons=False)
 
 
 def _draw_points(layout, ob, has_weights):

@@ -6,7 +6,8 @@ import bpy
 import numpy as np
 from bpy.props import FloatProperty, FloatVectorProperty, PointerProperty
 
-from ..bridge.net import live, net, net_points
+from ..bridge.net import live, net_object, selection
+from ..core import decimals
 from . import editing
 
 #: Points whose numbers are shown at once: Blender's vectors hold 32 numbers.
@@ -21,7 +22,7 @@ def net_of(data):
 def chosen(data):
     """(net object, numbers of its selected vertices), or (None, [])."""
     ob = net_of(data)
-    return (ob, net_points.selected(ob, live.session(data).net)) if ob else (None, [])
+    return (ob, selection.selected(ob, live.session(data).net)) if ob else (None, [])
 
 
 def _chosen_now(data):
@@ -36,11 +37,6 @@ def _exact_rows(data, vertices):
     """(k, 4) float64: x, y, z, w of vertices."""
     state = live.session(data).state
     return np.column_stack([state.positions[vertices], state.weights[vertices]])
-
-
-def _shortest(value):
-    """The shortest decimal that is this float32: what was typed."""
-    return float(str(np.float32(value)))
 
 
 def _get_numbers(self):
@@ -61,7 +57,7 @@ def _set_numbers(self, numbers):
     rows = _exact_rows(data, vertices)
     wanted = np.array(numbers, np.float32).reshape(SHOWN, 4)[:len(rows)]
     different = wanted != rows.astype(np.float32)
-    rows[different] = [_shortest(value) for value in wanted[different]]
+    rows[different] = [decimals.typed(value) for value in wanted[different]]
     changed = np.flatnonzero(different.any(1))
     if len(changed):
         _place(ob, [vertices[i] for i in changed], rows[changed])
@@ -69,8 +65,8 @@ def _set_numbers(self, numbers):
 
 def _place(ob, vertices, rows):
     """Nothing happens where the net has lost its points, of which the panel tells."""
-    with suppress(net.ChangedNet):
-        net_points.place(ob, live.session(ob.data).net, vertices, rows)
+    with suppress(net_object.ChangedNet):
+        selection.place(ob, live.session(ob.data).net, vertices, rows)
 
 
 def _get_weight(self):
@@ -85,7 +81,7 @@ def _set_weight(self, weight):
     vertices = _with_weight(data, vertices)
     if vertices:
         rows = _exact_rows(data, vertices)
-        rows[:, 3] = _shortest(weight)
+        rows[:, 3] = decimals.typed(weight)
         _place(ob, vertices, rows)
 
 

@@ -6,7 +6,8 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge.net import live, net
+from ..bridge.file_state import state
+from ..bridge.net import live, net_object
 from . import editing, seams_overlay
 
 #: As Blender colours the two directions of its own surfaces: u yellow, v magenta.
@@ -21,7 +22,7 @@ def draw():
     if not bpy.context.space_data.overlay.show_overlays:
         return
     seams_overlay.draw()
-    for ob in editing.nets() if editing.known else ():
+    for ob in editing.nets() if state.nets else ():
         if ob.mode == 'EDIT' and ob.visible_get():
             gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
             with gpu.matrix.push_pop():
@@ -57,7 +58,7 @@ def _draw_selection(ob, current, scale):
 def _selected(ob, count):
     """(count,) bool in the order of the net's numbers, or None while the net is not whole."""
     vertices = bmesh.from_edit_mesh(ob.data).verts
-    number = vertices.layers.int.get(net.NUMBER)
+    number = vertices.layers.int.get(net_object.NUMBER)
     if len(vertices) != count or number is None:
         return None
     selected = np.zeros(count, bool)

@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import derived, follow, recipes, shape, store
-from ..bridge.net import net
+from ..bridge.net import net_object
 from ..core import describe
 from . import net_panel, recipe_props, settings_panel, texts
 
@@ -20,11 +20,11 @@ class _ShapePanel:
     @classmethod
     def poll(cls, context):
         data, ob = cls.in_hand(context)
-        return net.is_net(ob) or shape.is_shape(data)
+        return net_object.is_net(ob) or shape.is_shape(data)
 
     def draw(self, context):
         data, ob = self.in_hand(context)
-        if net.is_net(ob):
+        if net_object.is_net(ob):
             net_panel.draw(self.layout, ob)
             return
         try:
@@ -44,13 +44,14 @@ class _ShapePanel:
 def _draw_pinned(layout, data):
     """What can be said and changed of a shape that is not the active one: buttons would take another."""
     texts.draw_note(layout, "Pinned: for its buttons make its object active and unpin")
-    if shape.is_touched(data):
+    if shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
-    elif recipes.has(data):
-        try:
-            recipe_props.draw(layout.box(), data, is_net_out=net.editor(data) is not None)
-        except store.UnreadableDefinition as error:
-            texts.draw_problem(layout, str(error))
+        return
+    try:
+        if recipes.has(data):
+            recipe_props.draw(layout.box(), data, is_net_out=net_object.editor(data) is not None)
+    except store.UnreadableDefinition as error:
+        texts.draw_problem(layout, str(error))
 
 
 def _draw_state(layout, ob):
@@ -60,7 +61,7 @@ def _draw_state(layout, ob):
         texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net")
     elif recipes.follows(data):
         _draw_following(layout, data)
-    elif shape.is_touched(data):
+    elif shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
         column.operator("splinewright.restore", text="Restore: throw the changes away")
@@ -86,6 +87,7 @@ def _draw_following(layout, data):
         recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
+        layout.operator("splinewright.make_editable")
         return
     names = " and ".join(source.name for source in sources if source)
     layout.label(text=f"Follows {names or 'nothing any more'}", icon='LINKED')
@@ -124,7 +126,8 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
     @staticmethod
     def in_hand(context):
         """What is pinned, or else the active object's; pinned data is seen without an object."""
-        data, ob = context.mesh or context.curve, context.object
+        ob = context.object
+        data = getattr(context, 'mesh', None) or getattr(context, 'curve', None) or (ob.data if ob else None)
         return data, ob if ob is not None and ob.data == data else None
 
 

@@ -4,13 +4,13 @@ Numbers are kept in float64 beside the definition; properties only show and chan
 """
 
 import contextlib
-import math
 
 import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import follow, made, recipes, store
+from ..bridge import follow, problems, recipes, remaking, store
+from ..core import decimals
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
 
@@ -37,9 +37,7 @@ def as_typed(parameter, value):
         return value
     if np.float32(value) == np.float32(parameter.default):
         return parameter.default
-    text, degrees = (str(np.float32(number)) for number in (value, math.degrees(value)))
-    is_typed_in_degrees = parameter.unit == 'ROTATION' and len(degrees) < len(text)
-    return math.radians(float(degrees)) if is_typed_in_degrees else float(text)
+    return decimals.typed_angle(value) if parameter.unit == 'ROTATION' else decimals.typed(value)
 
 
 def typed(recipe, properties):
@@ -73,9 +71,9 @@ def _setter(recipe, parameter):
             if value == recipes.parameters(data)[parameter.name]:
                 return
             _set_parameter(data, parameter.name, value)
-            data.splinewright.problem = ""
+            problems.tell(data, problems.SETTING, "")
         except FAILURES as error:
-            data.splinewright.problem = sentence(error)
+            problems.tell(data, problems.SETTING, sentence(error))
     return set_it
 
 
@@ -83,7 +81,7 @@ def _set_parameter(data, name, value):
     if recipes.follows(data):
         follow.set_parameter(data, name, value, bpy.context.evaluated_depsgraph_get())
     else:
-        made.set_parameter(data, name, value)
+        remaking.set_parameter(data, name, value)
 
 
 class SplinewrightRecipe(bpy.types.PropertyGroup):
@@ -107,7 +105,7 @@ def draw(layout, data, is_net_out=False):
     for parameter in recipe.parameters:
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'
-        row.prop(data.splinewright_recipe, name_of(recipe, parameter))
+        row.prop(data.splinewright_parameters, name_of(recipe, parameter))
     error = recipes.error(data)
     if error:
         layout.label(text=f"Within {error:.1e} of what is asked for", icon='INFO')
@@ -118,9 +116,9 @@ CLASSES = (SplinewrightRecipe,)
 
 def register():
     for data in (bpy.types.Curve, bpy.types.Mesh):
-        data.splinewright_recipe = PointerProperty(type=SplinewrightRecipe)
+        data.splinewright_parameters = PointerProperty(type=SplinewrightRecipe)
 
 
 def unregister():
     for data in (bpy.types.Curve, bpy.types.Mesh):
-        del data.splinewright_recipe
+        del data.splinewright_parameters

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.net import live, net
+from ..bridge.file_state import state
+from ..bridge.net import live, net_object
 from . import editing
 
 
@@ -19,9 +20,6 @@ class _Suspended(NamedTuple):
     collections: list                   # for each the collections it was taken from
 
 
-_suspended = []
-
-
 @persistent
 def before(*_):
     """Take the nets in Edit Mode out of their scenes."""
@@ -32,9 +30,9 @@ def before(*_):
     for scene in bpy.data.scenes:
         for layer in scene.view_layers:
             members = [ob for ob in layer.objects if ob and ob.mode == 'EDIT']
-            if any(map(net.is_net, members)):
+            if any(map(net_object.is_net, members)):
                 _suspend(scene, layer, members)
-    if _suspended and not bpy.app.background:
+    if state.suspended and not bpy.app.background:
         bpy.app.timers.register(after)  # Blender 3.4 does not tell of a save that failed
 
 
@@ -42,19 +40,19 @@ def _suspend(scene, layer, members):
     members.sort(key=lambda ob: ob != layer.objects.active)
     with _at(scene, layer, members[0]):
         bpy.ops.object.mode_set(mode='OBJECT')
-    taken = [list(ob.users_collection) if net.is_net(ob) else [] for ob in members]
+    taken = [list(ob.users_collection) if net_object.is_net(ob) else [] for ob in members]
     for ob, collections in zip(members, taken):
         for collection in collections:
             collection.objects.unlink(ob)
-    _suspended.append(_Suspended(scene, layer, members, taken))
+    state.suspended.append(_Suspended(scene, layer, members, taken))
 
 
 @persistent
 def after(*_):
     """Put them back, in Edit Mode."""
-    while _suspended:
+    while state.suspended:
         with suppress(ReferenceError):  # something took the scene or its objects away meanwhile
-            _put_back(_suspended.pop())
+            _put_back(state.suspended.pop())
 
 
 def _put_back(suspended):

@@ -7,7 +7,7 @@ from gpu_extras.batch import batch_for_shader
 from mathutils import Matrix
 
 from ..bridge import store, surveys
-from ..bridge.net import net
+from ..bridge.net import net_object
 from ..core import seams
 
 #: By the classes of core.seams, from unknown to curvatures that agree.
@@ -21,7 +21,7 @@ _NEARER = 2e-3
 
 def shape_in_hand(ob):
     """The patch shape that is active, or whose net is; None where there is none."""
-    owner = net.shape_of(ob) if ob is not None and net.is_net(ob) else ob
+    owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
     return owner if owner is not None and owner.type == 'MESH' and store.has_definition(owner.data) else None
 
 

@@ -1,6 +1,8 @@
 """How finely a shape is shown, in panels."""
 
-from ..bridge import fineness, recipes
+import contextlib
+
+from ..bridge import fineness, problems, recipes, store
 from . import texts
 
 
@@ -10,7 +12,7 @@ def draw(layout, data, definition, has_buttons=True):
     column = layout.column(align=True)
     if definition.has_curves:
         column.prop(settings, "resolution_u", text="Resolution")
-        if definition.runs_to_infinity or recipes.around(data) is not None:
+        if definition.runs_to_infinity or _is_endless(data):
             column.prop(settings, "reach")
     else:
         _draw_fineness(column, settings, has_buttons)
@@ -20,8 +22,16 @@ def draw(layout, data, definition, has_buttons=True):
         column.label(text=_faces(data))
         if has_buttons and len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
-    if settings.problem:
-        texts.draw_problem(layout, settings.problem)
+    problem = problems.of(data, problems.SETTING)
+    if problem:
+        texts.draw_problem(layout, problem)
+
+
+def _is_endless(data):
+    """Whether the recipe of a shape, if it can be read, makes curves that may run far."""
+    with contextlib.suppress(store.UnreadableDefinition):
+        return recipes.around(data) is not None
+    return False
 
 
 def _draw_fineness(column, settings, has_buttons):

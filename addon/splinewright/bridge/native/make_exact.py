@@ -4,8 +4,9 @@ from typing import NamedTuple
 
 import bpy
 
+from ...core.failures import Refusal
 from ...core.native import native_density
-from .. import blocks, mesh_looks, shape, store
+from .. import blocks, mesh_looks, settings, shape, store
 from . import measure_native, native_dress, native_links, read_native, retype
 
 
@@ -20,13 +21,13 @@ def make_exact(context, ob):
     """Make the data-block of a CURVE or SURFACE object a shape, and so of all objects that share it.
 
     A curve keeps its data-block. A surface becomes a mesh, and the objects stay the same objects.
-    Raises ValueError, ArithmeticError or RuntimeError with a sentence, and has changed nothing, if it cannot be.
+    Raises one of the FAILURES, and has changed nothing, if it cannot be.
     """
     users = native_links.users_of(ob.data)
     _require_native(ob, users)
     reading = read_native.read(ob)
     if reading.value is None:
-        raise ValueError("; ".join(["nothing to make exact", *reading.dropped]))
+        raise Refusal("; ".join(["nothing to make exact", *reading.dropped]))
     deviation = measure_native.of_reading(ob, reading)
     dropped = reading.dropped + native_links.parented_points(users)
     if ob.data.shape_keys:
@@ -37,14 +38,14 @@ def make_exact(context, ob):
 
 def _require_native(ob, users):
     if ob.type not in ('CURVE', 'SURFACE'):
-        raise ValueError("it is no curve or surface")
+        raise Refusal("it is no curve or surface")
     if store.has_definition(ob.data):
-        raise ValueError("it is exact already")
+        raise Refusal("it is exact already")
     for block in [ob.data, *(users if ob.type == 'SURFACE' else [])]:
         if block.library or block.override_library:
-            raise ValueError(f"{block.name} is linked from another file and cannot be changed here")
+            raise Refusal(f"{block.name} is linked from another file and cannot be changed here")
     if ob.data.is_editmode:
-        raise ValueError("leave Edit Mode first")
+        raise Refusal("leave Edit Mode first")
 
 
 def _curve(context, ob, reading, users):
@@ -59,7 +60,7 @@ def _curve(context, ob, reading, users):
         ob.shape_key_clear()
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
-    data.splinewright.set_resolution(steps, steps)
+    settings.set_resolution(data, steps, steps)
     shape.set_value(data, reading.value)
     native_dress.put_on(data, dress, [len(shape.lines_of(data, curve)) for curve in reading.pieces])
     return lost

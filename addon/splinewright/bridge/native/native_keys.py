@@ -4,16 +4,18 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...core.failures import Refusal
+
 
 def mixed(splines, ob, keys):
     """The NativeSplines of a surface with their points where the Key puts them.
 
-    `keys` may be evaluated, for values that are animated. Raises ValueError where it cannot be told.
+    `keys` may be evaluated, for values that are animated. Raises Refusal where it cannot be told.
     """
     if not keys.use_relative and not ob.show_only_shape_key:
-        raise ValueError(f"{ob.name} has absolute shape keys, which are not read from surfaces")
+        raise Refusal(f"{ob.name} has absolute shape keys, which are not read from surfaces")
     if any(len(block.data) != sum(map(_point_count, splines)) for block in keys.key_blocks):
-        raise ValueError(f"{ob.name} has shape keys of another number of points")
+        raise Refusal(f"{ob.name} has shape keys of another number of points")
     basis = keys.reference_key
     if ob.show_only_shape_key:
         shown = keys.key_blocks[ob.active_shape_key_index]

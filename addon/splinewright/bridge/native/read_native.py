@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import bpy
 
+from ...core.failures import Refusal
 from ...core.library import sc
 from ...core.native import native_values
 from . import native_keys, native_splines
@@ -36,10 +37,10 @@ def read(ob, depsgraph=None):
 
     With a depsgraph the points are those evaluated there: animated shape keys, and on curves hooks and
     other modifiers that move control points. Without one modifiers have no effect. In Edit Mode it is
-    what is being edited. Raises ValueError with a sentence where it cannot be told what Blender draws.
+    what is being edited. Raises Refusal with a sentence where it cannot be told what Blender draws.
     """
     if ob.type not in ('CURVE', 'SURFACE'):
-        raise ValueError(f"{ob.name} is no curve or surface")
+        raise Refusal(f"{ob.name} is no curve or surface")
     is_surface = ob.type == 'SURFACE'
     splines, materials = _splines(ob, is_surface, depsgraph)
     make = native_values.surface_value if is_surface else native_values.curve_value
@@ -83,7 +84,7 @@ def _of_evaluated(ob, depsgraph):
     try:
         return _of_data(ob.to_curve(depsgraph, apply_modifiers=True), False)
     except RuntimeError as error:
-        raise ValueError(f"{ob.name} has no evaluated points ({error})") from error
+        raise Refusal(f"{ob.name} has no evaluated points ({error})") from error
     finally:
         ob.to_curve_clear()
 

@@ -3,7 +3,8 @@
 import numpy as np
 
 from ...core.definition import CURVES
-from .. import mesh_looks, recipes, shape
+from ...core.failures import Refusal
+from .. import mesh_looks, recipes, settings, shape
 from . import native_dress, native_links, retype, write_native
 from .make_exact import Outcome
 
@@ -12,16 +13,16 @@ def to_native(context, ob):
     """Make the data-block of a shape Blender's own, and so of all objects that share it.
 
     A curve keeps its data-block. A mesh of patches becomes a surface, and the objects stay the same
-    objects. Raises ValueError or RuntimeError with a sentence, and has changed nothing, if it cannot be.
+    objects. Raises one of the FAILURES, and has changed nothing, if it cannot be.
     """
     if not shape.has_shape(ob):
-        raise ValueError("it is no Splinewright shape")
+        raise Refusal("it is no Splinewright shape")
     data, users = ob.data, native_links.users_of(ob.data)
     shape.require_writable(data)
     shape.require_untouched(data)
     for user in users:
         if ob.type == 'MESH' and (user.library or user.override_library):
-            raise ValueError(f"{user.name} is linked from another file and cannot be changed here")
+            raise Refusal(f"{user.name} is linked from another file and cannot be changed here")
     value = shape.value_of(data)
     planned = write_native.plan(value)
     parented = native_links.parented_points(users)
@@ -31,7 +32,7 @@ def to_native(context, ob):
 
 def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
-    steps = data.splinewright.resolution_u
+    steps = settings.of(data).resolution_u
     curves = [value] if isinstance(value, CURVES) else value
     around = recipes.around(data)
     dress, undressed = _dress(data, [len(shape.lines_of(data, curve, around)) for curve in curves])
@@ -52,9 +53,9 @@ def _dress(data, counts):
 
 def _surface(context, ob, value, planned, users):
     mesh, lost = ob.data, []
-    settings = mesh.splinewright
+    chosen = settings.of(mesh)
     surface, deviation = write_native.new_surface(
-        context, mesh.name, planned, (settings.resolution_u, settings.resolution_v))
+        context, mesh.name, planned, (chosen.resolution_u, chosen.resolution_v))
     for material in mesh.materials:
         surface.materials.append(material)
     looks = mesh_looks.looks_by_patch(mesh)

@@ -10,13 +10,12 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
-from ...core.failures import FAILURES, sentence
+from ...core.failures import Refusal, told
 from ...core.library import sc
-from ...core.net import net as nets
-from .. import fineness, made, recipes, shape, stamp, store, write_mesh
-from . import marks
-from . import net as bridge
-from . import points_net
+from ...core.net import exact_net
+from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, write_mesh
+from ..file_state import state
+from . import free_net, marks, net_object
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
@@ -28,25 +27,24 @@ class Session:
 
     def __init__(self, net):
         self.made_with = net
-        self.problem = ""
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
-        self._settings = {}             # of the shape, by the number that the net is marked with
+        self._settings = {}             # of the shape, their values by the mark that the net carries
 
     def show(self, net):
         """Take this for the net, and its points for those that are there."""
         self.net = net                  # other than it was made with where that has gained or lost points
         self.points = net.single        # for the overlay
-        self.state = nets.exact(net, net.single, net.single_weights)
+        self.state = exact_net.exact(net, net.single, net.single_weights)
 
     def require_alone(self, data, pool):
-        """Raises ValueError where others changed the shape since its net last wrote it."""
+        """Raises Refusal where others changed the shape since its net last wrote it."""
         if self.pool is not None and not np.array_equal(pool, self.pool):
-            raise ValueError("the shape was given another definition while its net was out: leave the net")
+            raise Refusal("the shape was given another definition while its net was out: leave the net")
         now = time.monotonic()
         if now - self._checked > _PAUSE:        # not at every step of a drag
             shape.require_untouched(data)
@@ -61,18 +59,18 @@ class Session:
         self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
 
     def settings(self, mark, present):
-        """The settings that a mark stands for: from now on the present ones, where it is new or none of ours."""
+        """What a mark stands for: from now on the present values, where it is new or none of ours."""
         return present if mark < marks.FIRST else self._settings.setdefault(mark, present)
 
-    def mark(self, settings):
-        """The mark that stands for settings of the shape."""
-        known = next((mark for mark, values in self._settings.items() if values == settings), None)
+    def mark(self, values):
+        """The mark that stands for values of the shape's settings."""
+        known = next((mark for mark, others in self._settings.items() if others == values), None)
         if known is None:
             known = marks.FIRST + len(self._settings)
             if known == marks.FIRST + marks.COUNT:
                 known = next(iter(self._settings))
                 del self._settings[known]
-            self._settings[known] = settings
+            self._settings[known] = values
         return known
 
     def patch_set(self, definition):
@@ -82,11 +80,18 @@ class Session:
             self._patch_sets[is_source] = definitions.to_patch_set(definition)
         return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
+    def _has_faces(self, data):
+        """Whether the shape has the faces that are known here."""
+        return (self.faces is not None and self._fineness == fineness.of(data)
+                and stamp.same_topology(self._stamp, store.read_stamp(data)))
+
+    def final_faces(self, data):
+        """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
+        return self.faces if self._has_faces(data) and fineness.by_count(data) else None
+
     def moved(self, data, patch_set):
         """(positions, exact normals or None) on the faces that the shape has, or None where it needs others."""
-        if self.faces is None or self._fineness != fineness.of(data):
-            return None
-        if not stamp.same_topology(self._stamp, store.read_stamp(data)):
+        if not self._has_faces(data):
             return None
         try:
             if write_mesh.keeps_normals():
@@ -96,41 +101,36 @@ class Session:
             return None                 # sides that were one are not any more, or the other way round
 
 
-_sessions = {}
-
-
 def session(data):
     """The session of a net's data-block."""
-    token = bridge.token(data)
-    if token not in _sessions:
-        begin(data, bridge.numbers(bridge.source(data)))
-    return _sessions[token]
+    token = net_object.token(data)
+    if token not in state.sessions:
+        begin(data, net_object.net_of(net_object.source(data)))
+    return state.sessions[token]
 
 
-def begin(data, net, settings=None):
-    """Start the session of a net's data-block that was made from these numbers, and settings() of its shape."""
-    if len(_sessions) > 32:
+def begin(data, net, shown_by=None):
+    """Start the session of a net's data-block that was made from these numbers.
+
+    shown_by: the values of the settings of the shape when its net was made, where they are known.
+    """
+    if len(state.sessions) > 32:
         _drop_idle()
-    _sessions[bridge.token(data)] = started = Session(net)
-    if settings is not None:
-        started.settings(marks.FIRST, settings)
+    state.sessions[net_object.token(data)] = started = Session(net)
+    if shown_by is not None:
+        started.settings(marks.FIRST, shown_by)
 
 
 def _drop_idle():
     """Forget the sessions of nets that are no more; undo may bring them back, at the cost of a new one."""
-    living = {bridge.token(ob.data) for ob in bpy.data.objects if bridge.is_net(ob)}
-    for token in set(_sessions) - living:
-        del _sessions[token]
-
-
-def forget():
-    """Drop all sessions: another file was opened."""
-    _sessions.clear()
+    living = {net_object.token(ob.data) for ob in bpy.data.objects if net_object.is_net(ob)}
+    for token in set(state.sessions) - living:
+        del state.sessions[token]
 
 
 def trust():
     """After undo and redo: take shapes as they are."""
-    for current in _sessions.values():
+    for current in state.sessions.values():
         current.trust()
 
 
@@ -139,68 +139,70 @@ def pull(ob):
 
     Where the net cannot be read or shown, shape and definition stay as they were last; problem() says why.
     """
-    if not bridge.is_current(ob):
+    if not net_object.is_current(ob):
         return None
-    owner, current = bridge.shape_of(ob), session(ob.data)
-    follow = _follow_points if points_net.is_free(ob.data) else _follow
-    changed = _show_as_marked(owner.data, ob, current)
+    data, current = net_object.shape_of(ob).data, session(ob.data)
+    follow = _follow_points if free_net.is_free(ob.data) else _follow
+    is_changed = _show_as_marked(data, ob, current)
     try:
-        changed = follow(owner.data, ob, current) or changed
-    except FAILURES as error:
-        current.problem = sentence(error)
-    return owner.data if changed else None
+        is_changed = follow(data, ob, current) or is_changed
+        problems.tell(data, problems.NET, "")
+    except Exception as error:
+        problems.tell(data, problems.NET, told(error))
+    return data if is_changed else None
 
 
 def _show_as_marked(data, ob, current):
     """Give a shape the settings that its net is marked with: undo may have brought others back. Whether it changed."""
-    present = fineness.settings(data)
+    present = settings.values(data)
     wanted = current.settings(marks.read(ob), present)
     if wanted == present:
         return False
-    fineness.take(data, wanted)
+    settings.take(data, wanted)
     try:
         current.wrote(data, shape.rewrite(data))
-    except FAILURES as error:
-        data.splinewright.problem = sentence(error)
+    except Exception as error:
+        problems.tell(data, problems.SETTING, told(error))
         return False
     return True
 
 
 def mark(data):
     """The settings of a shape were changed: let its net know, if it is out."""
-    token = bridge.editor(data)
-    nets_of = (ob for ob in bpy.data.objects if bridge.is_net(ob) and bridge.token(ob.data) == token)
-    held = next((ob for ob in nets_of if ob.mode == 'EDIT'), None) if token is not None else None
+    token = net_object.editor(data)
+    if token is None:
+        return
+    nets = (ob for ob in bpy.data.objects if net_object.is_net(ob) and net_object.token(ob.data) == token)
+    held = next((ob for ob in nets if ob.mode == 'EDIT'), None)
     if held is not None:
-        marks.write(held, session(held.data).mark(fineness.settings(data)))
+        marks.write(held, session(held.data).mark(settings.values(data)))
 
 
 def _follow(data, ob, current):
     """Bring a shape up to date; whether it changed."""
-    current.points, weights = bridge.read(ob, current.net)
-    current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
-    definition = nets.read(current.net, current.state)
-    current.problem = ""
-    return made.follow_net(data, definition) if recipes.has_points(data) else _show(data, definition, current)
+    current.points, weights = net_object.read(ob, current.net)
+    current.state = exact_net.exact(current.net, current.points, weights, net_object.typed(ob.data))
+    definition = exact_net.read(current.net, current.state)
+    return remaking.follow_net(data, definition) if recipes.has_points(data) else _show(data, definition, current)
 
 
 def _follow_points(data, ob, current):
     """_follow() where the net may gain and lose points. They are shown in the panel even if the shape refuses them."""
-    current.show(points_net.read(ob.data, current.made_with))
-    current.problem = ""
-    return made.follow_points(data, current.net, points_net.is_turned(ob.data))
+    current.show(free_net.read(ob.data, current.made_with))
+    return remaking.follow_points(data, current.net, free_net.is_turned(ob.data))
 
 
 def problem(ob):
     """Why the shape does not follow its net, or ""."""
-    return session(ob.data).problem
+    owner = net_object.shape_of(ob)
+    return problems.of(owner.data, problems.NET) if owner else ""
 
 
 def settle(data):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
     if store.is_draft(data):
-        faces = shape.rewrite(data)
-        current = _sessions.get(bridge.editor(data))
+        current = state.sessions.get(net_object.editor(data))
+        faces = shape.rewrite(data, faces=current.final_faces(data) if current else None)
         if current is not None:
             current.wrote(data, faces)
 

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..failures import Refusal
 from ..library import sc
 from . import native
 from .native import Direction, Flags, NativeSpline
@@ -35,7 +36,7 @@ class Form(NamedTuple):
 
 
 def curve_forms(curve):
-    """The Forms of a curve: one, or more where its knots break it. Raises ValueError with a sentence."""
+    """The Forms of a curve: one, or more where its knots break it. Raises Refusal with a sentence."""
     _require_degree(curve.degree)
     if isinstance(curve, sc.HermiteCurve) or _is_plain_cubic(curve):
         return [_chain(curve)]
@@ -59,7 +60,7 @@ def patch_forms(patch):
 
 def _require_degree(degree):
     if degree > MOST_DEGREE:
-        raise ValueError(f"its degree is {degree}: Blender's own curves and surfaces end at {MOST_DEGREE}")
+        raise Refusal(f"its degree is {degree}: Blender's own curves and surfaces end at {MOST_DEGREE}")
 
 
 def _is_plain_cubic(curve):
@@ -187,21 +188,21 @@ def _with_positive_weights(axes, net, joints):
             inner = bad[bad[:, i] % axis.degree != 0, i]
             spans = np.unique(inner // axis.degree)
             joints[i] = np.union1d(joints[i], (joints[i][spans] + joints[i][spans + 1]) / 2)
-    raise ValueError(_NEAR_INFINITY)
+    raise Refusal(_NEAR_INFINITY)
 
 
 def _require_finite_joints(axes, weights):
     at_joints = weights[np.ix_(*(range(0, weights.shape[i], axis.degree) for i, axis in enumerate(axes)))]
     if (at_joints <= 0).any():
-        raise ValueError(_AT_INFINITY)
+        raise Refusal(_AT_INFINITY)
 
 
 def _in_single(points):
-    """The points rounded as Blender will hold them. Raises ValueError where it cannot."""
+    """The points rounded as Blender will hold them. Raises Refusal where it cannot."""
     with np.errstate(over='ignore'):
         single = points.astype(np.float32)
     if not np.isfinite(single).all():
-        raise ValueError("a point is farther away than Blender can hold (3.4e38)")
+        raise Refusal("a point is farther away than Blender can hold (3.4e38)")
     if points.shape[-1] == 4 and (single[..., 3] == 0).any():
-        raise ValueError(_NEAR_INFINITY)
+        raise Refusal(_NEAR_INFINITY)
     return points

@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import IntProperty
 
-from ...bridge import made
+from ...bridge import remaking
 from ...core import starters
 from ...core.recipes.table import STARTING
 from .. import recipe_props
@@ -21,7 +21,7 @@ class _AddRecipe(AddShape):
         points = recipe.start_for(values) * self.size
         if recipe.has_any_count:
             points = _spread(points, self.count)
-        return made.new_data(recipe.label, recipe, values, points, self.resolution())
+        return remaking.new_data(recipe.label, recipe, values, points, self.resolution())
 
     def draw_shape(self, layout):
         for parameter in self.recipe.parameters:

@@ -6,7 +6,7 @@ from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
 from ...core import starters
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from .. import progress
 
 
@@ -24,9 +24,9 @@ def can_add(cls, context):
 
 
 def require_place(context):
-    """Raises ValueError where no object can be added."""
+    """Raises Refusal where no object can be added."""
     if context.scene.library or (context.collection and context.collection.library):
-        raise ValueError("the active collection is linked from another file")
+        raise Refusal("the active collection is linked from another file")
 
 
 def add_in_front(context, ob, sources):

@@ -155,7 +155,7 @@ class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):
     bl_label = "Make Periodic"
     bl_description = ("Make a closed curve periodic, as smooth at its seam as it is; "
                       "a gap within the tolerance is closed")
-    done, already = "Made {} periodic", "it is periodic already"
+    done, already = "Result {} periodic", "it is periodic already"
 
     tolerance: tolerance_property("How far the ends may lie apart, and the curve move", 1e-6)
 
@@ -192,7 +192,7 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
     bl_label = "To Hermite"
     bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
                       "conics within a tolerance, and say how far they moved")
-    done, already = "Made {} Hermite", "it is Hermite already"
+    done, already = "Result {} Hermite", "it is Hermite already"
 
     tolerance: tolerance_property("How far cubics may lie from a conic", 1e-5, least=1e-12)
 
@@ -212,9 +212,9 @@ _PLAIN = tuple(pieces.plain(OnCurves, *row) for row in (
      "A periodic one is opened",
      "Unclamped {}", "its knots go on outside the domain already", verbs.unclamp),
     ('to_bezier_chain', "To Bezier Chain", "Make every span a Bezier curve of its own, a piece of the same shape",
-     "Made {} Bezier curves", "its pieces are Bezier curves already", verbs.to_bezier_chain),
+     "Result {} Bezier curves", "its pieces are Bezier curves already", verbs.to_bezier_chain),
     ('to_nurbs', "To NURBS", "Make Bezier curves and Hermite chains NURBS curves; they stay the same",
-     "Made {} NURBS", "it is NURBS already", verbs.to_nurbs)))
+     "Result {} NURBS", "it is NURBS already", verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
            SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split_curve,

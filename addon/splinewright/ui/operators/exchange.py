@@ -9,7 +9,7 @@ from bpy_extras.io_utils import ExportHelper, ImportHelper
 from ...bridge import blocks, shape
 from ...core import bpt
 from ...core.definition import ANY_CURVES
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from ...core.library import sc
 from .. import progress
 from .adding import can_add
@@ -25,6 +25,14 @@ def _path(operator):
 def _printable(text):
     """Names of files may hold bytes that are no text."""
     return str(text).encode('utf-8', 'replace').decode('utf-8')
+
+
+def _text_of(path):
+    """What a file says. Raises Refusal where it is no text, OSError where it cannot be read."""
+    try:
+        return path.read_text(encoding='utf-8-sig')
+    except UnicodeDecodeError as error:
+        raise Refusal("it is no text file") from error
 
 
 class _Import(ImportHelper):
@@ -45,7 +53,7 @@ class _Import(ImportHelper):
         name = _printable(path.stem)
         made = []
         try:
-            values = self.values(path.read_text(encoding='utf-8-sig'))
+            values = self.values(_text_of(path))
             with progress.shown(context, len(values)) as step:
                 for value in values:
                     made.append(shape.new_data(name, value, _RESOLUTION))
@@ -130,7 +138,7 @@ class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
 
     def text(self, value):
         if isinstance(value, (*ANY_CURVES, list)):
-            raise TypeError("BPT holds patches, this is a curve")
+            raise Refusal("BPT holds patches, this is a curve")
         if self.flip:
             value = value.flipped() if isinstance(value, sc.PatchSet) else value.swapped()
         return bpt.dumps(value)
@@ -148,7 +156,7 @@ class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
         curves = [item for item in value if isinstance(item, ANY_CURVES)]
         patches = [item for item in value if not isinstance(item, ANY_CURVES)]
         if not value:
-            raise ValueError("the file holds an empty list")
+            raise Refusal("the file holds an empty list")
         return ([curves] if curves else []) + patches
 
 

@@ -3,7 +3,8 @@
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ...bridge import fineness, mesh_looks, replacing, shape
+from ...bridge import fineness, mesh_looks, problems, replacing, settings, shape
+from ...core.failures import Refusal
 from .selected import OnSelected
 
 
@@ -25,16 +26,17 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         depsgraph = context.evaluated_depsgraph_get()
         tolerance = self.pixels * fineness.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
         shape.require_writable(ob.data)
-        before, settings = len(ob.data.polygons), ob.data.splinewright
-        least = settings.bl_rna.properties['tolerance'].hard_min
+        before, chosen = len(ob.data.polygons), settings.of(ob.data)
+        least = chosen.bl_rna.properties['tolerance'].hard_min
         if tolerance < least:
-            raise ValueError(f"it would take a tolerance of {tolerance:.2g}, less than the least, {least:.0e}")
-        was = settings.mode, settings.tolerance
-        settings.set_tolerance(tolerance)
-        if settings.problem:
-            problem = settings.problem
-            settings.take_back(*was)
-            raise ValueError(problem)
+            raise Refusal(f"it would take a tolerance of {tolerance:.2g}, less than the least, {least:.0e}")
+        was = chosen.mode, chosen.tolerance
+        settings.set_tolerance(ob.data, tolerance)
+        problem = problems.of(ob.data, problems.SETTING)
+        if problem:
+            settings.put_back(ob.data, *was)
+            problems.tell(ob.data, problems.SETTING, "")
+            raise Refusal(problem)
         return tolerance, before, len(ob.data.polygons)
 
     def report_done(self, outcomes):
@@ -60,7 +62,7 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     def work(self, context, ob):
         slot = self.slot or ob.active_material_index + 1
         if slot > len(ob.material_slots):
-            raise ValueError(f"it has {len(ob.material_slots)} material slots, there is none of number {slot}")
+            raise Refusal(f"it has {len(ob.material_slots)} material slots, there is none of number {slot}")
         shape.require_writable(ob.data)
         mesh_looks.set_material(ob.data, self.piece, slot - 1)
 

@@ -4,7 +4,7 @@ import bpy
 from bpy.props import StringProperty
 
 from ...bridge import derived, follow, shape
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from ...core.recipes.table import FOLLOW
 from . import polls
 from .adding import add_in_front, require_place, resolution_property
@@ -54,7 +54,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         if self.source:
             source = context.scene.objects.get(self.source)
             if source is None:
-                raise ValueError(f"there is no object named {self.source} in this scene")
+                raise Refusal(f"there is no object named {self.source} in this scene")
             is_target = shape.has_shape(context.object) and source != context.object
             return (context.object if is_target else None), source
         others = [ob for ob in context.selected_objects if ob != context.object and derived.is_possible(ob)]

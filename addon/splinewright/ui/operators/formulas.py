@@ -4,7 +4,7 @@ import bpy
 from bpy.props import FloatProperty, IntProperty
 
 from ...bridge import replacing, store
-from ...core import formulas, teaching
+from ...core import decimals, formulas, teaching
 from ...core.failures import FAILURES, sentence
 
 #: On a text that we wrote: the object it is about.
@@ -33,7 +33,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
         ob = context.object
         try:
             curve = teaching.nurbs_of(store.read(ob.data), self.piece)
-            written = formulas.text(curve, float(str(round(self.position, 7))))
+            written = formulas.text(curve, decimals.typed(self.position))
         except FAILURES as error:
             self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
             return {'CANCELLED'}

@@ -3,9 +3,9 @@
 import bpy
 
 from ...bridge import recipes, shape, store
-from ...bridge.net import live, net
+from ...bridge.net import live, net_object
 from ...core import infinity
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from .. import editing, net_props
 
 
@@ -30,7 +30,7 @@ class _OnSelectedPoints:
         try:
             changes = [change for change in map(self._change, nets) if change]
             if not changes:
-                raise ValueError("select points of the net")
+                raise Refusal("select points of the net")
             for data, definition in changes:
                 shape.set_definition(data, definition)
         except FAILURES as error:
@@ -47,8 +47,8 @@ class _OnSelectedPoints:
             return None
         live.pull(ob)
         if live.problem(ob):
-            raise ValueError(live.problem(ob))
-        data = net.shape_of(ob).data
+            raise Refusal(live.problem(ob))
+        data = net_object.shape_of(ob).data
         recipes.require_free(data)
         return data, self.changed(store.read(data), rows)
 

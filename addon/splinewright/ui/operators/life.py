@@ -4,7 +4,7 @@ import bpy
 from bpy.props import BoolProperty
 
 from ...bridge import joining, recipes, shape, transforming
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from . import polls
 from .selected import OnSelected
 
@@ -42,7 +42,7 @@ class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
 
     def work(self, context, ob):
         if not recipes.has(ob.data):
-            raise ValueError("it follows nothing, has no recipe and is editable already")
+            raise Refusal("it follows nothing, has no recipe and is editable already")
         shape.require_writable(ob.data)
         recipes.remove(ob.data)
 

@@ -30,7 +30,7 @@ class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
     bl_description = ("Turn selected curves and surfaces of Blender into Splinewright shapes of the same geometry, "
                       "in their place; surfaces become meshes")
     needs = "Select a curve or surface that is no Splinewright shape"
-    done = "Made {} exact"
+    done = "Result {} exact"
     fits = staticmethod(_is_native)
 
     def work(self, context, ob):
@@ -43,7 +43,7 @@ class SPLINEWRIGHT_OT_to_native(_Conversion, bpy.types.Operator):
     bl_description = ("Turn selected Splinewright shapes into Blender's own curves and surfaces of the same geometry, "
                       "in their place; meshes of patches become surfaces")
     needs = "Select a Splinewright shape"
-    done = "Made {} Blender's own"
+    done = "Result {} Blender's own"
     fits = staticmethod(shape.has_shape)
 
     def work(self, context, ob):

@@ -9,7 +9,7 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ...bridge import replacing, store
-from ...core import parameters, verbs
+from ...core import decimals, verbs
 from ...core.failures import FAILURES
 from .selected import OnSelected
 
@@ -46,7 +46,7 @@ class OnPieces(OnSelected):
     @property
     def length(self):
         """The tolerance, as it was typed."""
-        return parameters.exact(self.tolerance)
+        return decimals.typed(self.tolerance)
 
     def settings(self):
         """Names of the properties in the redo panel above the piece."""

@@ -4,7 +4,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
 from ...bridge import recipes, shape, store
-from ...bridge.net import live, net
+from ...bridge.net import live, net_object
 from ...core import knots
 from ...core.failures import FAILURES, sentence
 from .. import editing
@@ -89,8 +89,8 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 def _shape_in_hand(context):
     """The active shape, or the one whose net is active in Edit Mode."""
     ob = context.object
-    if net.is_net(ob) and ob.mode == 'EDIT':
-        return net.shape_of(ob)
+    if net_object.is_net(ob) and ob.mode == 'EDIT':
+        return net_object.shape_of(ob)
     return ob if shape.has_shape(ob) and ob.mode == 'OBJECT' and not editing.why_not(ob) else None
 
 

@@ -6,16 +6,16 @@ Where a point is in its spline says which it is. Its tilt is the number of the p
 import bpy
 import numpy as np
 
-from ...core.net import points_net
-from ...core.net.net import Spline
-from . import net as bridge
+from ...core.net.exact_net import Spline
+from ...core.net.free_net import digits, present
+from . import net_object
 
 _FREE = 'any_count'
 
 
 def set_free(data, is_closed):
     """Let a net's data-block that was just made gain and lose points; whether its shape is closed."""
-    data[bridge.KEY][_FREE] = True
+    data[net_object.KEY][_FREE] = True
     set_closed(data, is_closed)
 
 
@@ -27,7 +27,7 @@ def set_closed(data, is_closed):
 
 def is_free(data):
     """Whether a net may have other points than it was made with."""
-    return _FREE in data[bridge.KEY].keys()
+    return _FREE in data[net_object.KEY].keys()
 
 
 def numbers(data):
@@ -46,28 +46,28 @@ def read(data, made_with):
     Splines of Blender's Bezier type count as empty.
     """
     rows = _values(data, 'co', 4)
-    exact = points_net.digits(made_with, bridge.typed(data), numbers(data), rows[:, :3])
+    exact = digits(made_with, net_object.typed(data), numbers(data), rows[:, :3])
     splines = [Spline(spline.type, len(spline.points), spline.use_cyclic_u) for spline in data.splines]
-    return points_net.present(made_with, exact, rows[:, 3], splines)
+    return present(made_with, exact, rows[:, 3], splines)
 
 
 def require_one_polygon(net):
     """The only spline of a Net that was read. Raises ChangedNet where there is not one, of the type it had."""
     if not net.splines:
-        raise bridge.ChangedNet("the net has no points left: undo that, the shape waits")
+        raise net_object.ChangedNet("the net has no points left: undo that, the shape waits")
     if len(net.splines) > 1:
-        raise bridge.ChangedNet(f"the net has {len(net.splines)} splines: join them (Make Segment) "
+        raise net_object.ChangedNet(f"the net has {len(net.splines)} splines: join them (Make Segment) "
                                 "or delete all but one, the shape waits")
     if net.splines[0].kind != 'POLY':
-        raise bridge.ChangedNet("the spline of the net has another type: undo that, the shape waits")
+        raise net_object.ChangedNet("the spline of the net has another type: undo that, the shape waits")
     return net.splines[0]
 
 
 def editing(shape_data):
     """The data-block of the net of this kind that edits a shape, or None."""
-    token = shape_data.get(bridge.EDITED_BY)
+    token = shape_data.get(net_object.EDITED_BY)
     return next((data for data in bpy.data.curves
-                 if bridge.KEY in data.keys() and bridge.token(data) == token and is_free(data)), None)
+                 if net_object.KEY in data.keys() and net_object.token(data) == token and is_free(data)), None)
 
 
 def _values(data, name, width):

@@ -10,6 +10,7 @@ import bmesh
 import bpy
 import numpy as np
 
+from ...core.failures import Refusal
 from ...core.net import curve_net, patch_net
 from .. import blocks, store
 from . import marks
@@ -24,7 +25,7 @@ WEIGHT = "weight"
 NUMBER = "splinewright_vertex"
 
 
-class ChangedNet(ValueError):
+class ChangedNet(Refusal):
     """The net does not have the points it was made with."""
 
 
@@ -38,15 +39,15 @@ def shape_of(ob):
     return shape if shape is not None and shape.users_scene and store.has_definition(shape.data) else None
 
 
-def numbers(definition):
+def net_of(definition):
     """The core.net.Net of a definition."""
     return (curve_net if definition.has_curves else patch_net).make(definition)
 
 
 def make(shape, definition, net, scene):
-    """A net object for a shape, always where that is, linked to the scene. net: numbers(definition)."""
+    """A net object for a shape, always where that is, linked to the scene. net: net_of(definition)."""
     if not (np.isfinite(net.single).all() and np.isfinite(net.single_weights).all()):
-        raise ValueError(f"a control point of {shape.name} lies farther away than Blender's Edit Mode reaches (3.4e38)")
+        raise Refusal(f"a control point of {shape.name} lies farther away than Blender's Edit Mode reaches (3.4e38)")
     data = _curve(shape.name, net) if definition.has_curves else _cage(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
     marks.make(data)

@@ -3,16 +3,17 @@
 import numpy as np
 
 from ..core import definition as definitions
+from ..core.failures import Refusal
 from ..core.library import sc
 from . import recipes, shape, store
-from .net import points_net
+from .net import free_net
 
 
 def new_data(name, recipe, values, points, resolution):
-    """A new Curve that a recipe makes of points. Raises ValueError or ArithmeticError."""
-    made = recipe.make(points, **values)
-    data = shape.new_data(name, made.value, resolution, around=points if recipe.is_endless else None)
-    recipes.write_made(data, recipe, values, points, made.error)
+    """A new Curve that a recipe makes of points. Raises Refusal or an error of the library."""
+    result = recipe.make(points, **values)
+    data = shape.new_data(name, result.value, resolution, around=points if recipe.is_endless else None)
+    recipes.write_made(data, recipe, values, points, result.error)
     return data
 
 
@@ -20,9 +21,9 @@ def set_parameter(data, name, value):
     """Change one number or text of a recipe of points. Raises, and changes nothing, where nothing comes of it."""
     values = {**recipes.parameters(data), name: value}
     _remake(data, values, recipes.points(data))
-    held = points_net.editing(data)
+    held = free_net.editing(data)
     if held is not None and name == 'closed':
-        points_net.set_closed(held, value)
+        free_net.set_closed(held, value)
     if held is not None:
         held.update_tag()               # points that were refused may fit now
 
@@ -34,9 +35,9 @@ def set_points(data, points):
 
 def _remake(data, values, points):
     recipe = recipes.of(data)
-    made = recipe.make(points, **values)
-    shape.set_definition(data, made.definition, around=points if recipe.is_endless else None)
-    recipes.write_made(data, recipe, values, points, made.error)
+    result = recipe.make(points, **values)
+    shape.set_definition(data, result.definition, around=points if recipe.is_endless else None)
+    recipes.write_made(data, recipe, values, points, result.error)
 
 
 def edited(data):
@@ -74,13 +75,13 @@ def follow_points(data, net, is_turned):
     is_turned: whether the direction of the net was switched, which turns no groups over.
     """
     if not takes_any_count(data):
-        raise ValueError("the shape is made in another way since its net came: leave the net")
-    recipe, spline = recipes.of(data), points_net.require_one_polygon(net)
+        raise Refusal("the shape is made in another way since its net came: leave the net")
+    recipe, spline = recipes.of(data), free_net.require_one_polygon(net)
     _require_no_weights(net.weights)
     if spline.closed and not recipe.can_close:
-        raise ValueError(f"{recipe.label} cannot be closed: open its net (Toggle Cyclic), the shape waits")
+        raise Refusal(f"{recipe.label} cannot be closed: open its net (Toggle Cyclic), the shape waits")
     if spline.count < 2:
-        raise ValueError("one point is no curve: the shape waits for more")
+        raise Refusal("one point is no curve: the shape waits for more")
     points = net.positions[::-1] if recipe.has_groups and is_turned else net.positions
     if spline.closed == is_closed(data) and np.array_equal(points, recipes.points(data)):
         return False
@@ -91,4 +92,4 @@ def follow_points(data, net, is_turned):
 
 def _require_no_weights(weights):
     if (weights != 1.0).any():
-        raise ValueError("the points of this recipe have no weights: use Make Editable for that")
+        raise Refusal("the points of this recipe have no weights: use Make Editable for that")

@@ -4,8 +4,7 @@ import bmesh
 import numpy as np
 from mathutils import Vector
 
-from . import net as bridge
-from . import points_net
+from . import free_net, net_object
 
 
 def selected(ob, net):
@@ -22,7 +21,7 @@ def select(ob, net, vertices):
             setattr(_point(spline, i), f"select{handle}", vertex in chosen)
         return
     mesh = bmesh.from_edit_mesh(ob.data)
-    number = mesh.verts.layers.int[bridge.NUMBER]
+    number = mesh.verts.layers.int[net_object.NUMBER]
     for vertex in mesh.verts:
         vertex.select = vertex[number] in chosen
     mesh.select_flush_mode()
@@ -34,12 +33,12 @@ def place(ob, net, vertices, rows):
 
     Raises ChangedNet where the net has not its points.
     """
-    if points_net.is_free(ob.data):
-        numbers = points_net.numbers(ob.data)[vertices]
+    if free_net.is_free(ob.data):
+        numbers = free_net.numbers(ob.data)[vertices]
     else:
-        bridge.read(ob, net)
+        net_object.read(ob, net)
         numbers = vertices
-    bridge.add_typed(ob.data, np.column_stack([numbers, rows]))
+    net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
     values = dict(zip(vertices, rows))
     if ob.type == 'CURVE':
         _place_on_curve(ob.data, net, values)
@@ -49,13 +48,13 @@ def place(ob, net, vertices, rows):
 
 def _selected_of_cage(mesh):
     vertices = bmesh.from_edit_mesh(mesh).verts
-    number = vertices.layers.int.get(bridge.NUMBER)
+    number = vertices.layers.int.get(net_object.NUMBER)
     return sorted(v[number] for v in vertices if v.select) if number else []
 
 
 def _place_on_cage(data, values):
     mesh = bmesh.from_edit_mesh(data)
-    number, weights = mesh.verts.layers.int[bridge.NUMBER], mesh.verts.layers.float[bridge.WEIGHT]
+    number, weights = mesh.verts.layers.int[net_object.NUMBER], mesh.verts.layers.float[net_object.WEIGHT]
     for vertex in mesh.verts:
         if vertex[number] in values:
             *vertex.co, vertex[weights] = values[vertex[number]]
@@ -77,11 +76,11 @@ def _curve_vertices(curve, net):
 
 def _numbers(curve, spline, count):
     """(the number of each point of a spline in its place, whether its direction was switched)."""
-    if not points_net.is_free(curve):
+    if not free_net.is_free(curve):
         try:
-            numbers = bridge.order_of(spline, count).tolist()
+            numbers = net_object.order_of(spline, count).tolist()
             return numbers, count > 1 and numbers.index(0) > numbers.index(count - 1)
-        except bridge.ChangedNet:
+        except net_object.ChangedNet:
             pass                        # read() says it
     return list(range(count)), False
 

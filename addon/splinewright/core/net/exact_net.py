@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import definition as definitions
 from ..definition import Definition
+from ..failures import Refusal
 
 _EPSILON = float(np.finfo(np.float32).eps)
 
@@ -122,7 +123,7 @@ def exact(net, positions, weights, typed=()):
 def read(net, state):
     """The definition of an Exact state: the net's source if nothing moved.
 
-    Raises ValueError where a weight is 0 or a number is not finite.
+    Raises Refusal where a weight is 0 or a number is not finite.
     """
     if state.kept.all() and state.kept_weights.all():
         return net.source
@@ -137,10 +138,10 @@ def read(net, state):
 
 def _require_numbers(net, positions, weights):
     if not np.isfinite(positions).all() or not np.isfinite(weights).all():
-        raise ValueError("a point of the net is not finite")
+        raise Refusal("a point of the net is not finite")
     zero = net.are_points & (weights == 0) & (net.weights != 0)
     if zero.any():
-        raise ValueError("a weight of 0 would take the point out of the shape: weights are above or below 0")
+        raise Refusal("a weight of 0 would take the point out of the shape: weights are above or below 0")
 
 
 def _read_handles(net, now, kept, pool):

@@ -1,0 +1,57 @@
+"""What Splinewright remembers of the open file beside what the file says itself.
+
+All of it is worked out anew where it is missing, and forgotten when another file is opened: it holds no truth.
+"""
+
+from dataclasses import dataclass, field, fields
+
+import bpy
+
+
+@dataclass
+class FileState:
+    """Data-blocks and objects stand here by their keys: references die with undo."""
+
+    followers: set = field(default_factory=set)         # data-blocks that are made from objects; a hint
+    owners: dict = field(default_factory=dict)          # of a follower the object in whose space it lies, a key
+    nets: set = field(default_factory=set)              # objects that are nets; a hint
+    sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session
+    problems: dict = field(default_factory=dict)        # of a data-block its net_object.problems, by what they are about
+    quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
+    definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
+    touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
+    surveys: dict = field(default_factory=dict)         # of net_object.surveys
+    suspended: list = field(default_factory=list)       # of ui.saving
+
+
+state = FileState()
+
+
+def forget():
+    """Another file is open."""
+    for each in fields(FileState):
+        setattr(state, each.name, each.default_factory())
+
+
+def key(block):
+    """(the name of its kind, its name, the file it is linked from or ""): what tells it from all others of the file."""
+    kind = 'curves' if isinstance(block, bpy.types.Curve) else block.bl_rna.identifier
+    return kind, block.name, block.library.filepath if block.library else ""
+
+
+_COLLECTIONS = {'curves': 'curves', 'Mesh': 'meshes', 'Object': 'objects'}
+
+
+def block_of(key):
+    """The data-block that has a key, or None."""
+    kind, name, library = key
+    return getattr(bpy.data, _COLLECTIONS[kind]).get((name, library or None))
+
+
+def remember(known, key, value, most):
+    """Keep a value in a dictionary of at most so many; the oldest go."""
+    known.pop(key, None)
+    while len(known) >= most:
+        del known[next(iter(known))]
+    known[key] = value
+    return value

@@ -1,0 +1,33 @@
+"""Why a shape does not show what it should: the one place where that is kept, for panel, viewport and status bar.
+
+A problem is about one thing, so that what mends that takes it away and nothing else.
+"""
+
+from .file_state import key, state
+
+#: The last change of a setting or of a recipe's number.
+SETTING = "setting"
+#: What the shape is made from.
+FOLLOWING = "following"
+#: Its net.
+NET = "net"
+
+
+def tell(data, about, sentence):
+    """Keep a sentence; "" takes the one about the same thing away."""
+    of_data = state.problems.setdefault(key(data), {})
+    if sentence:
+        of_data[about] = sentence
+    else:
+        of_data.pop(about, None)
+
+
+def of(data, about):
+    """The sentence about one thing, or ""."""
+    return state.problems.get(key(data), {}).get(about, "")
+
+
+def forget(about):
+    """Take what is about one thing away from all data-blocks: it will be told again if it still is so."""
+    for of_data in state.problems.values():
+        of_data.pop(about, None)

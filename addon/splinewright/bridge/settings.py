@@ -1,0 +1,121 @@
+"""How finely a shape is shown: the settings of its Mesh or Curve. Blender's properties are made of them in ui/props."""
+
+import math
+from contextlib import contextmanager
+
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+
+from .file_state import key, state
+
+#: The ways to choose faces.
+COUNT, TOLERANCE, ANGLE, BOTH = 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
+
+
+def of(data):
+    """The Settings of a data-block."""
+    return data.splinewright
+
+
+@contextmanager
+def quiet(data):
+    """While the settings of a data-block change, nothing is evaluated."""
+    name = key(data)
+    was_quiet = name in state.quiet
+    state.quiet.add(name)
+    try:
+        yield
+    finally:
+        if not was_quiet:
+            state.quiet.discard(name)
+
+
+def set_resolution(data, resolution_u, resolution_v):
+    """Both at once, with one evaluation at most. Raises TypeError, and changes nothing, for what is no whole number."""
+    settings = of(data)
+    was = settings.resolution_u
+    with quiet(data):
+        settings.resolution_u = resolution_u
+    try:
+        settings.resolution_v = resolution_v
+    except TypeError:
+        with quiet(data):
+            settings.resolution_u = was
+        raise
+
+
+def set_tolerance(data, tolerance):
+    """Show the surface by tolerance, with one evaluation at most."""
+    with quiet(data):
+        of(data).mode = TOLERANCE
+    of(data).tolerance = tolerance
+
+
+def put_back(data, mode, tolerance):
+    """Have these again, without an evaluation, after others showed nothing new."""
+    with quiet(data):
+        of(data).mode, of(data).tolerance = mode, tolerance
+
+
+def exchange_resolutions(data):
+    """u and v of the patches were exchanged; nothing is evaluated."""
+    settings = of(data)
+    with quiet(data):
+        settings.resolution_u, settings.resolution_v = settings.resolution_v, settings.resolution_u
+
+
+#: Those that say what is shown.
+_SHOWN = ('mode', 'resolution_u', 'resolution_v', 'tolerance', 'angle', 'sharp_angle', 'reach')
+
+
+def values(data):
+    """What the settings of a data-block say, as one value."""
+    return tuple(getattr(of(data), name) for name in _SHOWN)
+
+
+def take(data, wanted):
+    """Give a data-block values(), without an evaluation."""
+    with quiet(data):
+        for name, value in zip(_SHOWN, wanted):
+            setattr(of(data), name, value)
+
+
+def _changed(self, context):
+    if key(self.id_data) not in state.quiet:
+        self.changed(context)
+
+
+class Settings:
+    """Numbers of a PropertyGroup whose changed() is called when a user changes one."""
+
+    mode: EnumProperty(
+        name="Faces", description="How many faces show the surface",
+        items=((COUNT, "By Count", "So many in every span"),
+               (TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
+               (ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
+               (BOTH, "By Both", "As many as tolerance and angle take together")),
+        default=COUNT, update=_changed)
+    tolerance: FloatProperty(
+        name="Tolerance", description="No point of the surface lies farther from the mesh, in units of the object",
+        default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH', update=_changed)
+    angle: FloatProperty(
+        name="Angle", description="Normals turn by no more on a face",
+        default=math.radians(15.0), min=math.radians(0.25), soft_min=math.radians(1.0), max=math.pi, subtype='ANGLE',
+        update=_changed)
+    resolution_u: IntProperty(
+        name="Resolution U", description="Steps in every span along u",
+        default=12, min=1, max=4096, soft_max=64, update=_changed)
+    resolution_v: IntProperty(
+        name="Resolution V", description="Steps in every span along v",
+        default=12, min=1, max=4096, soft_max=64, update=_changed)
+    sharp_angle: FloatProperty(
+        name="Sharp Angle", description="Edges across which the exact normals differ by more are marked sharp",
+        default=math.radians(1.0), min=0.0, max=math.pi, subtype='ANGLE', update=_changed)
+    reach: FloatProperty(
+        name="Reach", description="How far beyond its points a curve that runs to infinity is shown",
+        default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_changed)
+    show_seams: BoolProperty(
+        name="Show on the Surface", description="Colour the seams of the patches along them by how smoothly they go on",
+        default=False)
+    faces_before: IntProperty(
+        name="Faces Before", description="How many there were before a setting was changed last",
+        options={'HIDDEN', 'SKIP_SAVE'})
