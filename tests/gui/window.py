@@ -60,6 +60,10 @@ class View:
         self.window.event_simulate(key, 'PRESS', x=self.x, y=self.y, **({'unicode': text} if text else {}), **modifiers)
         self.window.event_simulate(key, 'RELEASE', x=self.x, y=self.y, **modifiers)
 
+    def wheel_up(self, **modifiers):
+        """One notch; wheels are not released."""
+        self.window.event_simulate('WHEELUPMOUSE', 'PRESS', x=self.x, y=self.y, **modifiers)
+
     def open_sidebar(self):
         self.area.spaces.active.show_region_ui = True
 
@@ -78,6 +82,20 @@ class View:
             if sidebar.active_panel_category == name:
                 return
         raise AssertionError(f"the sidebar has no tab {name}")
+
+
+    def go_to_field(self, name, region=None):
+        """Steps that bring the mouse over the field of a property in the sidebar, or in a region; fails if there is none."""
+        region, manager = region or self._region('UI'), bpy.context.window_manager
+        manager.clipboard = ""
+        for y in range(region.y + region.height - 30, region.y, -9):
+            self.move(region.x + region.width // 2, y)
+            yield 0.05
+            self.press('C', ctrl=True, shift=True)      # copies the name of what is below the mouse
+            yield 0.05
+            if manager.clipboard.endswith(name):
+                return
+        raise AssertionError(f"there is no field {name}")
 
 
 def part(name):

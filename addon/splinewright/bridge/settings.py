@@ -63,6 +63,22 @@ def exchange_resolutions(data):
         settings.resolution_u, settings.resolution_v = settings.resolution_v, settings.resolution_u
 
 
+#: Those that say what is shown.
+_SHOWN = ('mode', 'resolution_u', 'resolution_v', 'tolerance', 'angle', 'sharp_angle', 'reach')
+
+
+def values(data):
+    """What the settings of a data-block say, as one value."""
+    return tuple(getattr(of(data), name) for name in _SHOWN)
+
+
+def take(data, wanted):
+    """Give a data-block values(), without an evaluation."""
+    with quiet(data):
+        for name, value in zip(_SHOWN, wanted):
+            setattr(of(data), name, value)
+
+
 def _changed(self, context):
     if key(self.id_data) not in state.quiet:
         self.changed(context)

@@ -14,7 +14,12 @@ from .file_state import key, state
 
 def has_shape(ob):
     """Whether the object is a shape of ours."""
-    return ob is not None and ob.type in ('MESH', 'CURVE') and store.has_definition(ob.data)
+    return ob is not None and ob.type in ('MESH', 'CURVE') and is_shape(ob.data)
+
+
+def is_shape(data):
+    """Whether a data-block, or None, is that of a shape of ours."""
+    return type(data) in (bpy.types.Mesh, bpy.types.Curve) and store.has_definition(data)
 
 
 #: Steps that set_definition() and rewrite() report to `progress`.
