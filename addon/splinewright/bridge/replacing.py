@@ -50,12 +50,12 @@ def _put_curves(data, before, changed):
 
 
 def _put_patches(data, before, changed):
-    looks = mesh_looks.looks_by_patch(data)
-    with mesh_attributes.moved(data, write_mesh.owner_of(data), changed.parents, changed.places):
+    looks, uneven = mesh_looks.kept(data)
+    with mesh_attributes.moved(data, write_mesh.owner_of(data), uneven, changed.parents, changed.places):
         shape.set_definition(data, changed.definition)
-    if changed.parents == tuple(range(len(before.pieces))):
-        return                          # a patch of the same number is the same one
-    give_looks(data, [looks.get(parent, Look()) for parent in changed.parents])
+    # A patch of the same number is the same one; and uneven looks lie where they lay.
+    if changed.parents != tuple(range(len(before.pieces))) and not uneven:
+        give_looks(data, [looks.get(parent, Look()) for parent in changed.parents])
 
 
 def give_looks(data, of_pieces):

@@ -13,12 +13,15 @@ def write(mesh, tessellation, positions, normals, sharp):
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
+        users = mesh_layers.sharp_of_users(mesh)
     else:
         _replace_faces(mesh, tessellation, positions)
-    _write_sharp_edges(mesh, sharp)
+        users = mesh_layers.sharp(mesh)
+    _write_sharp_edges(mesh, sharp, users)
     # Normals that are not exact are stored relative to those of the faces, which must be up to date.
     mesh.update()
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
+    mesh_layers.note_sharp(mesh, users)     # before 4.5 edges are sharp where normals differ
     mesh.update()
 
 
@@ -40,10 +43,9 @@ def _has_faces(mesh, tessellation):
     if (len(mesh.vertices), len(mesh.loops), len(mesh.polygons)) != (
             tessellation.vertex_count, len(corners), len(tessellation.face_starts)):
         return False
-    vertices, starts = np.empty(len(corners), np.int32), np.empty(len(mesh.polygons), np.int32)
-    mesh.loops.foreach_get('vertex_index', vertices)
-    mesh.polygons.foreach_get('loop_start', starts)
-    return np.array_equal(vertices, corners) and np.array_equal(starts, tessellation.face_starts)
+    if not np.array_equal(mesh_layers.corner_vertices(mesh), corners):
+        return False
+    return np.array_equal(mesh_layers.read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0], tessellation.face_starts)
 
 
 def _write_positions(mesh, positions):
@@ -55,8 +57,8 @@ def _write_positions(mesh, positions):
 
 
 def _replace_faces(mesh, tessellation, positions):
-    owner = owner_of(mesh)
-    looks, kept = mesh_looks.looks_by_patch(mesh), mesh_attributes.keep(mesh, owner)
+    owner, (looks, uneven) = owner_of(mesh), mesh_looks.kept(mesh)
+    kept = mesh_attributes.keep(mesh, owner, uneven)
     mesh.clear_geometry()
     _write_faces(mesh, tessellation, positions)
     mesh_looks.name_patches(mesh, tessellation.face_patches)
@@ -93,14 +95,20 @@ def _write_uvs(mesh, tessellation):
     data.foreach_set(field, tessellation.corner_uvs.ravel())
 
 
-def _write_sharp_edges(mesh, sharp):
-    flags = np.zeros(len(mesh.edges), bool)
-    if len(sharp):
-        ends = np.empty(2 * len(mesh.edges), np.int32)
+def _write_sharp_edges(mesh, sharp, users):
+    """Mark the edges of these pairs of vertices sharp, those of the user, (edges,) or None, and no others."""
+    if not len(sharp):
+        if users is not None or mesh_layers.sharp(mesh) is not None:
+            mesh_layers.write_sharp(mesh, np.zeros(len(mesh.edges), bool) if users is None else users)
+        return
+    ends = np.empty(2 * len(mesh.edges), np.int32)
+    if mesh_layers.IN_ATTRIBUTES:
+        mesh.attributes['.edge_verts'].data.foreach_get('value', ends)
+    else:
         mesh.edges.foreach_get('vertices', ends)
-        count = len(mesh.vertices)
-        flags = np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(sharp, count))
-    mesh.edges.foreach_set('use_edge_sharp', flags)
+    count = len(mesh.vertices)
+    flags = np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(sharp, count))
+    mesh_layers.write_sharp(mesh, flags if users is None else flags | users)
 
 
 def _edge_numbers(pairs, count):
