@@ -102,9 +102,9 @@ def _draw_settings(layout, data, definition):
         column.label(text=_faces(data))
         if len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
-    problem = problems.of(data, problems.SETTING)
-    if problem:
-        texts.draw_problem(layout, problem)
+    for about in (problems.SETTING, problems.KEYED):
+        if problem := problems.of(data, about):
+            texts.draw_problem(layout, problem)
 
 
 def _is_endless(data):

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...core.definition import CURVES
 from ...core.failures import Refusal
-from .. import mesh_looks, recipes, settings, shape
+from .. import animation, mesh_looks, recipes, settings, shape
 from . import native_dress, native_links, retype, write_native
 from .make_exact import Outcome
 
@@ -61,6 +61,6 @@ def _surface(context, ob, value, planned, users):
     looks = mesh_looks.looks_by_patch(mesh)
     for spline, number in zip(surface.splines, planned.numbers):
         spline.material_index, spline.use_smooth = looks.get(number, mesh_looks.Look())
-    if mesh.animation_data:
+    if animation.paths(mesh) - {recipes.WATCHED}:
         lost.append("the animation of the mesh data")
     return deviation, lost + retype.all_become(context, users, surface, retype.become_surface, retype.become_mesh)
