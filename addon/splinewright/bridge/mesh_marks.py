@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import mesh_layers, mesh_lines, store
 from .mesh_layers import Layer
 from .mesh_lines import Lines
 

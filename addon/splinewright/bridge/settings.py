@@ -9,6 +9,8 @@ from .file_state import key, state
 
 #: The ways to choose faces.
 COUNT, TOLERANCE, ANGLE, BOTH = 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
+#: Settings of which the geometry depends.
+_SHOWING = ('mode', 'tolerance', 'angle', 'resolution_u', 'resolution_v', 'sharp_angle', 'reach')
 
 
 def of(data):
@@ -56,27 +58,26 @@ def put_back(data, mode, tolerance):
         of(data).mode, of(data).tolerance = mode, tolerance
 
 
+def values(data):
+    """What of the settings tells how a data-block is shown, by name."""
+    settings = of(data)
+    return {name: getattr(settings, name) for name in _SHOWING}
+
+
+def take(data, values):
+    """Have these values() without an evaluation."""
+    settings = of(data)
+    with quiet(data):
+        for name, value in values.items():
+            if getattr(settings, name) != value:
+                setattr(settings, name, value)
+
+
 def exchange_resolutions(data):
     """u and v of the patches were exchanged; nothing is evaluated."""
     settings = of(data)
     with quiet(data):
         settings.resolution_u, settings.resolution_v = settings.resolution_v, settings.resolution_u
-
-
-#: Those that say what is shown.
-_SHOWN = ('mode', 'resolution_u', 'resolution_v', 'tolerance', 'angle', 'sharp_angle', 'reach')
-
-
-def values(data):
-    """What the settings of a data-block say, as one value."""
-    return tuple(getattr(of(data), name) for name in _SHOWN)
-
-
-def take(data, wanted):
-    """Give a data-block values(), without an evaluation."""
-    with quiet(data):
-        for name, value in zip(_SHOWN, wanted):
-            setattr(of(data), name, value)
 
 
 def _changed(self, context):
@@ -115,7 +116,7 @@ class Settings:
         default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_changed)
     show_seams: BoolProperty(
         name="Show on the Surface", description="Colour the seams of the patches along them by how smoothly they go on",
-        default=False)
+        default=False, options=set())
     faces_before: IntProperty(
         name="Faces Before", description="How many there were before a setting was changed last",
         options={'HIDDEN', 'SKIP_SAVE'})

@@ -127,6 +127,7 @@ def _finish(data, picture, progress):
     progress(2)
     problems.tell(data, problems.SETTING, "")
     state.touched[key(data)] = False
+    state.shown[key(data)] = settings.values(data)
 
 
 def detach(data):

@@ -1,5 +1,6 @@
 """A tessellation into a Mesh: faces, UVs, exact normals, sharp edges."""
 
+import bmesh
 import bpy
 import numpy as np
 
@@ -59,7 +60,7 @@ def _write_positions(mesh, positions):
 def _replace_faces(mesh, tessellation, positions):
     owner, (looks, uneven) = owner_of(mesh), mesh_looks.kept(mesh)
     kept = mesh_attributes.keep(mesh, owner, uneven)
-    mesh.clear_geometry()
+    _clear(mesh)
     _write_faces(mesh, tessellation, positions)
     mesh_looks.name_patches(mesh, tessellation.face_patches)
     mesh_looks.set_looks(mesh, looks)
@@ -68,6 +69,13 @@ def _replace_faces(mesh, tessellation, positions):
         _write_uvs(mesh, tessellation)
     if kept is not None:
         mesh_attributes.restore(mesh, owner, kept)
+
+
+def _clear(mesh):
+    """Take all geometry away. Blender's clear_geometry() takes keys and drivers along."""
+    empty = bmesh.new()
+    empty.to_mesh(mesh)
+    empty.free()
 
 
 def owner_of(mesh):

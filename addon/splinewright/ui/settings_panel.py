@@ -22,9 +22,10 @@ def draw(layout, data, definition, has_buttons=True):
         column.label(text=_faces(data))
         if has_buttons and len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
-    problem = problems.of(data, problems.SETTING)
-    if problem:
-        texts.draw_problem(layout, problem)
+    for about in (problems.SETTING, problems.KEYED):
+        problem = problems.of(data, about)
+        if problem:
+            texts.draw_problem(layout, problem)
 
 
 def _is_endless(data):

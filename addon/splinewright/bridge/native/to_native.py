@@ -2,7 +2,7 @@
 
 from ...core.definition import CURVES
 from ...core.failures import Refusal
-from .. import curve_layers, curve_pieces, mesh_looks, settings, shape, store
+from .. import animation, curve_layers, curve_pieces, mesh_looks, recipes, settings, shape, store
 from ..look import Look
 from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
@@ -56,6 +56,6 @@ def _surface(context, ob, value, planned, users):
     looks = mesh_looks.looks_by_patch(mesh)
     for spline, number in zip(surface.splines, planned.numbers):
         spline.material_index, spline.use_smooth = looks.get(number, Look())
-    if mesh.animation_data:
+    if animation.paths(mesh) - {recipes.WATCHED}:
         lost.append("the animation of the mesh data")
     return deviation, lost + retype.all_become(context, users, surface, retype.become_surface, retype.become_mesh)
