@@ -12,10 +12,11 @@ from ...core.definition import ANY_CURVES
 from ...core.failures import FAILURES, Refusal, sentence
 from ...core.library import sc
 from .. import progress
+from . import new_shapes
 from .adding import can_add
 
-#: Steps in every span of what is imported.
-_RESOLUTION = (10, 10)
+#: Steps in every span of what is imported, where the preferences say nothing.
+_RESOLUTION = 10
 
 
 def _path(operator):
@@ -33,6 +34,10 @@ def _text_of(path):
         return path.read_text(encoding='utf-8-sig')
     except UnicodeDecodeError as error:
         raise Refusal("it is no text file") from error
+
+
+def _start(value):
+    return new_shapes.start_unasked(not isinstance(value, (*ANY_CURVES, list)), _RESOLUTION)
 
 
 class _Import(ImportHelper):
@@ -56,7 +61,7 @@ class _Import(ImportHelper):
             values = self.values(_text_of(path))
             with progress.shown(context, len(values)) as step:
                 for value in values:
-                    made.append(shape.new_data(name, value, _RESOLUTION))
+                    made.append(shape.new_data(name, value, _start(value)))
                     step(len(made))
         except FAILURES as error:
             for data in made:
