@@ -89,6 +89,8 @@ def test_surfaces_from_curves_and_imported_shapes_are_shown_as_the_preferences_s
         bpy.ops.splinewright.import_json(filepath=path)
         assert (settings().mode, settings().resolution_u) == expected
         require_exact(bpy.context.object)
+        bpy.ops.splinewright.import_json(filepath=path, resolution_u=3, resolution_v=4)
+        assert (settings().mode, settings().resolution_u, settings().resolution_v) == ('COUNT', 3, 4)
 
 
 def test_without_preferences_their_defaults_are_used():

@@ -27,7 +27,7 @@ def test_a_seam_has_its_class_in_words_and_colours(value, word, number):
         value = sc.PatchSet.from_patches([value[0], sc.BezierPatch(net)])
     ob = add(value)
     survey = surveys.survey_of(ob.data)
-    assert survey.count == 1 and survey.joints[0].place == "1 u end · 2 u start"
+    assert survey.count == 1 and survey.joints[0].name == "1 u end · 2 u start"
     assert panel.kind(survey.joints[0]) == word
     (line, found), = overlay.coloured_lines(ob.data)
     assert np.allclose(line[:, 0], 3) and np.allclose(found, colors.of_seams()[number])
@@ -60,7 +60,7 @@ def test_the_teapot_has_its_seams_and_the_sphere_closes_smoothly():
     assert sphere.periodic == (True, False) and surveys.survey_of(bpy.context.object.data).count == 0
     opened = add(sphere.clamped('u'))
     joint, = surveys.survey_of(opened.data).joints
-    assert joint.place == "u start · u end" and joint.continuity.g == 2
+    assert joint.name == "u start · u end" and joint.continuity.g == 2
 
 
 def test_a_net_that_is_dragged_shows_what_becomes_of_the_seam():

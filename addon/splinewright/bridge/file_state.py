@@ -16,12 +16,14 @@ class FileState:
     owners: dict = field(default_factory=dict)          # of a follower the object in whose space it lies, a key
     nets: set = field(default_factory=set)              # objects that are nets; a hint
     sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session
-    problems: dict = field(default_factory=dict)        # of a data-block its net_object.problems, by what they are about
+    problems: dict = field(default_factory=dict)        # of a data-block its sentences, by what they are about
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
-    surveys: dict = field(default_factory=dict)         # of net_object.surveys
+    surveys: dict = field(default_factory=dict)         # of bridge.surveys
     suspended: list = field(default_factory=list)       # of ui.saving
+    selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
+    last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
 
 
 state = FileState()

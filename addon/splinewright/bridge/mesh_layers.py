@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import versions
+
 #: Corner attribute: u, v in [0, 1] of the patch, and the number of the patch.
 PARAMETERS = "parameters"
 UV_NAME = "UVMap"
@@ -93,7 +95,7 @@ def uv_maps(mesh, ours):
 
 def uv_of(layer):
     """The items of a UV map and the name of their field."""
-    return (layer.uv, 'vector') if hasattr(layer, 'uv') else (layer.data, 'uv')
+    return (layer.uv, 'vector') if versions.uvs_are_attributes else (layer.data, 'uv')
 
 
 def write(mesh, layer, values):

@@ -1,19 +1,13 @@
-"""How the faces of a mesh look, kept for each patch while the faces themselves come and go."""
-
-from typing import NamedTuple
+"""The Look of each patch of a mesh, kept while the faces themselves come and go."""
 
 import numpy as np
 
 from ..core.failures import Refusal
 from . import mesh_layers
+from .look import Look
 
 #: Face attribute: which patch of the shape a face belongs to.
 PATCH_NAME = "patch"
-
-
-class Look(NamedTuple):
-    material_index: int = 0
-    use_smooth: bool = True
 
 
 def name_patches(mesh, face_patches):

@@ -70,14 +70,35 @@ def set_definition(data, definition, progress=no_progress, around=None):
 
     Returns the Tessellation whose faces the data-block has then; None for a Curve.
     """
+    plan = planned(data, definition, around)
+    progress(1)
+    carry_out(plan, progress)
+    return plan.picture.tessellation
+
+
+class Plan(NamedTuple):
+    """A definition that a data-block can have, and what it will show then."""
+
+    data: bpy.types.ID
+    definition: definitions.Definition
+    picture: "Picture"
+
+
+def planned(data, definition, around=None):
+    """The Plan of set_definition(), for several that are to be carried out together or not at all.
+
+    Raises as set_definition() does.
+    """
     require_writable(data)
     require_untouched(data)
     store.require_fitting(data, definition)
-    picture = evaluated(data, definition, around)
-    progress(1)
-    store.write(data, definition)
-    _finish(data, picture, progress)
-    return picture.tessellation
+    return Plan(data, definition, evaluated(data, definition, around))
+
+
+def carry_out(plan, progress=no_progress):
+    """Do what was planned."""
+    store.write(plan.data, plan.definition)
+    _finish(plan.data, plan.picture, progress)
 
 
 def rewrite(data, progress=no_progress, faces=None):

@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from . import mesh_attributes, mesh_layers, mesh_looks
+from . import mesh_attributes, mesh_edges, mesh_layers, mesh_looks, versions
 
 
 def write(mesh, tessellation, positions, normals, sharp):
@@ -16,27 +16,22 @@ def write(mesh, tessellation, positions, normals, sharp):
     else:
         _replace_faces(mesh, tessellation, positions)
     _write_sharp_edges(mesh, sharp)
-    # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
+    # Normals that are not exact are stored relative to those of the faces, which must be up to date.
     mesh.update()
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
     mesh.update()
 
 
 def move(mesh, positions, normals=None):
-    """Give the vertices other positions, and the corners other normals (c, 3) where the mesh keeps_normals(); else they
-    are Blender's own until the next write()."""
-    if hasattr(mesh, 'use_auto_smooth'):
+    """Give the vertices other positions, and the corners other normals (c, 3) where versions.keeps_exact_normals; else
+    they are Blender's own until the next write()."""
+    if versions.has_auto_smooth:
         mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
     _write_positions(mesh, positions)
     if normals is not None:
         mesh.update()
         _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
     mesh.update()
-
-
-def keeps_normals():
-    """Whether exact normals cost little: from Blender 4.5 on they may be stored as they are, not as 16-bit angles."""
-    return bpy.app.version >= (4, 5, 0)
 
 
 def _has_faces(mesh, tessellation):
@@ -88,9 +83,9 @@ def _write_faces(mesh, tessellation, positions):
     _write_positions(mesh, positions)
     mesh.loops.foreach_set('vertex_index', corners)
     mesh.polygons.foreach_set('loop_start', starts)
-    if not hasattr(mesh, 'shade_smooth'):       # Blender 3.4 derives no totals
+    if versions.wants_face_totals:
         mesh.polygons.foreach_set('loop_total', np.diff(np.append(starts, len(corners))).astype(np.int32))
-    mesh.update(calc_edges=True)
+    mesh_edges.calculate(mesh)
 
 
 def _write_uvs(mesh, tessellation):
@@ -116,7 +111,7 @@ def _edge_numbers(pairs, count):
 
 def _write_normals(mesh, normals):
     flat = np.ascontiguousarray(normals, np.float32)
-    if keeps_normals():
+    if versions.keeps_exact_normals:
         attribute = mesh.attributes.get('custom_normal')
         if attribute is not None and (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'CORNER'):
             mesh.attributes.remove(attribute)
@@ -125,7 +120,7 @@ def _write_normals(mesh, normals):
             attribute = mesh.attributes.new('custom_normal', 'FLOAT_VECTOR', 'CORNER')
         attribute.data.foreach_set('vector', flat.ravel())
         return
-    if hasattr(mesh, 'use_auto_smooth'):
+    if versions.has_auto_smooth:
         mesh.use_auto_smooth = True
         mesh.auto_smooth_angle = np.pi
     mesh.normals_split_custom_set(flat.tolist())

@@ -11,7 +11,7 @@ from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
 _WIDTH = 26
-#: Characters of a place that leave room beside it.
+#: Characters of a name that leave room beside it.
 _SHORT = 14
 
 
@@ -59,8 +59,8 @@ def _draw_in_columns(layout, items):
 def _draw_joints(layout, survey):
     for joint in survey.joints:
         box = layout.box().column(align=True)
-        row = box.split(factor=0.6) if len(joint.place) <= _SHORT else box
-        row.label(text=joint.place)
+        row = box.split(factor=0.6) if len(joint.name) <= _SHORT else box
+        row.label(text=joint.name)
         row.label(text=kind(joint))
         _draw_in_columns(box, numbers(joint))
     hidden = survey.count - len(survey.joints)

@@ -1,5 +1,7 @@
 """Putting nets out and away. Undo steps are the operators' affair, but for end()."""
 
+from contextlib import suppress
+
 import bpy
 
 from ..bridge import problems, recipes, remaking, settings, shape, store
@@ -68,7 +70,8 @@ def enter(context, active, progress=shape.no_progress):
         ob.select_set(True)
         state.nets.add(key(ob))
     context.view_layer.objects.active = put_out[0]
-    bpy.ops.object.mode_set(mode='EDIT')
+    with suppress(RuntimeError):        # where Blender refuses, the mode tells
+        bpy.ops.object.mode_set(mode='EDIT')
     if put_out[0].mode != 'EDIT':
         for ob in put_out:
             put_away(context, ob)
@@ -82,9 +85,11 @@ def _put_out(context, ob):
     shape.require_untouched(data)
     definition = remaking.edited(data)
     numbers = net_object.net_of(definition)
-    held = net_object.make(ob, definition, numbers, context.scene)
-    if remaking.takes_any_count(data):
-        free_net.set_free(held.data, remaking.is_closed(data))
+    is_free = remaking.takes_any_count(data)
+    is_closed = is_free and remaking.is_closed(data)
+    held = net_object.make(ob, definition, numbers, context.scene)      # nothing raises from here on
+    if is_free:
+        free_net.set_free(held.data, is_closed)
     live.begin(held.data, numbers, settings.values(data))
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
@@ -132,7 +137,10 @@ def put_away(context, ob):
 
 
 def anew(context, nets):
-    """Put the nets away and out again, from what the shapes are now; points stay selected."""
+    """Put the nets away and out again, from what the shapes are now; points stay selected.
+
+    Returns warnings: why they did not come out again. The shapes are as they should be.
+    """
     selections = {}
     for ob in nets:
         owner = net_object.shape_of(ob)
@@ -141,11 +149,16 @@ def anew(context, nets):
     active = net_object.shape_of(context.object)
     leave(context)
     if active is None or context.view_layer.objects.get(active.name) != active:
-        return
+        return ()
     context.view_layer.objects.active = active
-    for ob in enter(context, active):
+    try:
+        out = enter(context, active)
+    except FAILURES as error:
+        return (f"the net did not come out again: {sentence(error)}",)
+    for ob in out:
         numbers = live.session(ob.data).net
         selection.select(ob, numbers, selections.get(net_object.shape_of(ob).name, ()))
+    return ()
 
 
 def sweep():

@@ -3,7 +3,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow
+from ..bridge import follow, versions
 from ..bridge.file_state import forget, key, state
 from ..bridge.net import live
 from . import editing, saving
@@ -103,22 +103,21 @@ _HANDLERS = {
     'frame_change_post': frame_changed,
     'save_pre': saving.before,
     'save_post': saving.after,
-    'save_post_fail': saving.after,     # from Blender 3.6 on
 }
+if versions.tells_of_failed_saves:
+    _HANDLERS['save_post_fail'] = saving.after
 
 
 def register():
     for name, handler in _HANDLERS.items():
-        if hasattr(bpy.app.handlers, name):
-            getattr(bpy.app.handlers, name).append(handler)
+        getattr(bpy.app.handlers, name).append(handler)
     _soon(loaded, 0.0)                  # a file is open already; bpy.data may be out of reach now
 
 
 def unregister():
     editing.end()
     for name, handler in _HANDLERS.items():
-        if hasattr(bpy.app.handlers, name):
-            getattr(bpy.app.handlers, name).remove(handler)
+        getattr(bpy.app.handlers, name).remove(handler)
     for function in (loaded, editing.sweep, editing.settle):
         if bpy.app.timers.is_registered(function):
             bpy.app.timers.unregister(function)

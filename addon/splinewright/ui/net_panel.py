@@ -9,6 +9,8 @@ from . import net_props, recipe_props, settings_panel, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
+#: Points whose coordinates are shown one above the other; of more side by side.
+_IN_COLUMNS = 2
 
 
 def draw(layout, ob):
@@ -48,9 +50,9 @@ def _draw_points(layout, ob, has_weights):
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
         column.label(text=_name(session.net, vertex))
-        row = column.row(align=True)
-        for axis in range(3):
-            row.prop(numbers, "numbers", index=4 * i + axis, text="")
+        axes = column.row(align=True) if len(vertices) > _IN_COLUMNS else column
+        for axis in range(3):           # the text is what Undo History says
+            axes.prop(numbers, "numbers", index=4 * i + axis, text="XYZ"[axis])
         if has_weights and session.net.weighted[vertex]:
             column.prop(numbers, "numbers", index=4 * i + 3, text="Weight")
     hidden = len(vertices) - net_props.SHOWN

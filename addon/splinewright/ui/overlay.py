@@ -6,6 +6,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
+from ..bridge import versions
 from ..bridge.file_state import state
 from ..bridge.net import live, net_object
 from . import colors, editing, seams_overlay
@@ -86,9 +87,7 @@ def _draw_lines(color, width, pairs):
 def _draw_points(color, size, positions):
     if len(positions):
         gpu.state.point_size_set(size)
-        # Blender 5 has a shader of its own for points.
-        name = 'POINT_UNIFORM_COLOR' if bpy.app.version >= (5, 0, 0) else 'UNIFORM_COLOR'
-        _draw(gpu.shader.from_builtin(name), 'POINTS', color, positions)
+        _draw(gpu.shader.from_builtin(versions.point_shader()), 'POINTS', color, positions)
         gpu.state.point_size_set(1.0)
 
 

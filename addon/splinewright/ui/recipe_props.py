@@ -15,9 +15,9 @@ from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
 
 
-def property_of(parameter, **access):
-    """Blender's property for a parameter. access: get and set, where it keeps nothing itself."""
-    named = {'name': parameter.label, 'description': parameter.description}
+def property_of(parameter, options=None, **access):
+    """Blender's property for a parameter. options: Blender's. access: get and set, where it keeps nothing itself."""
+    named = {'name': parameter.label, 'description': parameter.description, **({'options': options} if options else {})}
     default = {} if access else {'default': parameter.default}
     if parameter.choices:
         return EnumProperty(items=parameter.choices, **named, **default, **access)

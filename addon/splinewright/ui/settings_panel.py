@@ -38,7 +38,7 @@ def _draw_fineness(column, settings, has_buttons):
     column.prop(settings, "mode")
     if settings.mode == fineness.COUNT:
         column.prop(settings, "resolution_u")
-        column.prop(settings, "resolution_v", text="V")
+        column.prop(settings, "resolution_v")
     if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
         row = column.row(align=True)
         row.prop(settings, "tolerance")

@@ -3,6 +3,11 @@
 Groups are pairs of a label and names of operators.
 """
 
+import bpy
+
+#: What buttons leave out of an operator's label, which Undo History shows, too.
+_LEFT_OUT = ("Convert ", "Bring To ", "Take ")
+
 
 def draw_menu(layout, groups):
     layout.operator_context = 'INVOKE_REGION_WIN'
@@ -10,7 +15,7 @@ def draw_menu(layout, groups):
         if i:
             layout.separator()
         for name in names:
-            layout.operator(f"splinewright.{name}")
+            layout.operator(f"splinewright.{name}", text=text_of(name))
 
 
 def draw_panel(layout, groups):
@@ -19,4 +24,12 @@ def draw_panel(layout, groups):
         row.label(text=label)
         column = row.column(align=True)
         for name in names:
-            column.operator(f"splinewright.{name}")
+            column.operator(f"splinewright.{name}", text=text_of(name))
+
+
+def text_of(name):
+    """What a button of an operator says."""
+    label = getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}").bl_label
+    for words in _LEFT_OUT:
+        label = label.removeprefix(words)
+    return label

@@ -13,7 +13,7 @@ from ...core import definition as definitions
 from ...core.failures import Refusal, told
 from ...core.library import sc
 from ...core.net import exact_net
-from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, write_mesh
+from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import state
 from . import free_net, marks, net_object
 
@@ -94,7 +94,7 @@ class Session:
         if not self._has_faces(data):
             return None
         try:
-            if write_mesh.keeps_normals():
+            if versions.keeps_exact_normals:
                 return self.faces.evaluate(patch_set)
             return self.faces.evaluate_positions(patch_set), None
         except sc.InvalidShape:

@@ -1,14 +1,14 @@
 """What all Add operators have in common."""
 
 import bpy
-from bpy.props import FloatProperty, IntProperty
+from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
 from ...core import starters
 from ...core.failures import FAILURES, Refusal, sentence
 from .. import progress
-from . import new_shapes
+from . import new_shapes, reports
 
 
 def can_add(cls, context):
@@ -18,7 +18,7 @@ def can_add(cls, context):
         return False
     try:
         require_place(context)
-    except ValueError as error:
+    except Refusal as error:
         cls.poll_message_set(sentence(error))
         return False
     return True
@@ -26,7 +26,8 @@ def can_add(cls, context):
 
 def require_place(context):
     """Raises Refusal where no object can be added."""
-    if context.scene.library or (context.collection and context.collection.library):
+    collection = context.collection
+    if context.scene.library or (collection and (collection.library or collection.override_library)):
         raise Refusal("the active collection is linked from another file")
 
 
@@ -49,6 +50,9 @@ class AddShape(AddObjectHelper):
     size: FloatProperty(
         name="Radius", description="Distance from the middle to the sides",
         default=1.0, min=0.0001, soft_max=100.0, unit='LENGTH')
+    # In place of those of Blender's helper, which presets would hold.
+    location: FloatVectorProperty(name="Location", subtype='TRANSLATION', options={'SKIP_SAVE'})
+    rotation: FloatVectorProperty(name="Rotation", subtype='EULER', options={'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):
@@ -67,8 +71,7 @@ class AddShape(AddObjectHelper):
             with progress.shown(context, shape.STEPS) as step:
                 data = self.new_data(step)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
         self._align(context)
         object_data_add(context, data, operator=self)
         return {'FINISHED'}

@@ -5,8 +5,8 @@ from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing, store
 from ...core import joints
-from ...core.failures import FAILURES, sentence
-from . import polls
+from ...core.failures import FAILURES
+from . import polls, reports
 from .pieces import tolerance_property, told
 from .selected import OnSelected
 
@@ -19,7 +19,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     bl_label = "Join Ends"
     bl_description = ("Make two curves one where their nearest ends meet, and say how far they moved: "
                       "two pieces of the active shape, or one of each of two selected shapes")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the curves share where they meet",
                              items=[(name, name, _WORDS[name]) for name in joints.SMOOTHNESS])
@@ -37,10 +37,8 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
         try:
             outcome = self._joined(ob, others)
         except FAILURES as error:
-            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"Joined ends of {ob.name}" + told([outcome]))
-        return {'FINISHED'}
+            return reports.failed(self, error, ob.name)
+        return reports.finished(self, reports.Said(f"Joined ends of {ob.name}" + told([outcome])))
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
@@ -65,6 +63,7 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     bl_label = "Join Pieces"
     bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
                       "The way back from To Bezier Chain")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
 
@@ -77,8 +76,8 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
         replacing.put(ob.data, before, changed)
         return before, changed
 
-    def report_done(self, outcomes):
-        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+    def said(self, outcomes):
+        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
 
 CLASSES = (SPLINEWRIGHT_OT_join_ends, SPLINEWRIGHT_OT_join_pieces)

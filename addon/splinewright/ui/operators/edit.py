@@ -2,9 +2,9 @@
 
 import bpy
 
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES
 from .. import editing, progress
-from . import polls
+from . import polls, reports
 
 
 class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
@@ -27,8 +27,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
             with progress.shown(context, len(context.selected_objects)) as step:
                 editing.enter(context, context.object, step)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
         return {'FINISHED'}
 
 
@@ -49,9 +48,8 @@ class SPLINEWRIGHT_OT_leave_net(bpy.types.Operator):
         nets = editing.nets_in_edit_mode(context)
         with progress.shown(context, len(nets)) as step:
             problem = editing.leave(context, step)
-        if problem:
-            self.report({'WARNING'}, f"The last state of the net was not taken: {problem}")
-        return {'FINISHED'}
+        lost = (f"The last state of the net was not taken: {problem}",) if problem else ()
+        return reports.finished(self, reports.Said(warnings=lost))
 
 
 CLASSES = (SPLINEWRIGHT_OT_edit_net, SPLINEWRIGHT_OT_leave_net)

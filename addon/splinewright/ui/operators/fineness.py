@@ -5,6 +5,7 @@ from bpy.props import FloatProperty, IntProperty
 
 from ...bridge import fineness, mesh_looks, problems, replacing, settings, shape
 from ...core.failures import Refusal
+from . import reports
 from .selected import OnSelected
 
 
@@ -15,9 +16,10 @@ class _OnPatches(OnSelected):
 
 class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.tolerance_from_render"
-    bl_label = "Tolerance From Render"
+    bl_label = "Set Tolerance From Render"
     bl_description = ("Show the surface as finely as the scene's camera needs it: where it is nearest, the mesh lies "
                       "within a part of a pixel")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     pixels: FloatProperty(name="Pixels", description="How far the mesh may lie from the surface in the picture",
                           default=0.25, min=0.001, soft_max=4.0)
@@ -39,12 +41,11 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
             raise Refusal(problem)
         return tolerance, before, len(ob.data.polygons)
 
-    def report_done(self, outcomes):
+    def said(self, outcomes):
         if len(outcomes) > 1:
-            self.report({'INFO'}, f"{len(outcomes)} objects are shown as the render needs")
-            return
+            return reports.Said(f"{len(outcomes)} objects are shown as the render needs")
         (name, (tolerance, before, now)), = outcomes.items()
-        self.report({'INFO'}, f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
+        return reports.Said(f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
 
 
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):

@@ -40,10 +40,12 @@ def start(operator):
     return (operator.resolution_u, getattr(operator, 'resolution_v', operator.resolution_u), *faces)
 
 
-def start_unasked(is_surface, resolution):
-    """What settings.start() takes where an operator asks nobody. resolution: what suits the shape."""
-    wanted = {**dict.fromkeys(_RESOLUTIONS, resolution), **_wanted(is_surface)}
-    return tuple(wanted[name] for name in (*_RESOLUTIONS, *_FACES) if name in wanted)
+def start_of_any(operator, is_surface):
+    """What settings.start() takes, of an operator that adds curves and surfaces and knows of resolutions only."""
+    given = {name: getattr(operator, name) for name in _RESOLUTIONS}
+    if not any(map(operator.properties.is_property_set, _RESOLUTIONS)):
+        given.update(_wanted(is_surface))
+    return tuple(given[name] for name in (*_RESOLUTIONS, *_FACES) if name in given)
 
 
 def draw(operator, layout):

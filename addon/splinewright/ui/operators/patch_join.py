@@ -7,9 +7,9 @@ from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing
 from ...core import patch_joints
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES
 from ...core.patch_curves import SIDES
-from . import polls
+from . import polls, reports
 
 _WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
@@ -35,7 +35,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     bl_label = "Join Patches"
     bl_description = ("Let two patches go on as one another where their nearest sides meet, and say what was achieved "
                       "and how far they moved: two of the active shape, or one of each of two selected shapes")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
                              items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS])
@@ -56,13 +56,10 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
             found = joining.join_patches(ob, other, self._choice('first'), self._choice('second'), self.continuity,
                                          self.moves)
         except FAILURES as error:
-            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"{ob.name}: {told(found)}")
-        if found.came_apart:
-            seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
-            self.report({'WARNING'}, f"{ob.name}: {seams} with other patches came apart")
-        return {'FINISHED'}
+            return reports.failed(self, error, ob.name)
+        seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
+        lost = (f"{seams} with other patches came apart",) if found.came_apart else ()
+        return reports.finished(self, reports.Said(f"{ob.name}: {told(found)}", warnings=lost))
 
     def _choice(self, which):
         side = getattr(self, f"{which}_side")

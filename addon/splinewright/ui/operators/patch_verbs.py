@@ -185,6 +185,7 @@ class SPLINEWRIGHT_OT_patch_swap(OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.patch_swap"
     bl_label = "Swap U and V"
     bl_description = "Exchange both directions of patches, which turns their normals; the shape stays the same"
+    bl_options = {'REGISTER', 'UNDO'}
     done, already = "Swapped u and v of {}", "u and v are the same"
 
     def verb(self):
@@ -238,7 +239,7 @@ class SPLINEWRIGHT_OT_patch_make_periodic(_Along, bpy.types.Operator):
     bl_label = "Make Periodic"
     bl_description = ("Make a closed patch periodic, as smooth at its seam as it is; "
                       "a gap within the tolerance is closed")
-    done, already = "Result {} periodic", "it is periodic already"
+    done, already = "Made {} periodic", "it is periodic already"
 
     tolerance: tolerance_property("How far the ends may lie apart, and the patch move", 1e-6)
 
@@ -247,14 +248,14 @@ class SPLINEWRIGHT_OT_patch_make_periodic(_Along, bpy.types.Operator):
 
 
 _PLAIN = tuple(pieces.plain(OnPatches, *row) for row in (
-    ('patch_to_bezier', "To Bezier Patches", "Make every span a Bezier patch of its own, a piece of the same shape; "
-     "neighbours share their points",
-     "Result {} Bezier patches", "its pieces are Bezier patches already", patch_verbs.to_bezier),
-    ('patch_to_hermite', "To Hermite", "Make patches of degree 3 or less without weights Hermite patches; "
-     "they stay the same",
-     "Result {} Hermite", "it is Hermite already", patch_verbs.to_hermite),
-    ('patch_to_nurbs', "To NURBS", "Make Bezier and Hermite patches NURBS patches; they stay the same",
-     "Result {} NURBS", "it is NURBS already", patch_verbs.to_nurbs)))
+    ('patch_to_bezier', "Convert To Bezier Patches",
+     "Make every span a Bezier patch of its own, a piece of the same shape; neighbours share their points",
+     "Made {} Bezier patches", "its pieces are Bezier patches already", patch_verbs.to_bezier),
+    ('patch_to_hermite', "Convert To Hermite",
+     "Make patches of degree 3 or less without weights Hermite patches; they stay the same",
+     "Made {} Hermite", "it is Hermite already", patch_verbs.to_hermite),
+    ('patch_to_nurbs', "Convert To NURBS", "Make Bezier and Hermite patches NURBS patches; they stay the same",
+     "Made {} NURBS", "it is NURBS already", patch_verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_patch_insert_knot, SPLINEWRIGHT_OT_patch_remove_knot, SPLINEWRIGHT_OT_patch_remove_knots,
            SPLINEWRIGHT_OT_patch_raise_degree, SPLINEWRIGHT_OT_patch_lower_degree, SPLINEWRIGHT_OT_patch_split,

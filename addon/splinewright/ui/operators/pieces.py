@@ -11,6 +11,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 from ...bridge import replacing, store
 from ...core import decimals, verbs
 from ...core.failures import FAILURES
+from . import reports
 from .selected import OnSelected
 
 
@@ -32,6 +33,7 @@ def tolerance_property(what, default, least=0.0):
 class OnPieces(OnSelected):
     """Does verb() with pieces of every selected shape that fits; `already` is said where that changes nothing."""
 
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     already = "nothing changes"
     #: Names of settings whose choices are shown side by side.
     expanded = ()
@@ -55,8 +57,8 @@ class OnPieces(OnSelected):
     def work(self, context, ob):
         return replacing.do(ob.data, self.piece, self.verb(), self.already)
 
-    def report_done(self, outcomes):
-        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+    def said(self, outcomes):
+        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
     def draw(self, context):
         self.layout.use_property_split = True
@@ -157,5 +159,5 @@ class Reparametrises:
 def plain(base, name, label, description, done, already, verb):
     """The operator of a verb without settings."""
     members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
-               'already': already, 'verb': lambda self: verb(), '__annotations__': {}}
+               'already': already, 'verb': lambda self: verb(), 'bl_options': OnSelected.bl_options, '__annotations__': {}}
     return type(f"SPLINEWRIGHT_OT_{name}", (base, bpy.types.Operator), members)
