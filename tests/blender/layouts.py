@@ -37,6 +37,9 @@ class Layout:
     def menu(self, *_, **__):
         """Nothing to say."""
 
+    def context_pointer_set(self, *_):
+        """Nothing to say."""
+
     def _part(self, *_, **__):
         return Layout(self)
 

@@ -98,10 +98,12 @@ class View:
         raise AssertionError(f"there is no field {name}")
 
 
+ADDON = next(key for key in bpy.context.preferences.addons.keys() if key.split('.')[-1] == 'splinewright')
+
+
 def part(name):
     """A module of the add-on, by its dotted name below the add-on."""
-    addon = next(key for key in bpy.context.preferences.addons.keys() if key.split('.')[-1] == 'splinewright')
-    return importlib.import_module(f"{addon}.{name}")
+    return importlib.import_module(f"{ADDON}.{name}")
 
 
 def empty_file():

@@ -45,6 +45,16 @@ def set_resolution(data, resolution_u, resolution_v):
         raise
 
 
+def start(data, resolution_u, resolution_v, mode=COUNT, tolerance=None, angle=None):
+    """Give a new data-block, which shows nothing yet, its first settings."""
+    set_resolution(data, resolution_u, resolution_v)
+    wanted = {'mode': mode, 'tolerance': tolerance, 'angle': angle}
+    with quiet(data):
+        for name, value in wanted.items():
+            if value is not None:
+                setattr(of(data), name, value)
+
+
 def set_tolerance(data, tolerance):
     """Show the surface by tolerance, with one evaluation at most."""
     with quiet(data):
@@ -85,23 +95,35 @@ def _changed(self, context):
         self.changed(context)
 
 
-class Settings:
-    """Numbers of a PropertyGroup whose changed() is called when a user changes one."""
-
-    mode: EnumProperty(
+def mode_property(**more):
+    return EnumProperty(
         name="Faces", description="How many faces show the surface",
         items=((COUNT, "By Count", "So many in every span"),
                (TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
                (ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
                (BOTH, "By Both", "As many as tolerance and angle take together")),
-        default=COUNT, update=_changed)
-    tolerance: FloatProperty(
+        default=COUNT, **more)
+
+
+def tolerance_property(**more):
+    return FloatProperty(
         name="Tolerance", description="No point of the surface lies farther from the mesh, in units of the object",
-        default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH', update=_changed)
-    angle: FloatProperty(
+        default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH', **more)
+
+
+def angle_property(**more):
+    return FloatProperty(
         name="Angle", description="Normals turn by no more on a face",
         default=math.radians(15.0), min=math.radians(0.25), soft_min=math.radians(1.0), max=math.pi, subtype='ANGLE',
-        update=_changed)
+        **more)
+
+
+class Settings:
+    """Numbers of a PropertyGroup whose changed() is called when a user changes one."""
+
+    mode: mode_property(update=_changed)
+    tolerance: tolerance_property(update=_changed)
+    angle: angle_property(update=_changed)
     resolution_u: IntProperty(
         name="Resolution U", description="Steps in every span along u",
         default=12, min=1, max=4096, soft_max=64, update=_changed)

@@ -31,7 +31,8 @@ def no_progress(step):
 
 
 def new_data(name, value, resolution, progress=no_progress, around=None):
-    """A new Mesh or Curve that shows the value. resolution is a pair; a curve uses the first.
+    """A new Mesh or Curve that shows the value. resolution: two numbers, of which a curve uses the first, or all that
+    settings.start() takes.
 
     around: as of set_definition().
     """
@@ -41,7 +42,7 @@ def new_data(name, value, resolution, progress=no_progress, around=None):
     if definition.has_curves:
         data.use_path = True        # Follow Path finds no path otherwise
     try:
-        settings.set_resolution(data, *resolution)
+        settings.start(data, *resolution)
         set_definition(data, definition, progress, around)
     except Exception:
         blocks.remove(data)

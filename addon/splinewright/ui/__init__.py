@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import library
-from . import preferences
+from . import manual, preferences
 
 
 def _rooms():
@@ -19,11 +19,13 @@ def _rooms():
             join_notice)
 
 
+def _all_rooms():
+    """Without the library only what helps to mend that."""
+    return (manual, preferences, *(() if library.problem else _rooms()))
+
+
 def register():
-    bpy.utils.register_class(preferences.SplinewrightPreferences)
-    if library.problem:
-        return
-    for room in _rooms():
+    for room in _all_rooms():
         for cls in room.CLASSES:
             bpy.utils.register_class(cls)
         if hasattr(room, 'register'):
@@ -31,10 +33,8 @@ def register():
 
 
 def unregister():
-    if not library.problem:
-        for room in reversed(_rooms()):
-            if hasattr(room, 'unregister'):
-                room.unregister()
-            for cls in reversed(room.CLASSES):
-                bpy.utils.unregister_class(cls)
-    bpy.utils.unregister_class(preferences.SplinewrightPreferences)
+    for room in reversed(_all_rooms()):
+        if hasattr(room, 'unregister'):
+            room.unregister()
+        for cls in reversed(room.CLASSES):
+            bpy.utils.unregister_class(cls)

@@ -6,7 +6,7 @@ import bpy
 
 from ..bridge import shape, store, surveys
 from ..bridge.net import live, net_object
-from . import seams_overlay, texts
+from . import colors, texts
 from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
@@ -38,7 +38,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
         if is_surface:
             self.layout.prop(data.splinewright, "show_seams")
             if data.splinewright.show_seams:
-                texts.draw_note(self.layout, seams_overlay.LEGEND, _WIDTH)
+                colors.draw_legend(self.layout)
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
         _draw_joints(self.layout, survey)
 

@@ -9,11 +9,7 @@ from gpu_extras.batch import batch_for_shader
 from ..bridge import versions
 from ..bridge.file_state import state
 from ..bridge.net import live, net_object
-from . import editing, seams_overlay
-
-#: As Blender colours the two directions of its own surfaces: u yellow, v magenta.
-COLORS = ((0.95, 0.78, 0.1, 1.0), (0.9, 0.25, 0.75, 1.0))
-ARROW_COLOR = (0.2, 0.9, 0.95, 1.0)
+from . import colors, editing, seams_overlay
 
 _handle = None
 
@@ -35,10 +31,10 @@ def draw():
 def _draw_net(ob, current):
     numbers, positions = current.net, current.points
     scale = bpy.context.preferences.system.ui_scale
-    for color, pairs in zip(COLORS, numbers.lines):
+    for color, pairs in zip(colors.of_net(), numbers.lines):
         _draw_lines(color, 1.5 * scale, positions[pairs])
     for foot, head in numbers.arrows:
-        _draw_lines(ARROW_COLOR, 2.5 * scale, arrow(positions[foot], positions[head]))
+        _draw_lines(colors.of_arrows(), 2.5 * scale, arrow(positions[foot], positions[head]))
     if ob.type == 'MESH':
         _draw_selection(ob, current, scale)
 

@@ -5,7 +5,7 @@ import bpy
 from ..bridge import derived, follow, recipes, shape, store
 from ..bridge.net import net_object
 from ..core import describe
-from . import net_panel, recipe_props, settings_panel, texts
+from . import manual, net_panel, recipe_props, settings_panel, texts
 
 
 class _ShapePanel:
@@ -21,6 +21,11 @@ class _ShapePanel:
     def poll(cls, context):
         data, ob = cls.in_hand(context)
         return net_object.is_net(ob) or shape.is_shape(data)
+
+    def draw_header_preset(self, context):
+        data, ob = self.in_hand(context)
+        theme = "curves.html" if isinstance(data, bpy.types.Curve) else "surfaces.html"
+        manual.draw_button(self.layout, "nets.html" if net_object.is_net(ob) else theme)
 
     def draw(self, context):
         data, ob = self.in_hand(context)

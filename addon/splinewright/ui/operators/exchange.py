@@ -12,7 +12,7 @@ from ...core.definition import ANY_CURVES
 from ...core.failures import FAILURES, Refusal, sentence
 from ...core.library import sc
 from .. import progress
-from . import reports
+from . import new_shapes, reports
 from .adding import can_add, resolution_property
 
 
@@ -90,7 +90,8 @@ class _Import(ImportHelper):
         try:
             values = self.values(_text_of(path))
             for value in values:
-                made.append(shape.new_data(_printable(path.stem), value, (self.resolution_u, self.resolution_v)))
+                start = new_shapes.start_of_any(self, is_surface=not isinstance(value, (*ANY_CURVES, list)))
+                made.append(shape.new_data(_printable(path.stem), value, start))
                 progress(len(made) / len(values))
         except Exception:
             for data in made:

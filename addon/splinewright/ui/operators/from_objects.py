@@ -8,7 +8,7 @@ from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import recipe_props
-from . import reports
+from . import new_shapes, reports
 from .adding import add_in_front, can_add, resolution_property
 
 #: Kinds of recipes that are called by what they do.
@@ -35,7 +35,8 @@ class _FromObjects:
 
     def execute(self, context):
         sources, recipe = _sources(context), self.recipe
-        values, resolution = recipe_props.typed(recipe, self), (self.resolution_u, self.resolution_u)
+        new_shapes.settle(self)
+        values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
         except FAILURES as error:
@@ -50,7 +51,7 @@ class _FromObjects:
         layout.use_property_split = True
         for parameter in self.recipe.parameters:
             layout.prop(self, parameter.name)
-        layout.prop(self, "resolution_u", text="Resolution")
+        new_shapes.draw(self, layout)
 
 
 def _sources(context):
@@ -81,9 +82,10 @@ def _class_for(recipe):
     annotations = {parameter.name: recipe_props.property_of(parameter, _OPTIONS.get(parameter.name))
                    for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
-    return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (_FromObjects, bpy.types.Operator), {
-        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'recipe': recipe,
-        'bl_description': recipe.description, '__annotations__': annotations, '__module__': __name__})
+    faces = (new_shapes.Faces,) if recipe.is_surface else ()
+    return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (*faces, _FromObjects, bpy.types.Operator), {
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'bl_description': recipe.description,
+        'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
 
 
 CLASSES = tuple(_class_for(recipe) for recipe in DERIVED if recipe is not FOLLOW)
