@@ -8,6 +8,8 @@ from pathlib import Path
 import bpy
 from bpy.props import StringProperty
 
+from .operators import reports
+
 FOLDER = Path(__file__).resolve().parent.parent / "manual"
 #: Pairs of a pattern of Blender's names and the page and anchor that F1 leads to.
 _MAP = "f1.json"
@@ -25,13 +27,10 @@ class SPLINEWRIGHT_OT_manual(bpy.types.Operator):
     def execute(self, context):
         path = FOLDER / self.page.partition("#")[0]
         if not path.is_file():
-            self.report({'ERROR'}, f"there is no page {path}: install the Splinewright zip again")
-            return {'CANCELLED'}
+            return reports.cancelled(self, f"there is no page {path}: install the Splinewright zip again")
         if not webbrowser.open(address_of(self.page)):
-            self.report({'ERROR'}, f"no browser was found: the manual is {path}")
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"The manual is {path}")
-        return {'FINISHED'}
+            return reports.cancelled(self, f"no browser was found: the manual is {path}")
+        return reports.finished(self, reports.Said(f"The manual is {path}"))
 
 
 def address_of(page):
