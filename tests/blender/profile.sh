@@ -9,12 +9,9 @@ make_profile() {
   local here=${BASH_SOURCE[0]%/*}
   if is_extension_blender; then
     blender_here --command extension validate "$1"
-    blender_here --command extension install-file -r user_default --enable "$1" >"$profile/install.log" 2>&1 ||
-      { cat "$profile/install.log" >&2; return 1; }
-  else
-    blender_here --background --python-exit-code 1 --python "$here/install.py" -- "$1" >"$profile/install.log" 2>&1 ||
-      { cat "$profile/install.log" >&2; return 1; }
   fi
+  blender_here --background --python-exit-code 1 --python "$here/install.py" -- "$1" >"$profile/install.log" 2>&1 ||
+    { cat "$profile/install.log" >&2; return 1; }
 }
 
 # Extensions came with Blender 4.2.

@@ -360,21 +360,6 @@ def test_smooth_joints_of_a_chain_stay_smooth_when_a_handle_is_turned():
     assert np.allclose(*directions, atol=1e-5)
 
 
-def test_the_preference_takes_tab_away():
-    preferences = part('ui.preferences').get()
-    items = [item for _, item in part('ui.keymaps')._made]
-    if not items:                       # keymaps come late in background
-        part('ui.keymaps').register()
-        items = [item for _, item in part('ui.keymaps')._made]
-    assert len(items) == 3 and all(item.active for item in items)
-    preferences.use_keys = False
-    try:
-        assert not any(item.active for item in items)
-    finally:
-        preferences.use_keys = True
-    assert all(item.active for item in items)
-
-
 @pytest.mark.parametrize('name', ('nurbs', 'quintic', 'hermite', 'cubic', 'many curves'))
 def test_switching_the_direction_of_a_net_changes_no_digit(name):
     value = VALUES[name]()

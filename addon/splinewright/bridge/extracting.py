@@ -32,8 +32,8 @@ def new_object(source, name, curves, axes):
 
 def _without_shear(value, matrix):
     """Curves as they lie in the place that an object without a parent can take in the place of that matrix."""
-    world, place = (np.array(one, dtype=np.float64) for one in (matrix, Matrix.LocRotScale(*matrix.decompose())))
+    world, plain = (np.array(one, dtype=np.float64) for one in (matrix, Matrix.LocRotScale(*matrix.decompose())))
     size = np.abs(world).max()
-    if np.abs(world - place).max() <= 1e-6 * size or np.linalg.det(place[:3, :3]) == 0:
+    if np.abs(world - plain).max() <= 1e-6 * size or np.linalg.det(plain[:3, :3]) == 0:
         return value
-    return definitions.to_value(transform.transformed(definitions.from_value(value), np.linalg.inv(place) @ world))
+    return definitions.to_value(transform.transformed(definitions.from_value(value), np.linalg.inv(plain) @ world))

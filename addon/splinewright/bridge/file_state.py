@@ -12,20 +12,31 @@ import bpy
 class FileState:
     """Data-blocks and objects stand here by their keys: references die with undo."""
 
+    is_scanned: bool = False                            # whether the file was looked through since it was opened
     followers: set = field(default_factory=set)         # data-blocks that are made from objects; a hint
-    owners: dict = field(default_factory=dict)          # of a follower the object in whose space it lies, a key
+    owners: dict = field(default_factory=dict)          # of a follower the key of the object in whose space it lies, or None
     nets: set = field(default_factory=set)              # objects that are nets; a hint
     sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session
-    problems: dict = field(default_factory=dict)        # of a data-block its net_object.problems, by what they are about
+    problems: dict = field(default_factory=dict)        # of a data-block its sentences, by what they are about
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
+    shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
+    keyed: dict = field(default_factory=dict)           # of a data-block what keys and drivers gave its recipe's parameters
     definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
-    surveys: dict = field(default_factory=dict)         # of net_object.surveys
+    surveys: dict = field(default_factory=dict)         # of bridge.surveys
     suspended: list = field(default_factory=list)       # of ui.saving
+<<<<<<< HEAD
     asking: set = field(default_factory=set)            # names of open dialogs that ask for a piece
     asked: dict = field(default_factory=dict)           # of ui.hand: what the last operator asked for pieces of
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = field(default_factory=tuple)       # the name of an object and the number of its piece at the mouse
+=======
+    selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
+    last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
+    errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
+    looks_left: int = 0
+    missed: int = 0                                     # frames that a render did not wait for
+>>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
 
 
 state = FileState()
@@ -33,8 +44,9 @@ state = FileState()
 
 def forget():
     """Another file is open."""
+    fresh = FileState()
     for each in fields(FileState):
-        setattr(state, each.name, each.default_factory())
+        setattr(state, each.name, getattr(fresh, each.name))
 
 
 def key(block):

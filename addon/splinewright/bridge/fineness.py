@@ -44,10 +44,10 @@ def of_render(ob, points, scene, depsgraph):
     width, height = (size * render.resolution_percentage / 100 for size in (render.resolution_x, render.resolution_y))
     window = np.array(camera.calc_matrix_camera(depsgraph, x=round(width), y=round(height),
                                                 scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y))
-    place = camera.matrix_world.normalized()
-    if place.determinant() == 0.0:
+    camera_world = camera.matrix_world.normalized()
+    if camera_world.determinant() == 0.0:
         raise Refusal("the camera has a scale of 0")
-    to_camera = place.inverted() @ ob.matrix_world
+    to_camera = camera_world.inverted() @ ob.matrix_world
     depth = -(np.array(to_camera)[2, :3] @ points.T + to_camera[2][3])
     # The window's matrix leads to clip space, which is 2 wide and divided by w: the depth, or 1 where all is parallel.
     is_perspective = window[3, 3] == 0.0

@@ -1,6 +1,7 @@
 """Shapes that follow an object: which they are, in which order, and how they are brought up to date."""
 
 import contextlib
+import functools
 import graphlib
 
 import bpy
@@ -22,8 +23,20 @@ def scan():
     state.followers.clear()
     state.owners.clear()
     problems.forget(problems.FOLLOWING)
-    for blocks in (bpy.data.meshes, bpy.data.curves):
-        state.followers.update(key(data) for data in blocks if recipes.follows(data))
+    _add(data for blocks in (bpy.data.meshes, bpy.data.curves) for data in blocks)
+
+
+def _add(blocks):
+    """Keep those that are followers in mind. In older files nothing watches what they follow."""
+    for data in blocks:
+        if _is_live(data) and key(data) not in state.followers:
+            state.followers.add(key(data))
+            recipes.watch(data)
+
+
+def _is_live(data):
+    """Whether a data-block is to follow. What is linked from another file cannot be written."""
+    return recipes.follows(data) and not data.library
 
 
 def new_object(recipe, values, sources, resolution, depsgraph):
@@ -54,13 +67,14 @@ def attach(ob, source, depsgraph):
     _write(ob.data, FOLLOW, {}, [source], result.error)
 
 
-def set_parameter(data, name, value, depsgraph):
-    """Change one number or text of what is made from objects. Raises, and changes nothing, where nothing comes of it."""
-    owner, sources = owner_of(data), recipes.read_inputs(data)
+def set_parameters(data, changes, depsgraph):
+    """Change parameters of what is made from objects, by name. Raises, and changes nothing, where nothing comes of it."""
+    state.owners.pop(key(data), None)
+    owner, sources = _owner_of(data, _Turn(depsgraph)), recipes.read_inputs(data)
     if owner is None or None in sources:
         raise Refusal("an object it is made from was deleted: it stays as it was last")
     stored = recipes.read(data)
-    recipe, values = stored.recipe, {**stored.values, name: value}
+    recipe, values = stored.recipe, {**stored.values, **changes}
     result = derived.result(recipe, values, sources, owner, depsgraph)
     shape.set_definition(data, result.definition)
     recipes.write_derived(data, recipe, values, sources, result.error)
@@ -78,8 +92,8 @@ def require_no_cycle(data, source):
         ob = waiting.pop()
         if ob.data == data:
             raise Cycle(f"{ob.name} would follow itself")
-        if key(ob) not in seen and ob.data:
-            waiting += _inputs(ob.data)
+        if key(ob) not in seen and ob.data and recipes.follows(ob.data):
+            waiting += recipes.pointers(ob.data)
         seen.add(key(ob))
 
 
@@ -88,74 +102,104 @@ def refresh(changed, depsgraph):
     _note(changed)
     if not state.followers:
         return
-    changed = set(changed)
+    turn = _Turn(depsgraph)
+    causes = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object))}
     for data in _in_order():
-        sources, owner = _inputs(data), owner_of(data)
-        if not sources or owner is None:
-            continue
-        causes = {owner, *(cause for source in sources for cause in _causes(source))}
-        if not changed.isdisjoint(causes) and _update(data, owner, sources, depsgraph):
-            changed.add(data)
+        if not causes.isdisjoint(_causes(data)) and _update(data, turn):
+            causes.add(data)
 
 
-def _causes(source):
-    return source, source.data, getattr(source.data, 'shape_keys', None)
+def _causes(data):
+    """What a follower depends on; of an object that shows it its place, for which the follower itself stands here."""
+    for source in recipes.pointers(data):
+        yield from (source, source.data, getattr(source.data, 'shape_keys', None))
+    yield data
 
 
 def _note(blocks):
-    """Add the followers among changed blocks, which may be new to the file."""
+    """Changed blocks may be followers that are new to the file, or objects in whose space one lies."""
+    _add(block for block in blocks if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)))
     for block in blocks:
-        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and recipes.follows(block):
-            state.followers.add(key(block))
+        if isinstance(block, bpy.types.Object) and block.data and state.owners.get(key(block.data), block) is None:
+            del state.owners[key(block.data)]
 
 
-def refresh_all(depsgraph):
-    """Bring every follower up to date: another frame, another file."""
+def refresh_all(changed, depsgraph):
+    """Bring every follower up to date that a depsgraph shows: another frame, another file."""
+    _note(changed)
+    turn = _Turn(depsgraph)
     for data in _in_order():
-        sources, owner = _inputs(data), owner_of(data)
-        if sources and owner is not None:
-            _update(data, owner, sources, depsgraph)
+        _update(data, turn)
 
 
 def problem(data):
     """Why a follower does not follow, or ""."""
     if not recipes.follows(data):
         return ""
+    if data.library:
+        return "It is linked from another file: it is shown as that was saved. Bake Animation there makes it move here"
     try:
         sources = recipes.read_inputs(data)
     except store.UnreadableDefinition as error:
         return str(error)
-    if not all(source is not None and source.users_scene for source in sources):
-        return "The object it follows was deleted, or is in no scene: it stays as it was last"
+    if not _in_use().issuperset(sources):
+        return _GONE
     return problems.of(data, problems.FOLLOWING)
 
 
-def owner_of(data):
-    """The object in whose space a follower lies: the first by name that is in a scene, or None."""
-    known = state.owners.get(key(data))
-    hint = block_of(known) if known else None
-    if hint is None or hint.data != data or not hint.users_scene:
-        hint = _find_owner(data)
-        state.owners[key(data)] = key(hint) if hint else None
-    return hint
+_GONE = "The object it follows was deleted, or is in no scene: it stays as it was last"
 
 
-def _find_owner(data):
-    users = [ob for ob in bpy.data.user_map(subset={data})[data]
-             if isinstance(ob, bpy.types.Object) and ob.data == data and ob.users_scene]
-    return min(users, key=lambda ob: ob.name) if users else None
+class _Turn:
+    """One go of bringing followers up to date."""
+
+    def __init__(self, depsgraph):
+        self.depsgraph = depsgraph
+
+    @functools.cached_property
+    def in_use(self):
+        return _in_use()
+
+    def shows(self, ob):
+        """Whether the depsgraph evaluates an object: it may be of another scene, or left out of the view layer."""
+        return ob.evaluated_get(self.depsgraph).is_evaluated
 
 
-def _update(data, owner, sources, depsgraph):
+def _in_use():
+    """The objects that were not deleted: those in a scene, or in a collection, which may be instanced."""
+    collections = (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes))
+    return {ob for collection in collections for ob in collection.objects}
+
+
+def _owner_of(data, turn):
+    """The object in whose space a follower lies: the first by name that is in use, or None. That is kept until an
+    object is told of that could be it: to look for one costs as much as the file has objects."""
+    name = key(data)
+    if name in state.owners:
+        known = state.owners[name]
+        owner = block_of(known) if known else None
+        if known is None or owner is not None and owner.data == data and owner in turn.in_use:
+            return owner
+    users = (ob for ob in bpy.data.objects if ob.data == data and ob in turn.in_use)
+    owner = min(users, key=lambda ob: ob.name, default=None)
+    state.owners[name] = key(owner) if owner else None
+    return owner
+
+
+def _update(data, turn):
     """Whether the follower changed. Whatever goes wrong is kept in words: others are to be brought up to date, too."""
     try:
-        if not all(source.users_scene for source in sources):
+        owner = _owner_of(data, turn)
+        if owner is None:
             return False
         stored = recipes.read(data)
+        sources = stored.sources
+        if not turn.in_use.issuperset(sources) or not all(map(turn.shows, sources)):
+            return False
         for source, was_shape in zip(sources, stored.were_shapes):
             if was_shape and not shape.has_shape(source):
                 raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        result = derived.result(stored.recipe, stored.values, sources, owner, depsgraph)
+        result = derived.result(stored.recipe, stored.values, sources, owner, turn.depsgraph)
         definition = result.definition
         problems.tell(data, problems.FOLLOWING, "")
         if _same(store.read(data), definition) and not shape.is_touched(data):
@@ -180,7 +224,7 @@ def _in_order():
     """The followers, each after the shape that it follows. Those of a cycle are left out."""
     blocks = {key(data): data for data in _blocks()}
     sorter = graphlib.TopologicalSorter(
-        {name: {key(source.data) for source in _inputs(data) if source.data} for name, data in blocks.items()})
+        {name: {key(source.data) for source in recipes.pointers(data) if source.data} for name, data in blocks.items()})
     with contextlib.suppress(graphlib.CycleError):
         sorter.prepare()
     order = []
@@ -195,17 +239,7 @@ def _in_order():
 
 def _blocks():
     blocks = [block_of(name) for name in sorted(state.followers)]
-    if all(data is not None and recipes.follows(data) for data in blocks):
+    if all(data is not None and _is_live(data) for data in blocks):
         return blocks
     scan()                              # one was renamed or removed
     return [block_of(name) for name in sorted(state.followers)]
-
-
-def _inputs(data):
-    """The objects that a shape is made from; [] where it is made from none, or one is missing or unknown."""
-    try:
-        sources = recipes.read_inputs(data)
-    except store.UnreadableDefinition as error:
-        problems.tell(data, problems.FOLLOWING, str(error))
-        return []
-    return [] if None in sources else sources

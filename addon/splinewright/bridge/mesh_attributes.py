@@ -1,7 +1,7 @@
-"""What users put on the vertices, faces and corners of a mesh, carried over to other faces of the same patches.
+"""What users put on a mesh, carried over to other faces of the same patches.
 
 Numbers are interpolated over the parameters of each patch, which every corner keeps; whole numbers, texts and
-switches are those of the nearest corner. What lies on edges goes with them.
+switches are those of the nearest corner. What lies on edges is mesh_marks'.
 """
 
 import contextlib
@@ -11,14 +11,15 @@ from typing import NamedTuple
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from . import mesh_layers
-from .mesh_layers import MOST_UV_MAPS, PARAMETERS, UV_NAME, read
+from . import mesh_layers, mesh_marks
+from .mesh_layers import MOST_UV_MAPS, PARAMETERS, UV_NAME, Layer, read
 
 
 class Kept(NamedTuple):
     """What was on a mesh, and the triangles over whose parameters it lies."""
 
-    layers: list
+    layers: list                        # of vertices, faces and corners
+    marks: list                         # of mesh_marks
     groups: object                      # mesh_layers.Groups or None
     triangles: np.ndarray               # (t, 3) corners
     corners: np.ndarray                 # (c, 3) parameters
@@ -46,10 +47,10 @@ def _parameters(tessellation):
 
 
 @contextlib.contextmanager
-def moved(mesh, owner, parents, places):
+def moved(mesh, owner, uneven, parents, places):
     """While other patches are written, what lies on the faces lies on those: each came of one of `parents`, and lies
-    there in a core.places.Place. Where that fails it lies where it lay."""
-    kept = keep(mesh, owner)
+    there in a core.places.Place. Where that fails it lies where it lay. uneven: of mesh_looks.kept()."""
+    kept = keep(mesh, owner, uneven)
     if kept is None:
         yield
         return
@@ -58,10 +59,13 @@ def moved(mesh, owner, parents, places):
     is_ours = uvs is not None and np.abs(uvs - kept.corners[:, :2]).max() <= 1e-6
     corners = _on_parts(mesh, kept.corners, parents, places)
     _put(mesh, corners, corners[:, :2] if is_ours else None)
+    mesh_marks.remember(mesh, mesh_marks.moved(kept.marks, parents, places), is_certain=True)
     try:
         yield
+        mesh_marks.be_uncertain(mesh)
     except Exception:
         _put(mesh, kept.corners, uvs if is_ours else None)
+        mesh_marks.remember(mesh, kept.marks)
         raise
 
 
@@ -91,24 +95,36 @@ def has_room_for_ours(kept):
     return kept is None or sum(layer.data_type == 'UV' for layer in kept.layers if layer.name != UV_NAME) < MOST_UV_MAPS
 
 
-def keep(mesh, owner):
-    """The Kept of a mesh, or None where a user put nothing on it. owner: of its vertex groups, an object or None."""
+def keep(mesh, owner, uneven=()):
+    """The Kept of a mesh, or None where a user put nothing on it. owner: of its vertex groups, an object or None.
+    uneven: of mesh_looks.kept()."""
     corners = mesh_layers.parameters(mesh)
     if corners is None or not len(mesh.polygons):
         return None
-    layers = [*mesh_layers.attributes(mesh), *mesh_layers.uv_maps(mesh, corners[:, :2])]
+    layers = [*uneven, *mesh_layers.of_users(mesh), *mesh_layers.uv_maps(mesh, corners[:, :2]), *mesh_layers.pins(mesh)]
+    sharp = mesh_layers.sharp_of_users(mesh)
+    if sharp is not None:
+        layers.append(Layer('use_edge_sharp', 'FIELD', 'EDGE', sharp[:, None]))
+    marks = mesh_marks.keep(mesh, corners, [layer for layer in layers if layer.domain == 'EDGE'])
     groups = mesh_layers.groups_of(mesh, owner)
-    if not layers and groups is None:
+    if not layers and not marks and groups is None:
         return None
     triangles, faces = _triangles(mesh)
-    vertices = read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
-    return Kept(layers, groups, triangles, corners, vertices, faces, mesh_layers.active(mesh))
+    return Kept([layer for layer in layers if layer.domain != 'EDGE'], marks, groups, triangles, corners,
+                mesh_layers.corner_vertices(mesh), faces, mesh_layers.active(mesh))
 
 
 def restore(mesh, owner, kept):
     """Put what was kept on the faces that the mesh has now."""
     corners = mesh_layers.parameters(mesh)
-    vertices = read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
+    if kept.layers or kept.groups is not None:
+        _restore_on_faces(mesh, owner, kept, corners)
+    mesh_marks.restore(mesh, corners, kept.marks)
+    mesh_layers.set_active(mesh, kept.active)
+
+
+def _restore_on_faces(mesh, owner, kept, corners):
+    vertices = mesh_layers.corner_vertices(mesh)
     starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     counts = np.diff(np.append(starts, len(corners)))
     of_faces = np.add.reduceat(corners, starts) / counts[:, None]
@@ -117,12 +133,13 @@ def restore(mesh, owner, kept):
     _, first = np.unique(vertices, return_index=True)
     places = {'CORNER': inside, 'FACE': of_faces, 'POINT': corners[first]}
     found = _Found(kept)
-    for layer in kept.layers:
+    # Those that a copy of the mesh is needed for come first.
+    for layer in sorted(kept.layers, key=lambda layer: layer.data_type != 'BMESH'):
         mesh_layers.write(mesh, layer, found.values(layer, places))
+    mesh_layers.hide_with_faces(mesh)
     if kept.groups is not None:
         weights = found.blended(kept.groups.weights[kept.vertices], 'POINT', places)
         mesh_layers.write_groups(owner, kept.groups, weights)
-    mesh_layers.set_active(mesh, kept.active)
 
 
 class _Found:

@@ -1,16 +1,25 @@
-"""What users put on a mesh, as arrays: attributes, UV maps, vertex groups, and which of them are active.
+"""What users put on a mesh, as arrays: attributes, UV maps, marks, vertex groups, and which of them are active.
 
 Blender drops all of it with the faces.
 """
 
 from typing import NamedTuple
 
+import bmesh
+import bpy
 import numpy as np
+
+from . import versions
 
 #: Corner attribute: u, v in [0, 1] of the patch, and the number of the patch.
 PARAMETERS = "parameters"
 UV_NAME = "UVMap"
-_OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face'}
+#: Edge attribute: those that are sharp because the surface is; other sharp edges are a user's.
+SHARP = ".splinewright_sharp"
+_OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face', 'sharp_edge'}
+#: Blender's own, which a user made all the same.
+_HIDDEN = {'.sculpt_mask', '.sculpt_face_set', '.uv_seam', '.hide_poly'}
+_PINS = '.pn.'
 #: How a value of each type is read: the name of its field, how many numbers it has, their type.
 _TYPES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT8': ('value', 1, np.int32),
           'BOOLEAN': ('value', 1, bool), 'FLOAT_VECTOR': ('vector', 3, np.float32),
@@ -22,14 +31,24 @@ _TYPES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT
 _NEVER_MIXED = {'QUATERNION', 'FLOAT4X4'}
 #: So many UV maps a mesh may have.
 MOST_UV_MAPS = 8
-_DOMAINS = ('POINT', 'FACE', 'CORNER')
+_COLLECTIONS = {'POINT': 'vertices', 'EDGE': 'edges', 'FACE': 'polygons', 'CORNER': 'loops'}
+#: What some versions keep as a field of vertices, edges or faces, where others have attributes: domain, name, type, and
+#: the property of the mesh that tells whether any has it.
+_FIELDS = (('EDGE', 'use_seam', bool, None), ('EDGE', 'crease', np.float32, 'has_crease_edge'),
+           ('EDGE', 'bevel_weight', np.float32, 'has_bevel_weight_edge'),
+           ('POINT', 'bevel_weight', np.float32, 'has_bevel_weight_vertex'),
+           ('EDGE', 'use_freestyle_mark', bool, None), ('FACE', 'use_freestyle_mark', bool, None))
+#: Of Blender 3: collections of one layer or none, which bmesh alone can make, and its names for them.
+_OF_BMESH = {'vertex_paint_masks': 'paint_mask', 'vertex_creases': 'crease'}
+#: Whether what edges and faces have are attributes, which are read and written much faster.
+IN_ATTRIBUTES = 'crease' not in bpy.types.MeshEdge.bl_rna.properties
 
 
 class Layer(NamedTuple):
     """One attribute or UV map of a mesh."""
 
     name: str
-    data_type: str                      # as Blender's attributes, or 'UV'
+    data_type: str                      # as Blender's attributes, or 'UV', 'PIN', 'FIELD', 'BMESH'
     domain: str
     values: np.ndarray                  # (n, numbers)
 
@@ -72,15 +91,115 @@ def read(data, field, numbers, dtype):
     return flat.reshape(-1, numbers)
 
 
-def attributes(mesh):
-    """A Layer for each that a user made and that does not lie on edges."""
+def column(mesh, collection, field, attribute, dtype):
+    """(n,) of a field, whose attribute is where this Blender has it; None where no element has that."""
+    if not IN_ATTRIBUTES:
+        return read(getattr(mesh, collection), field, 1, dtype)[:, 0]
+    layer = mesh.attributes.get(attribute)
+    return None if layer is None else read(layer.data, 'value', 1, dtype)[:, 0]
+
+
+def corner_vertices(mesh):
+    """(c,) the vertex of each corner."""
+    return column(mesh, 'loops', 'vertex_index', '.corner_vert', np.int32)
+
+
+def corner_edges(mesh):
+    """(c,) the edge from each corner to the next of its face."""
+    return column(mesh, 'loops', 'edge_index', '.corner_edge', np.int32)
+
+
+def of_users(mesh):
+    """A Layer for each attribute, mark and hidden layer that a user made; UV maps are uv_maps()."""
+    yield from _attributes(mesh)
+    yield from _fields(mesh)
+    if not IN_ATTRIBUTES:
+        yield from _layers_of_blender_3(mesh)
+
+
+def _layers_of_blender_3(mesh):
+    for collection in _OF_BMESH:
+        for layer in getattr(mesh, collection):
+            yield Layer(collection, 'BMESH', 'POINT', read(layer.data, 'value', 1, np.float32))
+    for layer in mesh.face_maps:
+        yield Layer('face_maps', 'BMESH', 'FACE', read(layer.data, 'value', 1, np.int32))
+
+
+def _attributes(mesh):
     for attribute in mesh.attributes:
-        if attribute.name in _OWN or attribute.name.startswith('.') or getattr(attribute, 'is_internal', False):
-            continue
-        if attribute.name in mesh.uv_layers or attribute.data_type not in _TYPES or attribute.domain not in _DOMAINS:
+        if not _is_users(attribute) or attribute.name in mesh.uv_layers or attribute.data_type not in _TYPES:
             continue
         values = read(attribute.data, *_TYPES[attribute.data_type])
         yield Layer(attribute.name, attribute.data_type, attribute.domain, values)
+
+
+def _is_users(attribute):
+    name = attribute.name
+    if name.startswith('.'):
+        return name in _HIDDEN or name.startswith(_PINS)
+    return name not in _OWN and attribute.domain in _COLLECTIONS and not getattr(attribute, 'is_internal', False)
+
+
+def _fields(mesh):
+    for domain, name, dtype, is_there in _FIELDS:
+        collection = getattr(mesh, _COLLECTIONS[domain])
+        if not _has_field(domain, name) or is_there is not None and not getattr(mesh, is_there):
+            continue
+        values = read(collection, name, 1, dtype)
+        if values.any():
+            yield Layer(name, 'FIELD', domain, values)
+
+
+def _has_field(domain, name):
+    if name == 'use_seam' and IN_ATTRIBUTES:
+        return False
+    owner = {'POINT': bpy.types.MeshVertex, 'EDGE': bpy.types.MeshEdge, 'FACE': bpy.types.MeshPolygon}[domain]
+    return name in owner.bl_rna.properties
+
+
+def is_possible(layer):
+    """Whether a mesh of this Blender may have the Layer."""
+    return _has_field(layer.domain, layer.name) if layer.data_type == 'FIELD' else layer.data_type in _TYPES
+
+
+def is_dropped_where_empty(layer):
+    """Whether Blender drops the Layer, leaving Edit Mode say, where no edge has it."""
+    return layer.data_type == 'FIELD' or layer.name.endswith('uv_seam')
+
+
+def sharp(mesh):
+    """(edges,) whether each is marked sharp; None where none is."""
+    flags = column(mesh, 'edges', 'use_edge_sharp', 'sharp_edge', bool)
+    return flags if flags is not None and flags.any() else None
+
+
+def sharp_of_users(mesh):
+    """(edges,) whether a user marked each sharp; None where none is. A mesh of an early Splinewright cannot tell."""
+    flags, attribute = sharp(mesh), ours(mesh, SHARP, 'BOOLEAN', 'EDGE')
+    if flags is None or attribute is None:
+        return None
+    flags &= ~read(attribute.data, 'value', 1, bool)[:, 0]
+    return flags if flags.any() else None
+
+
+def note_sharp(mesh, users):
+    """Note that all sharp edges but those of the user, (edges,) or None for none, are the surface's."""
+    attribute, flags = ours(mesh, SHARP, 'BOOLEAN', 'EDGE'), sharp(mesh)
+    if attribute is None:
+        attribute = mesh.attributes.new(SHARP, 'BOOLEAN', 'EDGE')
+    elif flags is None:
+        flags = np.zeros(len(mesh.edges), bool)
+    if flags is not None:
+        attribute.data.foreach_set('value', flags if users is None else flags & ~users)
+
+
+def write_sharp(mesh, flags):
+    """Mark these edges sharp, (edges,), and no others."""
+    if not IN_ATTRIBUTES:
+        mesh.edges.foreach_set('use_edge_sharp', flags)
+        return
+    attribute = mesh.attributes.get('sharp_edge') or mesh.attributes.new('sharp_edge', 'BOOLEAN', 'EDGE')
+    attribute.data.foreach_set('value', flags)
 
 
 def uv_maps(mesh, ours):
@@ -91,23 +210,75 @@ def uv_maps(mesh, ours):
             yield Layer(layer.name, 'UV', 'CORNER', values)
 
 
+def pins(mesh):
+    """A Layer for each UV map of which corners are pinned, where that is no attribute."""
+    for layer in mesh.uv_layers:
+        if not hasattr(layer, 'uv'):
+            values = read(layer.data, 'pin_uv', 1, bool)
+            if values.any():
+                yield Layer(layer.name, 'PIN', 'CORNER', values)
+
+
 def uv_of(layer):
     """The items of a UV map and the name of their field."""
-    return (layer.uv, 'vector') if hasattr(layer, 'uv') else (layer.data, 'uv')
+    return (layer.uv, 'vector') if versions.uvs_are_attributes else (layer.data, 'uv')
 
 
 def write(mesh, layer, values):
     """Give a mesh that has lost the Layer these values of it, (n, numbers)."""
-    if layer.data_type == 'UV':
-        data, field = uv_of(mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False))
-    else:
-        attribute = mesh.attributes.new(layer.name, layer.data_type, layer.domain)
-        data, field = attribute.data, _TYPES[layer.data_type][0]
+    if layer.data_type == 'BMESH':
+        _write_by_bmesh(mesh, layer, values)
+        return
+    data, field = _items(mesh, layer)
     if values.dtype == object:
         for item, value in zip(data, values[:, 0]):
             setattr(item, field, value)
-    else:
+    elif data is not None:
         data.foreach_set(field, np.ascontiguousarray(values).ravel())
+
+
+def _items(mesh, layer):
+    """The items of a Layer, which is made where it is missing, and the name of their field."""
+    if layer.data_type == 'FIELD':
+        return getattr(mesh, _COLLECTIONS[layer.domain]), layer.name
+    if layer.data_type == 'UV':
+        return uv_of(mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False))
+    if layer.data_type == 'PIN':
+        uv_map = mesh.uv_layers.get(layer.name)
+        return (None if uv_map is None else uv_map.data), 'pin_uv'
+    attribute = (ours(mesh, layer.name, layer.data_type, layer.domain)
+                 or mesh.attributes.new(layer.name, layer.data_type, layer.domain))
+    return attribute.data, _TYPES[layer.data_type][0]
+
+
+def _write_by_bmesh(mesh, layer, values):
+    if layer.name == 'face_maps':
+        mesh.face_maps.new().data.foreach_set('value', np.ascontiguousarray(values).ravel())
+        return
+    copy = bmesh.new()
+    copy.from_mesh(mesh)
+    key = getattr(copy.verts.layers, _OF_BMESH[layer.name]).verify()
+    for vertex, value in zip(copy.verts, values[:, 0].tolist()):
+        vertex[key] = value
+    copy.to_mesh(mesh)
+    copy.free()
+
+
+def hide_with_faces(mesh):
+    """Hide what lies between hidden faces only."""
+    hidden = ours(mesh, '.hide_poly', 'BOOLEAN', 'FACE')
+    if hidden is None:
+        return
+    of_faces = read(hidden.data, 'value', 1, bool)[:, 0]
+    if not of_faces.any():
+        return
+    starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
+    is_shown = ~np.repeat(of_faces, np.diff(np.append(starts, len(mesh.loops))))
+    for collection, numbers in (('vertices', corner_vertices(mesh)), ('edges', corner_edges(mesh))):
+        items = getattr(mesh, collection)
+        hide = np.ones(len(items), bool)
+        hide[numbers[is_shown]] = False
+        items.foreach_set('hide', hide)
 
 
 def groups_of(mesh, owner):

@@ -7,6 +7,8 @@ from .file_state import key, state
 
 #: The last change of a setting or of a recipe's number.
 SETTING = "setting"
+#: What keys and drivers give its settings and its recipe's parameters.
+KEYED = "keyed"
 #: What the shape is made from.
 FOLLOWING = "following"
 #: Its net.

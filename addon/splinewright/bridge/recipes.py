@@ -13,13 +13,16 @@ import numpy as np
 from ..core.failures import Refusal
 from ..core.recipes.recipe import Recipe
 from ..core.recipes.table import RECIPES
-from . import store
+from . import store, watching
 
 #: No registered property has this name: before Blender 5.0 reading it would put an empty group in place of ours.
 KEY = "splinewright_recipe"
 VERSION = 2
 #: Keys of the pointers to the objects that a shape is made from, and of whether each was a shape then.
 _INPUTS = (('input', 'shape'), ('input_2', 'shape_2'))
+#: The property that a driver is on which reads the inputs, and its data path.
+_WATCHED = "watched"
+WATCHED = f'["{KEY}"]["{_WATCHED}"]'
 
 
 class Stored(NamedTuple):
@@ -44,6 +47,13 @@ def has(data):
 def follows(data):
     """Whether the shape is made from other objects, as far as can be told without reading the recipe."""
     return has(data) and store.is_group(data[KEY]) and _INPUTS[0][0] in data[KEY].keys()
+
+
+def pointers(data):
+    """The objects that a shape is made from, as far as can be told without reading the recipe; those deleted are missing."""
+    group = data[KEY]
+    found = [group.get(pointer) for pointer, _ in _INPUTS] if store.is_group(group) else []
+    return [source for source in found if isinstance(source, bpy.types.Object)]
 
 
 def kind(data):
@@ -141,6 +151,7 @@ def has_points(data):
 
 def remove(data):
     if KEY in data.keys():
+        watching.stop(data, WATCHED)
         del data[KEY]
 
 
@@ -186,14 +197,19 @@ def error(data):
 
 
 def write_derived(data, recipe, values, sources, error):
-    """Make a shape from objects from now on.
-
-    The pointers also tell Blender's depsgraph to evaluate what is followed where it is hidden, in renders, too.
-    """
+    """Make a shape from objects from now on."""
     group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error)}
     for (pointer, flag), source in zip(_INPUTS, sources):
         group.update({pointer: source, flag: store.has_definition(source.data)})
     store.assign(data, KEY, group)
+    watch(data)
+
+
+def watch(data):
+    """Let Blender evaluate what a shape is made from with it."""
+    if _WATCHED not in data[KEY].keys():
+        data[KEY][_WATCHED] = 0.0
+    watching.start(data, WATCHED, pointers(data))
 
 
 def write_error(data, error):

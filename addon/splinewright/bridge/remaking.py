@@ -17,13 +17,12 @@ def new_data(name, recipe, values, points, resolution):
     return data
 
 
-def set_parameter(data, name, value):
-    """Change one number or text of a recipe of points. Raises, and changes nothing, where nothing comes of it."""
-    values = {**recipes.parameters(data), name: value}
-    _remake(data, values, recipes.points(data))
+def set_parameters(data, changes):
+    """Change parameters of a recipe of points, by name. Raises, and changes nothing, where nothing comes of it."""
+    _remake(data, {**recipes.parameters(data), **changes}, recipes.points(data))
     held = free_net.editing(data)
-    if held is not None and name == 'closed':
-        free_net.set_closed(held, value)
+    if held is not None and 'closed' in changes:
+        free_net.set_closed(held, changes['closed'])
     if held is not None:
         held.update_tag()               # points that were refused may fit now
 

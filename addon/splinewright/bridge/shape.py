@@ -14,7 +14,12 @@ from .file_state import key, state
 
 def has_shape(ob):
     """Whether the object is a shape of ours."""
-    return ob is not None and ob.type in ('MESH', 'CURVE') and store.has_definition(ob.data)
+    return ob is not None and ob.type in ('MESH', 'CURVE') and is_shape(ob.data)
+
+
+def is_shape(data):
+    """Whether a data-block, or None, is that of a shape of ours."""
+    return type(data) in (bpy.types.Mesh, bpy.types.Curve) and store.has_definition(data)
 
 
 #: Steps that set_definition() and rewrite() report to `progress`.
@@ -26,7 +31,8 @@ def no_progress(step):
 
 
 def new_data(name, value, resolution, progress=no_progress, around=None):
-    """A new Mesh or Curve that shows the value. resolution is a pair; a curve uses the first.
+    """A new Mesh or Curve that shows the value. resolution: two numbers, of which a curve uses the first, or all that
+    settings.start() takes.
 
     around: as of set_definition().
     """
@@ -36,7 +42,7 @@ def new_data(name, value, resolution, progress=no_progress, around=None):
     if definition.has_curves:
         data.use_path = True        # Follow Path finds no path otherwise
     try:
-        settings.set_resolution(data, *resolution)
+        settings.start(data, *resolution)
         set_definition(data, definition, progress, around)
     except Exception:
         blocks.remove(data)
@@ -122,6 +128,7 @@ def _finish(data, picture, progress):
     progress(2)
     problems.tell(data, problems.SETTING, "")
     state.touched[key(data)] = False
+    state.shown[key(data)] = settings.values(data)
 
 
 def detach(data):

@@ -18,8 +18,8 @@ class WrongKind(Refusal, TypeError):
     """Something of another kind was given than is taken."""
 
 
-#: What a modeller is told of.
-FAILURES = (Refusal, sc.Error, OSError, MemoryError)
+#: What a modeller is told of; where the library is missing, nothing of its own.
+FAILURES = (Refusal, OSError, MemoryError, *([sc.Error] if sc else []))
 
 
 def sentence(error):

@@ -27,7 +27,7 @@ def conic_lines(curve):
     """Pairs of a label and a text for a curve that lies on one conic, in whatever form; [] for any other."""
     try:
         conic = conic_of(curve)
-    except (ValueError, ArithmeticError):
+    except (Refusal, sc.Error):
         return []
     return _lines_of(curve, conic)
 
@@ -108,7 +108,7 @@ def _conic(curve):
     """Lecture row S10."""
     try:
         conic = conic_of(curve)
-    except (ValueError, ArithmeticError):
+    except (Refusal, sc.Error):
         return []
     lines = [f"  {label}: {value}" for label, value in _lines_of(curve, conic)]
     plane = (f"  x and y from {_vector(conic.origin)} along {_vector(conic.x_axis)} and {_vector(conic.y_axis)}")

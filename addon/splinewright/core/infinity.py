@@ -1,4 +1,4 @@
-"""Control points at infinity (lecture row S11): a direction in place of a point, and back."""
+"""Control points at infinity (lecture row S11): a direction in at of a point, and back."""
 
 from dataclasses import replace
 
@@ -47,11 +47,11 @@ def _foot(definition, row):
     return foot_of(definition.pool, piece.indices, np.argwhere(piece.indices == row)[0], piece.periodic)
 
 
-def foot_of(pool, net, place, periodic):
-    """Where the arrow of the direction at a place of a row or net of points begins: in the middle of the finite
+def foot_of(pool, net, at, periodic):
+    """Where the arrow of the direction at a position in a row or net of points begins: in the middle of the finite
     points beside it; the origin where there are none."""
-    beside = list(_beside_in_row(pool, net, place[0]) if net.ndim == 1 else
-                  (row for row in _beside_in_net(net, place, periodic or (False, False)) if pool[row, 3] != 0))
+    beside = list(_beside_in_row(pool, net, at[0]) if net.ndim == 1 else
+                  (row for row in _beside_in_net(net, at, periodic or (False, False)) if pool[row, 3] != 0))
     return pool[beside, :3].mean(0) if beside else np.zeros(3)
 
 
@@ -61,10 +61,10 @@ def _beside_in_row(pool, row, i):
     return row[np.concatenate([finite[finite < i][-1:], finite[finite > i][:1]])]
 
 
-def _beside_in_net(net, place, periodic):
+def _beside_in_net(net, at, periodic):
     for axis in (0, 1):
         for step in (-1, 1):
-            other = place.copy()
+            other = at.copy()
             other[axis] += step
             if periodic[axis]:
                 other[axis] %= net.shape[axis]

@@ -2,6 +2,7 @@
 
 from . import parameters, verbs
 from .failures import Refusal
+from .library import sc
 from .patch_verbs import Along
 
 #: Sides as splinecore names them, and in words.
@@ -22,12 +23,12 @@ def boundaries(patches, number, sides):
     return _found(patches, number, sides, side_of)
 
 
-def _found(patches, number, places, find):
+def _found(patches, number, wanted, find):
     verbs.require_piece(patches, number, least=0)
     curves, left_out = [], []
     for i, patch in enumerate(patches):
-        for place in places if number in (0, i + 1) else ():
-            curve, reason = find(patch, place)
+        for one in wanted if number in (0, i + 1) else ():
+            curve, reason = find(patch, one)
             if not reason:
                 curves.append(curve)
             else:
@@ -37,13 +38,13 @@ def _found(patches, number, places, find):
     return curves, left_out
 
 
-def _isocurve(patch, place):
+def _isocurve(patch, wanted):
     """(a curve, "") or (None, why there is none)."""
-    axis, parameter = place
+    axis, parameter = wanted
     parameter = parameters.snapped(parameter, parameters.knots_of(Along(patch, axis)))
     try:
         curve = patch.isocurve(axis, parameter)
-    except ValueError as error:
+    except sc.InvalidShape as error:
         return None, str(error).replace("at =", f"{axis} =")
     return (None, f"at {axis} = {parameter:.6g} it is a point") if _is_point(curve, patch) else (curve, "")
 
@@ -54,7 +55,7 @@ def side_of(patch, side):
         return None, f"{SIDES[side]} is no side, the patch is periodic"
     try:
         curve = patch.boundary(side)
-    except ValueError:
+    except sc.InvalidShape:
         return None, f"{SIDES[side]} lies at infinity"
     return (None, f"{SIDES[side]} is a point") if _is_point(curve, patch) else (curve, "")
 

@@ -77,9 +77,9 @@ def _sides(patches, start, end, choice, linear):
                 reasons.append(f"patch {i - start + 1}: {reason}")
                 continue
             low, high = curve.domain
-            places = np.minimum(low + _PLACES * (high - low), high)
-            points = np.concatenate([curve.evaluate(places[:-1], at_infinity='nan'),
-                                     curve.evaluate(places[-1:], side='left', at_infinity='nan')])
+            at = np.minimum(low + _PLACES * (high - low), high)
+            points = np.concatenate([curve.evaluate(at[:-1], at_infinity='nan'),
+                                     curve.evaluate(at[-1:], side='left', at_infinity='nan')])
             found.append(_Side(i, side, points @ linear.T))
     if not found:
         raise Refusal(", ".join(reasons[:4]))

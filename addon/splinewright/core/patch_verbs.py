@@ -67,7 +67,7 @@ def along(axes, make):
         for axis in axes:
             try:
                 parts, error = _along_one(parts, axis, make(axis, sum(errors)))
-            except (ValueError, ArithmeticError) as error:
+            except (Refusal, sc.Error) as error:
                 if len(axes) == 1:
                     raise
                 raise type(error)(f"along {axis}: {error}") from error

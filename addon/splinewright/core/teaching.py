@@ -28,13 +28,13 @@ def basis_graphs(knot_vector, width, height):
     if knot_vector.periodic:
         start, end = knot_vector.domain
         knots = _unrolled_knots(knot_vector)
-    place = width / (end - start)
+    scale = width / (end - start)
     graphs = []
     for i in range(len(knots) - degree - 1):
         graph = _within(_graph(degree, knots[i:i + degree + 2]), start, end)
         if graph is not None:
             points = graph.points.copy()
-            points[:, 0] = (points[:, 0] - start) * place
+            points[:, 0] = (points[:, 0] - start) * scale
             points[:, 1] *= height
             graphs.append(graph.with_points(points))
     return graphs

@@ -6,12 +6,12 @@ import bpy
 
 from ..bridge import shape, store, surveys
 from ..bridge.net import live, net_object
-from . import seams_overlay, texts
+from . import colors, texts
 from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
 _WIDTH = 26
-#: Characters of a place that leave room beside it.
+#: Characters of a name that leave room beside it.
 _SHORT = 14
 
 
@@ -38,7 +38,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
         if is_surface:
             self.layout.prop(data.splinewright, "show_seams")
             if data.splinewright.show_seams:
-                texts.draw_note(self.layout, seams_overlay.LEGEND, _WIDTH)
+                colors.draw_legend(self.layout)
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
         _draw_joints(self.layout, survey)
 
@@ -59,8 +59,8 @@ def _draw_in_columns(layout, items):
 def _draw_joints(layout, survey):
     for joint in survey.joints:
         box = layout.box().column(align=True)
-        row = box.split(factor=0.6) if len(joint.place) <= _SHORT else box
-        row.label(text=joint.place)
+        row = box.split(factor=0.6) if len(joint.name) <= _SHORT else box
+        row.label(text=joint.name)
         row.label(text=kind(joint))
         _draw_in_columns(box, numbers(joint))
     hidden = survey.count - len(survey.joints)

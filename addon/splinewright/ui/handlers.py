@@ -3,10 +3,10 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow
+from ..bridge import follow, keyed, problems, versions
 from ..bridge.file_state import forget, key, state
 from ..bridge.net import live
-from . import editing, saving
+from . import editing, errands, saving, texts
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -14,14 +14,21 @@ _SETTLE = 0.3
 
 @persistent
 def updated(scene, depsgraph):
-    """Shapes follow their nets and their inputs. Cheap where nothing changed."""
+    """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
+    is_new = _look_through()
     changed = set()
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
         changed = _changed_blocks(depsgraph.updates)
         _look_again(changed)
     if state.nets:
         changed |= _follow_nets(changed)
-    if changed:
+    if errands.is_away():
+        return                          # a render is at another frame
+    if changed or state.keyed:
+        changed |= keyed.show(changed, depsgraph)
+    if is_new:
+        follow.refresh_all(changed, depsgraph)
+    elif changed:
         follow.refresh(changed, depsgraph)
 
 
@@ -29,6 +36,7 @@ def updated(scene, depsgraph):
 def undone(*_):
     """After undo and redo every object is another."""
     state.touched.clear()
+    state.shown.clear()
     editing.find_nets()
     follow.scan()
     live.trust()
@@ -39,11 +47,72 @@ def undone(*_):
 def loaded(*_):
     forget()
     undone()
+    state.is_scanned = True
+
+
+def _look_through():
+    """Whether the file was open before the add-on was there. In background handlers are the first to notice."""
+    if state.is_scanned:
+        return False
+    loaded()
+    return True
 
 
 @persistent
-def frame_changed(scene, depsgraph=None):
-    follow.refresh_all(depsgraph or bpy.context.evaluated_depsgraph_get())
+def frame_changes(*_):
+    """Other add-ons may move what is followed when the frame has changed: theirs comes first."""
+    chain = bpy.app.handlers.frame_change_post
+    if frame_changed in chain[:-1]:
+        chain.remove(frame_changed)
+        chain.append(frame_changed)
+
+
+@persistent
+def frame_changed(scene, depsgraph):
+    """The shapes of another frame: in views, renders and exports."""
+    changed = _changed_blocks(depsgraph.updates)
+    if len(bpy.app.handlers.frame_change_post) > 1:
+        _evaluate(depsgraph)
+    if not state.is_scanned or state.followers or state.keyed or any(map(keyed.has_settings, changed)):
+        errands.in_main_thread(lambda: _show_frame(changed, depsgraph), scene)
+
+
+def _show_frame(changed, depsgraph):
+    is_new = _look_through()
+    problems.forget(problems.KEYED)
+    changed |= keyed.show(changed, depsgraph)
+    # What a render evaluates is new in every frame, and before it shapes were at another.
+    refresh = follow.refresh_all if is_new or depsgraph.mode == 'RENDER' else follow.refresh
+    refresh(changed, depsgraph)
+
+
+def _evaluate(depsgraph):
+    """What other add-ons changed since Blender evaluated the frame counts, too. It evaluates that after all handlers.
+
+    Not where a render goes on from the frame before: it would not learn what changed. There the shapes are late by a frame.
+    """
+    if depsgraph.mode == 'VIEWPORT' and depsgraph == bpy.context.evaluated_depsgraph_get():
+        return                          # that has done it, where there was anything to do
+    if not depsgraph.scene.render.use_persistent_data:
+        depsgraph.update()
+
+
+def _come_back():
+    """A render or an export is over; views show the frame at hand."""
+    follow.refresh_all(set(), bpy.context.evaluated_depsgraph_get())
+    if state.missed:
+        texts.pop_up(f"{state.missed} frames were rendered with shapes as they were before: "
+                     "switch Render > Lock Interface on and render again")
+        state.missed = 0
+
+
+def _serve():
+    return errands.serve(_come_back)
+
+
+def _first_look():
+    if _look_through():
+        follow.refresh_all(set(), bpy.context.evaluated_depsgraph_get())
 
 
 def _follow_nets(changed):
@@ -100,25 +169,28 @@ _HANDLERS = {
     'undo_post': undone,
     'redo_post': undone,
     'load_post': loaded,
+    'frame_change_pre': frame_changes,
     'frame_change_post': frame_changed,
     'save_pre': saving.before,
     'save_post': saving.after,
-    'save_post_fail': saving.after,     # from Blender 3.6 on
 }
+if versions.tells_of_failed_saves:
+    _HANDLERS['save_post_fail'] = saving.after
 
 
 def register():
     for name, handler in _HANDLERS.items():
-        if hasattr(bpy.app.handlers, name):
-            getattr(bpy.app.handlers, name).append(handler)
-    _soon(loaded, 0.0)                  # a file is open already; bpy.data may be out of reach now
+        getattr(bpy.app.handlers, name).append(handler)
+    state.is_scanned = False            # a file is open already; bpy.data may be out of reach now
+    _soon(_first_look, 0.0)
+    if not bpy.app.background:
+        bpy.app.timers.register(_serve, persistent=True)
 
 
 def unregister():
     editing.end()
     for name, handler in _HANDLERS.items():
-        if hasattr(bpy.app.handlers, name):
-            getattr(bpy.app.handlers, name).remove(handler)
-    for function in (loaded, editing.sweep, editing.settle):
+        getattr(bpy.app.handlers, name).remove(handler)
+    for function in (_first_look, _serve, editing.sweep, editing.settle):
         if bpy.app.timers.is_registered(function):
             bpy.app.timers.unregister(function)

@@ -5,7 +5,7 @@ import numpy as np
 from ..bridge import recipes, store
 from ..bridge.net import live, net_object
 from ..core import describe
-from . import net_props, recipe_props, texts
+from . import net_props, recipe_props, settings_panel, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
@@ -26,10 +26,13 @@ def draw(layout, ob):
         texts.draw_problem(layout, problem)
     _draw_points(layout, ob, has_weights=not recipes.has(owner.data))
     try:
+        definition = store.read(owner.data)
         if recipes.has(owner.data):
             recipe_props.draw(layout.box(), owner.data, is_net_out=True)
         else:
-            _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
+            _draw_knots(layout, definition, _pieces_in_hand(ob))
+        layout.separator()
+        settings_panel.draw(layout, owner.data, definition, has_buttons=False)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
 

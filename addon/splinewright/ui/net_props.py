@@ -92,14 +92,15 @@ def _with_weight(data, vertices):
 
 
 class SplinewrightNet(bpy.types.PropertyGroup):
-    """x, y, z and w of the first selected points of a net, and the weight of all of them."""
+    """x, y, z and w of the first selected points of a net, and the weight of all of them. A net goes when it is put away:
+    keys and drivers on it would not hold, and there are none."""
 
     numbers: FloatVectorProperty(
         name="Coordinates", description="Coordinates and weights of the selected points, in the shape's own space",
-        size=4 * SHOWN, get=_get_numbers, set=_set_numbers, precision=5)
+        size=4 * SHOWN, get=_get_numbers, set=_set_numbers, precision=5, options=set())
     weight: FloatProperty(
         name="Weight", description="Weight of all selected points: above 1 pulls the shape nearer",
-        get=_get_weight, set=_set_weight, precision=5, step=10)
+        get=_get_weight, set=_set_weight, precision=5, step=10, options=set())
 
 
 CLASSES = (SplinewrightNet,)

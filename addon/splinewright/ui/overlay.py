@@ -6,13 +6,10 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
+from ..bridge import versions
 from ..bridge.file_state import state
 from ..bridge.net import live, net_object
-from . import editing, seams_overlay
-
-#: As Blender colours the two directions of its own surfaces: u yellow, v magenta.
-COLORS = ((0.95, 0.78, 0.1, 1.0), (0.9, 0.25, 0.75, 1.0))
-ARROW_COLOR = (0.2, 0.9, 0.95, 1.0)
+from . import colors, editing, seams_overlay
 
 _handle = None
 
@@ -34,10 +31,10 @@ def draw():
 def _draw_net(ob, current):
     numbers, positions = current.net, current.points
     scale = bpy.context.preferences.system.ui_scale
-    for color, pairs in zip(COLORS, numbers.lines):
+    for color, pairs in zip(colors.of_net(), numbers.lines):
         draw_lines(color, 1.5 * scale, positions[pairs])
     for foot, head in numbers.arrows:
-        draw_lines(ARROW_COLOR, 2.5 * scale, arrow(positions[foot], positions[head]))
+        draw_lines(colors.of_arrows(), 2.5 * scale, arrow(positions[foot], positions[head]))
     if ob.type == 'MESH':
         _draw_selection(ob, current, scale)
 
@@ -90,9 +87,7 @@ def draw_lines(color, width, pairs):
 def _draw_points(color, size, positions):
     if len(positions):
         gpu.state.point_size_set(size)
-        # Blender 5 has a shader of its own for points.
-        name = 'POINT_UNIFORM_COLOR' if bpy.app.version >= (5, 0, 0) else 'UNIFORM_COLOR'
-        _draw(gpu.shader.from_builtin(name), 'POINTS', color, positions)
+        _draw(gpu.shader.from_builtin(versions.point_shader()), 'POINTS', color, positions)
         gpu.state.point_size_set(1.0)
 
 

@@ -4,6 +4,7 @@ import bpy
 from bpy.props import PointerProperty
 
 from ..bridge import problems, settings, shape, store
+from ..bridge.net import live
 from ..core.failures import FAILURES, sentence
 from . import progress
 
@@ -31,6 +32,7 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
                 self.faces_before = before
         except FAILURES as error:
             problems.tell(data, problems.SETTING, sentence(error))
+        live.mark(data)
 
     def set_resolution(self, resolution_u, resolution_v):
         """Both at once, with one evaluation at most. TypeError, and no change, for what is no whole number."""

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import follow, problems, recipes, remaking, store
+from ..bridge import keyed, problems, recipes, store
 from ..core import decimals
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
@@ -67,21 +67,16 @@ def _setter(recipe, parameter):
         if recipes.kind(data) != recipe.kind:
             return
         value = parameter.choices[value][0] if parameter.choices else as_typed(parameter, value)
+        if keyed.is_evaluating(data, parameter.name, value):
+            return
         try:
             if value == recipes.parameters(data)[parameter.name]:
                 return
-            _set_parameter(data, parameter.name, value)
+            keyed.set_parameters(data, {parameter.name: value})
             problems.tell(data, problems.SETTING, "")
         except FAILURES as error:
             problems.tell(data, problems.SETTING, sentence(error))
     return set_it
-
-
-def _set_parameter(data, name, value):
-    if recipes.follows(data):
-        follow.set_parameter(data, name, value, bpy.context.evaluated_depsgraph_get())
-    else:
-        remaking.set_parameter(data, name, value)
 
 
 class SplinewrightRecipe(bpy.types.PropertyGroup):

@@ -48,7 +48,7 @@ def read(ob, depsgraph=None):
     for i, spline in enumerate(splines):
         try:
             piece, words = make(spline, f"spline {i + 1}")
-        except ValueError as error:
+        except (Refusal, sc.Error) as error:
             piece, words = None, [f"spline {i + 1} ({error})"]
         dropped += words
         if piece is not None:
@@ -96,7 +96,7 @@ def _of_data(data, is_surface):
 
 def not_followed(ob):
     """What of a native object read() does not read even with a depsgraph: nouns for the user."""
-    found = [] if ob.type == 'SURFACE' else _dress(ob.data)
+    found = [] if ob.type == 'SURFACE' else _thickness(ob.data)
     followed = 0 if ob.type == 'SURFACE' or ob.data.is_editmode else _modifiers_on_points(ob)
     return found + [f"the modifier {modifier.name}" for modifier in ob.modifiers[followed:] if modifier.show_viewport]
 
@@ -112,8 +112,8 @@ def _modifiers_on_points(ob):
     return count
 
 
-def _dress(curve):
-    """What is put round a bare curve."""
+def _thickness(curve):
+    """What gives a bare curve a thickness."""
     points = [point for spline in curve.splines for point in spline.bezier_points or spline.points]
     has = {
         "the bevel": curve.bevel_depth != 0 or curve.bevel_object is not None,

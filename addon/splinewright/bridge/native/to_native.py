@@ -1,11 +1,10 @@
 """Shapes become Blender's own curves and surfaces, in their place."""
 
-import numpy as np
-
 from ...core.definition import CURVES
 from ...core.failures import Refusal
-from .. import mesh_looks, recipes, settings, shape
-from . import native_dress, native_links, retype, write_native
+from .. import animation, curve_layers, curve_pieces, mesh_looks, recipes, settings, shape, store
+from ..look import Look
+from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
 
 
@@ -33,22 +32,18 @@ def to_native(context, ob):
 def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
     steps = settings.of(data).resolution_u
-    curves = [value] if isinstance(value, CURVES) else value
-    around = recipes.around(data)
-    dress, undressed = _dress(data, [len(shape.lines_of(data, curve, around)) for curve in curves])
+    pieces = curve_pieces.of(data, store.read(data))
+    is_flat, unfilled = native_layers.fill_of(data, range(len(data.splines)))
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
     shape.detach(data)
+    curve_layers.forget(data)
     deviation = write_native.write_curves(data, planned, steps)
-    native_dress.put_on(data, dress, np.bincount(planned.numbers, minlength=len(curves)))
-    return deviation, lost + undressed
-
-
-def _dress(data, counts):
-    """The Dress of a shape that shows so many polylines of each curve, and what is lost."""
-    if len(data.splines) != sum(counts):
-        return native_dress.plain(len(counts)), []
-    return native_dress.of(data, np.cumsum([0, *counts[:-1]]).tolist())
+    curves = [value] if isinstance(value, CURVES) else value
+    unlike = native_layers.give(data, planned, [curve.domain for curve in curves], pieces)
+    if is_flat:
+        data.dimensions = '2D'
+    return deviation, lost + unfilled + [f"{noun} of single points" for noun in unlike]
 
 
 def _surface(context, ob, value, planned, users):
@@ -60,7 +55,7 @@ def _surface(context, ob, value, planned, users):
         surface.materials.append(material)
     looks = mesh_looks.looks_by_patch(mesh)
     for spline, number in zip(surface.splines, planned.numbers):
-        spline.material_index, spline.use_smooth = looks.get(number, mesh_looks.Look())
-    if mesh.animation_data:
+        spline.material_index, spline.use_smooth = looks.get(number, Look())
+    if animation.paths(mesh) - {recipes.WATCHED}:
         lost.append("the animation of the mesh data")
     return deviation, lost + retype.all_become(context, users, surface, retype.become_surface, retype.become_mesh)

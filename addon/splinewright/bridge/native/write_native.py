@@ -2,12 +2,11 @@
 
 from typing import NamedTuple
 
-import bpy
-
 from ...core.definition import CURVES
 from ...core.failures import Refusal
 from ...core.library import sc
 from ...core.native import native_density, native_forms
+from .. import versions
 from . import measure_native, native_splines, surface_nets
 
 
@@ -43,7 +42,7 @@ def plan(value):
     for number, piece in enumerate(pieces):
         try:
             forms = make(piece)
-        except ValueError as error:
+        except (Refusal, sc.Error) as error:
             raise Refusal(f"piece {number + 1}: {error}" if len(pieces) > 1 else str(error)) from error
         found.forms.extend(forms)
         found.numbers.extend([number] * len(forms))
@@ -58,7 +57,7 @@ def write_curves(data, planned, steps):
     data.dimensions = '3D'
     data.splines.clear()
     for form in planned.forms:
-        resolution = native_density.resolution_of_curve(form.spline, steps, bpy.app.version)
+        resolution = native_density.resolution_of_curve(form.spline, steps, versions.sampling)
         native_splines.append(data, form.spline, resolution)
     data.update_tag()               # Blender 3.4 does not notice foreach_set on points
     return measure_native.of_forms(data, planned.forms)

@@ -13,9 +13,9 @@ from ...core import definition as definitions
 from ...core.failures import Refusal, told
 from ...core.library import sc
 from ...core.net import exact_net
-from .. import fineness, problems, recipes, remaking, shape, stamp, store, write_mesh
+from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import state
-from . import free_net, net_object
+from . import free_net, marks, net_object
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
@@ -33,6 +33,7 @@ class Session:
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
+        self._settings = {}             # of the shape, their values by the mark that the net carries
 
     def show(self, net):
         """Take this for the net, and its points for those that are there."""
@@ -57,6 +58,21 @@ class Session:
         """The shape has these faces now."""
         self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
 
+    def settings(self, mark, present):
+        """What a mark stands for: from now on the present values, where it is new or none of ours."""
+        return present if mark < marks.FIRST else self._settings.setdefault(mark, present)
+
+    def mark(self, values):
+        """The mark that stands for values of the shape's settings."""
+        known = next((mark for mark, others in self._settings.items() if others == values), None)
+        if known is None:
+            known = marks.FIRST + len(self._settings)
+            if known == marks.FIRST + marks.COUNT:
+                known = next(iter(self._settings))
+                del self._settings[known]
+            self._settings[known] = values
+        return known
+
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
         is_source = definition is self.net.source
@@ -78,7 +94,7 @@ class Session:
         if not self._has_faces(data):
             return None
         try:
-            if write_mesh.keeps_normals():
+            if versions.keeps_exact_normals:
                 return self.faces.evaluate(patch_set)
             return self.faces.evaluate_positions(patch_set), None
         except sc.InvalidShape:
@@ -93,11 +109,16 @@ def session(data):
     return state.sessions[token]
 
 
-def begin(data, net):
-    """Start the session of a net's data-block that was made from these numbers."""
+def begin(data, net, shown_by=None):
+    """Start the session of a net's data-block that was made from these numbers.
+
+    shown_by: the values of the settings of the shape when its net was made, where they are known.
+    """
     if len(state.sessions) > 32:
         _drop_idle()
-    state.sessions[net_object.token(data)] = Session(net)
+    state.sessions[net_object.token(data)] = started = Session(net)
+    if shown_by is not None:
+        started.settings(marks.FIRST, shown_by)
 
 
 def _drop_idle():
@@ -122,13 +143,39 @@ def pull(ob):
         return None
     data, current = net_object.shape_of(ob).data, session(ob.data)
     follow = _follow_points if free_net.is_free(ob.data) else _follow
+    is_changed = _show_as_marked(data, ob, current)
     try:
-        is_changed = follow(data, ob, current)
+        is_changed = follow(data, ob, current) or is_changed
         problems.tell(data, problems.NET, "")
-        return data if is_changed else None
     except Exception as error:
         problems.tell(data, problems.NET, told(error))
-        return None
+    return data if is_changed else None
+
+
+def _show_as_marked(data, ob, current):
+    """Give a shape the settings that its net is marked with: undo may have brought others back. Whether it changed."""
+    present = settings.values(data)
+    wanted = current.settings(marks.read(ob), present)
+    if wanted == present:
+        return False
+    settings.take(data, wanted)
+    try:
+        current.wrote(data, shape.rewrite(data))
+    except Exception as error:
+        problems.tell(data, problems.SETTING, told(error))
+        return False
+    return True
+
+
+def mark(data):
+    """The settings of a shape were changed: let its net know, if it is out."""
+    token = net_object.editor(data)
+    if token is None:
+        return
+    nets = (ob for ob in bpy.data.objects if net_object.is_net(ob) and net_object.token(ob.data) == token)
+    held = next((ob for ob in nets if ob.mode == 'EDIT'), None)
+    if held is not None:
+        marks.write(held, session(held.data).mark(settings.values(data)))
 
 
 def _follow(data, ob, current):

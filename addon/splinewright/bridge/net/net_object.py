@@ -12,7 +12,8 @@ import numpy as np
 
 from ...core.failures import Refusal
 from ...core.net import curve_net, patch_net
-from .. import blocks, store
+from .. import blocks, mesh_edges, store
+from . import marks
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
 KEY = "splinewright_net"
@@ -49,6 +50,7 @@ def make(shape, definition, net, scene):
         raise Refusal(f"a control point of {shape.name} lies farther away than Blender's Edit Mode reaches (3.4e38)")
     data = _curve(shape.name, net) if definition.has_curves else _cage(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
+    marks.make(data)
     shape.data[EDITED_BY] = token(data)
     ob = bpy.data.objects.new(data.name, data)
     ob[SHAPE] = shape
@@ -128,6 +130,7 @@ def _cage(name, net):
     mesh = bpy.data.meshes.new(f"{name} Net")
     edges = np.concatenate([*net.lines, np.array(net.arrows, dtype=np.int64).reshape(-1, 2)])
     mesh.from_pydata(net.positions.tolist(), _without_sides(edges, net.faces).tolist(), net.faces)
+    mesh_edges.mend(mesh)
     mesh.attributes.new(WEIGHT, 'FLOAT', 'POINT').data.foreach_set('value', net.single_weights)
     count = np.arange(len(net.rows), dtype=np.int32)
     mesh.attributes.new(NUMBER, 'INT', 'POINT').data.foreach_set('value', count)

@@ -8,7 +8,7 @@ from ...bridge import shape
 from ...core import starters
 from ...core.failures import FAILURES, Refusal, sentence
 from .. import progress
-from . import reports
+from . import new_shapes, reports
 
 
 def can_add(cls, context):
@@ -18,7 +18,7 @@ def can_add(cls, context):
         return False
     try:
         require_place(context)
-    except ValueError as error:
+    except Refusal as error:
         cls.poll_message_set(sentence(error))
         return False
     return True
@@ -63,12 +63,10 @@ class AddShape(AddObjectHelper):
 
     def new_data(self, step):
         """The Mesh or Curve of what is added."""
-        return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), self.resolution(), step)
-
-    def resolution(self):
-        return self.resolution_u, self.resolution_u
+        return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), new_shapes.start(self), step)
 
     def execute(self, context):
+        new_shapes.settle(self)
         try:
             with progress.shown(context, shape.STEPS) as step:
                 data = self.new_data(step)

@@ -6,13 +6,13 @@ import bpy
 from bpy.props import BoolProperty, CollectionProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from ...bridge import blocks, shape
+from ...bridge import blocks, shape, versions
 from ...core import bpt
 from ...core.definition import ANY_CURVES
 from ...core.failures import FAILURES, Refusal, sentence
 from ...core.library import sc
 from .. import progress
-from . import reports
+from . import new_shapes, reports
 from .adding import can_add, resolution_property
 
 
@@ -90,7 +90,12 @@ class _Import(ImportHelper):
         try:
             values = self.values(_text_of(path))
             for value in values:
+<<<<<<< HEAD
                 made.append((name, shape.new_data(name, value, (self.resolution_u, self.resolution_v))))
+=======
+                start = new_shapes.start_of_any(self, is_surface=not isinstance(value, (*ANY_CURVES, list)))
+                made.append(shape.new_data(_printable(path.stem), value, start))
+>>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
                 progress(len(made) / len(values))
         except Exception:
             for _, data in made:
@@ -204,7 +209,7 @@ class SPLINEWRIGHT_OT_export_json(_Json, _Export, bpy.types.Operator):
 CLASSES = (SPLINEWRIGHT_OT_import_bpt, SPLINEWRIGHT_OT_export_bpt,
            SPLINEWRIGHT_OT_import_json, SPLINEWRIGHT_OT_export_json)
 
-if hasattr(bpy.types, 'FileHandler'):   # from Blender 4.1 on
+if versions.drops_files:
     class _Dropped:
         """Files that are dropped into a 3D view."""
 

@@ -7,8 +7,13 @@ from mathutils import Matrix
 from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES
 from ...core.recipes.table import DERIVED, FOLLOW
+<<<<<<< HEAD
 from .. import hand, recipe_props
 from . import reports
+=======
+from .. import recipe_props
+from . import new_shapes, reports
+>>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
 from .adding import add_in_front, can_add, resolution_property
 from .pick_piece import draw_number
 
@@ -41,10 +46,15 @@ class _FromObjects:
 
     def execute(self, context):
         sources, recipe = _sources(context), self.recipe
+<<<<<<< HEAD
         hand.forget_asked()
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
             hand.note(self, 'piece', sources[0])
         values, resolution = recipe_props.typed(recipe, self), (self.resolution_u, self.resolution_u)
+=======
+        new_shapes.settle(self)
+        values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
+>>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
         try:
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
         except FAILURES as error:
@@ -58,11 +68,16 @@ class _FromObjects:
         layout = self.layout
         layout.use_property_split = True
         for parameter in self.recipe.parameters:
+<<<<<<< HEAD
             if parameter.name == 'piece':
                 draw_number(layout, self, parameter.name)
             else:
                 layout.prop(self, parameter.name)
         layout.prop(self, "resolution_u", text="Resolution")
+=======
+            layout.prop(self, parameter.name)
+        new_shapes.draw(self, layout)
+>>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
 
 
 def _sources(context):
@@ -93,9 +108,10 @@ def _class_for(recipe):
     annotations = {parameter.name: recipe_props.property_of(parameter, _OPTIONS.get(parameter.name))
                    for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
-    return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (_FromObjects, bpy.types.Operator), {
-        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'recipe': recipe,
-        'bl_description': recipe.description, '__annotations__': annotations, '__module__': __name__})
+    faces = (new_shapes.Faces,) if recipe.is_surface else ()
+    return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (*faces, _FromObjects, bpy.types.Operator), {
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'bl_description': recipe.description,
+        'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
 
 
 CLASSES = tuple(_class_for(recipe) for recipe in DERIVED if recipe is not FOLLOW)

@@ -1,0 +1,81 @@
+"""What other threads leave to the main one.
+
+Blender renders from the window in a thread of its own, which calls the handlers of frames while the main thread draws
+from the same data-blocks. So geometry is written in the main thread alone, and the render waits meanwhile.
+"""
+
+import threading
+import traceback
+
+import bpy
+
+from ..bridge.file_state import state
+
+#: Seconds that a thread waits. The main one takes as long only where it waits for that very thread.
+_PATIENCE = 10.0
+#: Seconds until errands are looked for again: usually, and while there are some.
+_SELDOM, _OFTEN = 0.2, 0.01
+#: Looks in a row that found none, after which an export is over.
+_QUIET_LOOKS = 50
+
+
+class Errand:
+    """A function that one thread wants done in another."""
+
+    def __init__(self, function):
+        self._function, self._lock, self._done = function, threading.Lock(), threading.Event()
+        self._is_dropped = False
+
+    def run(self):
+        with self._lock:
+            if self._is_dropped:
+                return
+            try:
+                self._function()
+            except Exception:           # it must neither end the timer nor hold up the other thread
+                traceback.print_exc()
+            self._done.set()
+
+    def wait(self, seconds):
+        """Whether it was done in time; if not it never will be."""
+        self._done.wait(seconds)
+        with self._lock:
+            self._is_dropped = True
+            return self._done.is_set()
+
+
+def in_main_thread(function, scene):
+    """Do it where nothing else is done with geometry meanwhile. Where the interface is locked that is any thread."""
+    if threading.current_thread() is threading.main_thread():
+        state.looks_left = 0
+        function()
+    elif scene.render.use_lock_interface:
+        function()
+    elif state.missed:
+        state.missed += 1               # the main thread waits for this one, as long as this render takes
+    else:
+        errand = Errand(function)
+        state.errands.append(errand)
+        state.missed += not errand.wait(_PATIENCE)
+
+
+def serve(come_back):
+    """Do what was left to the main thread; the seconds until this is to be called again.
+
+    come_back: is called when renders and exports are over, after which shapes are as the last frame wanted them.
+    """
+    is_rendering = bpy.app.is_job_running('RENDER')
+    if state.errands:
+        state.looks_left = _QUIET_LOOKS
+    elif state.looks_left and not is_rendering:
+        state.looks_left -= 1
+        if not state.looks_left:
+            come_back()
+    while state.errands:
+        state.errands.pop(0).run()
+    return _OFTEN if is_rendering or state.looks_left else _SELDOM
+
+
+def is_away():
+    """Whether shapes are as a render or an export wants them, not as the views do."""
+    return state.looks_left > 0

@@ -1,0 +1,190 @@
+"""What a real window shows of the last operator: its panel, presets, its name in Undo History."""
+
+import ctypes
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import bpy
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, empty_file, part, run, save_picture, select_points, until
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+FOLDER = Path(tempfile.mkdtemp())
+
+
+def last():
+    return bpy.context.window_manager.operators[-1]
+
+
+def value():
+    return bpy.data.objects["NURBS Patch"].data.splinewright.value
+
+
+def again(view):
+    """Do the last operator again, as its panel does after a change."""
+    with view.override():
+        bpy.ops.ed.undo_redo()
+        bpy.ops.ed.undo_push(message=getattr(bpy.types, last().bl_idname).bl_label)
+    yield 0.3
+
+
+def undo_steps():
+    """The names of the undo steps, which Blender tells to its standard output only."""
+    path = FOLDER / "steps.txt"
+    sys.stdout.flush()
+    ctypes.CDLL(None).fflush(None)
+    kept = os.dup(1)
+    with open(path, 'w') as file:
+        os.dup2(file.fileno(), 1)
+        bpy.context.window_manager.print_undo_steps()
+        ctypes.CDLL(None).fflush(None)
+    os.dup2(kept, 1)
+    os.close(kept)
+    return [line.split("name='")[1][:-1] for line in path.read_text().splitlines() if "name='" in line]
+
+
+def add_patch(view):
+    empty_file()
+    bpy.data.orphans_purge()            # names are free again
+    with view.override():
+        bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True, count_v=5)
+        bpy.ops.view3d.view_selected()
+    view.move(420, 420)
+    yield 0.6
+
+
+def knots_of_another_axis(view):
+    yield from add_patch(view)
+    before = value()
+    with view.override():
+        bpy.ops.splinewright.set_knots('INVOKE_DEFAULT', True)
+    yield 0.8
+    view.press('RET')
+    yield from until(lambda: last().bl_idname == 'SPLINEWRIGHT_OT_set_knots')
+    assert last().properties.knots == "0 0 0 0 1 2 3 3 3 3"
+    last().properties.knots = "0 0 0 0 1 1.5 3 3 3 3"
+    yield from again(view)
+    assert value().knots[0].tolist() == [0, 0, 0, 0, 1, 1.5, 3, 3, 3, 3]
+    last().properties.axis = 'V'
+    yield from again(view)
+    assert last().properties.knots == "0 0 0 0 1 2 2 2 2", "the panel shows the knots of the axis before"
+    assert value() == before, "the change of the axis before stays"
+    last().properties.knots = "0 0 0 0 0.5 2 2 2 2"
+    yield from again(view)
+    assert value().knots[1].tolist() == [0, 0, 0, 0, 0.5, 2, 2, 2, 2] and value().knots[0].tolist() == before.knots[0].tolist()
+    assert undo_steps()[-1] == "Edit Knots"
+    print("knots", flush=True)
+
+
+def presets(view):
+    yield from add_patch(view)
+    with view.override():
+        bpy.ops.splinewright.patch_raise_degree('INVOKE_DEFAULT', True)
+    yield 0.6
+    last().properties.direction, last().properties.times = 'V', 3
+    yield from again(view)
+    assert value().degree == (3, 6)
+    panel = view._region('HUD')
+    view.move(panel.x + panel.width // 2, panel.y + panel.height // 2)
+    yield 0.3
+    view.press('LEFTMOUSE')
+    yield from until(lambda: panel.height > 60)
+    save_picture(OUTPUT / "last-operator-presets.png")
+    with view.override():
+        bpy.ops.wm.operator_preset_add('EXEC_DEFAULT', name="Thrice", operator='SPLINEWRIGHT_OT_patch_raise_degree')
+    path = Path(bpy.utils.user_resource('SCRIPTS', path="presets/operator/splinewright.patch_raise_degree/Thrice.py"))
+    text = path.read_text()
+    assert "op.times = 3" in text and "op.direction = 'V'" in text and "piece" not in text, text
+    last().properties.direction, last().properties.times = 'U', 1
+    yield from again(view)
+    assert value().degree == (4, 3)
+    with view.override():
+        bpy.ops.script.execute_preset('EXEC_DEFAULT', filepath=str(path), menu_idname="WM_MT_operator_presets")
+    yield from again(view)
+    assert value().degree == (3, 6), "the preset restores nothing"
+    print("presets", flush=True)
+
+
+def presets_of_files(view):
+    """In the file browser; the file's name stays."""
+    yield from add_patch(view)
+    bpy.context.preferences.view.filebrowser_display_type = 'SCREEN'
+    path = FOLDER / "patch.bpt"
+    with view.override():
+        bpy.ops.splinewright.export_bpt('INVOKE_DEFAULT', True, filepath=str(path), flip=True)
+    yield 1.0
+    area = next(area for area in view.window.screen.areas if area.type == 'FILE_BROWSER')
+    region = next(region for region in area.regions if region.type == 'WINDOW')
+    operator = area.spaces.active.active_operator
+    save_picture(OUTPUT / "last-operator-browser.png")
+    with bpy.context.temp_override(window=view.window, area=area, region=region):
+        bpy.ops.wm.operator_preset_add('EXEC_DEFAULT', name="Flipped", operator='SPLINEWRIGHT_OT_export_bpt')
+    preset = Path(bpy.utils.user_resource('SCRIPTS', path="presets/operator/splinewright.export_bpt/Flipped.py"))
+    assert "op.flip = True" in preset.read_text() and "path" not in preset.read_text(), preset.read_text()
+    operator.properties.flip = False
+    with bpy.context.temp_override(window=view.window, area=area, region=region):
+        bpy.ops.script.execute_preset('EXEC_DEFAULT', filepath=str(preset), menu_idname="WM_MT_operator_presets")
+    assert operator.properties.flip and Path(operator.properties.filepath) == path
+    with bpy.context.temp_override(window=view.window, area=area, region=region):
+        bpy.ops.file.execute('INVOKE_DEFAULT')
+    yield from until(path.exists)
+    assert path.exists()
+    yield from until(lambda: any(area.type == 'VIEW_3D' for area in view.window.screen.areas))
+    print("presets of files", flush=True)
+
+
+def type_at(view, x, y, key, text):
+    """A number into a field of the sidebar."""
+    view.move(x, y)
+    yield 0.3
+    for _ in range(3):
+        view.press('LEFTMOUSE')
+        yield 0.1
+    yield 0.3
+    view.press('A', ctrl=True)
+    yield 0.2
+    view.press(key, text=text)
+    yield 0.2
+    view.press('RET')
+    yield 0.5
+
+
+def names_of_steps(view):
+    """Of what is typed in the sidebar, too, where Blender shows what the field says."""
+    view = View()
+    yield from add_patch(view)
+    view.open_sidebar()
+    yield 0.6
+    yield from view.show_tab("Splinewright", (1045, 538))
+    view.move(420, 420)
+    yield 0.4
+    view.press('TAB')
+    yield from until(lambda: bpy.context.mode == 'EDIT_MESH')
+    select_points(12)
+    yield 0.6
+    save_picture(OUTPUT / "last-operator-sidebar.png")
+    yield from type_at(view, 930, 538, 'TWO', "2")
+    assert value().points[2, 2, 2] == 2, "nothing was typed"
+    with view.override():
+        bpy.ops.splinewright.point_to_infinity('EXEC_DEFAULT', True)
+    yield 0.5
+    view.move(420, 420)
+    view.press('TAB')
+    yield from until(lambda: bpy.context.mode == 'OBJECT')
+    names = undo_steps()
+    assert any(name.startswith("Z: ") for name in names), names
+    assert {"Add NURBS Patch", "Edit Net", "Send to Infinity", "Leave Net"} <= set(names), names
+    print("names", flush=True)
+
+
+def steps():
+    view = View()
+    for part_of_it in (knots_of_another_axis, presets, presets_of_files, names_of_steps):
+        yield from part_of_it(view)
+    print("the last operator is shown as it should be:", bpy.app.version_string, flush=True)
+
+
+run(steps())
