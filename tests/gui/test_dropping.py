@@ -8,7 +8,7 @@ from pathlib import Path
 import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, run, save_picture, until
+from window import View, empty_file, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 FOLDER = Path(tempfile.mkdtemp())
@@ -23,7 +23,7 @@ def browse(view):
     """A file browser at the lower right that shows the folder; the region with the names."""
     area = next(area for area in view.window.screen.areas if area.type in ('PROPERTIES', 'FILE_BROWSER'))
     area.ui_type = 'FILES'
-    yield 0.6
+    yield from redrawn()
     space = area.spaces.active
     space.show_region_toolbar = False
     space.params.directory = str(FOLDER).encode()
@@ -31,23 +31,35 @@ def browse(view):
     region = next(region for region in area.regions if region.type == 'WINDOW')
     with bpy.context.temp_override(window=view.window, area=area, region=region):
         bpy.ops.file.refresh()
-    yield from until(lambda: region.width > 100)
-    yield 1.0                           # the folder is read by a thread that tells nobody
-    return region
+    yield from until(lambda: region.width > 100, "room for names")
+    return area, region
+
+
+def drag(view, area, region):
+    """Move the first file of the list into the view; the folder is read by a thread that tells nobody when it is done."""
+    for _ in range(50):
+        view.move(region.x + 45, region.y + region.height - 34)
+        yield from redrawn()
+        view.press('LEFTMOUSE')
+        yield from redrawn()
+        with bpy.context.temp_override(window=view.window, area=area, region=region):
+            if [file.name for file in bpy.context.selected_files] == ["a.bpt"]:
+                break
+    else:
+        raise AssertionError("the list shows no file a.bpt")
+    view.window.event_simulate('LEFTMOUSE', 'PRESS', x=view.x, y=view.y)
+    yield from redrawn()
+    for x in range(view.x - 20, 400, -60):
+        view.move(x, 420)
+        yield from redrawn()
+    save_picture(OUTPUT / "dropping.png")
+    view.window.event_simulate('LEFTMOUSE', 'RELEASE', x=view.x, y=view.y)
 
 
 def a_file_is_dragged_into_the_view(view):
-    region = yield from browse(view)
-    view.move(region.x + 45, region.y + region.height - 34)     # the first of the list
-    yield 0.4
-    view.window.event_simulate('LEFTMOUSE', 'PRESS', x=view.x, y=view.y)
-    yield 0.3
-    for x in range(view.x - 20, 400, -60):
-        view.move(x, 420)
-        yield 0.1
-    save_picture(OUTPUT / "dropping.png")
-    view.window.event_simulate('LEFTMOUSE', 'RELEASE', x=view.x, y=view.y)
-    yield from until(lambda: bpy.data.objects)
+    area, region = yield from browse(view)
+    yield from drag(view, area, region)
+    yield from until(lambda: bpy.data.objects, "the object of the file")
     assert names() == ["a"], names()
     assert bpy.context.window_manager.operators[-1].bl_idname == 'SPLINEWRIGHT_OT_import_bpt'
     print("dragged", flush=True)
@@ -58,16 +70,13 @@ def several_are_dropped(view):
     with view.override():
         files = [{'name': name} for name in ("bad.bpt", "a.bpt", "b.bpt")]
         bpy.ops.wm.drop_import_file('INVOKE_DEFAULT', True, directory=str(FOLDER), files=files)
-    yield from until(lambda: len(names()) == 2)
-    assert names() == ["a", "b"], names()
+    yield from until(lambda: names() == ["a", "b"], "the objects of two files")
     assert bpy.context.window_manager.operators[-1].bl_idname == 'SPLINEWRIGHT_OT_import_bpt', "a browser was opened"
     with view.override():
         bpy.ops.wm.drop_import_file('INVOKE_DEFAULT', True, directory=str(FOLDER), files=[{'name': "c.json"}])
-    yield from until(lambda: len(names()) == 3)
-    assert names() == ["a", "b", "c"], names()
+    yield from until(lambda: names() == ["a", "b", "c"], "the object of a third")
     view.press('Z', ctrl=True)
-    yield from until(lambda: len(names()) == 2)
-    assert names() == ["a", "b"], "the drop is no step of its own"
+    yield from until(lambda: names() == ["a", "b"], "the objects before the last drop")
     print("dropped", flush=True)
 
 
@@ -76,22 +85,28 @@ def several_are_chosen(view):
     bpy.context.preferences.view.filebrowser_display_type = 'SCREEN'
     with view.override():
         bpy.ops.splinewright.import_bpt('INVOKE_DEFAULT', True)
-    yield 1.0
-    area = next(area for area in view.window.screen.areas if area.type == 'FILE_BROWSER' and area.spaces.active.active_operator)
-    space = area.spaces.active
-    space.params.directory = str(FOLDER).encode()
+
+    def browsers():
+        return [area for area in view.window.screen.areas
+                if area.type == 'FILE_BROWSER' and area.spaces.active.active_operator]
+    yield from until(lambda: browsers() and browsers()[0].spaces.active.params, "a file browser")
+    area = browsers()[0]
+    area.spaces.active.params.directory = str(FOLDER).encode()
     region = next(region for region in area.regions if region.type == 'WINDOW')
-    with bpy.context.temp_override(window=view.window, area=area, region=region):
+    there = {'window': view.window, 'area': area, 'region': region}
+    with bpy.context.temp_override(**there):
         bpy.ops.file.refresh()
-    yield 1.0
-    with bpy.context.temp_override(window=view.window, area=area, region=region):
-        bpy.ops.file.select_all(action='SELECT')
-    yield 0.5
+
+    def are_chosen():
+        with bpy.context.temp_override(**there):
+            bpy.ops.file.select_all(action='SELECT')
+            return len(bpy.context.selected_files) == 3
+    yield from until(are_chosen, "the BPT files of the folder")
+    yield from redrawn()
     save_picture(OUTPUT / "choosing.png")
-    with bpy.context.temp_override(window=view.window, area=area, region=region):
+    with bpy.context.temp_override(**there):
         bpy.ops.file.execute('INVOKE_DEFAULT')
-    yield from until(lambda: len(names()) == 2)
-    assert names() == ["a", "b"], names()
+    yield from until(lambda: names() == ["a", "b"], "the objects of the files that are good")
     print("chosen", flush=True)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, part, run, save_picture, select_points, until
+from window import View, empty_file, into_net, out_of_net, redrawn, run, save_picture, select_points, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 FOLDER = Path(tempfile.mkdtemp())
@@ -28,7 +28,7 @@ def again(view):
     with view.override():
         bpy.ops.ed.undo_redo()
         bpy.ops.ed.undo_push(message=getattr(bpy.types, last().bl_idname).bl_label)
-    yield 0.3
+    yield from redrawn()
 
 
 def undo_steps():
@@ -53,7 +53,7 @@ def add_patch(view):
         bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True, count_v=5)
         bpy.ops.view3d.view_selected()
     view.move(420, 420)
-    yield 0.6
+    yield from redrawn()
 
 
 def knots_of_another_axis(view):
@@ -61,9 +61,9 @@ def knots_of_another_axis(view):
     before = value()
     with view.override():
         bpy.ops.splinewright.set_knots('INVOKE_DEFAULT', True)
-    yield 0.8
+    yield from redrawn()
     view.press('RET')
-    yield from until(lambda: last().bl_idname == 'SPLINEWRIGHT_OT_set_knots')
+    yield from until(lambda: last().bl_idname == 'SPLINEWRIGHT_OT_set_knots', "the end of the dialog")
     assert last().properties.knots == "0 0 0 0 1 2 3 3 3 3"
     last().properties.knots = "0 0 0 0 1 1.5 3 3 3 3"
     yield from again(view)
@@ -83,15 +83,16 @@ def presets(view):
     yield from add_patch(view)
     with view.override():
         bpy.ops.splinewright.patch_raise_degree('INVOKE_DEFAULT', True)
-    yield 0.6
+    yield from redrawn()
     last().properties.direction, last().properties.times = 'V', 3
     yield from again(view)
     assert value().degree == (3, 6)
     panel = view._region('HUD')
     view.move(panel.x + panel.width // 2, panel.y + panel.height // 2)
-    yield 0.3
+    yield from redrawn()
     view.press('LEFTMOUSE')
-    yield from until(lambda: panel.height > 60)
+    yield from until(lambda: panel.height > 60, "the open panel of the last operator")
+    yield from redrawn()
     save_picture(OUTPUT / "last-operator-presets.png")
     with view.override():
         bpy.ops.wm.operator_preset_add('EXEC_DEFAULT', name="Thrice", operator='SPLINEWRIGHT_OT_patch_raise_degree')
@@ -115,8 +116,12 @@ def presets_of_files(view):
     path = FOLDER / "patch.bpt"
     with view.override():
         bpy.ops.splinewright.export_bpt('INVOKE_DEFAULT', True, filepath=str(path), flip=True)
-    yield 1.0
-    area = next(area for area in view.window.screen.areas if area.type == 'FILE_BROWSER')
+
+    def browsers():
+        return [area for area in view.window.screen.areas if area.type == 'FILE_BROWSER' and area.spaces.active.params]
+    yield from until(browsers, "a file browser")
+    yield from redrawn()
+    area = browsers()[0]
     region = next(region for region in area.regions if region.type == 'WINDOW')
     operator = area.spaces.active.active_operator
     save_picture(OUTPUT / "last-operator-browser.png")
@@ -130,26 +135,9 @@ def presets_of_files(view):
     assert operator.properties.flip and Path(operator.properties.filepath) == path
     with bpy.context.temp_override(window=view.window, area=area, region=region):
         bpy.ops.file.execute('INVOKE_DEFAULT')
-    yield from until(path.exists)
-    assert path.exists()
-    yield from until(lambda: any(area.type == 'VIEW_3D' for area in view.window.screen.areas))
+    yield from until(path.exists, "the exported file")
+    yield from until(lambda: any(area.type == 'VIEW_3D' for area in view.window.screen.areas), "the 3D view again")
     print("presets of files", flush=True)
-
-
-def type_at(view, x, y, key, text):
-    """A number into a field of the sidebar."""
-    view.move(x, y)
-    yield 0.3
-    for _ in range(3):
-        view.press('LEFTMOUSE')
-        yield 0.1
-    yield 0.3
-    view.press('A', ctrl=True)
-    yield 0.2
-    view.press(key, text=text)
-    yield 0.2
-    view.press('RET')
-    yield 0.5
 
 
 def names_of_steps(view):
@@ -157,23 +145,25 @@ def names_of_steps(view):
     view = View()
     yield from add_patch(view)
     view.open_sidebar()
-    yield 0.6
     yield from view.show_tab("Splinewright", (1045, 538))
     view.move(420, 420)
-    yield 0.4
+    yield from redrawn()
     view.press('TAB')
-    yield from until(lambda: bpy.context.mode == 'EDIT_MESH')
+    yield from into_net()
     select_points(12)
-    yield 0.6
+    yield from redrawn()
     save_picture(OUTPUT / "last-operator-sidebar.png")
-    yield from type_at(view, 930, 538, 'TWO', "2")
-    assert value().points[2, 2, 2] == 2, "nothing was typed"
+    yield from view.go_to_field("numbers[2]")
+    for key, text in (('RET', ""), ('TWO', "2"), ('RET', "")):      # the field is opened, typed into and left
+        view.press(key, text=text)
+        yield from redrawn()
+    yield from until(lambda: value().points[2, 2, 2] == 2, "the number that was typed")
     with view.override():
         bpy.ops.splinewright.point_to_infinity('EXEC_DEFAULT', True)
-    yield 0.5
     view.move(420, 420)
+    yield from redrawn()
     view.press('TAB')
-    yield from until(lambda: bpy.context.mode == 'OBJECT')
+    yield from out_of_net()
     names = undo_steps()
     assert any(name.startswith("Z: ") for name in names), names
     assert {"Add NURBS Patch", "Edit Net", "Send to Infinity", "Leave Net"} <= set(names), names

@@ -8,7 +8,7 @@ import bpy
 from bpy_extras import view3d_utils
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, mean_difference, part, run, save_picture, until
+from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -40,8 +40,7 @@ def seen_numbers(view):
 
 def point_at(view, number):
     view.move(*place_of(view, number))
-    yield from until(lambda: hovered() == ("Teapot", number))
-    assert hovered() == ("Teapot", number), (hovered(), number)
+    yield from until(lambda: hovered() == ("Teapot", number), f"patch {number} at the mouse")
 
 
 def visible(view):
@@ -61,7 +60,7 @@ def numbers_are_shown(view):
     plain = save_picture(OUTPUT / "pieces-plain.png")
     assert seen_numbers(view) == []
     teapot().data.splinewright.show_numbers = True
-    yield from until(lambda: len(seen_numbers(view)) == 1)
+    yield from redrawn()
     shown, = seen_numbers(view)
     assert shown.numbers == tuple(range(1, 33)) and shown.marked == (0, 0)
     numbered = save_picture(OUTPUT / "pieces-numbers.png")
@@ -79,18 +78,17 @@ def a_piece_is_picked(view):
     yield from point_at(view, first)
     save_picture(OUTPUT / "pieces-picking.png")
     view.press('LEFTMOUSE')
-    yield from until(lambda: teapot().data.splinewright.piece == first)
-    assert teapot().data.splinewright.piece == first and not hovered() and seen_numbers(view) == []
+    yield from until(lambda: teapot().data.splinewright.piece == first, "the piece that was clicked")
+    assert not hovered() and seen_numbers(view) == []
     view.press('Z', ctrl=True)
-    yield from until(lambda: teapot().data.splinewright.piece == 0)
-    assert teapot().data.splinewright.piece == 0, "Pick Piece is no undo step"
+    yield from until(lambda: teapot().data.splinewright.piece == 0, "no piece after undo")
     view.press('Z', ctrl=True, shift=True)
-    yield from until(lambda: teapot().data.splinewright.piece == first)
+    yield from until(lambda: teapot().data.splinewright.piece == first, "the piece after redo")
     with view.override():
         bpy.ops.splinewright.pick_piece('INVOKE_DEFAULT', other=True)
     yield from point_at(view, second)
     view.press('ESC')
-    yield from until(lambda: not hovered())
+    yield from until(lambda: not hovered(), "the end of picking")
     assert part('ui.hand').of(teapot().data) == (first, 0), "Esc took a piece"
     print("picked", flush=True)
 
@@ -99,8 +97,8 @@ def a_verb_begins_with_it(view):
     first = teapot().data.splinewright.piece
     with view.override():
         bpy.ops.splinewright.patch_split('INVOKE_DEFAULT', True)
-    yield from until(lambda: count() == 33)
     assert bpy.context.window_manager.operators[-1].properties.piece == first and count() == 33
+    yield from redrawn()
     assert seen_numbers(view) == [], "the panel is closed"
     print("begun", flush=True)
 
@@ -109,36 +107,34 @@ def another_is_picked_in_the_panel(view):
     """The eyedropper is at the right end of the last row."""
     panel = view._region('HUD')
     view.move(panel.x + panel.width // 2, panel.y + panel.height // 2)
-    yield 0.3
+    yield from redrawn()
     view.press('LEFTMOUSE')
-    yield from until(lambda: len(seen_numbers(view)) == 1)
+    yield from until(lambda: len(seen_numbers(view)) == 1, "numbers beside the open panel")
+    yield from redrawn()
     save_picture(OUTPUT / "pieces-panel.png")
     first = teapot().data.splinewright.piece
     shown, = seen_numbers(view)
     assert shown.numbers.count(first) == 2 and shown.marked == (first,), "both parts are of the patch that was split"
     view.move(panel.x + panel.width - 39, panel.y + 18)
-    yield 0.3
+    yield from redrawn()
     view.press('LEFTMOUSE')
-    state = part('bridge.file_state').state
-    yield from until(lambda: state.picking)
-    assert state.picking, "the eyedropper was not hit"
+    yield from until(lambda: part('bridge.file_state').state.picking, "picking after a click on the eyedropper")
     wanted = next(number for number in visible(view) if shown.numbers[number - 1] != first)
     yield from point_at(view, wanted)
     view.press('LEFTMOUSE')
-    yield from until(lambda: bpy.context.window_manager.operators[-1].properties.piece != first)
+    yield from until(lambda: bpy.context.window_manager.operators[-1].properties.piece != first, "another number")
     now = bpy.context.window_manager.operators[-1].properties.piece
     assert now == shown.numbers[wanted - 1] and count() == 33
-    yield from until(lambda: len(seen_numbers(view)) == 1)
+    yield from until(lambda: len(seen_numbers(view)) == 1, "numbers after the operator was done again")
     save_picture(OUTPUT / "pieces-again.png")
     numbers = seen_numbers(view)[0].numbers
     assert numbers.count(now) == 2 and numbers.count(first) == 1, "the old one is split, too"
     view.move(420, 600)
     view.press('Z', ctrl=True)
-    yield from until(lambda: count() == 32)
-    assert count() == 32 and teapot().data.splinewright.piece == first, "undo goes farther than before the verb"
+    yield from until(lambda: count() == 32, "the teapot before the verb")
+    assert teapot().data.splinewright.piece == first, "undo goes farther than before the verb"
     view.press('Z', ctrl=True, shift=True)
-    yield from until(lambda: count() == 33)
-    assert count() == 33
+    yield from until(lambda: count() == 33, "the teapot after the verb")
     print("picked in the panel", flush=True)
 
 
@@ -149,7 +145,7 @@ def steps():
         bpy.ops.splinewright.add_teapot('EXEC_DEFAULT', True)
         bpy.ops.view3d.view_selected()
     view.move(420, 600)
-    yield 1.0
+    yield from redrawn()
     for part_of_it in (numbers_are_shown, a_piece_is_picked, a_verb_begins_with_it, another_is_picked_in_the_panel):
         yield from part_of_it(view)
     print("pieces did what they should:", bpy.app.version_string, flush=True)

@@ -25,18 +25,15 @@ class FileState:
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
     surveys: dict = field(default_factory=dict)         # of bridge.surveys
     suspended: list = field(default_factory=list)       # of ui.saving
-<<<<<<< HEAD
     asking: set = field(default_factory=set)            # names of open dialogs that ask for a piece
     asked: dict = field(default_factory=dict)           # of ui.hand: what the last operator asked for pieces of
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
-    hovered: tuple = field(default_factory=tuple)       # the name of an object and the number of its piece at the mouse
-=======
+    hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
     looks_left: int = 0
     missed: int = 0                                     # frames that a render did not wait for
->>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
 
 
 state = FileState()

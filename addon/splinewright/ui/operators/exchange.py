@@ -90,12 +90,8 @@ class _Import(ImportHelper):
         try:
             values = self.values(_text_of(path))
             for value in values:
-<<<<<<< HEAD
-                made.append((name, shape.new_data(name, value, (self.resolution_u, self.resolution_v))))
-=======
                 start = new_shapes.start_of_any(self, is_surface=not isinstance(value, (*ANY_CURVES, list)))
-                made.append(shape.new_data(_printable(path.stem), value, start))
->>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
+                made.append((name, shape.new_data(name, value, start)))
                 progress(len(made) / len(values))
         except Exception:
             for _, data in made:

@@ -7,13 +7,8 @@ from mathutils import Matrix
 from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES
 from ...core.recipes.table import DERIVED, FOLLOW
-<<<<<<< HEAD
 from .. import hand, recipe_props
-from . import reports
-=======
-from .. import recipe_props
 from . import new_shapes, reports
->>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
 from .adding import add_in_front, can_add, resolution_property
 from .pick_piece import draw_number
 
@@ -46,15 +41,11 @@ class _FromObjects:
 
     def execute(self, context):
         sources, recipe = _sources(context), self.recipe
-<<<<<<< HEAD
         hand.forget_asked()
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
             hand.note(self, 'piece', sources[0])
-        values, resolution = recipe_props.typed(recipe, self), (self.resolution_u, self.resolution_u)
-=======
         new_shapes.settle(self)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
->>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
         try:
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
         except FAILURES as error:
@@ -68,16 +59,11 @@ class _FromObjects:
         layout = self.layout
         layout.use_property_split = True
         for parameter in self.recipe.parameters:
-<<<<<<< HEAD
             if parameter.name == 'piece':
                 draw_number(layout, self, parameter.name)
             else:
                 layout.prop(self, parameter.name)
-        layout.prop(self, "resolution_u", text="Resolution")
-=======
-            layout.prop(self, parameter.name)
         new_shapes.draw(self, layout)
->>>>>>> 3dfc9dd0250751f3c86348a96a029324d2c94f7e
 
 
 def _sources(context):
