@@ -8,7 +8,7 @@ from pathlib import Path
 import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, redrawn, run, save_picture, until
+from window import View, empty_file, opened_browser, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 FOLDER = Path(tempfile.mkdtemp())
@@ -82,26 +82,18 @@ def several_are_dropped(view):
 
 def several_are_chosen(view):
     """In the file browser of File > Import."""
-    bpy.context.preferences.view.filebrowser_display_type = 'SCREEN'
     with view.override():
         bpy.ops.splinewright.import_bpt('INVOKE_DEFAULT', True)
-
-    def browsers():
-        return [area for area in view.window.screen.areas
-                if area.type == 'FILE_BROWSER' and area.spaces.active.active_operator]
-    yield from until(lambda: browsers() and browsers()[0].spaces.active.params, "a file browser")
-    area = browsers()[0]
-    area.spaces.active.params.directory = str(FOLDER).encode()
-    region = next(region for region in area.regions if region.type == 'WINDOW')
-    there = {'window': view.window, 'area': area, 'region': region}
+    there = yield from opened_browser()
+    there['area'].spaces.active.params.directory = str(FOLDER).encode()
     with bpy.context.temp_override(**there):
         bpy.ops.file.refresh()
-
-    def are_chosen():
+    chosen = []
+    while len(chosen) < 3:              # of a list that is being read
+        yield from redrawn()
         with bpy.context.temp_override(**there):
             bpy.ops.file.select_all(action='SELECT')
-            return len(bpy.context.selected_files) == 3
-    yield from until(are_chosen, "the BPT files of the folder")
+            chosen = bpy.context.selected_files
     yield from redrawn()
     save_picture(OUTPUT / "choosing.png")
     with bpy.context.temp_override(**there):

@@ -21,8 +21,9 @@ def _path(operator):
 
 
 def _path_property():
-    """In place of those of Blender's helpers, which presets would hold: what is hidden is in none."""
-    return StringProperty(name="File Path", maxlen=1024, subtype='FILE_PATH', options={'HIDDEN'})
+    """In place of those of Blender's helpers, which presets would hold: its file browser shows again what is hidden."""
+    return StringProperty(name="File Path", maxlen=1024, subtype='FILE_PATH',
+                          options={'HIDDEN', 'SKIP_PRESET' if versions.has_skip_preset else 'SKIP_SAVE'})
 
 
 def _printable(text):
