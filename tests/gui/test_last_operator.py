@@ -5,6 +5,7 @@ import os
 import sys
 import tempfile
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 
@@ -79,6 +80,23 @@ def knots_of_another_axis(view):
     print("knots", flush=True)
 
 
+def preset_of(operator, name, override):
+    """The path of a preset of the present settings, made as the button + does."""
+    from bl_operators.presets import AddPresetOperator as adding
+    folder = Path(bpy.utils.user_resource('SCRIPTS', path=f"presets/{adding.operator_path(operator.bl_idname)}", create=True))
+    path = folder / f"{name}.py"
+    try:
+        with override():
+            bpy.ops.wm.operator_preset_add('EXEC_DEFAULT', name=name, operator=operator.bl_idname)
+    except RuntimeError as error:
+        # Blender 4.3 with Python 3.13, as Debian has it, makes no presets of any operator.
+        assert "name 'op' is not defined" in str(error) and bpy.app.version < (4, 4, 0), error
+        names = adding.preset_values.fget(SimpleNamespace(operator=operator.bl_idname))
+        settings = [f"{name} = {getattr(operator.properties, name[3:])!r}\n" for name in names]
+        path.write_text("import bpy\nop = bpy.context.active_operator\n" + "".join(settings))
+    return path
+
+
 def presets(view):
     yield from add_patch(view)
     with view.override():
@@ -94,9 +112,7 @@ def presets(view):
     yield from until(lambda: panel.height > 60, "the open panel of the last operator")
     yield from redrawn()
     save_picture(OUTPUT / "last-operator-presets.png")
-    with view.override():
-        bpy.ops.wm.operator_preset_add('EXEC_DEFAULT', name="Thrice", operator='SPLINEWRIGHT_OT_patch_raise_degree')
-    path = Path(bpy.utils.user_resource('SCRIPTS', path="presets/operator/splinewright.patch_raise_degree/Thrice.py"))
+    path = preset_of(last(), "Thrice", view.override)
     text = path.read_text()
     assert "op.times = 3" in text and "op.direction = 'V'" in text and "piece" not in text, text
     last().properties.direction, last().properties.times = 'U', 1
@@ -118,9 +134,7 @@ def presets_of_files(view):
     there = yield from opened_browser()
     operator = there['area'].spaces.active.active_operator
     save_picture(OUTPUT / "last-operator-browser.png")
-    with bpy.context.temp_override(**there):
-        bpy.ops.wm.operator_preset_add('EXEC_DEFAULT', name="Flipped", operator='SPLINEWRIGHT_OT_export_bpt')
-    preset = Path(bpy.utils.user_resource('SCRIPTS', path="presets/operator/splinewright.export_bpt/Flipped.py"))
+    preset = preset_of(operator, "Flipped", lambda: bpy.context.temp_override(**there))
     assert "op.flip = True" in preset.read_text() and "path" not in preset.read_text(), preset.read_text()
     operator.properties.flip = False
     with bpy.context.temp_override(**there):
