@@ -6,6 +6,7 @@ from pathlib import Path
 
 import bpy
 from bpy_extras import view3d_utils
+from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
@@ -17,6 +18,10 @@ def teapot():
     return bpy.data.objects["Teapot"]
 
 
+def last():
+    return bpy.context.window_manager.operators[-1]
+
+
 def count():
     return len(part('bridge.store').read(teapot().data).pieces)
 
@@ -25,10 +30,10 @@ def hovered():
     return part('bridge.file_state').state.hovered
 
 
-def place_of(view, number):
+def place_of(view, number, ob=None):
     """Where the middle of a piece is in the window."""
-    point = teapot().matrix_world @ view.area.spaces.active.region_3d.view_location.__class__(
-        part('bridge.surveys').middles_of(teapot().data)[number - 1])
+    ob = ob or teapot()
+    point = ob.matrix_world @ Vector(part('bridge.surveys').middles_of(ob.data)[number - 1])
     place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, point)
     return round(view.region.x + place.x), round(view.region.y + place.y)
 
@@ -38,9 +43,9 @@ def seen_numbers(view):
         return part('ui.numbers_overlay').shown(bpy.context)
 
 
-def point_at(view, number):
-    view.move(*place_of(view, number))
-    yield from until(lambda: hovered() == ("Teapot", number), f"patch {number} at the mouse")
+def point_at(view, number, ob=None):
+    view.move(*place_of(view, number, ob))
+    yield from until(lambda: hovered() == ((ob or teapot()).name, number), f"piece {number} at the mouse")
 
 
 def visible(view):
@@ -97,7 +102,7 @@ def a_verb_begins_with_it(view):
     first = teapot().data.splinewright.piece
     with view.override():
         bpy.ops.splinewright.patch_split('INVOKE_DEFAULT', True)
-    assert bpy.context.window_manager.operators[-1].properties.piece == first and count() == 33
+    assert last().properties.piece == first and count() == 33
     yield from redrawn()
     assert seen_numbers(view) == [], "the panel is closed"
     print("begun", flush=True)
@@ -122,8 +127,8 @@ def another_is_picked_in_the_panel(view):
     wanted = next(number for number in visible(view) if shown.numbers[number - 1] != first)
     yield from point_at(view, wanted)
     view.press('LEFTMOUSE')
-    yield from until(lambda: bpy.context.window_manager.operators[-1].properties.piece != first, "another number")
-    now = bpy.context.window_manager.operators[-1].properties.piece
+    yield from until(lambda: last().properties.piece != first, "another number")
+    now = last().properties.piece
     assert now == shown.numbers[wanted - 1] and count() == 33
     yield from until(lambda: len(seen_numbers(view)) == 1, "numbers after the operator was done again")
     save_picture(OUTPUT / "pieces-again.png")
@@ -138,6 +143,61 @@ def another_is_picked_in_the_panel(view):
     print("picked in the panel", flush=True)
 
 
+def operators_begin_with_pieces(view):
+    """As buttons and menus call them, each on the shape as it was before."""
+    ob = teapot()
+    ob.data.splinewright.piece, ob.data.splinewright.other_piece = 3, 7
+    ob.data.materials.append(bpy.data.materials.new("glaze"))
+    bpy.ops.ed.undo_push(message="hand")
+    for name, setting, expected in (
+            ('patch_raise_degree', 'piece', 3), ('patch_to_nurbs', 'piece', 3), ('patch_insert_knot', 'piece', 3),
+            ('extract_boundary', 'piece', 3), ('extract_isocurve', 'piece', 3), ('set_patch_material', 'piece', 3),
+            ('join_patches', 'first', 3), ('join_patches', 'second', 7)):
+        with view.override():
+            assert getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True) == {'FINISHED'}, name
+            assert getattr(last().properties, setting) == expected, (name, getattr(last().properties, setting))
+            bpy.ops.ed.undo()
+        yield from redrawn()
+    print("patches begun", flush=True)
+
+
+def curves_are_picked(view):
+    empty_file()
+    with view.override():
+        bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True)
+        bpy.ops.splinewright.split_curve('EXEC_DEFAULT', True, where='KNOTS')
+        bpy.ops.view3d.view_selected()
+    yield from redrawn()
+    ob = bpy.context.object
+    with view.override():
+        bpy.ops.splinewright.pick_piece('INVOKE_DEFAULT')
+    yield from point_at(view, 3, ob)
+    yield from point_at(view, 2, ob)
+    save_picture(OUTPUT / "pieces-curves.png")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: bpy.context.object.data.splinewright.piece == 2, "the curve that was clicked")
+    for name, setting in (('raise_degree', 'piece'), ('reverse', 'piece'), ('insert_knot', 'piece'), ('project_curve', 'piece'),
+                          ('write_formulas', 'piece'), ('add_basis', 'piece'), ('join_ends', 'first')):
+        with view.override():
+            assert getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True) == {'FINISHED'}, name
+            assert getattr(last().properties, setting) == 2, name
+            bpy.ops.ed.undo()
+        yield from redrawn()
+    print("curves begun", flush=True)
+
+
+def a_dialog_shows_numbers(view):
+    assert seen_numbers(view) == []
+    with view.override():
+        bpy.ops.splinewright.set_knots('INVOKE_DEFAULT', True)
+    yield from until(lambda: len(seen_numbers(view)) == 1, "numbers while Edit Knots is open")
+    yield from redrawn()
+    save_picture(OUTPUT / "pieces-dialog.png")
+    view.press('ESC')
+    yield from until(lambda: seen_numbers(view) == [], "no numbers after the dialog")
+    print("dialog", flush=True)
+
+
 def steps():
     view = View()
     empty_file()
@@ -146,7 +206,8 @@ def steps():
         bpy.ops.view3d.view_selected()
     view.move(420, 600)
     yield from redrawn()
-    for part_of_it in (numbers_are_shown, a_piece_is_picked, a_verb_begins_with_it, another_is_picked_in_the_panel):
+    for part_of_it in (numbers_are_shown, a_piece_is_picked, a_verb_begins_with_it, another_is_picked_in_the_panel,
+                       operators_begin_with_pieces, curves_are_picked, a_dialog_shows_numbers):
         yield from part_of_it(view)
     print("pieces did what they should:", bpy.app.version_string, flush=True)
 
