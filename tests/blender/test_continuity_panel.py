@@ -25,6 +25,9 @@ class Layout:
     def label(self, text, icon='NONE'):
         self.lines.append(text)
 
+    def prop(self, data, name):
+        getattr(data, name)
+
     def split(self, factor):
         return self
 

@@ -86,6 +86,12 @@ def test_the_next_call_knows_nothing_of_the_files_before(folder):
     assert sorted(ob.name for ob in bpy.data.objects) == ["a", "b", "b.001"]
 
 
+def test_an_object_has_the_name_of_its_file_though_data_of_that_name_is_left(folder):
+    bpy.data.meshes.new("a")
+    bpy.ops.splinewright.import_bpt(filepath=str(folder / "a.bpt"))
+    assert bpy.context.object.name == "a"
+
+
 def test_the_resolution_is_that_of_the_settings(folder):
     bpy.ops.splinewright.import_bpt(filepath=str(folder / "a.bpt"), resolution_u=3, resolution_v=2)
     assert len(bpy.context.object.data.polygons) == 6

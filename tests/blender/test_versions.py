@@ -73,6 +73,17 @@ def keys_lie_in_layers():
     return bool(getattr(ob.animation_data.action, 'layers', None))
 
 
+def knows_what_presets_skip():
+    members = {'probe': bpy.props.StringProperty(options={'SKIP_PRESET'})}
+    probe = type('SPLINEWRIGHT_Probe', (bpy.types.PropertyGroup,), {'__annotations__': members})
+    try:
+        bpy.utils.register_class(probe)
+    except ValueError:
+        return False
+    bpy.utils.unregister_class(probe)
+    return True
+
+
 #: A fact, how it shows, and the versions from which on and until which it holds.
 FACTS = {'by span': (versions.sampling.by_span, samples_by_span, (5, 0, 0), None),
          'polygon': (versions.sampling.polygon_at_1, shows_the_polygon, (4, 2, 0), (5, 0, 0)),
@@ -81,6 +92,7 @@ FACTS = {'by span': (versions.sampling.by_span, samples_by_span, (5, 0, 0), None
          'totals': (versions.wants_face_totals, leaves_faces_without_totals, None, (4, 2, 0)),
          'uvs': (versions.uvs_are_attributes, uv_maps_are_attributes, (4, 2, 0), None),
          'layers': (versions.actions_have_layers, keys_lie_in_layers, (4, 4, 0), None),
+         'presets': (versions.has_skip_preset, knows_what_presets_skip, (4, 2, 0), None),
          'files': (versions.drops_files, lambda: hasattr(bpy.types, 'SPLINEWRIGHT_FH_bpt'), (4, 2, 0), None),
          'failed saves': (versions.tells_of_failed_saves, lambda: 'save_post_fail' in dir(bpy.app.handlers), (4, 2, 0), None)}
 
@@ -95,7 +107,7 @@ def test_a_fact_is_as_measured_and_its_boundary_is_known(fact, measured, start, 
 def test_every_fact_is_measured():
     public = {name for name in vars(versions) if not name.startswith('_')} - {'bpy', 'gpu', 'cache', 'native'}
     assert public == {'sampling', 'keeps_exact_normals', 'has_auto_smooth', 'wants_face_totals', 'uvs_are_attributes',
-                      'actions_have_layers', 'drops_files', 'tells_of_failed_saves',
+                      'actions_have_layers', 'has_skip_preset', 'drops_files', 'tells_of_failed_saves',
                       'point_shader'}           # of which a window tells
     assert versions.sampling._fields == ('by_span', 'polygon_at_1')
 

@@ -159,9 +159,20 @@ class View:
             yield 0.05
             self.press('C', ctrl=True, shift=True)      # copies the name of what is below the mouse
             yield 0.05
-            if manager.clipboard.endswith(name):
+            if manager.clipboard.partition("[")[0].endswith(name):      # 5.2 tells which of several numbers it is
                 return
         raise AssertionError(f"there is no field {name}")
+
+
+def opened_browser():
+    """Steps until an operator has opened a file browser in a window of its own; what stands there for overrides."""
+    def areas():
+        return [(window, area) for window in bpy.context.window_manager.windows for area in window.screen.areas
+                if area.type == 'FILE_BROWSER' and area.spaces.active.active_operator and area.spaces.active.params]
+    yield from until(areas, "a file browser")
+    yield from redrawn()
+    (window, area), = areas()
+    return {'window': window, 'area': area, 'region': next(region for region in area.regions if region.type == 'WINDOW')}
 
 
 ADDON = next(key for key in bpy.context.preferences.addons.keys() if key.split('.')[-1] == 'splinewright')

@@ -92,6 +92,12 @@ def shaded_normals(mesh, normals):
     return np.where(np.repeat(smooth, counts)[:, None], normals, np.repeat(of_faces, counts, axis=0))
 
 
+def patch_of_face(mesh, face):
+    """The number, counted from 1, of the patch that a face of a mesh, also of an evaluated one, shows; 0 if unknown."""
+    attribute = mesh_layers.ours(mesh, PATCH_NAME, 'INT', 'FACE')
+    return attribute.data[face].value + 1 if attribute is not None and face < len(attribute.data) else 0
+
+
 def _patches(mesh):
     """The patch of each face, or None where that is not known."""
     attribute = mesh_layers.ours(mesh, PATCH_NAME, 'INT', 'FACE')

@@ -139,6 +139,15 @@ class Settings:
     show_seams: BoolProperty(
         name="Show on the Surface", description="Colour the seams of the patches along them by how smoothly they go on",
         default=False, options=set())
+    show_numbers: BoolProperty(
+        name="Show Numbers", description="Show the numbers of the pieces in the 3D view, which operators ask for",
+        default=False, options=set())
+    piece: IntProperty(
+        name="Piece in Hand", description="The piece, counted from 1, with which operators begin that ask for one; "
+        "0 for none", default=0, min=0, options=set())
+    other_piece: IntProperty(
+        name="Other Piece", description="The piece, counted from 1, with which operators begin that ask for a second one; "
+        "0 for none", default=0, min=0, options=set())
     faces_before: IntProperty(
         name="Faces Before", description="How many there were before a setting was changed last",
         options={'HIDDEN', 'SKIP_SAVE'})

@@ -1,6 +1,6 @@
-"""How smoothly shapes go on, worked out when their definition changes and not at every redraw."""
+"""What is shown of shapes beside themselves, worked out when their definition changes and not at every redraw."""
 
-from ..core import continuity, seams
+from ..core import continuity, landmarks, seams, verbs
 from . import store
 from .file_state import remember, state
 
@@ -23,6 +23,16 @@ def survey_of(data):
 def seams_of(data):
     """(the core.seams.Seams of a Mesh's definition as it is now, its size). Raises store.UnreadableDefinition."""
     return _kept('seams', data, lambda definition: (seams.seams_of(definition, DRAWN)[0], definition.size))
+
+
+def middles_of(data):
+    """(n, 3): a point in the middle of each piece of a definition. Raises store.UnreadableDefinition."""
+    return _kept('middles', data, lambda definition: landmarks.middles(verbs.pieces_of(definition)))
+
+
+def outlines_of(data):
+    """For each piece of a definition the polylines of core.landmarks.outline(). Raises store.UnreadableDefinition."""
+    return _kept('outlines', data, lambda definition: list(map(landmarks.outline, verbs.pieces_of(definition))))
 
 
 def _survey(definition):

@@ -32,6 +32,9 @@ uvs_are_attributes = 'uv' in bpy.types.MeshUVLoopLayer.bl_rna.properties
 #: From 4.4.0 on, not in 4.3.2: actions have slots and layers of strips.
 actions_have_layers = 'layers' in bpy.types.Action.bl_rna.properties
 
+#: 4.2.0, not 3.4.1: a property may be kept from one call to the next and be in no preset.
+has_skip_preset = 'is_skip_preset' in bpy.types.Property.bl_rna.properties
+
 #: 4.2.0, not 3.4.1: files are dropped on windows.
 drops_files = hasattr(bpy.types, 'FileHandler')
 

@@ -6,7 +6,7 @@ import bpy
 
 from ..bridge import shape, store, surveys
 from ..bridge.net import live, net_object
-from . import colors, texts
+from . import colors, hand, texts
 from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
@@ -39,6 +39,8 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
             self.layout.prop(data.splinewright, "show_seams")
             if data.splinewright.show_seams:
                 colors.draw_legend(self.layout)
+        if hand.count_of(data) > 1:
+            self.layout.prop(data.splinewright, "show_numbers")
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
         _draw_joints(self.layout, survey)
 

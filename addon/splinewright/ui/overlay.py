@@ -32,9 +32,9 @@ def _draw_net(ob, current):
     numbers, positions = current.net, current.points
     scale = bpy.context.preferences.system.ui_scale
     for color, pairs in zip(colors.of_net(), numbers.lines):
-        _draw_lines(color, 1.5 * scale, positions[pairs])
+        draw_lines(color, 1.5 * scale, positions[pairs])
     for foot, head in numbers.arrows:
-        _draw_lines(colors.of_arrows(), 2.5 * scale, arrow(positions[foot], positions[head]))
+        draw_lines(colors.of_arrows(), 2.5 * scale, arrow(positions[foot], positions[head]))
     if ob.type == 'MESH':
         _draw_selection(ob, current, scale)
 
@@ -46,7 +46,7 @@ def _draw_selection(ob, current, scale):
         return
     theme = bpy.context.preferences.themes[0].view_3d
     for pairs in current.net.lines:
-        _draw_lines((*theme.edge_select, 1.0), 2.0 * scale, current.points[pairs[selected[pairs].all(1)]])
+        draw_lines((*theme.edge_select, 1.0), 2.0 * scale, current.points[pairs[selected[pairs].all(1)]])
     size = (theme.vertex_size + 2) * scale
     _draw_points((*theme.vertex, 1.0), size, current.points[~selected])
     _draw_points((*theme.vertex_select, 1.0), size + 1, current.points[selected])
@@ -75,7 +75,7 @@ def arrow(foot, head):
     return np.array([(foot, head), (head, back + across), (head, back - across)])
 
 
-def _draw_lines(color, width, pairs):
+def draw_lines(color, width, pairs):
     """pairs: (n, 2, 3) ends."""
     if len(pairs):
         shader = gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')

@@ -5,8 +5,10 @@ Groups are pairs of a label and names of operators.
 
 import bpy
 
+from . import hand
+
 #: What buttons leave out of an operator's label, which Undo History shows, too.
-_LEFT_OUT = ("Convert ", "Bring To ", "Take ")
+_LEFT_OUT = ("Add ", "Bring To ", "Convert ", "Take ")
 
 
 def draw_menu(layout, groups):
@@ -16,6 +18,19 @@ def draw_menu(layout, groups):
             layout.separator()
         for name in names:
             layout.operator(f"splinewright.{name}", text=text_of(name))
+
+
+def draw_hand(layout, data):
+    """The pieces in hand, where there are several."""
+    if hand.count_of(data) < 2:
+        return
+    chosen = data.splinewright
+    layout.prop(chosen, "show_numbers")
+    column = layout.column(align=True)
+    for name, is_other in (("piece", False), ("other_piece", True)):
+        row = column.row(align=True)
+        row.prop(chosen, name)
+        row.operator("splinewright.pick_piece", text="", icon='EYEDROPPER').other = is_other
 
 
 def draw_panel(layout, groups):

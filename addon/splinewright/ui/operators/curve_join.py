@@ -6,7 +6,9 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge import joining, replacing, store
 from ...core import joints
 from ...core.failures import FAILURES
+from .. import hand
 from . import polls, reports
+from .pick_piece import draw_number
 from .pieces import tolerance_property, told
 from .selected import OnSelected
 
@@ -32,12 +34,19 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     def poll(cls, context):
         return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
 
+    def invoke(self, context, event):
+        hand.begin_pair(self, context)
+        return self.execute(context)
+
     def execute(self, context):
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
+        parted = hand.count_of(ob.data) if others else None
         try:
             outcome = self._joined(ob, others)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
+        hand.keep(ob.data, outcome[1].parents)
+        hand.note_pair(self, ob, outcome[1].parents, parted)
         return reports.finished(self, reports.Said(f"Joined ends of {ob.name}" + told([outcome])))
 
     def _joined(self, ob, others):
@@ -54,8 +63,8 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
         layout = self.layout
         layout.use_property_split = True
         layout.row().prop(self, "continuity", expand=True)
-        layout.prop(self, "first")
-        layout.prop(self, "second")
+        draw_number(layout, self, "first")
+        draw_number(layout, self, "second")
 
 
 class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
@@ -74,6 +83,7 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
         before = store.read(ob.data)
         changed = joints.chained(before, self.tolerance)
         replacing.put(ob.data, before, changed)
+        hand.keep(ob.data, changed.parents)
         return before, changed
 
     def said(self, outcomes):

@@ -179,13 +179,13 @@ class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
         eye = self.eye
         if ob != context.object:
             eye = ob.matrix_world.inverted_safe() @ context.object.matrix_world @ eye
-        return replacing.do(ob.data, self.piece, verbs.project(eye), self.already)
+        return self.do(ob, verbs.project(eye))
 
     def invoke(self, context, event):
         camera, ob = context.scene.camera, context.object
         if camera and ob and not self.properties.is_property_set('eye'):
             self.eye = ob.matrix_world.inverted_safe() @ camera.matrix_world.translation
-        return self.execute(context)
+        return super().invoke(context, event)
 
 
 class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):

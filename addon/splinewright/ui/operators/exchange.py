@@ -21,8 +21,9 @@ def _path(operator):
 
 
 def _path_property():
-    """In place of those of Blender's helpers, which presets would hold: what is hidden is in none."""
-    return StringProperty(name="File Path", maxlen=1024, subtype='FILE_PATH', options={'HIDDEN'})
+    """In place of those of Blender's helpers, which presets would hold: its file browser shows again what is hidden."""
+    return StringProperty(name="File Path", maxlen=1024, subtype='FILE_PATH',
+                          options={'HIDDEN', 'SKIP_PRESET' if versions.has_skip_preset else 'SKIP_SAVE'})
 
 
 def _printable(text):
@@ -76,7 +77,7 @@ class _Import(ImportHelper):
             return reports.cancelled(self, *reasons)
         _link(context, made)
         done = len(paths) - len(failed)
-        what = made[0].name if len(made) == 1 else f"{len(made)} objects" + (f" of {done} files" if done > 1 else "")
+        what = made[0][0] if len(made) == 1 else f"{len(made)} objects" + (f" of {done} files" if done > 1 else "")
         return reports.finished(self, reports.Said(f"Imported {what}", warnings=reasons))
 
     def _paths(self):
@@ -85,27 +86,27 @@ class _Import(ImportHelper):
         return [folder / element.name for element in self.files if element.name] or [_path(self)]
 
     def _read(self, path, progress):
-        """New data-blocks for what a file holds. progress is called with the part that is done."""
-        made = []
+        """Pairs of a name and a new data-block for what a file holds. progress is called with the part that is done."""
+        name, made = _printable(path.stem), []
         try:
             values = self.values(_text_of(path))
             for value in values:
                 start = new_shapes.start_of_any(self, is_surface=not isinstance(value, (*ANY_CURVES, list)))
-                made.append(shape.new_data(_printable(path.stem), value, start))
+                made.append((name, shape.new_data(name, value, start)))
                 progress(len(made) / len(values))
         except Exception:
-            for data in made:
+            for _, data in made:
                 blocks.remove(data)
             raise
         return made
 
 
 def _link(context, made):
-    """New objects of data-blocks, selected in place of what was; the last one is active."""
+    """New objects of pairs of a name and a data-block, selected in place of what was; the last one is active."""
     for ob in context.selected_objects:
         ob.select_set(False)
-    for data in made:
-        ob = bpy.data.objects.new(data.name, data)
+    for name, data in made:
+        ob = bpy.data.objects.new(name, data)
         context.collection.objects.link(ob)
         ob.select_set(True)
         context.view_layer.objects.active = ob

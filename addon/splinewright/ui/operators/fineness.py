@@ -5,7 +5,9 @@ from bpy.props import FloatProperty, IntProperty
 
 from ...bridge import fineness, mesh_looks, problems, replacing, settings, shape
 from ...core.failures import Refusal
+from .. import hand
 from . import reports
+from .pick_piece import draw_number
 from .selected import OnSelected
 
 
@@ -59,6 +61,21 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
                        default=0, min=0, options={'SKIP_SAVE'})
     slot: IntProperty(name="Slot", description="Which material slot, counted from 1; 0 for the active one",
                       default=0, min=0, options={'SKIP_SAVE'})
+
+    def invoke(self, context, event):
+        hand.begin(self, self.chosen(context))
+        return self.execute(context)
+
+    def execute(self, context):
+        hand.forget_asked()
+        for ob in self.chosen(context):
+            hand.note(self, 'piece', ob)
+        return super().execute(context)
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        draw_number(self.layout, self, 'piece')
+        self.layout.prop(self, 'slot')
 
     def work(self, context, ob):
         slot = self.slot or ob.active_material_index + 1

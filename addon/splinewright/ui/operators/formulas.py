@@ -6,7 +6,9 @@ from bpy.props import FloatProperty, IntProperty
 from ...bridge import replacing, store
 from ...core import decimals, formulas, teaching
 from ...core.failures import FAILURES
+from .. import hand
 from . import reports
+from .pick_piece import draw_number
 
 #: On a text that we wrote: the object it is about.
 _OWNER = "splinewright_formulas_of"
@@ -31,8 +33,19 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
             return False
         return True
 
+    def invoke(self, context, event):
+        hand.begin(self, [context.object])
+        return self.execute(context)
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        draw_number(self.layout, self, 'piece')
+        self.layout.prop(self, 'position')
+
     def execute(self, context):
         ob = context.object
+        hand.forget_asked()
+        hand.note(self, 'piece', ob)
         try:
             curve = teaching.nurbs_of(store.read(ob.data), self.piece)
             written = formulas.text(curve, decimals.typed(self.position))

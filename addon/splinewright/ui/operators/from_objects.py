@@ -7,9 +7,10 @@ from mathutils import Matrix
 from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES
 from ...core.recipes.table import DERIVED, FOLLOW
-from .. import recipe_props
+from .. import hand, recipe_props
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, resolution_property
+from .pick_piece import draw_number
 
 #: Kinds of recipes that are called by what they do.
 _VERBS = ('revolve', 'extrude')
@@ -33,8 +34,16 @@ class _FromObjects:
             return False
         return True
 
+    def invoke(self, context, event):
+        if 'piece' in self.recipe.defaults:
+            hand.begin(self, _sources(context))
+        return self.execute(context)
+
     def execute(self, context):
         sources, recipe = _sources(context), self.recipe
+        hand.forget_asked()
+        if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
+            hand.note(self, 'piece', sources[0])
         new_shapes.settle(self)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
@@ -50,7 +59,10 @@ class _FromObjects:
         layout = self.layout
         layout.use_property_split = True
         for parameter in self.recipe.parameters:
-            layout.prop(self, parameter.name)
+            if parameter.name == 'piece':
+                draw_number(layout, self, parameter.name)
+            else:
+                layout.prop(self, parameter.name)
         new_shapes.draw(self, layout)
 
 

@@ -9,7 +9,9 @@ from ...bridge import joining, replacing
 from ...core import patch_joints
 from ...core.failures import FAILURES
 from ...core.patch_curves import SIDES
+from .. import hand
 from . import polls, reports
+from .pick_piece import draw_number
 
 _WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
@@ -49,14 +51,20 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     def poll(cls, context):
         return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
 
+    def invoke(self, context, event):
+        hand.begin_pair(self, context)
+        return self.execute(context)
+
     def execute(self, context):
         ob = context.object
         other = next((other for other in context.selected_objects if other != ob), None)
+        parted = hand.count_of(ob.data) if other else None
         try:
             found = joining.join_patches(ob, other, self._choice('first'), self._choice('second'), self.continuity,
                                          self.moves)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
+        hand.note_pair(self, ob, found.changed.parents, parted)
         seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
         lost = (f"{seams} with other patches came apart",) if found.came_apart else ()
         return reports.finished(self, reports.Said(f"{ob.name}: {told(found)}", warnings=lost))
@@ -72,7 +80,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
         layout.row().prop(self, "moves", expand=True)
         for name in ("first", "second"):
             column = layout.column(align=True)
-            column.prop(self, name)
+            draw_number(column, self, name)
             column.prop(self, f"{name}_side")
 
 

@@ -6,11 +6,13 @@ import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
 from ...bridge import recipes, shape, store
+from ...bridge.file_state import state
 from ...bridge.net import live, net_object
 from ...core import knots
 from ...core.failures import FAILURES, sentence
-from .. import editing, texts
+from .. import editing, hand, texts
 from . import reports
+from .pick_piece import draw_number
 
 
 class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
@@ -37,11 +39,18 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
         return True
 
     def invoke(self, context, event):
+        owner = _shape_in_hand(context)
+        hand.forget_asked()
+        hand.begin(self, [owner])
         try:
-            self._show_knots(_shape_in_hand(context).data)
+            self._show_knots(owner.data)
         except FAILURES as error:
             return reports.failed(self, error)
+        state.asking.add(self.bl_idname)
         return context.window_manager.invoke_props_dialog(self, width=700)
+
+    def cancel(self, context):
+        state.asking.discard(self.bl_idname)
 
     def check(self, context):
         """A setting was changed: with another piece or axis the text becomes the knots of that."""
@@ -70,7 +79,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
         definition = store.read(owner.data)
         row = self.layout.row()
         if len(definition.pieces) > 1:
-            row.prop(self, "piece")
+            draw_number(row, self, "piece")
         if not definition.has_curves:
             row.row().prop(self, "axis", expand=True)
         if not self._is_of_another():
@@ -82,7 +91,10 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             texts.draw_problem(self.layout, sentence(error), width=100)
 
     def execute(self, context):
+        self.cancel(context)            # the dialog is closed
         owner = _shape_in_hand(context)
+        hand.forget_asked()
+        hand.note(self, 'piece', owner)
         editing_nets = editing.nets_in_edit_mode(context)
         for ob in editing_nets:
             live.pull(ob)
