@@ -8,7 +8,7 @@ from pathlib import Path
 import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, part, run, save_picture, until
+from window import View, empty_file, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 asked = []
@@ -19,16 +19,8 @@ def is_asked(page):
 
 
 def go_to_page(view, page, places):
-    """Steps that bring the mouse over what F1 leads to a page from; fails if it is at none of the places."""
-    asked.clear()
-    for place in places:
-        view.move(*place)
-        yield 0.05
-        view.press('F1')
-        yield 0.05
-        if is_asked(page):
-            return
-    raise AssertionError(f"F1 leads to {page} from nowhere, but to {asked}")
+    """Steps that bring the mouse over what F1 leads to a page from."""
+    yield from view.search(places, lambda: is_asked(page), f"F1 leads to {page}", 'F1')
 
 
 def steps():
@@ -38,7 +30,7 @@ def steps():
     with view.override():
         bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True)
     view.open_sidebar()
-    yield 0.5
+    yield from redrawn()
     yield from view.show_tab("Splinewright", (1044, 537))
     sidebar = view._region('UI')
     middle, top = sidebar.x + sidebar.width // 2, sidebar.y + sidebar.height
@@ -50,7 +42,7 @@ def steps():
     save_picture(OUTPUT / "manual.png")
     asked.clear()
     view.press('LEFTMOUSE')
-    yield from until(lambda: asked)
+    yield from until(lambda: asked, "the question mark opens the manual")
     assert is_asked("surfaces.html"), asked
     print("F1 did what it should:", bpy.app.version_string, flush=True)
 
