@@ -17,7 +17,7 @@ make_profile() {
 # Extensions came with Blender 4.2.
 is_extension_blender() {
   local version
-  version=$("$blender" --version | sed -nE '1s/Blender ([0-9]+\.[0-9]+).*/\1/p')
+  version=$("$blender" --version | sed -nE 's/^Blender ([0-9]+\.[0-9]+).*/\1/p')
   [ "$(printf '%s\n' 4.2 "$version" | sort -V | head -n 1)" = 4.2 ]
 }
 

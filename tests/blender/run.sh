@@ -8,7 +8,8 @@ zip=$(realpath "$1"); output=$2; shift 2
 mkdir -p "$output"
 source "$here/profile.sh"
 make_profile "$zip"
-"$blender" --version | head -n 1
+said=$("$blender" --version)             # whole: a program whose reader goes away fails
+sed -n '/^Blender /{p;q}' <<<"$said"
 export SPLINEWRIGHT_ZIP=$zip SPLINEWRIGHT_OUTPUT=$(realpath "$output")
 
 tests_in_blender() {

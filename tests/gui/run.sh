@@ -10,7 +10,8 @@ scripts=("$@")
 mkdir -p "$output"
 source "$here/../blender/profile.sh"
 make_profile "$zip"
-"$blender" --version | head -n 1
+said=$("$blender" --version)
+sed -n '/^Blender /{p;q}' <<<"$said"
 export SPLINEWRIGHT_OUTPUT=$(realpath "$output")
 
 # Starts an X server on a display that nobody has, with its picture in FOLDER, and leaves its number and process.
