@@ -149,19 +149,36 @@ class View:
         yield from until(is_shown, f"a tab {name} in the sidebar")
         yield from redrawn()
 
+    def beside(self, kind):
+        """An area of a kind beside the view, which gives it half of its room."""
+        known = set(self.window.screen.areas)
+        with self.override():
+            bpy.ops.screen.area_split(direction='VERTICAL', factor=0.5)
+        (area,) = set(self.window.screen.areas) - known
+        area.type = kind
+        return area
+
+    def search(self, places, is_found, what, key, **modifiers):
+        """Steps that press a key at one place after the other until it is found."""
+        end = time.monotonic() + LIMIT
+        while time.monotonic() < end:
+            for place in places:
+                self.move(*place)
+                yield
+                self.press(key, **modifiers)
+                yield
+                if is_found():
+                    return
+        raise AssertionError(f"not within {LIMIT:.0f} s: {what}")
 
     def go_to_field(self, name, region=None):
-        """Steps that bring the mouse over the field of a property in the sidebar, or in a region; fails if there is none."""
+        """Steps that bring the mouse over the field of a property in the sidebar, or in a region."""
         region, manager = region or self._region('UI'), bpy.context.window_manager
         manager.clipboard = ""
-        for y in range(region.y + region.height - 30, region.y, -9):
-            self.move(region.x + region.width // 2, y)
-            yield 0.05
-            self.press('C', ctrl=True, shift=True)      # copies the name of what is below the mouse
-            yield 0.05
-            if manager.clipboard.partition("[")[0].endswith(name):      # 5.2 tells which of several numbers it is
-                return
-        raise AssertionError(f"there is no field {name}")
+        places = [(region.x + region.width // 2, y) for y in range(region.y + region.height - 30, region.y, -9)]
+        # The key copies the name of what is below the mouse; 5.2 tells which of several numbers it is.
+        yield from self.search(places, lambda: manager.clipboard.partition("[")[0].endswith(name), f"a field {name}",
+                               'C', ctrl=True, shift=True)
 
 
 def opened_browser():

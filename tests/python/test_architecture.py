@@ -124,10 +124,7 @@ def test_one_file_of_the_addon_knows_versions_of_blender():
 
 
 def test_operators_report_through_one_function_only():
-    """But for the manual, which opens where the library does not load."""
     for room, path in addon_files():
-        if path.name == "manual.py":
-            continue
         calls = [node for node in ast.walk(ast.parse(path.read_text()))
                  if isinstance(node, ast.Attribute) and node.attr == 'report']
         assert len(calls) == (path.name == "reports.py"), path
