@@ -235,12 +235,35 @@ def write(mesh, layer, values):
         data.foreach_set(field, np.ascontiguousarray(values).ravel())
 
 
+def write_some(mesh, layer, values, numbers):
+    """Give these elements of a mesh, by their numbers, which grow, values of a Layer, (n, numbers); others keep theirs."""
+    count = len(getattr(mesh, _COLLECTIONS[layer.domain]))
+    if len(numbers) < count:
+        every = _present(mesh, layer, count)
+        every[numbers] = values
+        values = every
+    write(mesh, layer, values)
+
+
+def _present(mesh, layer, count):
+    """(count, numbers): what a mesh has of a Layer; zeros where it has none."""
+    if layer.data_type == 'BMESH':
+        there = list(getattr(mesh, layer.name))
+        data, field = (there[0].data if there else None), 'value'
+    else:
+        data, field = _items(mesh, layer)
+    shape = layer.values.shape[1]
+    dtype = layer.values.dtype
+    return np.zeros((count, shape), dtype) if data is None else read(data, field, shape, dtype)
+
+
 def _items(mesh, layer):
     """The items of a Layer, which is made where it is missing, and the name of their field."""
     if layer.data_type == 'FIELD':
         return getattr(mesh, _COLLECTIONS[layer.domain]), layer.name
     if layer.data_type == 'UV':
-        return uv_of(mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False))
+        uv_map = mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False)
+        return (None, "") if uv_map is None else uv_of(uv_map)      # there may be as many as Blender takes
     if layer.data_type == 'PIN':
         uv_map = mesh.uv_layers.get(layer.name)
         return (None if uv_map is None else uv_map.data), 'pin_uv'
@@ -251,7 +274,8 @@ def _items(mesh, layer):
 
 def _write_by_bmesh(mesh, layer, values):
     if layer.name == 'face_maps':
-        mesh.face_maps.new().data.foreach_set('value', np.ascontiguousarray(values).ravel())
+        face_map = mesh.face_maps[0] if len(mesh.face_maps) else mesh.face_maps.new()
+        face_map.data.foreach_set('value', np.ascontiguousarray(values).ravel())
         return
     copy = bmesh.new()
     copy.from_mesh(mesh)
@@ -293,12 +317,12 @@ def groups_of(mesh, owner):
     return Groups(names, locked, groups.active_index, weights)
 
 
-def write_groups(owner, groups, weights):
-    """Give an object Groups with other weights, (vertices, groups)."""
-    for name, is_locked, column in zip(groups.names, groups.locked, weights.T):
+def write_groups(owner, groups, weights, vertices):
+    """Give vertices of an object, by their numbers, Groups with other weights, (vertices, groups)."""
+    for name, is_locked, weight in zip(groups.names, groups.locked, weights.T):
         group = owner.vertex_groups.get(name) or owner.vertex_groups.new(name=name)
-        for i in np.flatnonzero(column).tolist():
-            group.add([i], float(column[i]), 'REPLACE')
+        for i in np.flatnonzero(weight).tolist():
+            group.add([int(vertices[i])], float(weight[i]), 'REPLACE')
         group.lock_weight = is_locked
     owner.vertex_groups.active_index = groups.active
 
