@@ -458,3 +458,14 @@ def test_joined_shapes_keep_what_was_put_on_each():
     words = np.array([item.value for item in mesh.attributes["word"].data])
     assert set(words[:64]) == {0} and set(words[64:]) == {3}
     assert not shape.is_touched(mesh)
+
+
+def test_what_blenders_own_surface_cannot_have_is_said():
+    ob = sheet()
+    for name in ('seam', 'mine'):
+        put(ob, MARKS[name], 1.5)
+    ob.data.attributes.new("heat", 'FLOAT', 'POINT')
+    ob.data.uv_layers.new(name="second")
+    outcome, _ = part('bridge.native.to_native').to_native(bpy.context, ob)
+    assert outcome.dropped == ["the UV map second", "the attribute heat", "marks of edges"]
+    assert part('bridge.native.to_native').to_native(bpy.context, sheet())[0].dropped == []

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from . import mesh_layers, mesh_marks
-from .mesh_layers import MOST_UV_MAPS, PARAMETERS, UV_NAME, Layer, read
+from . import mesh_groups, mesh_layers, mesh_marks, mesh_sharp
+from .mesh_layers import ATTRIBUTES, MOST_UV_MAPS, PARAMETERS, UV_NAME, Layer, read
 
 
 class Kept(NamedTuple):
@@ -20,7 +20,7 @@ class Kept(NamedTuple):
 
     layers: list                        # of vertices, faces and corners
     marks: list                         # of mesh_marks
-    groups: object                      # mesh_layers.Groups or None
+    groups: object                      # mesh_groups.Groups or None
     triangles: np.ndarray               # (t, 3) corners
     corners: np.ndarray                 # (c, 3) parameters
     vertices: np.ndarray                # (c,) the vertex of each corner
@@ -105,7 +105,7 @@ def keep(mesh, owner, uneven=()):
     marks = mesh_marks.keep(mesh, corners, _of_edges(mesh, of_users))
     layers = [*uneven, *(layer for layer in of_users if layer.domain != 'EDGE'),
               *mesh_layers.uv_maps(mesh, corners[:, :2]), *mesh_layers.pins(mesh)]
-    groups = mesh_layers.groups_of(mesh, owner)
+    groups = mesh_groups.of(mesh, owner)
     if not layers and not marks and groups is None:
         return None
     triangles, faces = _triangles(mesh)
@@ -116,8 +116,18 @@ def keep(mesh, owner, uneven=()):
 def _of_edges(mesh, of_users=None):
     """The Layers that a user put on edges."""
     found = [layer for layer in of_users or mesh_layers.of_users(mesh) if layer.domain == 'EDGE']
-    sharp = mesh_layers.sharp_of_users(mesh)
+    sharp = mesh_sharp.of_users(mesh)
     return found if sharp is None else [*found, Layer('use_edge_sharp', 'FIELD', 'EDGE', sharp[:, None])]
+
+
+def in_words(kept):
+    """What was kept, but for vertex groups, as nouns for the user."""
+    if kept is None:
+        return []
+    found = [f"the UV map {layer.name}" for layer in kept.layers if layer.data_type == 'UV']
+    found += [f"the attribute {layer.name}" for layer in kept.layers if layer.data_type in ATTRIBUTES]
+    others = [layer for layer in kept.layers if layer.data_type not in ('UV', *ATTRIBUTES)]
+    return found + ["marks of edges"] * bool(kept.marks) + ["marks of faces and vertices"] * bool(others)
 
 
 def restore(mesh, owner, kept):
@@ -161,7 +171,7 @@ def _restore_on(mesh, owner, kept, corners, chosen):
     mesh_layers.hide_with_faces(mesh)
     if kept.groups is not None:
         weights = found.blended(kept.groups.weights[kept.vertices], 'POINT')
-        mesh_layers.write_groups(owner, kept.groups, weights, which)
+        mesh_groups.write(owner, kept.groups, weights, which)
 
 
 class _Found:

@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from . import mesh_attributes, mesh_layers, mesh_looks
+from . import mesh_attributes, mesh_layers, mesh_looks, mesh_sharp
 
 
 def write(mesh, tessellation, positions, normals, sharp):
@@ -13,15 +13,15 @@ def write(mesh, tessellation, positions, normals, sharp):
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
-        users = mesh_layers.sharp_of_users(mesh)
+        users = mesh_sharp.of_users(mesh)
     else:
         _replace_faces(mesh, tessellation, positions)
-        users = mesh_layers.sharp(mesh)
-    _write_sharp_edges(mesh, sharp, users)
+        users = mesh_sharp.marked(mesh)
+    mesh_sharp.mark(mesh, sharp, users)
     # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
     mesh.update()
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
-    mesh_layers.note_sharp(mesh, users)     # before 4.5 edges are sharp where normals differ
+    mesh_sharp.note(mesh, users)     # before 4.5 edges are sharp where normals differ
     mesh.update()
 
 
@@ -98,28 +98,6 @@ def _write_faces(mesh, tessellation, positions):
 def _write_uvs(mesh, tessellation):
     data, field = mesh_layers.uv_of(mesh.uv_layers.new(name=mesh_layers.UV_NAME, do_init=False))
     data.foreach_set(field, tessellation.corner_uvs.ravel())
-
-
-def _write_sharp_edges(mesh, sharp, users):
-    """Mark the edges of these pairs of vertices sharp, those of the user, (edges,) or None, and no others."""
-    if not len(sharp):
-        if users is not None or mesh_layers.sharp(mesh) is not None:
-            mesh_layers.write_sharp(mesh, np.zeros(len(mesh.edges), bool) if users is None else users)
-        return
-    ends = np.empty(2 * len(mesh.edges), np.int32)
-    if mesh_layers.IN_ATTRIBUTES:
-        mesh.attributes['.edge_verts'].data.foreach_get('value', ends)
-    else:
-        mesh.edges.foreach_get('vertices', ends)
-    count = len(mesh.vertices)
-    flags = np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(sharp, count))
-    mesh_layers.write_sharp(mesh, flags if users is None else flags | users)
-
-
-def _edge_numbers(pairs, count):
-    """One number for an edge, whichever way it runs."""
-    pairs = np.sort(pairs.astype(np.int64), axis=1)
-    return pairs[:, 0] * count + pairs[:, 1]
 
 
 def _write_normals(mesh, normals):

@@ -1,7 +1,7 @@
 """Shapes become Blender's own curves and surfaces, in their place."""
 
 from ...core.definition import CURVES
-from .. import curve_layers, curve_pieces, mesh_looks, shape, store
+from .. import curve_layers, curve_pieces, mesh_attributes, mesh_looks, shape, store
 from ..look import Look
 from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
@@ -46,7 +46,8 @@ def _curve(context, ob, value, planned, users):
 
 
 def _surface(context, ob, value, planned, users):
-    mesh, lost = ob.data, []
+    mesh = ob.data
+    lost = mesh_attributes.in_words(mesh_attributes.keep(mesh, None))
     settings = mesh.splinewright
     surface, deviation = write_native.new_surface(
         context, mesh.name, planned, (settings.resolution_u, settings.resolution_v))
