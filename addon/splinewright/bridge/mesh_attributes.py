@@ -116,7 +116,7 @@ def keep(mesh, owner, uneven=()):
 def _of_edges(mesh, of_users=None):
     """The Layers that a user put on edges."""
     found = [layer for layer in of_users or mesh_layers.of_users(mesh) if layer.domain == 'EDGE']
-    sharp = mesh_sharp.of_users(mesh)
+    sharp = mesh_sharp.of_users(mesh, mesh_sharp.marked(mesh))
     return found if sharp is None else [*found, Layer('use_edge_sharp', 'FIELD', 'EDGE', sharp[:, None])]
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import mesh_layers, mesh_lines, store
+from . import mesh_layers, mesh_lines
 from .mesh_layers import Layer
 from .mesh_lines import Lines
 

@@ -14,29 +14,37 @@ def marked(mesh):
     return flags if flags is not None and flags.any() else None
 
 
-def of_users(mesh):
-    """(edges,) whether a user marked each sharp; None where none is. A mesh of an early Splinewright cannot tell."""
-    flags, attribute = marked(mesh), mesh_layers.ours(mesh, SHARP, 'BOOLEAN', 'EDGE')
+def of_users(mesh, flags):
+    """(edges,) which of those that are marked() a user marked; None where none. A mesh of an early Splinewright cannot
+    tell."""
+    attribute = mesh_layers.ours(mesh, SHARP, 'BOOLEAN', 'EDGE')
     if flags is None or attribute is None:
         return None
-    flags &= ~mesh_layers.read(attribute.data, 'value', 1, bool)[:, 0]
+    flags = flags & ~mesh_layers.read(attribute.data, 'value', 1, bool)[:, 0]
     return flags if flags.any() else None
 
 
-def mark(mesh, sharp, users):
-    """Mark the edges of these pairs of vertices sharp, those of the user, (edges,) or None, and no others."""
-    if not len(sharp):
-        if users is not None or marked(mesh) is not None:
-            _write(mesh, np.zeros(len(mesh.edges), bool) if users is None else users)
-        return
+def mark(mesh, sharp, users, flags):
+    """Mark the edges of these pairs of vertices sharp, those of the user, (edges,) or None, and no others. flags: what is
+    marked(). Returns what is then."""
+    wanted = users
+    if len(sharp):
+        of_surface = _between(mesh, sharp)
+        wanted = of_surface if users is None else of_surface | users
+    if flags is not None or wanted is not None:
+        _write(mesh, np.zeros(len(mesh.edges), bool) if wanted is None else wanted)
+    return wanted
+
+
+def _between(mesh, pairs):
+    """(edges,) whether each is one of these pairs of vertices."""
     ends = np.empty(2 * len(mesh.edges), np.int32)
     if mesh_layers.IN_ATTRIBUTES:
         mesh.attributes['.edge_verts'].data.foreach_get('value', ends)
     else:
         mesh.edges.foreach_get('vertices', ends)
     count = len(mesh.vertices)
-    flags = np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(sharp, count))
-    _write(mesh, flags if users is None else flags | users)
+    return np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(pairs, count))
 
 
 def _edge_numbers(pairs, count):
@@ -45,9 +53,9 @@ def _edge_numbers(pairs, count):
     return pairs[:, 0] * count + pairs[:, 1]
 
 
-def note(mesh, users):
-    """Note that all sharp edges but those of the user, (edges,) or None for none, are the surface's."""
-    attribute, flags = mesh_layers.ours(mesh, SHARP, 'BOOLEAN', 'EDGE'), marked(mesh)
+def note(mesh, users, flags):
+    """Note that all edges that are marked() but those of the user, (edges,) or None for none, are the surface's."""
+    attribute = mesh_layers.ours(mesh, SHARP, 'BOOLEAN', 'EDGE')
     if attribute is None:
         attribute = mesh.attributes.new(SHARP, 'BOOLEAN', 'EDGE')
     elif flags is None:

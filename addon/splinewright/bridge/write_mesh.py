@@ -13,15 +13,17 @@ def write(mesh, tessellation, positions, normals, sharp):
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
-        users = mesh_sharp.of_users(mesh)
+        flags = mesh_sharp.marked(mesh)
+        users = mesh_sharp.of_users(mesh, flags)
     else:
-        _replace_faces(mesh, tessellation, positions)
-        users = mesh_sharp.marked(mesh)
-    mesh_sharp.mark(mesh, sharp, users)
+        has_marks = _replace_faces(mesh, tessellation, positions)
+        users = flags = mesh_sharp.marked(mesh) if has_marks else None
+    flags = mesh_sharp.mark(mesh, sharp, users, flags)
     # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
     mesh.update()
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
-    mesh_sharp.note(mesh, users)     # before 4.5 edges are sharp where normals differ
+    # Before 4.5, too, Blender marks edges sharp where normals differ.
+    mesh_sharp.note(mesh, users, flags if keeps_normals() else mesh_sharp.marked(mesh))
     mesh.update()
 
 
@@ -62,6 +64,7 @@ def _write_positions(mesh, positions):
 
 
 def _replace_faces(mesh, tessellation, positions):
+    """Whether edges of the new faces have marks."""
     owner, (looks, uneven) = owner_of(mesh), mesh_looks.kept(mesh)
     kept = mesh_attributes.keep(mesh, owner, uneven)
     mesh.clear_geometry()
@@ -73,6 +76,7 @@ def _replace_faces(mesh, tessellation, positions):
         _write_uvs(mesh, tessellation)
     if kept is not None:
         mesh_attributes.restore(mesh, owner, kept)
+    return kept is not None and len(kept.marks) > 0
 
 
 def owner_of(mesh):
