@@ -250,11 +250,11 @@ def hide_with_faces(mesh):
         return
     starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     is_shown = ~np.repeat(of_faces, np.diff(np.append(starts, len(mesh.loops))))
-    for collection, numbers in (('vertices', corner_vertices(mesh)), ('edges', corner_edges(mesh))):
-        items = getattr(mesh, collection)
-        hide = np.ones(len(items), bool)
+    for name, domain, numbers in (('.hide_vert', 'POINT', corner_vertices(mesh)), ('.hide_edge', 'EDGE', corner_edges(mesh))):
+        attribute = ours(mesh, name, 'BOOLEAN', domain) or mesh.attributes.new(name, 'BOOLEAN', domain)
+        hide = np.ones(len(attribute.data), bool)
         hide[numbers[is_shown]] = False
-        items.foreach_set('hide', hide)
+        attribute.data.foreach_set('value', hide)
 
 
 def active(mesh):
