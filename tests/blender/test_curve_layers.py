@@ -7,8 +7,8 @@ import pytest
 from curves import curves_of, run, value_of
 from geometry import mesh_points
 from natives import drawn, exact, native, native_curve
-from shapes import VALUES, activate, add, curve_points, enter, leave, move, op, require_exact, select
-from support import part, splinecore as sc
+from shapes import activate, add, curve_points, enter, leave, move, op, require_exact, select
+from support import part
 
 curve_layers, curve_pieces, store = (part(f'bridge.{name}') for name in ('curve_layers', 'curve_pieces', 'store'))
 NAMES = ('radius', 'tilt', 'weight_softbody')

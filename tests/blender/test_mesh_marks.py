@@ -9,8 +9,8 @@ from patches import value_of
 from shapes import activate, add, enter, first_point, leave, move, op, require_exact, select
 from support import part, splinecore as sc, vertices
 
-mesh_layers, mesh_marks, shape = (part(f'bridge.{name}') for name in ('mesh_layers', 'mesh_marks', 'shape'))
-OLD = not mesh_layers.IN_ATTRIBUTES
+mesh_marks, shape, versions = (part(f'bridge.{name}') for name in ('mesh_marks', 'shape', 'versions'))
+OLD = not versions.marks_are_attributes
 
 
 class Field:
@@ -414,3 +414,58 @@ def test_materials_and_shading_of_single_faces_stay_where_they_are(name, setting
     resolve(ob, 16)
     for polygon in ob.data.polygons:
         assert (polygon.material_index, polygon.use_smooth) == (polygon.center.x > 0.75, polygon.center.y > 0.75)
+
+
+# Joining --------------------------------------------------------------------------------------------------------------
+
+
+def test_joined_shapes_keep_what_was_put_on_each():
+    first, second = sheet(8), sheet(4)
+    second.location.x = 4
+    bpy.context.view_layer.update()
+    red, blue = (bpy.data.materials.new(name) for name in ("red", "blue"))
+    for material in (red, blue):
+        second.data.materials.append(material)
+    first.data.materials.append(blue)
+    for polygon in second.data.polygons:
+        polygon.material_index = int(polygon.center.x > 1.5)
+    for ob, height in ((first, 1.0), (second, 2.0)):
+        colour = ob.data.attributes.new("place", 'FLOAT_VECTOR', 'POINT')
+        colour.data.foreach_set('vector', (vertices(ob.data) * height).ravel())
+    MARKS['mine'].set(first.data, np.where(lie_at(first.data, 0, 0.0), 0.25, 0.0))
+    MARKS['mine'].set(second.data, np.where(lie_at(second.data, 0, 1.5), 0.25, 0.0))
+    MARKS['seam'].set(second.data, lie_at(second.data, 0, 0.0))
+    MARKS['sharp'].set(second.data, lie_at(second.data, 0, 3.0))
+    second.vertex_groups.new(name="soft").add(list(range(len(second.data.vertices))), 0.5, 'REPLACE')
+    other = second.data.attributes.new("word", 'INT', 'FACE')
+    other.data.foreach_set('value', np.full(len(second.data.polygons), 3, np.int32))
+    activate(first, second)
+    assert op(bpy.ops.splinewright.join) == {'FINISHED'}
+    resolve(first, 8)
+    mesh, places = first.data, vertices(first.data)
+    require_marked(first, MARKS['mine'], 0.0, 5.5)
+    require_marked(first, MARKS['seam'], 4.0)
+    require_marked(first, MARKS['sharp'], 7.0)
+    said = np.empty(3 * len(places), np.float32)
+    mesh.attributes["place"].data.foreach_get('vector', said)
+    said, is_second = said.reshape(-1, 3), np.arange(len(places)) >= len(places) // 2
+    assert np.abs(said[~is_second] - places[~is_second]).max() < 1e-5
+    assert np.abs(said[is_second][:, :2] / 2 + (4, 0) - places[is_second][:, :2]).max() < 1e-4
+    assert [m.name for m in mesh.materials] == ["blue", "red"]
+    assert all(polygon.material_index == (4 < polygon.center.x < 5.5) for polygon in mesh.polygons)
+    weights = [sum(entry.weight for entry in vertex.groups) for vertex in mesh.vertices]
+    assert np.allclose(weights, np.where(is_second, 0.5, 0.0))
+    words = np.array([item.value for item in mesh.attributes["word"].data])
+    assert set(words[:64]) == {0} and set(words[64:]) == {3}
+    assert not shape.is_touched(mesh)
+
+
+def test_what_blenders_own_surface_cannot_have_is_said():
+    ob = sheet()
+    for name in ('seam', 'mine'):
+        put(ob, MARKS[name], 1.5)
+    ob.data.attributes.new("heat", 'FLOAT', 'POINT')
+    ob.data.uv_layers.new(name="second")
+    outcome, _ = part('bridge.native.to_native').to_native(bpy.context, ob)
+    assert outcome.dropped == ["the UV map second", "the attribute heat", "marks of edges"]
+    assert part('bridge.native.to_native').to_native(bpy.context, sheet())[0].dropped == []

@@ -67,6 +67,15 @@ def uv_maps_are_attributes():
     return mesh.uv_layers.new(name="map").name in mesh.attributes
 
 
+def creases_are_attributes():
+    mesh = square()
+    try:
+        mesh.edges[0].crease = 1
+    except AttributeError:
+        return True
+    return False
+
+
 def keys_lie_in_layers():
     ob = bpy.data.objects.new("keyed", None)
     ob.keyframe_insert('location', frame=1)
@@ -91,6 +100,7 @@ FACTS = {'by span': (versions.sampling.by_span, samples_by_span, (5, 0, 0), None
          'auto smooth': (versions.has_auto_smooth, needs_auto_smooth, None, (4, 2, 0)),
          'totals': (versions.wants_face_totals, leaves_faces_without_totals, None, (4, 2, 0)),
          'uvs': (versions.uvs_are_attributes, uv_maps_are_attributes, (4, 2, 0), None),
+         'marks': (versions.marks_are_attributes, creases_are_attributes, (4, 2, 0), None),
          'layers': (versions.actions_have_layers, keys_lie_in_layers, (4, 4, 0), None),
          'presets': (versions.has_skip_preset, knows_what_presets_skip, (4, 2, 0), None),
          'files': (versions.drops_files, lambda: hasattr(bpy.types, 'SPLINEWRIGHT_FH_bpt'), (4, 2, 0), None),
@@ -107,7 +117,7 @@ def test_a_fact_is_as_measured_and_its_boundary_is_known(fact, measured, start, 
 def test_every_fact_is_measured():
     public = {name for name in vars(versions) if not name.startswith('_')} - {'bpy', 'gpu', 'cache', 'native'}
     assert public == {'sampling', 'keeps_exact_normals', 'has_auto_smooth', 'wants_face_totals', 'uvs_are_attributes',
-                      'actions_have_layers', 'has_skip_preset', 'drops_files', 'tells_of_failed_saves',
+                      'marks_are_attributes', 'actions_have_layers', 'has_skip_preset', 'drops_files', 'tells_of_failed_saves',
                       'point_shader'}           # of which a window tells
     assert versions.sampling._fields == ('by_span', 'polygon_at_1')
 

@@ -69,7 +69,7 @@ def _gives(was, now):
 
 
 def remember(data, layers):
-    """Note what splines were given that have other numbers of points, so that nothing is worn down by many changes."""
+    """Note what splines were given, so that many changes of how many points they have blur nothing."""
     if all((each.values == each.values[0]).all() for each in layers):
         forget(data)
         return

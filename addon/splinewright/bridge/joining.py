@@ -1,6 +1,5 @@
 """Several shapes become one."""
 
-import functools
 from typing import NamedTuple
 
 import bpy
@@ -8,7 +7,7 @@ import numpy as np
 
 from ..core import joints, patch_joints, transform
 from ..core.failures import Refusal, blenders_refusals
-from . import blocks, curve_pieces, mesh_looks, recipes, replacing, shape, store
+from . import blocks, curve_pieces, mesh_attributes, mesh_looks, recipes, replacing, shape, store, write_mesh
 from .look import Look
 
 
@@ -20,7 +19,7 @@ def join(active, others):
     definition = together(active, others)
     belongings = _belongings([active, *others])
     shape.set_definition(active.data, definition)
-    _give(active.data, definition, belongings)
+    _give(active, definition, belongings)
     _remove(others)
 
 
@@ -71,7 +70,7 @@ def join_ends(active, other, first, second, smoothness):
     belongings = _belongings([active, other])
     shape.set_definition(active.data, changed.definition)
     pieces = curve_pieces.carried(belongings.pieces, changed)
-    _give(active.data, changed.definition, belongings._replace(pieces=pieces))
+    _give(active, changed.definition, belongings._replace(pieces=pieces))
     _remove([other])
     return definition, changed
 
@@ -92,7 +91,7 @@ def join_patches(active, other, first, second, smoothness, moves):
     found = patch_joints.joined(together(active, [other]), first, second, smoothness, moves, linear_of(active), parted)
     belongings = _belongings([active, other])
     shape.set_definition(active.data, found.changed.definition)
-    _give(active.data, found.changed.definition, belongings)
+    _give(active, found.changed.definition, belongings)
     _remove([other])
     return found
 
@@ -132,33 +131,47 @@ class _Belongings(NamedTuple):
 
     materials: list
     pieces: list                # for each piece a Look, or of a curve what curve_pieces.of() gives
+    painted: list               # (mesh_attributes.Kept, the first of its patches, how many it has) of each mesh with any
 
 
 def _belongings(obs):
-    materials, pieces = list(obs[0].data.materials), []
+    materials, pieces, painted = list(obs[0].data.materials), [], []
     for ob in obs:
         data, definition = ob.data, store.read(ob.data)
         materials += [material for material in data.materials if material not in materials]
-        slots = [materials.index(material) for material in data.materials] or [0]
-        in_whole = functools.partial(_in_whole, slots)
+        slots = np.array([materials.index(material) for material in data.materials] or [0])
         if definition.has_curves:
-            pieces += [[layers._replace(look=in_whole(layers.look)) for layers in piece]
+            pieces += [[layers._replace(look=_in_whole(slots, layers.look)) for layers in piece]
                        for piece in curve_pieces.of(data, definition)]
-        else:
-            known = mesh_looks.looks_by_patch(data)
-            pieces += [in_whole(known.get(i, Look())) for i in range(len(definition.pieces))]
-    return _Belongings(materials, pieces)
+            continue
+        known, uneven = mesh_looks.kept(data)
+        kept = mesh_attributes.keep(data, write_mesh.owner_of(data), [_layer_in_whole(slots, layer) for layer in uneven])
+        if kept is not None:
+            painted.append((kept, len(pieces), len(definition.pieces)))
+        pieces += [_in_whole(slots, known.get(i, Look())) for i in range(len(definition.pieces))]
+    return _Belongings(materials, pieces, painted)
 
 
 def _in_whole(slots, look):
     """A Look of one part, whose material is another of the whole; Blender takes the last for an index too high."""
-    return look._replace(material_index=slots[min(look.material_index, len(slots) - 1)])
+    return look._replace(material_index=int(slots[min(look.material_index, len(slots) - 1)]))
 
 
-def _give(data, definition, belongings):
+def _layer_in_whole(slots, layer):
+    if layer.name != 'material_index':
+        return layer
+    return layer._replace(values=slots[np.minimum(layer.values, len(slots) - 1)].astype(np.int32))
+
+
+def _give(active, definition, belongings):
+    data = active.data
     for material in belongings.materials[len(data.materials):]:
         data.materials.append(material)
     if definition.has_curves:
         curve_pieces.write(data, definition, belongings.pieces)
-    else:
-        replacing.give_looks(data, belongings.pieces)
+        return
+    replacing.give_looks(data, belongings.pieces)
+    for kept, first, count in belongings.painted:
+        mesh_attributes.add(data, active, kept, first, count)
+    if belongings.painted:
+        shape.rewrite(data)             # sharp edges and normals of flat faces

@@ -1,4 +1,4 @@
-"""What users put on a mesh, as arrays: attributes, UV maps, marks, vertex groups, and which of them are active.
+"""What users put on a mesh, as arrays: attributes, UV maps, marks, and which of them are active.
 
 Blender drops all of it with the faces.
 """
@@ -14,19 +14,17 @@ from . import versions
 #: Corner attribute: u, v in [0, 1] of the patch, and the number of the patch.
 PARAMETERS = "parameters"
 UV_NAME = "UVMap"
-#: Edge attribute: those that are sharp because the surface is; other sharp edges are a user's.
-SHARP = ".splinewright_sharp"
 _OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face', 'sharp_edge'}
 #: Blender's own, which a user made all the same.
 _HIDDEN = {'.sculpt_mask', '.sculpt_face_set', '.uv_seam', '.hide_poly'}
 _PINS = '.pn.'
-#: How a value of each type is read: the name of its field, how many numbers it has, their type.
-_TYPES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT8': ('value', 1, np.int32),
-          'BOOLEAN': ('value', 1, bool), 'FLOAT_VECTOR': ('vector', 3, np.float32),
-          'FLOAT_COLOR': ('color', 4, np.float32), 'BYTE_COLOR': ('color', 4, np.float32),
-          'FLOAT2': ('vector', 2, np.float32), 'INT16_2D': ('value', 2, np.int32), 'INT32_2D': ('value', 2, np.int32),
-          'FLOAT4': ('vector', 4, np.float32), 'QUATERNION': ('value', 4, np.float32),
-          'FLOAT4X4': ('value', 16, np.float32), 'STRING': ('value', 1, object)}
+#: How a value of each type of attribute is read: the name of its field, how many numbers it has, their type.
+ATTRIBUTES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT8': ('value', 1, np.int32),
+              'BOOLEAN': ('value', 1, bool), 'FLOAT_VECTOR': ('vector', 3, np.float32),
+              'FLOAT_COLOR': ('color', 4, np.float32), 'BYTE_COLOR': ('color', 4, np.float32),
+              'FLOAT2': ('vector', 2, np.float32), 'INT16_2D': ('value', 2, np.int32), 'INT32_2D': ('value', 2, np.int32),
+              'FLOAT4': ('vector', 4, np.float32), 'QUATERNION': ('value', 4, np.float32),
+              'FLOAT4X4': ('value', 16, np.float32), 'STRING': ('value', 1, object)}
 #: A mixture of two turns is none.
 _NEVER_MIXED = {'QUATERNION', 'FLOAT4X4'}
 #: So many UV maps a mesh may have.
@@ -40,8 +38,6 @@ _FIELDS = (('EDGE', 'use_seam', bool, None), ('EDGE', 'crease', np.float32, 'has
            ('EDGE', 'use_freestyle_mark', bool, None), ('FACE', 'use_freestyle_mark', bool, None))
 #: Of Blender 3: collections of one layer or none, which bmesh alone can make, and its names for them.
 _OF_BMESH = {'vertex_paint_masks': 'paint_mask', 'vertex_creases': 'crease'}
-#: Whether what edges and faces have are attributes, which are read and written much faster.
-IN_ATTRIBUTES = 'crease' not in bpy.types.MeshEdge.bl_rna.properties
 
 
 class Layer(NamedTuple):
@@ -56,15 +52,6 @@ class Layer(NamedTuple):
     def is_mixed(self):
         """Whether what lies between two values is a mixture of them, not the nearer one."""
         return self.values.dtype == np.float32 and self.data_type not in _NEVER_MIXED
-
-
-class Groups(NamedTuple):
-    """The vertex groups of an object and their weights."""
-
-    names: list
-    locked: list
-    active: int
-    weights: np.ndarray                 # (vertices, groups)
 
 
 def ours(mesh, name, data_type, domain):
@@ -93,7 +80,7 @@ def read(data, field, numbers, dtype):
 
 def column(mesh, collection, field, attribute, dtype):
     """(n,) of a field, whose attribute is where this Blender has it; None where no element has that."""
-    if not IN_ATTRIBUTES:
+    if not versions.marks_are_attributes:
         return read(getattr(mesh, collection), field, 1, dtype)[:, 0]
     layer = mesh.attributes.get(attribute)
     return None if layer is None else read(layer.data, 'value', 1, dtype)[:, 0]
@@ -113,7 +100,7 @@ def of_users(mesh):
     """A Layer for each attribute, mark and hidden layer that a user made; UV maps are uv_maps()."""
     yield from _attributes(mesh)
     yield from _fields(mesh)
-    if not IN_ATTRIBUTES:
+    if not versions.marks_are_attributes:
         yield from _layers_of_blender_3(mesh)
 
 
@@ -127,9 +114,9 @@ def _layers_of_blender_3(mesh):
 
 def _attributes(mesh):
     for attribute in mesh.attributes:
-        if not _is_users(attribute) or attribute.name in mesh.uv_layers or attribute.data_type not in _TYPES:
+        if not _is_users(attribute) or attribute.name in mesh.uv_layers or attribute.data_type not in ATTRIBUTES:
             continue
-        values = read(attribute.data, *_TYPES[attribute.data_type])
+        values = read(attribute.data, *ATTRIBUTES[attribute.data_type])
         yield Layer(attribute.name, attribute.data_type, attribute.domain, values)
 
 
@@ -151,7 +138,7 @@ def _fields(mesh):
 
 
 def _has_field(domain, name):
-    if name == 'use_seam' and IN_ATTRIBUTES:
+    if name == 'use_seam' and versions.marks_are_attributes:
         return False
     owner = {'POINT': bpy.types.MeshVertex, 'EDGE': bpy.types.MeshEdge, 'FACE': bpy.types.MeshPolygon}[domain]
     return name in owner.bl_rna.properties
@@ -159,47 +146,12 @@ def _has_field(domain, name):
 
 def is_possible(layer):
     """Whether a mesh of this Blender may have the Layer."""
-    return _has_field(layer.domain, layer.name) if layer.data_type == 'FIELD' else layer.data_type in _TYPES
+    return _has_field(layer.domain, layer.name) if layer.data_type == 'FIELD' else layer.data_type in ATTRIBUTES
 
 
 def is_dropped_where_empty(layer):
     """Whether Blender drops the Layer, leaving Edit Mode say, where no edge has it."""
     return layer.data_type == 'FIELD' or layer.name.endswith('uv_seam')
-
-
-def sharp(mesh):
-    """(edges,) whether each is marked sharp; None where none is."""
-    flags = column(mesh, 'edges', 'use_edge_sharp', 'sharp_edge', bool)
-    return flags if flags is not None and flags.any() else None
-
-
-def sharp_of_users(mesh):
-    """(edges,) whether a user marked each sharp; None where none is. A mesh of an early Splinewright cannot tell."""
-    flags, attribute = sharp(mesh), ours(mesh, SHARP, 'BOOLEAN', 'EDGE')
-    if flags is None or attribute is None:
-        return None
-    flags &= ~read(attribute.data, 'value', 1, bool)[:, 0]
-    return flags if flags.any() else None
-
-
-def note_sharp(mesh, users):
-    """Note that all sharp edges but those of the user, (edges,) or None for none, are the surface's."""
-    attribute, flags = ours(mesh, SHARP, 'BOOLEAN', 'EDGE'), sharp(mesh)
-    if attribute is None:
-        attribute = mesh.attributes.new(SHARP, 'BOOLEAN', 'EDGE')
-    elif flags is None:
-        flags = np.zeros(len(mesh.edges), bool)
-    if flags is not None:
-        attribute.data.foreach_set('value', flags if users is None else flags & ~users)
-
-
-def write_sharp(mesh, flags):
-    """Mark these edges sharp, (edges,), and no others."""
-    if not IN_ATTRIBUTES:
-        mesh.edges.foreach_set('use_edge_sharp', flags)
-        return
-    attribute = mesh.attributes.get('sharp_edge') or mesh.attributes.new('sharp_edge', 'BOOLEAN', 'EDGE')
-    attribute.data.foreach_set('value', flags)
 
 
 def uv_maps(mesh, ours):
@@ -237,23 +189,47 @@ def write(mesh, layer, values):
         data.foreach_set(field, np.ascontiguousarray(values).ravel())
 
 
+def write_some(mesh, layer, values, numbers):
+    """Give these elements of a mesh, by their numbers, which grow, values of a Layer, (n, numbers); others keep theirs."""
+    count = len(getattr(mesh, _COLLECTIONS[layer.domain]))
+    if len(numbers) < count:
+        every = _present(mesh, layer, count)
+        every[numbers] = values
+        values = every
+    write(mesh, layer, values)
+
+
+def _present(mesh, layer, count):
+    """(count, numbers): what a mesh has of a Layer; zeros where it has none."""
+    if layer.data_type == 'BMESH':
+        there = list(getattr(mesh, layer.name))
+        data, field = (there[0].data if there else None), 'value'
+    else:
+        data, field = _items(mesh, layer)
+    shape = layer.values.shape[1]
+    dtype = layer.values.dtype
+    return np.zeros((count, shape), dtype) if data is None else read(data, field, shape, dtype)
+
+
 def _items(mesh, layer):
     """The items of a Layer, which is made where it is missing, and the name of their field."""
     if layer.data_type == 'FIELD':
         return getattr(mesh, _COLLECTIONS[layer.domain]), layer.name
     if layer.data_type == 'UV':
-        return uv_of(mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False))
+        uv_map = mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False)
+        return (None, "") if uv_map is None else uv_of(uv_map)      # there may be as many as Blender takes
     if layer.data_type == 'PIN':
         uv_map = mesh.uv_layers.get(layer.name)
         return (None if uv_map is None else uv_map.data), 'pin_uv'
     attribute = (ours(mesh, layer.name, layer.data_type, layer.domain)
                  or mesh.attributes.new(layer.name, layer.data_type, layer.domain))
-    return attribute.data, _TYPES[layer.data_type][0]
+    return attribute.data, ATTRIBUTES[layer.data_type][0]
 
 
 def _write_by_bmesh(mesh, layer, values):
     if layer.name == 'face_maps':
-        mesh.face_maps.new().data.foreach_set('value', np.ascontiguousarray(values).ravel())
+        face_map = mesh.face_maps[0] if len(mesh.face_maps) else mesh.face_maps.new()
+        face_map.data.foreach_set('value', np.ascontiguousarray(values).ravel())
         return
     copy = bmesh.new()
     copy.from_mesh(mesh)
@@ -274,35 +250,11 @@ def hide_with_faces(mesh):
         return
     starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     is_shown = ~np.repeat(of_faces, np.diff(np.append(starts, len(mesh.loops))))
-    for collection, numbers in (('vertices', corner_vertices(mesh)), ('edges', corner_edges(mesh))):
-        items = getattr(mesh, collection)
-        hide = np.ones(len(items), bool)
+    for name, domain, numbers in (('.hide_vert', 'POINT', corner_vertices(mesh)), ('.hide_edge', 'EDGE', corner_edges(mesh))):
+        attribute = ours(mesh, name, 'BOOLEAN', domain) or mesh.attributes.new(name, 'BOOLEAN', domain)
+        hide = np.ones(len(attribute.data), bool)
         hide[numbers[is_shown]] = False
-        items.foreach_set('hide', hide)
-
-
-def groups_of(mesh, owner):
-    """The Groups of an object that has the mesh, or None where there are none."""
-    if owner is None or not owner.vertex_groups:
-        return None
-    groups = owner.vertex_groups
-    weights = np.zeros((len(mesh.vertices), len(groups)), np.float32)
-    for i, vertex in enumerate(mesh.vertices):
-        for entry in vertex.groups:
-            if entry.group < len(groups):
-                weights[i, entry.group] = entry.weight
-    names, locked = [group.name for group in groups], [group.lock_weight for group in groups]
-    return Groups(names, locked, groups.active_index, weights)
-
-
-def write_groups(owner, groups, weights):
-    """Give an object Groups with other weights, (vertices, groups)."""
-    for name, is_locked, column in zip(groups.names, groups.locked, weights.T):
-        group = owner.vertex_groups.get(name) or owner.vertex_groups.new(name=name)
-        for i in np.flatnonzero(column).tolist():
-            group.add([i], float(column[i]), 'REPLACE')
-        group.lock_weight = is_locked
-    owner.vertex_groups.active_index = groups.active
+        attribute.data.foreach_set('value', hide)
 
 
 def active(mesh):

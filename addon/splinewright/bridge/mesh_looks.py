@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..core.failures import Refusal
-from . import mesh_layers
+from . import mesh_layers, versions
 from .look import Look
 
 #: Face attribute: which patch of the shape a face belongs to.
@@ -49,7 +49,7 @@ def _material_indices(mesh):
 
 def _smooth(mesh):
     """(faces,): where these are attributes, what is not smooth is marked."""
-    if not mesh_layers.IN_ATTRIBUTES:
+    if not versions.marks_are_attributes:
         return mesh_layers.read(mesh.polygons, 'use_smooth', 1, bool)[:, 0]
     sharp = mesh_layers.column(mesh, 'polygons', '', 'sharp_face', bool)
     return np.ones(len(mesh.polygons), bool) if sharp is None else ~sharp

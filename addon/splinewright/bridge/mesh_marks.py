@@ -92,6 +92,19 @@ def moved(all_marks, parents, places):
     return found
 
 
+def together(here, others, first):
+    """The Marks of a mesh and those of another, whose patches are those from number `first` on."""
+    by_name = {_name(marks.layer): marks for marks in here}
+    for marks in others:
+        rows = marks.lines.rows + np.array([first, 0, 0, 0, 0])
+        name, lines, values = _name(marks.layer), Lines(rows), marks.values
+        if name in by_name:
+            lines = mesh_lines.together([by_name[name].lines, lines])
+            values = np.concatenate([by_name[name].values, values])
+        by_name[name] = marks._replace(lines=lines, values=values)
+    return list(by_name.values())
+
+
 def _name(layer):
     return layer.name, layer.data_type
 

@@ -29,6 +29,9 @@ wants_face_totals = not bpy.types.MeshPolygon.bl_rna.properties['loop_total'].is
 #: 4.2.0, not 3.4.1: UV maps are attributes.
 uvs_are_attributes = 'uv' in bpy.types.MeshUVLoopLayer.bl_rna.properties
 
+#: 4.2.0, not 3.4.1: what edges and faces have, creases say, are attributes, which are read and written much faster.
+marks_are_attributes = 'crease' not in bpy.types.MeshEdge.bl_rna.properties
+
 #: From 4.4.0 on, not in 4.3.2: actions have slots and layers of strips.
 actions_have_layers = 'layers' in bpy.types.Action.bl_rna.properties
 

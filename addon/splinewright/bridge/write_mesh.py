@@ -4,7 +4,7 @@ import bmesh
 import bpy
 import numpy as np
 
-from . import mesh_attributes, mesh_edges, mesh_layers, mesh_looks, versions
+from . import mesh_attributes, mesh_edges, mesh_layers, mesh_looks, mesh_sharp, versions
 
 
 def write(mesh, tessellation, positions, normals, sharp):
@@ -14,15 +14,17 @@ def write(mesh, tessellation, positions, normals, sharp):
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
-        users = mesh_layers.sharp_of_users(mesh)
+        flags = mesh_sharp.marked(mesh)
+        users = mesh_sharp.of_users(mesh, flags)
     else:
-        _replace_faces(mesh, tessellation, positions)
-        users = mesh_layers.sharp(mesh)
-    _write_sharp_edges(mesh, sharp, users)
+        has_marks = _replace_faces(mesh, tessellation, positions)
+        users = flags = mesh_sharp.marked(mesh) if has_marks else None
+    flags = mesh_sharp.mark(mesh, sharp, users, flags)
     # Normals that are not exact are stored relative to those of the faces, which must be up to date.
     mesh.update()
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
-    mesh_layers.note_sharp(mesh, users)     # before 4.5 edges are sharp where normals differ
+    # Before 4.5, too, Blender marks edges sharp where normals differ.
+    mesh_sharp.note(mesh, users, flags if versions.keeps_exact_normals else mesh_sharp.marked(mesh))
     mesh.update()
 
 
@@ -58,6 +60,7 @@ def _write_positions(mesh, positions):
 
 
 def _replace_faces(mesh, tessellation, positions):
+    """Whether edges of the new faces have marks."""
     owner, (looks, uneven) = owner_of(mesh), mesh_looks.kept(mesh)
     kept = mesh_attributes.keep(mesh, owner, uneven)
     _clear(mesh)
@@ -69,6 +72,7 @@ def _replace_faces(mesh, tessellation, positions):
         _write_uvs(mesh, tessellation)
     if kept is not None:
         mesh_attributes.restore(mesh, owner, kept)
+    return kept is not None and len(kept.marks) > 0
 
 
 def _clear(mesh):
@@ -101,28 +105,6 @@ def _write_faces(mesh, tessellation, positions):
 def _write_uvs(mesh, tessellation):
     data, field = mesh_layers.uv_of(mesh.uv_layers.new(name=mesh_layers.UV_NAME, do_init=False))
     data.foreach_set(field, tessellation.corner_uvs.ravel())
-
-
-def _write_sharp_edges(mesh, sharp, users):
-    """Mark the edges of these pairs of vertices sharp, those of the user, (edges,) or None, and no others."""
-    if not len(sharp):
-        if users is not None or mesh_layers.sharp(mesh) is not None:
-            mesh_layers.write_sharp(mesh, np.zeros(len(mesh.edges), bool) if users is None else users)
-        return
-    ends = np.empty(2 * len(mesh.edges), np.int32)
-    if mesh_layers.IN_ATTRIBUTES:
-        mesh.attributes['.edge_verts'].data.foreach_get('value', ends)
-    else:
-        mesh.edges.foreach_get('vertices', ends)
-    count = len(mesh.vertices)
-    flags = np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(sharp, count))
-    mesh_layers.write_sharp(mesh, flags if users is None else flags | users)
-
-
-def _edge_numbers(pairs, count):
-    """One number for an edge, whichever way it runs."""
-    pairs = np.sort(pairs.astype(np.int64), axis=1)
-    return pairs[:, 0] * count + pairs[:, 1]
 
 
 def _write_normals(mesh, normals):

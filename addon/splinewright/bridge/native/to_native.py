@@ -2,7 +2,7 @@
 
 from ...core.definition import CURVES
 from ...core.failures import Refusal
-from .. import animation, curve_layers, curve_pieces, mesh_looks, recipes, settings, shape, store
+from .. import animation, curve_layers, curve_pieces, mesh_attributes, mesh_looks, recipes, settings, shape, store
 from ..look import Look
 from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
@@ -47,7 +47,8 @@ def _curve(context, ob, value, planned, users):
 
 
 def _surface(context, ob, value, planned, users):
-    mesh, lost = ob.data, []
+    mesh = ob.data
+    lost = mesh_attributes.in_words(mesh_attributes.keep(mesh, None))
     chosen = settings.of(mesh)
     surface, deviation = write_native.new_surface(
         context, mesh.name, planned, (chosen.resolution_u, chosen.resolution_v))
