@@ -130,6 +130,11 @@ def test_operators_report_through_one_function_only():
         assert len(calls) == (path.name == "reports.py"), path
 
 
+def test_windows_wait_until_it_is_so_and_never_a_fixed_time():
+    for path in (PROJECT / "tests" / "gui").glob("*.py"):
+        assert not re.search(r'\byield +[\d.]|\bsleep\(', path.read_text()), path
+
+
 def test_no_file_is_longer_than_500_lines():
     for pattern in ("native/**/*.?pp", "addon/**/*.py", "tests/**/*.py", "tests/**/*.?pp", "blend_samples/*.py"):
         for path in PROJECT.glob(pattern):
