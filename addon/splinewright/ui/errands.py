@@ -44,19 +44,31 @@ class Errand:
             return self._done.is_set()
 
 
+def is_main_thread():
+    return threading.current_thread() is threading.main_thread()
+
+
 def in_main_thread(function, scene):
-    """Do it where nothing else is done with geometry meanwhile. Where the interface is locked that is any thread."""
-    if threading.current_thread() is threading.main_thread():
-        state.looks_left = 0
+    """Do it where nothing else is done with geometry meanwhile. Where the interface is locked that may be any thread,
+    though panels that are drawn may forbid it to write."""
+    if is_main_thread():
+        state.looks_left = min(state.looks_left, 1)
         function()
-    elif scene.render.use_lock_interface:
-        function()
-    elif state.missed:
-        state.missed += 1               # the main thread waits for this one, as long as this render takes
-    else:
-        errand = Errand(function)
-        state.errands.append(errand)
-        state.missed += not errand.wait(_PATIENCE)
+    elif not _is_done_in_main_thread(function):
+        if scene.render.use_lock_interface:
+            function()
+        else:
+            state.missed += 1
+
+
+def _is_done_in_main_thread(function):
+    """A main thread that did not answer once waits for this one, as long as this render takes."""
+    if state.is_deaf:
+        return False
+    errand = Errand(function)
+    state.errands.append(errand)
+    state.is_deaf = not errand.wait(_PATIENCE)
+    return not state.is_deaf
 
 
 def serve(come_back):
@@ -65,11 +77,12 @@ def serve(come_back):
     come_back: is called when renders and exports are over, after which shapes are as the last frame wanted them.
     """
     is_rendering = bpy.app.is_job_running('RENDER')
-    if state.errands:
+    if state.errands or state.is_deaf and is_rendering:
         state.looks_left = _QUIET_LOOKS
     elif state.looks_left and not is_rendering:
         state.looks_left -= 1
         if not state.looks_left:
+            state.is_deaf = False
             come_back()
     while state.errands:
         state.errands.pop(0).run()

@@ -96,6 +96,8 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
         layout.operator("splinewright.to_native")
         layout.operator("splinewright.follow_object", icon='LINKED')
         layout.operator("splinewright.make_editable")
+        layout.operator("splinewright.bake_animation")
+        layout.operator("splinewright.unbake")
         layout.separator()
         for recipe in DERIVED:
             if recipe is not FOLLOW:

@@ -4,7 +4,7 @@ import contextlib
 
 import bpy
 
-from ..bridge import derived, fineness, follow, problems, recipes, shape, store
+from ..bridge import baking, derived, fineness, follow, problems, recipes, shape, store
 from ..bridge.net import net_object
 from ..core import describe
 from . import net_panel, recipe_props, texts
@@ -15,12 +15,17 @@ class _ShapePanel:
 
     @classmethod
     def poll(cls, context):
-        return shape.has_shape(context.object) or net_object.is_net(context.object)
+        ob = context.object
+        return shape.has_shape(ob) or net_object.is_net(ob) or ob is not None and baking.is_baked(ob.data)
 
     def draw(self, context):
         ob = context.object
         if net_object.is_net(ob):
             net_panel.draw(self.layout, ob)
+            return
+        if baking.is_baked(ob.data):
+            self.layout.label(text=f"Baked: frames {baking.frames(ob.data)}", icon='RENDER_ANIMATION')
+            self.layout.operator("splinewright.unbake")
             return
         try:
             definition = store.read(ob.data)
@@ -76,6 +81,7 @@ def _draw_following(layout, data):
         for text in (text for source in sources for text in derived.not_followed(source)):
             texts.draw_note(layout, f"Not followed: {text}")
     layout.operator("splinewright.make_editable")
+    layout.operator("splinewright.bake_animation")
 
 
 def _draw_definition(layout, definition):
