@@ -305,10 +305,11 @@ def test_the_colours_of_seams_take_no_keys():
 
 def of_an_older_file(ob):
     """As recipes were when no property kept a number."""
+    recipe = recipes.of(ob.data)
     with settings.quiet(ob.data):
-        for name in parameters.of(ob.data).keys():
-            parameters.of(ob.data).property_unset(name)
-    assert not parameters.are_shown(ob.data, recipes.of(ob.data))
+        for parameter in recipe.parameters:
+            parameters.of(ob.data).property_unset(parameters.name_of(recipe, parameter))
+    assert not parameters.are_shown(ob.data, recipe)
 
 
 @pytest.mark.parametrize('is_linked', (None, False, True), ids=('opened', 'appended', 'linked'))
