@@ -27,6 +27,7 @@ class FileState:
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
     looks_left: int = 0
     is_deaf: bool = False                               # whether the main thread left another one waiting
+    served: tuple = None                                # the frame, and the part of it, that it was not
     missed: int = 0                                     # frames that were rendered without shapes brought up to date
 
 

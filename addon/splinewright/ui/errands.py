@@ -49,26 +49,34 @@ def is_main_thread():
 
 
 def in_main_thread(function, scene):
-    """Do it where nothing else is done with geometry meanwhile. Where the interface is locked that may be any thread,
-    though panels that are drawn may forbid it to write."""
+    """Do it for the frame of a scene where nothing else is done with geometry meanwhile. Where the interface is locked that
+    may be any thread, though panels that are drawn may forbid it to write."""
+    frame = scene.frame_current, scene.frame_subframe
     if is_main_thread():
         state.looks_left = min(state.looks_left, 1)
         function()
-    elif not _is_done_in_main_thread(function):
-        if scene.render.use_lock_interface:
-            function()
-        else:
-            state.missed += 1
+    elif _is_hopeless(frame):
+        return
+    elif _is_done_in_main_thread(function):
+        state.served = frame
+    elif scene.render.use_lock_interface:
+        function()
+    elif not scene.frame_subframe:
+        state.missed += 1
+
+
+def _is_hopeless(frame):
+    """EEVEE keeps the main thread from drawing while it looks at what lies between frames, for motion blur. That comes
+    between two looks at the frame itself, the first of which finds the main thread free."""
+    return state.is_deaf and (frame[1] != 0.0 or frame == state.served)
 
 
 def _is_done_in_main_thread(function):
-    """A main thread that did not answer once waits for this one, as long as this render takes."""
-    if state.is_deaf:
-        return False
     errand = Errand(function)
     state.errands.append(errand)
-    state.is_deaf = not errand.wait(_PATIENCE)
-    return not state.is_deaf
+    is_done = errand.wait(_PATIENCE)
+    state.is_deaf |= not is_done
+    return is_done
 
 
 def serve(come_back):
@@ -82,7 +90,7 @@ def serve(come_back):
     elif state.looks_left and not is_rendering:
         state.looks_left -= 1
         if not state.looks_left:
-            state.is_deaf = False
+            state.is_deaf, state.served = False, None
             come_back()
     while state.errands:
         state.errands.pop(0).run()

@@ -15,6 +15,8 @@ _SETTLE = 0.3
 @persistent
 def updated(scene, depsgraph):
     """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
+    if not errands.is_main_thread():
+        return                          # of a render: frame_changed() sees to that
     is_new = _look_through()
     changed = set()
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
