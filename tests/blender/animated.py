@@ -55,11 +55,15 @@ def follow_object(ob):
 
 
 def evaluated(ob, depsgraph=None):
-    """(n, 3): the points that a depsgraph shows of a Curve or Mesh object, in its own space."""
-    data = ob.evaluated_get(depsgraph or bpy.context.evaluated_depsgraph_get()).data
-    if isinstance(data, bpy.types.Mesh):
-        return np.array([vertex.co for vertex in data.vertices])
-    return np.array([point.co[:3] for spline in data.splines for point in spline.points])
+    """(n, 3): the points that a depsgraph shows of a Curve or Mesh object, in its own space, with its shape keys."""
+    depsgraph = depsgraph or bpy.context.evaluated_depsgraph_get()
+    shown = ob.evaluated_get(depsgraph)
+    if ob.type == 'MESH':
+        return np.array([vertex.co for vertex in shown.data.vertices])
+    splines = shown.to_curve(depsgraph, apply_modifiers=True).splines
+    points = np.array([point.co[:3] for spline in splines for point in spline.points])
+    shown.to_curve_clear()
+    return points
 
 
 def height(ob, depsgraph=None):

@@ -2,15 +2,14 @@
 
 import subprocess
 from contextlib import contextmanager
-from pathlib import Path
 
 import bpy
 import numpy as np
 import pytest
 
-from animated import animate, coverage, evaluated, follow_object, height, in_cycles, in_scene, native_path, rendered, rise
-from shapes import activate, add, require_exact
-from support import ADDON, part, splinecore as sc
+from animated import animate, coverage, follow_object, height, in_cycles, in_scene, native_path, rendered, rise
+from shapes import activate
+from support import ADDON, part
 
 follow, recipes, store = (part(name) for name in ('bridge.follow', 'bridge.recipes', 'bridge.store'))
 FRAMES = (1, 4, 7)

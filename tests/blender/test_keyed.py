@@ -4,13 +4,13 @@ import bpy
 import numpy as np
 import pytest
 
-from animated import animate, follow_object, in_scene, native_path, rendered
+from animated import animate, follow_object, in_scene, rendered
 from layouts import drawn
 from shapes import activate, add, enter, op, require_exact
-from support import part, splinecore as sc
+from support import part
 
-keyed, problems, recipes, settings, shape, store, starters = (part(name) for name in (
-    'bridge.keyed', 'bridge.problems', 'bridge.recipes', 'bridge.settings', 'bridge.shape', 'bridge.store', 'core.starters'))
+parameters, problems, recipes, settings, shape, starters = (part(name) for name in (
+    'bridge.parameters', 'bridge.problems', 'bridge.recipes', 'bridge.settings', 'bridge.shape', 'core.starters'))
 FRAMES = (1, 4, 7)
 
 
@@ -301,3 +301,51 @@ def test_points_of_a_net_take_no_keys_and_no_drivers(path):
 def test_the_colours_of_seams_take_no_keys():
     with pytest.raises(TypeError, match="not animatable"):
         add(starters.teapot()).data.keyframe_insert('splinewright.show_seams')
+
+
+def of_an_older_file(ob):
+    """As recipes were when no property kept a number."""
+    recipe = recipes.of(ob.data)
+    with settings.quiet(ob.data):
+        for parameter in recipe.parameters:
+            parameters.of(ob.data).property_unset(parameters.name_of(recipe, parameter))
+    assert not parameters.are_shown(ob.data, recipe)
+
+
+@pytest.mark.parametrize('is_linked', (None, False, True), ids=('opened', 'appended', 'linked'))
+def test_properties_show_the_recipes_of_older_files(is_linked, tmp_path):
+    ob, path = add_recipe('helix', turns=5.5, radius=0.3), str(tmp_path / "older.blend")
+    name, value = ob.name, ob.data.splinewright.value
+    of_an_older_file(ob)
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    if is_linked is None:
+        bpy.ops.wm.open_mainfile(filepath=path)
+        ob = bpy.data.objects[name]
+    else:
+        bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+        with bpy.data.libraries.load(path, link=is_linked) as (_, wanted):
+            wanted.objects = [name]
+        ob = wanted.objects[0]
+        bpy.context.scene.collection.objects.link(ob)
+        bpy.context.view_layer.update()
+    assert ob.data.splinewright_parameters.helix_turns == 5.5
+    assert ob.data.splinewright_parameters.helix_radius == np.float32(0.3) and recipes.parameters(ob.data)['radius'] == 0.3
+    assert ob.data.splinewright.value == value
+
+
+def test_keys_of_older_files_go_on(tmp_path):
+    ob, path = add_recipe('circle'), str(tmp_path / "older.blend")
+    name = ob.name
+    animate(ob.data, 'splinewright_parameters.circle_radius', {1: 1.0, 11: 11.0})
+    of_an_older_file(ob)
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    bpy.context.scene.frame_set(4)
+    assert recipes.parameters(bpy.data.objects[name].data) == {'radius': 4.0, 'form': 'square'}
+    require_exact(bpy.data.objects[name])
+
+
+def test_a_refused_number_is_shown_as_it_was():
+    ob = add_recipe('helix')
+    ob.data.splinewright_parameters.helix_turns = 0.0
+    assert "turns" in ob.data.splinewright.problem and ob.data.splinewright_parameters.helix_turns == 3.0

@@ -10,9 +10,9 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Add', 'Adopt', 'Apply', 'Bring', 'Clamp', 'Convert', 'Detach', 'Edit', 'Export', 'Extract', 'Extrude', 'Follow',
-         'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Raise', 'Remove', 'Reparametrise', 'Restore',
-         'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp', 'Write'}
+VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Clamp', 'Convert', 'Detach', 'Edit', 'Export', 'Extract',
+         'Extrude', 'Follow', 'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Raise', 'Remove',
+         'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp', 'Write'}
 
 
 def kind_of(name):

@@ -20,7 +20,6 @@ class FileState:
     problems: dict = field(default_factory=dict)        # of a data-block its sentences, by what they are about
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
-    keyed: dict = field(default_factory=dict)           # of a data-block what keys and drivers gave its recipe's parameters
     definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
     surveys: dict = field(default_factory=dict)         # of bridge.surveys
@@ -33,7 +32,9 @@ class FileState:
     last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
     looks_left: int = 0
-    missed: int = 0                                     # frames that a render did not wait for
+    is_deaf: bool = False                               # whether the main thread left another one waiting
+    served: tuple = None                                # the frame, and the part of it, that it was not
+    missed: int = 0                                     # frames that were rendered without shapes brought up to date
 
 
 state = FileState()

@@ -220,6 +220,12 @@ def _same(a, b):
                for p, q in zip(a.pieces, b.pieces))
 
 
+def links():
+    """Pairs of a follower and an object that it follows, of those that are shown."""
+    turn = _Turn(None)
+    return [(data, source) for data in _blocks() if _owner_of(data, turn) for source in recipes.pointers(data)]
+
+
 def _in_order():
     """The followers, each after the shape that it follows. Those of a cycle are left out."""
     blocks = {key(data): data for data in _blocks()}

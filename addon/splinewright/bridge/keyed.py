@@ -1,14 +1,14 @@
 """What keys and drivers change: the parameters of recipes, and the settings of how finely a shape is shown.
 
-Blender sets them while it evaluates, often in another thread, when no geometry may be written. So they are noted then,
-and shown by the handlers that it calls when it has done so.
+Blender sets them while it evaluates, when no geometry may be written. They are shown by the handlers that it calls when it
+has done so.
 """
 
 import bpy
 
 from ..core.failures import told
-from . import animation, follow, problems, recipes, remaking, settings, shape, store
-from .file_state import block_of, key, state
+from . import animation, follow, parameters, problems, recipes, remaking, settings, shape, store
+from .file_state import key, state
 
 
 def set_parameters(data, changes, depsgraph=None):
@@ -19,59 +19,56 @@ def set_parameters(data, changes, depsgraph=None):
         remaking.set_parameters(data, changes)
 
 
-def is_evaluating(data, name, value):
-    """Whether it is Blender's evaluation that sets a parameter: then it is noted, and show() is to come.
+def is_shape(block):
+    """Whether it is a shape whose parameters or settings have keys or drivers."""
+    return isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and not block.library and bool(_paths(block))
 
-    What is animated is set on the copy that is evaluated, and right after that on the original.
-    """
-    if data.is_evaluated:
-        state.keyed.setdefault(key(data.original), {})[name] = value
-        return True
-    noted = state.keyed.get(key(data), {})
-    return name in noted and noted[name] == value
+
+def _paths(data):
+    """The data paths of a shape's parameters and settings that have keys or drivers."""
+    if data.animation_data is None or not store.has_definition(data):
+        return set()
+    return {path for path in animation.paths(data) if path.startswith((_OF_SETTINGS, _OF_PARAMETERS))}
+
+
+#: Beginnings of data paths.
+_OF_SETTINGS, _OF_PARAMETERS = "splinewright.", "splinewright_parameters."
 
 
 def show(changed, depsgraph):
-    """Show what was noted, and the settings that `changed` data-blocks were given; the data-blocks that were written."""
-    noted, state.keyed = state.keyed, {}
-    of_recipes = {block_of(name): changes for name, changes in noted.items()}
-    written = {data for data, changes in of_recipes.items() if data and _show_parameters(data, changes, depsgraph)}
-    return written | {data for data in changed if has_settings(data) and _show_settings(data, depsgraph)}
+    """Show what changed data-blocks were given; those that were written. In a render the originals are given nothing."""
+    return {data for data in changed if is_shape(data) and _show(data, data.evaluated_get(depsgraph), depsgraph)}
 
 
-def _show_parameters(data, changes, depsgraph):
-    """Whether the shape changed."""
-    if data.library or not recipes.has(data):
-        return False
+def _show(data, evaluated, depsgraph):
+    """Whether the shape changed. Whatever goes wrong is kept in words: others are to be shown, too."""
     try:
-        known = recipes.parameters(data)
-        changes = {name: value for name, value in changes.items() if known.get(name, value) != value}
+        paths = _paths(data)
+        is_other = any(path.startswith(_OF_SETTINGS) for path in paths) and _take_settings(data, evaluated)
+        changes = _changes(data, evaluated, {path.removeprefix(_OF_PARAMETERS) for path in paths})
         if changes:
             set_parameters(data, changes, depsgraph)
+        elif is_other:
+            shape.rewrite(data)
         problems.tell(data, problems.KEYED, "")
-        return bool(changes)
-    except Exception as error:          # other shapes are to be shown, too
-        problems.tell(data, problems.KEYED, told(error))
-        return False
-
-
-def has_settings(block):
-    """Whether it is a shape whose settings have keys or drivers."""
-    return (isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and not block.library
-            and block.animation_data is not None and store.has_definition(block)
-            and any(path.startswith("splinewright.") for path in animation.paths(block)))
-
-
-def _show_settings(data, depsgraph):
-    """Whether the shape changed. In a render the original does not have the values of the frame."""
-    given = settings.values(data.evaluated_get(depsgraph))
-    if state.shown.get(key(data)) == given:
-        return False
-    settings.take(data, given)
-    try:
-        shape.rewrite(data)
-        problems.tell(data, problems.KEYED, "")
-        return True
+        return is_other or bool(changes)
     except Exception as error:
         problems.tell(data, problems.KEYED, told(error))
         return False
+
+
+def _take_settings(data, evaluated):
+    """Whether a shape was written by other settings than it has now."""
+    given = settings.values(evaluated)
+    settings.take(data, given)
+    return state.shown.get(key(data)) != given
+
+
+def _changes(data, evaluated, names):
+    """{name: value} of those parameters that are other than the recipe's. names: of properties."""
+    stored = recipes.read(data)
+    if stored is None:
+        return {}
+    given = parameters.changes(stored.recipe, stored.values, parameters.of(evaluated))
+    return {parameter.name: given[parameter.name] for parameter in stored.recipe.parameters
+            if parameter.name in given and parameters.name_of(stored.recipe, parameter) in names}

@@ -4,6 +4,7 @@ the numbers and points of a recipe. A shape without one has points of its own.
 read() is the one door: what it gives is valid, and anything else that may be stored is refused with a sentence.
 """
 
+import contextlib
 import math
 from typing import NamedTuple
 
@@ -13,6 +14,7 @@ import numpy as np
 from ..core.failures import Refusal
 from ..core.recipes.recipe import Recipe
 from ..core.recipes.table import RECIPES
+from . import parameters as properties
 from . import store, watching
 
 #: No registered property has this name: before Blender 5.0 reading it would put an empty group in place of ours.
@@ -202,6 +204,7 @@ def write_derived(data, recipe, values, sources, error):
     for (pointer, flag), source in zip(_INPUTS, sources):
         group.update({pointer: source, flag: store.has_definition(source.data)})
     store.assign(data, KEY, group)
+    properties.show(data, recipe, values)
     watch(data)
 
 
@@ -221,3 +224,20 @@ def write_made(data, recipe, values, rows, error):
     """Keep a recipe with its parameters and points, and how far what it made may lie from what it should be."""
     store.assign(data, KEY, {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error),
                              'points': np.ascontiguousarray(rows, dtype=np.float64).ravel()})
+    properties.show(data, recipe, values)
+
+
+def show_new(blocks):
+    """show() for those of the data-blocks that have a recipe and never were shown: they are of older files."""
+    for data in blocks:
+        recipe = RECIPES.get(kind(data)) if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)) else None
+        if recipe and not properties.are_shown(data, recipe):
+            show(data)
+
+
+def show(data):
+    """Let Blender's properties show the parameters of a recipe, if it has one that can be read."""
+    with contextlib.suppress(store.UnreadableDefinition):
+        stored = read(data)
+        if stored:
+            properties.show(data, stored.recipe, stored.values)

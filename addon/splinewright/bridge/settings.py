@@ -90,8 +90,13 @@ def exchange_resolutions(data):
         settings.resolution_u, settings.resolution_v = settings.resolution_v, settings.resolution_u
 
 
+def is_quiet(data):
+    """Whether the settings of a data-block change without an evaluation now."""
+    return key(data) in state.quiet
+
+
 def _changed(self, context):
-    if key(self.id_data) not in state.quiet:
+    if not is_quiet(self.id_data):
         self.changed(context)
 
 

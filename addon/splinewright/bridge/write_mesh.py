@@ -40,6 +40,19 @@ def move(mesh, positions, normals=None):
     mesh.update()
 
 
+def let_normals_turn(mesh):
+    """Keep the normals relative to those that Blender finds, for points that are moved by others."""
+    flat = np.empty(3 * len(mesh.loops), np.float32)
+    if versions.has_auto_smooth:
+        mesh.calc_normals_split()
+        mesh.loops.foreach_get('normal', flat)
+    else:
+        mesh.corner_normals.foreach_get('vector', flat)
+    if versions.keeps_exact_normals:
+        mesh.attributes.remove(mesh.attributes['custom_normal'])
+    mesh.normals_split_custom_set(flat.reshape(-1, 3).tolist())
+
+
 def _has_faces(mesh, tessellation):
     """Whether the mesh has these very faces; a user may have changed them."""
     corners = tessellation.corner_vertices

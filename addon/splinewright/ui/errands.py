@@ -44,19 +44,39 @@ class Errand:
             return self._done.is_set()
 
 
+def is_main_thread():
+    return threading.current_thread() is threading.main_thread()
+
+
 def in_main_thread(function, scene):
-    """Do it where nothing else is done with geometry meanwhile. Where the interface is locked that is any thread."""
-    if threading.current_thread() is threading.main_thread():
-        state.looks_left = 0
+    """Do it for the frame of a scene where nothing else is done with geometry meanwhile. Where the interface is locked that
+    may be any thread, though panels that are drawn may forbid it to write."""
+    frame = scene.frame_current, scene.frame_subframe
+    if is_main_thread():
+        state.looks_left = min(state.looks_left, 1)
         function()
+    elif _is_hopeless(frame):
+        return
+    elif _is_done_in_main_thread(function):
+        state.served = frame
     elif scene.render.use_lock_interface:
         function()
-    elif state.missed:
-        state.missed += 1               # the main thread waits for this one, as long as this render takes
-    else:
-        errand = Errand(function)
-        state.errands.append(errand)
-        state.missed += not errand.wait(_PATIENCE)
+    elif not scene.frame_subframe:
+        state.missed += 1
+
+
+def _is_hopeless(frame):
+    """EEVEE keeps the main thread from drawing while it looks at what lies between frames, for motion blur. That comes
+    between two looks at the frame itself, the first of which finds the main thread free."""
+    return state.is_deaf and (frame[1] != 0.0 or frame == state.served)
+
+
+def _is_done_in_main_thread(function):
+    errand = Errand(function)
+    state.errands.append(errand)
+    is_done = errand.wait(_PATIENCE)
+    state.is_deaf |= not is_done
+    return is_done
 
 
 def serve(come_back):
@@ -65,11 +85,12 @@ def serve(come_back):
     come_back: is called when renders and exports are over, after which shapes are as the last frame wanted them.
     """
     is_rendering = bpy.app.is_job_running('RENDER')
-    if state.errands:
+    if state.errands or state.is_deaf and is_rendering:
         state.looks_left = _QUIET_LOOKS
     elif state.looks_left and not is_rendering:
         state.looks_left -= 1
         if not state.looks_left:
+            state.is_deaf, state.served = False, None
             come_back()
     while state.errands:
         state.errands.pop(0).run()

@@ -3,7 +3,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow, keyed, problems, versions
+from ..bridge import follow, keyed, recipes, versions
 from ..bridge.file_state import forget, key, state
 from ..bridge.net import live
 from . import editing, errands, saving, texts
@@ -15,6 +15,8 @@ _SETTLE = 0.3
 @persistent
 def updated(scene, depsgraph):
     """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
+    if not errands.is_main_thread():
+        return                          # of a render: frame_changed() sees to that
     is_new = _look_through()
     changed = set()
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
@@ -24,7 +26,8 @@ def updated(scene, depsgraph):
         changed |= _follow_nets(changed)
     if errands.is_away():
         return                          # a render is at another frame
-    if changed or state.keyed:
+    if changed:
+        recipes.show_new(changed)
         changed |= keyed.show(changed, depsgraph)
     if is_new:
         follow.refresh_all(changed, depsgraph)
@@ -47,6 +50,7 @@ def undone(*_):
 def loaded(*_):
     forget()
     undone()
+    recipes.show_new((*bpy.data.meshes, *bpy.data.curves))
     state.is_scanned = True
 
 
@@ -73,13 +77,12 @@ def frame_changed(scene, depsgraph):
     changed = _changed_blocks(depsgraph.updates)
     if len(bpy.app.handlers.frame_change_post) > 1:
         _evaluate(depsgraph)
-    if not state.is_scanned or state.followers or state.keyed or any(map(keyed.has_settings, changed)):
+    if not state.is_scanned or state.followers or any(map(keyed.is_shape, changed)):
         errands.in_main_thread(lambda: _show_frame(changed, depsgraph), scene)
 
 
 def _show_frame(changed, depsgraph):
     is_new = _look_through()
-    problems.forget(problems.KEYED)
     changed |= keyed.show(changed, depsgraph)
     # What a render evaluates is new in every frame, and before it shapes were at another.
     refresh = follow.refresh_all if is_new or depsgraph.mode == 'RENDER' else follow.refresh
@@ -91,7 +94,7 @@ def _evaluate(depsgraph):
 
     Not where a render goes on from the frame before: it would not learn what changed. There the shapes are late by a frame.
     """
-    if depsgraph.mode == 'VIEWPORT' and depsgraph == bpy.context.evaluated_depsgraph_get():
+    if errands.is_main_thread() and depsgraph == bpy.context.evaluated_depsgraph_get():
         return                          # that has done it, where there was anything to do
     if not depsgraph.scene.render.use_persistent_data:
         depsgraph.update()
@@ -99,7 +102,8 @@ def _evaluate(depsgraph):
 
 def _come_back():
     """A render or an export is over; views show the frame at hand."""
-    follow.refresh_all(set(), bpy.context.evaluated_depsgraph_get())
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    follow.refresh_all(keyed.show({*bpy.data.meshes, *bpy.data.curves}, depsgraph), depsgraph)
     if state.missed:
         texts.pop_up(f"{state.missed} frames were rendered with shapes as they were before: "
                      "switch Render > Lock Interface on and render again")

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import shape
+from ..bridge import baking, shape
 from ..bridge.net import net_object
 from ..core.recipes.table import DERIVED, FOLLOW, STARTING
 from . import curve_tools, patch_tools, tools
@@ -71,15 +71,17 @@ def _draw_export(self, context):
 
 
 _SHAPES = {'curve', 'patch'}
-_ALL = {'curve', 'patch', 'native'}
+_ALL = {'curve', 'patch', 'native', 'baked'}
 
 
 def _kinds(context):
-    """What is selected of what entries concern: shapes of curves or patches, and Blender's own curves and surfaces."""
+    """What is selected of what entries concern: shapes of curves or patches, baked ones, Blender's own curves and surfaces."""
     found = set()
     for ob in context.selected_objects:
         if shape.has_shape(ob):
             found.add('curve' if ob.type == 'CURVE' else 'patch')
+        elif baking.is_baked(ob.data):
+            found.add('baked')
         elif ob.type in ('CURVE', 'SURFACE'):
             found.add('native')
     return found
@@ -105,7 +107,8 @@ def _draw_convert(self, context):
 _ENTRIES = (
     (('edit_net', _SHAPES), ('set_knots', _SHAPES), ('pick_piece', _SHAPES),
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
-    (('make_exact', {'native'}), ('to_native', _SHAPES), ('follow_object', _ALL), ('make_editable', _SHAPES)),
+    (('make_exact', {'native'}), ('to_native', _SHAPES), ('follow_object', _SHAPES | {'native'}), ('make_editable', _SHAPES),
+     ('bake_animation', _SHAPES), ('unbake', {'baked'})),
     tuple((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW),
     (('join', _SHAPES), ('apply_transform', _SHAPES), ('adopt_transform', _SHAPES)),
     (('restore', _SHAPES), ('detach', _SHAPES)))

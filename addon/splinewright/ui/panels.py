@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import derived, follow, recipes, shape, store
+from ..bridge import baking, derived, follow, recipes, shape, store
 from ..bridge.net import net_object
 from ..core import describe
 from . import manual, net_panel, recipe_props, settings_panel, texts
@@ -20,7 +20,7 @@ class _ShapePanel:
     @classmethod
     def poll(cls, context):
         data, ob = cls.in_hand(context)
-        return net_object.is_net(ob) or shape.is_shape(data)
+        return net_object.is_net(ob) or shape.is_shape(data) or baking.is_baked(data)
 
     def draw_header_preset(self, context):
         data, ob = self.in_hand(context)
@@ -31,6 +31,11 @@ class _ShapePanel:
         data, ob = self.in_hand(context)
         if net_object.is_net(ob):
             net_panel.draw(self.layout, ob)
+            return
+        if baking.is_baked(data):
+            self.layout.label(text=f"Baked: frames {baking.frames(data)}", icon='RENDER_ANIMATION')
+            if ob is not None:
+                self.layout.operator("splinewright.unbake")
             return
         try:
             definition = store.read(data)
@@ -103,6 +108,7 @@ def _draw_following(layout, data):
         for text in (text for source in sources for text in derived.not_followed(source)):
             texts.draw_note(layout, f"Not followed: {text}")
     layout.operator("splinewright.make_editable")
+    layout.operator("splinewright.bake_animation")
 
 
 def _draw_definition(layout, definition):

@@ -15,7 +15,7 @@ from .pick_piece import draw_number
 #: Kinds of recipes that are called by what they do.
 _VERBS = ('revolve', 'extrude')
 #: Of parameters that mean something for one object only.
-_OPTIONS = {'piece': {'SKIP_SAVE'}}
+_MORE = {'piece': {'options': {'SKIP_SAVE'}}}
 
 
 class _FromObjects:
@@ -91,7 +91,7 @@ def _label(recipe):
 
 
 def _class_for(recipe):
-    annotations = {parameter.name: recipe_props.property_of(parameter, _OPTIONS.get(parameter.name))
+    annotations = {parameter.name: recipe_props.property_of(parameter, **_MORE.get(parameter.name, {}))
                    for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
     faces = (new_shapes.Faces,) if recipe.is_surface else ()

@@ -28,6 +28,12 @@ def cancelled(operator, *reasons):
     return {'CANCELLED'}
 
 
+def stopped(operator, text):
+    """Report that a user stopped it and nothing changed. Returns what the operator's modal() returns."""
+    _report(operator, 'INFO', [text])
+    return {'CANCELLED'}
+
+
 def failed(operator, error, name=""):
     """cancelled() for an exception, of the object of this name if it is one object's."""
     return cancelled(operator, named(name, sentence(error)) if name else sentence(error))
