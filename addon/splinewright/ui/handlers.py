@@ -4,9 +4,9 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge import follow
-from ..bridge.file_state import forget, key, state
+from ..bridge.file_state import forget, key, look_again, state
 from ..bridge.net import live
-from . import editing, saving
+from . import editing, messages, saving
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -15,12 +15,14 @@ _SETTLE = 0.3
 @persistent
 def updated(scene, depsgraph):
     """Shapes follow their nets and their inputs. Cheap where nothing changed."""
+    _put_back_after_failure()
     changed = set()
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
+        _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
-        _look_again(changed)
     if state.nets:
         changed |= _follow_nets(changed)
+        messages.refresh()
     if changed:
         follow.refresh(changed, depsgraph)
 
@@ -28,15 +30,20 @@ def updated(scene, depsgraph):
 @persistent
 def undone(*_):
     """After undo and redo every object is another."""
-    state.touched.clear()
+    _put_back_after_failure()
+    for known in (state.touched, state.selected, state.drawn):
+        known.clear()
+    editing.awaken()
     editing.find_nets()
     follow.scan()
     live.trust()
     _pull_all()
+    messages.refresh()
 
 
 @persistent
 def loaded(*_):
+    messages.take_back()
     forget()
     undone()
 
@@ -50,20 +57,35 @@ def _follow_nets(changed):
     """Bring the shapes of changed nets up to date; the data-blocks that were written."""
     written = set()
     for ob in editing.nets():
-        if ob.mode != 'EDIT':
+        if ob.mode == 'EDIT':
+            state.kept.discard(key(ob))
+            if ob.data in changed:
+                written.add(live.pull(ob))
+                if live.note(ob):
+                    _soon(editing.hand_over, 0.0)
+        elif key(ob) not in state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
             _soon(editing.sweep, 0.0)
-        elif ob.data in changed:
-            written.add(live.pull(ob))
     written.discard(None)
     if written:
         _later(editing.settle)
     return written
 
 
-def _look_again(changed):
+def _put_back_after_failure():
+    """Blender 3.4 does not tell of a save that failed; in a window a timer of saving puts nets back, where there are
+    none the next handler that is called."""
+    if state.suspended and bpy.app.background:
+        saving.put_back()
+
+
+def _look_again(updates):
     """What was found out about changed data-blocks may not be so any more."""
-    for block in changed if state.touched else ():
-        state.touched.pop(key(block), None)
+    for update in updates:
+        block = update.id.original
+        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)):
+            look_again(block)
+            if update.is_updated_geometry or update.is_updated_transform:
+                state.touched.pop(key(block), None)
 
 
 def _changed_blocks(updates):
@@ -76,6 +98,8 @@ def _pull_all():
     for ob in editing.nets():
         if ob.mode == 'EDIT':
             live.pull(ob)
+            if live.note(ob):
+                _soon(editing.hand_over_now, 0.0)
         else:
             _soon(editing.sweep, 0.0)
 
@@ -103,7 +127,7 @@ _HANDLERS = {
     'frame_change_post': frame_changed,
     'save_pre': saving.before,
     'save_post': saving.after,
-    'save_post_fail': saving.after,     # from Blender 3.6 on
+    'save_post_fail': saving.put_back,     # from Blender 3.6 on
 }
 
 
@@ -119,6 +143,7 @@ def unregister():
     for name, handler in _HANDLERS.items():
         if hasattr(bpy.app.handlers, name):
             getattr(bpy.app.handlers, name).remove(handler)
-    for function in (loaded, editing.sweep, editing.settle):
+    messages.take_back()
+    for function in (loaded, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now):
         if bpy.app.timers.is_registered(function):
             bpy.app.timers.unregister(function)

@@ -1,13 +1,14 @@
 """Over the 3D view: seams, the rows of a cage in two colours, and arrows for directions at infinity."""
 
-import bmesh
+from typing import Callable, NamedTuple
+
 import bpy
 import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge.file_state import state
-from ..bridge.net import live, net_object
+from ..bridge.file_state import key, state
+from ..bridge.net import live, selection
 from . import editing, seams_overlay
 
 #: As Blender colours the two directions of its own surfaces: u yellow, v magenta.
@@ -24,46 +25,58 @@ def draw():
     seams_overlay.draw()
     for ob in editing.nets() if state.nets else ():
         if ob.mode == 'EDIT' and ob.visible_get():
-            gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-            with gpu.matrix.push_pop():
-                gpu.matrix.multiply_matrix(ob.matrix_world)
-                _draw_net(ob, live.session(ob.data))
-            gpu.state.depth_test_set('NONE')
+            current = live.known_session(ob.data)
+            if current is not None:
+                _draw_net(ob, current)
 
 
 def _draw_net(ob, current):
-    numbers, positions = current.net, current.points
-    scale = bpy.context.preferences.system.ui_scale
-    for color, pairs in zip(COLORS, numbers.lines):
-        _draw_lines(color, 1.5 * scale, positions[pairs])
-    for foot, head in numbers.arrows:
-        _draw_lines(ARROW_COLOR, 2.5 * scale, arrow(positions[foot], positions[head]))
+    """What there is to draw is worked out once, until Blender tells of a change of the net."""
+    name = key(ob.data)
+    if name not in state.drawn:
+        state.drawn[name] = _picture(ob, current)
+    gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
+    with gpu.matrix.push_pop():
+        gpu.matrix.multiply_matrix(ob.matrix_world)
+        scale = bpy.context.preferences.system.ui_scale
+        for stroke in state.drawn[name]:
+            _draw_stroke(stroke, scale)
+    gpu.state.depth_test_set('NONE')
+
+
+class _Stroke(NamedTuple):
+    """Lines or points that are drawn alike."""
+
+    batch: gpu.types.GPUBatch
+    is_lines: bool
+    color: Callable                     # gives the colour now: themes change
+    size: Callable                      # of lines or points, on an interface that is not scaled
+
+
+def _picture(ob, current):
+    """The strokes of a net, those that lie above others last."""
+    net, points = current.net, current.points
+    strokes = [_lines(points[pairs], lambda color=color: color, 1.5) for color, pairs in zip(COLORS, net.lines)]
+    arrows = [arrow(points[foot], points[head]) for foot, head in net.arrows]
+    strokes.append(_lines(np.array(arrows).reshape(-1, 2, 3), lambda: ARROW_COLOR, 2.5))
     if ob.type == 'MESH':
-        _draw_selection(ob, current, scale)
+        strokes += _selection(ob, current)
+    return [stroke for stroke in strokes if stroke]
 
 
-def _draw_selection(ob, current, scale):
+def _selection(ob, current):
     """What Blender drew below our lines: vertices, and edges between selected ones."""
-    selected = _selected(ob, len(current.points))
-    if selected is None:
-        return
-    theme = bpy.context.preferences.themes[0].view_3d
-    for pairs in current.net.lines:
-        _draw_lines((*theme.edge_select, 1.0), 2.0 * scale, current.points[pairs[selected[pairs].all(1)]])
-    size = (theme.vertex_size + 2) * scale
-    _draw_points((*theme.vertex, 1.0), size, current.points[~selected])
-    _draw_points((*theme.vertex_select, 1.0), size + 1, current.points[selected])
+    net, points, are_there = current.net, current.points, current.places >= 0
+    selected = np.zeros(len(points), bool)
+    selected[selection.every_selected(ob, net)] = True
+    for pairs in net.lines:
+        yield _lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
+    yield _points(points[are_there & ~selected], lambda: (*_theme().vertex, 1.0), lambda: _theme().vertex_size + 2)
+    yield _points(points[selected], lambda: (*_theme().vertex_select, 1.0), lambda: _theme().vertex_size + 3)
 
 
-def _selected(ob, count):
-    """(count,) bool in the order of the net's numbers, or None while the net is not whole."""
-    vertices = bmesh.from_edit_mesh(ob.data).verts
-    number = vertices.layers.int.get(net_object.NUMBER)
-    if len(vertices) != count or number is None:
-        return None
-    selected = np.zeros(count, bool)
-    selected[[vertex[number] for vertex in vertices if vertex.select]] = True
-    return selected
+def _theme():
+    return bpy.context.preferences.themes[0].view_3d
 
 
 def arrow(foot, head):
@@ -78,27 +91,38 @@ def arrow(foot, head):
     return np.array([(foot, head), (head, back + across), (head, back - across)])
 
 
-def _draw_lines(color, width, pairs):
+def _lines(pairs, color, width):
     """pairs: (n, 2, 3) ends."""
-    if len(pairs):
-        shader = gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')
+    return _Stroke(_batch(_line_shader(), 'LINES', pairs), True, color, lambda: width) if len(pairs) else None
+
+
+def _points(positions, color, size):
+    return _Stroke(_batch(_point_shader(), 'POINTS', positions), False, color, size) if len(positions) else None
+
+
+def _batch(shader, kind, positions):
+    return batch_for_shader(shader, kind, {'pos': np.ascontiguousarray(positions, np.float32).reshape(-1, 3)})
+
+
+def _line_shader():
+    return gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')
+
+
+def _point_shader():
+    # Blender 5 has a shader of its own for points.
+    return gpu.shader.from_builtin('POINT_UNIFORM_COLOR' if bpy.app.version >= (5, 0, 0) else 'UNIFORM_COLOR')
+
+
+def _draw_stroke(stroke, scale):
+    shader = _line_shader() if stroke.is_lines else _point_shader()
+    if stroke.is_lines:
         shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
-        shader.uniform_float('lineWidth', width)
-        _draw(shader, 'LINES', color, pairs)
-
-
-def _draw_points(color, size, positions):
-    if len(positions):
-        gpu.state.point_size_set(size)
-        # Blender 5 has a shader of its own for points.
-        name = 'POINT_UNIFORM_COLOR' if bpy.app.version >= (5, 0, 0) else 'UNIFORM_COLOR'
-        _draw(gpu.shader.from_builtin(name), 'POINTS', color, positions)
-        gpu.state.point_size_set(1.0)
-
-
-def _draw(shader, kind, color, positions):
-    shader.uniform_float('color', color)
-    batch_for_shader(shader, kind, {'pos': np.ascontiguousarray(positions, np.float32).reshape(-1, 3)}).draw(shader)
+        shader.uniform_float('lineWidth', stroke.size() * scale)
+    else:
+        gpu.state.point_size_set(stroke.size() * scale)
+    shader.uniform_float('color', stroke.color())
+    stroke.batch.draw(shader)
+    gpu.state.point_size_set(1.0)
 
 
 CLASSES = ()
