@@ -22,6 +22,7 @@ def updated(scene, depsgraph):
         changed = _changed_blocks(depsgraph.updates)
     if state.nets:
         changed |= _follow_nets(changed)
+    if state.nets or state.status:
         messages.refresh()
     if changed:
         follow.refresh(changed, depsgraph)

@@ -56,22 +56,21 @@ def undo_key():
 
 
 def refresh():
-    """Say in the status bar what draw() says in the views."""
-    text = "   ".join(sentence for sentence, color in said(bpy.context.view_layer) if color == WARNING)
-    if text or state.status:            # what others wrote there meanwhile is gone either way
-        _write_status(text)
+    """Say in the status bar what is in the way; draw() says it in the views."""
+    windows = bpy.context.window_manager.windows
+    texts = ["   ".join(text for text, color in said(window.view_layer) if color == WARNING) for window in windows]
+    if any(texts) or state.status:      # what others wrote there meanwhile is gone either way
+        for window, text in zip(windows, texts):
+            window.workspace.status_text_set(text or None)
+    state.status = next(filter(None, texts), "")
 
 
 def take_back():
     """Nothing is said in the status bar any more."""
     if state.status:
-        _write_status("")
-
-
-def _write_status(text):
-    state.status = text
-    for window in bpy.context.window_manager.windows:
-        window.workspace.status_text_set(text or None)
+        for window in bpy.context.window_manager.windows:
+            window.workspace.status_text_set(None)
+    state.status = ""
 
 
 def draw():

@@ -48,7 +48,7 @@ def present(ob, count):
         raise ChangedNet("the net has lost the numbers of its points, by which they are told apart: undo that")
     if not np.array_equal(np.sort(numbers), np.arange(count)):
         marks = vertices.values('FLOAT', _MARK)
-        numbers = numbers if marks is None else strays.of_net(numbers, marks, count)
+        numbers = numbers if marks is None else strays.of_net(numbers, marks, strays.marks(count))
     return Present(numbers, vertices.positions(), vertices.values('FLOAT', WEIGHT), vertices.links)
 
 

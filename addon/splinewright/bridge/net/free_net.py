@@ -30,7 +30,7 @@ def set_closed(data, is_closed):
 
 def is_free(data):
     """Whether a net may have other points than it was made with."""
-    return _FREE in net_object.stored(data).keys()
+    return isinstance(data, bpy.types.Curve) and _FREE in net_object.stored(data).keys()
 
 
 def numbers(data):

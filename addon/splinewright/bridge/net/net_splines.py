@@ -20,7 +20,7 @@ def make(name, net):
     curve = bpy.data.curves.new(f"{name} Net", 'CURVE')
     curve.dimensions = '3D'
     first = number = 0
-    marks = strays.marks(_point_count(net))
+    marks = strays.marks(len(net.spline_points[0]))
     for part in net.splines:
         spline = curve.splines.new(part.kind)
         if part.kind == 'BEZIER':
@@ -54,7 +54,8 @@ def _points_of(spline):
 
 def present(curve, net):
     """The Present points and handles of a Curve that was made of a net."""
-    vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net) for spline in curve.splines)])
+    marks = strays.marks(len(net.spline_points[0]))
+    vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net, marks) for spline in curve.splines)])
     rows = np.concatenate([np.empty((0, 4), np.float32), *map(_rows, curve.splines)])
     return Present(vertices, rows[:, :3], rows[:, 3], lambda: _links(curve), _void(curve, vertices))
 
@@ -74,17 +75,13 @@ def _void(curve, vertices):
     return void if void.any() else None
 
 
-def _point_count(net):
-    return sum(part.count for part in net.splines)
-
-
-def _numbered(spline, net):
+def _numbered(spline, net, marks):
     """The vertices of the net that the points and handles of a spline carry, -1 for none."""
     is_bezier = spline.type == 'BEZIER'
-    first, are_bezier = _first_vertices(net)
+    first, are_bezier = net.spline_points
     tilts, radii = (_values(_points_of(spline), name, 1)[:, 0] for name in ('tilt', 'radius'))
     whole = np.isfinite(tilts) & (tilts == np.rint(tilts))
-    numbers = strays.of_net(np.where(whole, np.abs(tilts), -1).astype(np.int64), radii, len(first))
+    numbers = strays.of_net(np.where(whole, np.abs(tilts), -1).astype(np.int64), radii, marks)
     known = numbers >= 0
     known[known] = are_bezier[numbers[known]] == is_bezier      # otherwise the spline is of another type now
     vertices = np.full((len(tilts), 3 if is_bezier else 1), -1)
@@ -92,17 +89,6 @@ def _numbered(spline, net):
     if is_bezier:                       # switching the direction turns tilts over, and exchanges the handles
         vertices[known] += np.where(np.signbit(tilts[known])[:, None], (2, 1, 0), (0, 1, 2))
     return vertices.ravel()
-
-
-def _first_vertices(net):
-    """(the first vertex of each point of a net of curves, whether it is a Bezier point)."""
-    first, kinds, vertex = [], [], 0
-    for part in net.splines:
-        step = 3 if part.kind == 'BEZIER' else 1
-        first += range(vertex, vertex + step * part.count, step)
-        kinds += [step == 3] * part.count
-        vertex += step * part.count
-    return np.array(first, np.int64), np.array(kinds, bool)
 
 
 def _rows(spline):

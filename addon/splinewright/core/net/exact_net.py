@@ -84,6 +84,14 @@ class Net:
         return weighted
 
     @cached_property
+    def spline_points(self):
+        """Of curves: (the first vertex of each point, whether it is a Bezier point, which has three)."""
+        counts = [spline.count for spline in self.splines]
+        are_bezier = np.repeat([spline.kind == 'BEZIER' for spline in self.splines], counts).astype(bool)
+        steps = np.where(are_bezier, 3, 1)
+        return np.cumsum(steps) - steps, are_bezier
+
+    @cached_property
     def neighbours(self):
         """(k, 2): pairs of vertices that are connected, a closed curve's last and first left out: what is drawn on from
         there is connected to both. Handles of Bezier points count as beside those of the next."""

@@ -13,10 +13,13 @@ def marks(count):
     return (1.25 + 0.5 * np.modf(numbers * numbers * 0.6180339887498949)[0]).astype(np.float32)
 
 
-def of_net(numbers, found, count):
-    """The numbers (m,) of points that carry the mark of their number, -1 in place of others. found: (m,) marks."""
-    known = (numbers >= 0) & (numbers < count)
-    known[known] = found[known] == marks(count)[numbers[known]]
+def of_net(numbers, found, marks):
+    """The numbers (m,) of points that carry the mark of their number, -1 in place of others.
+
+    found: (m,), the marks that they carry; marks: those of all numbers.
+    """
+    known = (numbers >= 0) & (numbers < len(marks))
+    known[known] = found[known] == marks[numbers[known]]
     return np.where(known, numbers, -1)
 
 
