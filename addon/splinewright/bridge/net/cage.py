@@ -49,7 +49,7 @@ def present(ob, count):
     if not np.array_equal(np.sort(numbers), np.arange(count)):
         marks = vertices.values('FLOAT', _MARK)
         numbers = numbers if marks is None else strays.of_net(numbers, marks, strays.marks(count))
-    return Present(numbers, vertices.positions(), vertices.values('FLOAT', WEIGHT), vertices.links)
+    return Present(numbers, vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
 
 
 class _Vertices:

@@ -57,7 +57,7 @@ def present(curve, net):
     marks = strays.marks(len(net.spline_points[0]))
     vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net, marks) for spline in curve.splines)])
     rows = np.concatenate([np.empty((0, 4), np.float32), *map(_rows, curve.splines)])
-    return Present(vertices, rows[:, :3], rows[:, 3], lambda: _links(curve), _void(curve, vertices))
+    return Present(vertices, lambda: rows[:, :3], lambda: rows[:, 3], lambda: _links(curve), _void(curve, vertices))
 
 
 def _void(curve, vertices):

@@ -69,7 +69,8 @@ def hand_over(ob, net):
     places, flags = reading.places(net, present), _flags(ob)
     copies = np.flatnonzero((present.numbers >= 0) & flags)
     points = places[present.numbers[copies]]
-    is_copy = (points != copies) & (present.positions[points] == present.positions[copies]).all(1)
+    positions = present.positions()
+    is_copy = (points != copies) & (positions[points] == positions[copies]).all(1)
     if is_copy.any():
         flags[copies[is_copy]] = False
         flags[points[is_copy]] = True

@@ -23,8 +23,8 @@ class Present:
     """All m points that Blender holds of a net, strays among them. A handle is a point."""
 
     numbers: np.ndarray                 # (m,) vertices of the net, as they are written on the points; -1 for none
-    positions: np.ndarray               # (m, 3) float32
-    weights: np.ndarray                 # (m,) float32, or None where they were lost
+    positions: Callable                 # gives (m, 3) float32
+    weights: Callable                   # gives (m,) float32, or None where they were lost
     links: Callable                     # gives pairs (k, 2) of points that are connected
     void: np.ndarray = None             # (m,) bool: says nothing, as a handle that leads to a new point
 
@@ -49,21 +49,22 @@ def read(net, present, typed, last):
     found = places(net, present)
     there = found >= 0
     positions, weights = net.single.copy(), net.single_weights.copy()
-    positions[there] = present.positions[found[there]]
-    if present.weights is not None:
-        weights[there] = present.weights[found[there]]
+    positions[there] = present.positions()[found[there]]
+    weights_now = present.weights()
+    if weights_now is not None:
+        weights[there] = weights_now[found[there]]
     is_zero = net.are_points & (weights == 0) & (net.weights != 0)
     is_wild = ~np.isfinite(positions).all(1) | ~np.isfinite(weights)
     lost = ~there | is_wild
     if present.void is not None:
         lost[there] |= present.void[found[there]]
-    lost_weight = lost | is_zero | (present.weights is None)
+    lost_weight = lost | is_zero | (weights_now is None)
     positions[lost], weights[lost_weight] = net.single[lost], net.single_weights[lost_weight]
     state = exact_net.exact(net, positions, weights, typed)
     if lost_weight.any():
         state = _as_last(state, net, last(), lost, lost_weight)
     problem = _problem(len(found), int((~there).sum()), len(present.numbers) >= len(found), is_wild.any(),
-                       is_zero.any(), present.weights is None)
+                       is_zero.any(), weights_now is None)
     return Reading(state, found, problem, note(len(present.numbers) - int(there.sum()), present.void is not None))
 
 
