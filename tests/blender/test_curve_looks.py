@@ -1,5 +1,7 @@
 """Which curves the verbs change, how these look afterwards, and what the redo panel shows."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
@@ -130,6 +132,12 @@ def drawn_by(cls, values):
     class Layout:
         def prop(self, _, name):
             names.append(name)
+
+        def row(self, align):
+            return self
+
+        def operator(self, name, **_):
+            return SimpleNamespace()
     own = {key: value for key, value in vars(cls).items() if key in ('settings', 'draw', 'allowed', 'limits')}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
     panel = type("Panel", bases, {**own, '__annotations__': dict(cls.__annotations__), **values, 'layout': Layout()})()

@@ -190,28 +190,6 @@ def test_a_weight_of_zero_is_refused_with_a_word_and_the_shape_waits():
     assert bpy.data.objects["shape"].data.splinewright.value == value
 
 
-@pytest.mark.parametrize('harm', (
-    lambda: bpy.ops.mesh.delete('EXEC_DEFAULT', True, type='VERT'),
-    lambda: bpy.ops.mesh.subdivide('EXEC_DEFAULT', True),
-    lambda: bpy.ops.mesh.duplicate('EXEC_DEFAULT', True),
-), ids=('delete', 'subdivide', 'duplicate'))
-def test_a_net_with_other_points_leaves_the_last_good_shape_and_says_so(harm):
-    value = VALUES['nurbs patch']()
-    add(value)
-    held = enter()
-    select(held, 0, 1, 4, 5)
-    harm()
-    bpy.context.view_layer.update()
-    assert "points" in live.problem(held)
-    assert bpy.data.objects["shape"].data.splinewright.value == value
-    bpy.ops.ed.undo()
-    held = bpy.context.object
-    assert live.problem(held) == ""
-    select(held, 0)
-    move(1, 0, 0)
-    assert bpy.data.objects["shape"].data.splinewright.value != value
-
-
 def test_points_are_told_by_their_number_not_by_their_order():
     value = VALUES['nurbs patch']()
     add(value)

@@ -406,7 +406,7 @@ def test_nets_of_a_fixed_count_gain_and_lose_nothing(kind):
     select(held, len(before) - 1)
     op(bpy.ops.curve.extrude_move, TRANSFORM_OT_translate={'value': (1, 0, 0)})
     bpy.context.view_layer.update()
-    assert "gained points" in problem() and shape_now().data.splinewright.value == value
+    assert problem() == "" and "not of this net" in live.note(held) and shape_now().data.splinewright.value == value
 
 
 def test_two_nets_at_once_gain_points_of_their_own():

@@ -16,8 +16,13 @@ class FileState:
     followers: set = field(default_factory=set)         # data-blocks that are made from objects; a hint
     owners: dict = field(default_factory=dict)          # of a follower the key of the object in whose space it lies, or None
     nets: set = field(default_factory=set)              # objects that are nets; a hint
-    sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session
-    problems: dict = field(default_factory=dict)        # of a data-block its sentences, by what they are about
+    kept: set = field(default_factory=set)              # nets that were left by other ways and hold what no shape took
+    sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session, or why there is none
+    problems: dict = field(default_factory=dict)        # of a data-block its problems, by what they are about
+    selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
+    drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
+    handed: int = 0                                     # the last operator whose copies ui.editing looked at
+    status: str = ""                                    # what ui.messages says in the status bar
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
     definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
@@ -45,6 +50,13 @@ def forget():
     fresh = FileState()
     for each in fields(FileState):
         setattr(state, each.name, getattr(fresh, each.name))
+
+
+def look_again(block):
+    """A data-block changed in whatever way: what was worked out for showing it may not be so any more."""
+    name = key(block)
+    state.selected.pop(name, None)
+    state.drawn.pop(name, None)
 
 
 def key(block):

@@ -11,8 +11,12 @@ SETTING = "setting"
 KEYED = "keyed"
 #: What the shape is made from.
 FOLLOWING = "following"
-#: Its net.
+#: Of a net's data-block: what the shape does not take.
 NET = "net"
+#: Of a net's data-block: what the shape passes over, which is no trouble.
+STRAYS = "strays"
+#: Of a net's data-block: where the last file has what the shape does not take.
+SAVED = "saved"
 
 
 def tell(data, about, sentence):
@@ -27,6 +31,11 @@ def tell(data, about, sentence):
 def of(data, about):
     """The sentence about one thing, or ""."""
     return state.problems.get(key(data), {}).get(about, "")
+
+
+def clear(data):
+    """Nothing is said of a data-block any more."""
+    state.problems.pop(key(data), None)
 
 
 def forget(about):

@@ -86,7 +86,7 @@ def _unreadable(reason):
 def write_draft(data, definition, stamp):
     """write() for what is shown in a hurry, without exact normals."""
     group = data[KEY]
-    if len(group['pool']) == definition.pool.size and group['structure'] == _structure(definition):
+    if group.get('structure') == _structure(definition) and pool(data).size == definition.pool.size:
         assign(group, 'pool', np.ascontiguousarray(definition.pool, dtype=np.float64).ravel())
     else:
         write(data, definition)
@@ -159,24 +159,34 @@ def read(data):
     require_known_version(data)
     found = digest(data)
     definition = state.definitions.get(found)
-    if definition is None:
-        definition = remember(state.definitions, found, _valid(_group(data)), _KEPT)
     try:
+        if definition is None:
+            definition = remember(state.definitions, found, valid(_group(data)), _KEPT)
         require_fitting(data, definition)
-    except WrongKind as error:
+    except UnreadableDefinition:
+        raise
+    except Refusal as error:
         raise _unreadable(error) from error
     return definition
 
 
-def _valid(group):
-    """decoded(), of which the library makes a value. Raises UnreadableDefinition."""
+def valid(group):
+    """decoded(), of which the library makes a value. Raises Refusal where it is damaged."""
     try:
         definition = decoded(group)
         definitions.to_value(definition)
         return definition
-    except (Refusal, sc.Error, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError,
+    except (sc.Error, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError,
             MemoryError) as error:
-        raise _unreadable(error) from error
+        raise Refusal(str(error)) from error
+
+
+def pool(data):
+    """(n, 4): the points of a definition, which may be damaged elsewhere. Raises UnreadableDefinition."""
+    found = _group(data).get('pool')
+    if getattr(found, 'typecode', None) != 'd' or len(found) % 4:
+        raise _unreadable("its points are none")
+    return np.array(found).reshape(-1, 4)
 
 
 def require_known_version(data):

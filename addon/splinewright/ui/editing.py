@@ -1,5 +1,6 @@
 """Putting nets out and away. Undo steps are the operators' affair, but for end()."""
 
+import re
 from contextlib import suppress
 
 import bpy
@@ -7,7 +8,8 @@ import bpy
 from ..bridge import problems, recipes, remaking, settings, shape, store
 from ..bridge.file_state import block_of, key, state
 from ..bridge.net import free_net, live, net_object, selection
-from ..core.failures import FAILURES, Refusal, sentence
+from ..core.failures import FAILURES, Refusal, sentence, told
+
 
 def why_not(ob):
     """Why an object's net cannot be edited, as a sentence, or ""."""
@@ -27,7 +29,7 @@ def why_not(ob):
 def nets():
     """All net objects of the file that the last scan or an operator told of."""
     found = [block_of(name) for name in sorted(state.nets)]
-    if not all(net_object.is_net(ob) for ob in found):
+    if not all(_is_out(ob) for ob in found):
         find_nets()                     # one was renamed or removed
         found = [block_of(name) for name in sorted(state.nets)]
     return found
@@ -36,13 +38,30 @@ def nets():
 def find_nets():
     """Scan the file."""
     state.nets.clear()
-    state.nets.update(key(ob) for ob in bpy.data.objects if net_object.is_net(ob))
+    state.nets.update(key(ob) for ob in bpy.data.objects if _is_out(ob))
+    state.kept &= state.nets
+
+
+def _is_out(ob):
+    return net_object.is_net(ob) and not ob.library and not net_object.is_resting(ob)
 
 
 def nets_in_edit_mode(context):
     if not context.mode.startswith('EDIT'):
         return []
     return [ob for ob in context.objects_in_mode if net_object.is_net(ob)]
+
+
+def kept_net(data):
+    """The net in Object Mode that edits a shape's data-block, which holds what that has not taken, or None."""
+    return next((ob for ob in nets() if ob.mode == 'OBJECT' and net_object.is_current(ob)
+                 and net_object.shape_of(ob).data == data), None)
+
+
+def blocks_of(ob):
+    """The data-blocks of a net and of its shape."""
+    owner = net_object.shape_of(ob)
+    return {ob.data, owner.data} if owner else {ob.data}
 
 
 def enter(context, active, progress=shape.no_progress):
@@ -52,18 +71,21 @@ def enter(context, active, progress=shape.no_progress):
     """
     chosen = [active] + [ob for ob in context.selected_objects
                          if ob != active and ob.type == active.type and not why_not(ob) and not shape.is_touched(ob.data)]
-    put_out, seen = [], set()
+    put_out, made, seen = [], [], set()
     try:
         for ob in chosen:
             if ob.data.name not in seen:
                 seen.add(ob.data.name)
-                put_out.append(_put_out(context, ob))
+                kept = kept_net(ob.data)
+                put_out.append(_brought_back(context, kept) if kept else _put_out(context, ob))
+                made += [] if kept else put_out[-1:]
                 progress(len(put_out))
     except Exception:
-        for ob in put_out:
+        for ob in made:
             net_object.remove(ob)
         raise
-    net_object.remember(put_out[0], [ob.name for ob in context.selected_objects if ob not in chosen])
+    if put_out[0] in made:
+        net_object.remember(put_out[0], [ob.name for ob in context.selected_objects if ob not in chosen])
     for ob in context.selected_objects:
         ob.select_set(False)
     for ob in put_out:
@@ -73,9 +95,12 @@ def enter(context, active, progress=shape.no_progress):
     with suppress(RuntimeError):        # where Blender refuses, the mode tells
         bpy.ops.object.mode_set(mode='EDIT')
     if put_out[0].mode != 'EDIT':
-        for ob in put_out:
+        for ob in made:
             put_away(context, ob)
         raise Refusal(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
+    for ob in put_out:
+        if ob not in made:
+            live.pull(ob)
     return put_out
 
 
@@ -97,22 +122,37 @@ def _put_out(context, ob):
     return held
 
 
-def leave(context, progress=shape.no_progress):
-    """Put the nets in Edit Mode away; the shapes are selected. Returns the last problem, or ""."""
-    editing = nets_in_edit_mode(context)
-    problem = ""
-    for ob in editing:
+def _brought_back(context, held):
+    """A net that was kept, where it can be edited."""
+    if not _is_in(context.view_layer, held):
+        raise Refusal(f"{held.name} holds changes that its shape has not taken, and is not in the view layer at hand: "
+                      "go on with it where it is, or delete it")
+    held.hide_viewport = False
+    held.hide_set(False)
+    return held
+
+
+def unread(nets):
+    """What the shapes of nets in Edit Mode do not take, as one sentence, or ""."""
+    for ob in nets:
         live.pull(ob)
-        problem = problem or live.problem(ob)
+    return "; ".join(filter(None, map(live.unread, nets)))
+
+
+def leave(context, progress=shape.no_progress):
+    """Put the nets in Edit Mode away, whatever they hold; the shapes are selected. Returns unread() of them."""
+    editing = nets_in_edit_mode(context)
+    lost = unread(editing)
+    tokens = {net_object.token(ob.data) for ob in editing} - {""}
     bpy.ops.object.mode_set(mode='OBJECT')
     for i, ob in enumerate(editing, 1):
         put_away(context, ob)
         progress(i)
     find_nets()
     for copy in nets():
-        if copy.mode == 'OBJECT':
+        if copy.mode == 'OBJECT' and net_object.token(copy.data) in tokens:
             put_away(context, copy)
-    return problem
+    return lost
 
 
 def put_away(context, ob):
@@ -124,6 +164,7 @@ def put_away(context, ob):
     others = net_object.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
     state.nets.discard(key(ob))
+    state.kept.discard(key(ob))
     net_object.remove(ob)
     if owner is None:
         return
@@ -143,9 +184,9 @@ def anew(context, nets):
     """
     selections = {}
     for ob in nets:
-        owner = net_object.shape_of(ob)
-        if owner is not None:
-            selections[owner.name] = selection.selected(ob, live.session(ob.data).net)
+        owner, session = net_object.shape_of(ob), live.known_session(ob.data)
+        if owner is not None and session is not None:
+            selections[owner.name] = selection.selected(ob, session.net)
     active = net_object.shape_of(context.object)
     leave(context)
     if active is None or context.view_layer.objects.get(active.name) != active:
@@ -157,21 +198,34 @@ def anew(context, nets):
         return (f"the net did not come out again: {sentence(error)}",)
     for ob in out:
         numbers = live.session(ob.data).net
-        selection.select(ob, numbers, selections.get(net_object.shape_of(ob).name, ()))
+        chosen = selections.get(net_object.shape_of(ob).name, ())
+        selection.select(ob, numbers, [vertex for vertex in chosen if vertex < len(numbers.rows)])
     return ()
 
 
 def sweep():
-    """Put away the nets that were left by another way than leave(), and copies of nets."""
+    """Put away the nets that were left by another way than leave(), and copies of nets. One that holds what its shape
+    does not take stays, as an object. Whatever goes wrong with one is shown: others are to be swept, too."""
+    if state.suspended:                 # a file is being saved
+        return
     find_nets()
     for ob in nets():
-        if ob.mode == 'EDIT':
-            continue
-        if ob.mode != 'OBJECT' and not _to_object_mode(ob):
-            continue
-        if ob.users_scene and not _is_copy(ob):
-            live.pull(ob)
-        put_away(bpy.context, ob)
+        try:
+            _sweep(ob)
+        except Exception as error:
+            problems.tell(ob.data, problems.NET, told(error))
+
+
+def _sweep(ob):
+    state.kept.discard(key(ob))
+    if ob.mode == 'EDIT' or ob.mode != 'OBJECT' and not _to_object_mode(ob):
+        return
+    if ob.users_scene and not _is_copy(ob):
+        live.pull(ob)
+        if live.unread(ob):
+            state.kept.add(key(ob))
+            return
+    put_away(bpy.context, ob)
 
 
 def _to_object_mode(ob):
@@ -185,20 +239,32 @@ def _to_object_mode(ob):
 
 
 def _is_copy(ob):
-    """Whether the net itself is in Edit Mode, and this a part that was separated from it."""
-    return any(other != ob and other.mode == 'EDIT' and net_object.token(other.data) == net_object.token(ob.data) for other in nets())
+    """Whether another is the net itself, and this a part that was separated from it, or a duplicate."""
+    token = net_object.token(ob.data)
+    others = [other for other in nets() if other != ob and token and net_object.token(other.data) == token]
+    return any(_rank(other) < _rank(ob) for other in others)
+
+
+def _rank(ob):
+    """Of nets with one token the net is the first."""
+    size = len(ob.data.vertices) if isinstance(ob.data, bpy.types.Mesh) else len(ob.data.splines)
+    return ob.mode != 'EDIT', -size, ob.name
 
 
 def end():
-    """Put all nets away: the add-on goes."""
+    """Put all nets away: the add-on goes. One that holds what its shape does not take stays, as an object."""
     context = bpy.context
     if nets_in_edit_mode(context):
-        leave(context)
+        bpy.ops.object.mode_set(mode='OBJECT')
+        sweep()
         # Without a step of its own undo would look for the net's points, and Blender 3.4 crash.
         bpy.ops.ed.undo_push(message="Leave Net")
+    sweep()
     for ob in nets():
-        live.pull(ob)
-        put_away(context, ob)
+        if ob.mode == 'EDIT':           # in another scene
+            live.pull(ob)
+            if not live.unread(ob):
+                put_away(context, ob)
 
 
 def settle():
@@ -210,10 +276,43 @@ def settle():
 
 
 def _settle(owner):
+    """Whatever goes wrong is kept in words: other shapes are to get theirs, too."""
     try:
         live.settle(owner.data)
-    except FAILURES as error:
-        problems.tell(owner.data, problems.SETTING, sentence(error))
+    except Exception as error:
+        problems.tell(owner.data, problems.SETTING, told(error))
+
+
+def awaken():
+    """After undo without Blender's global undo: nets that were left are in Edit Mode again, and are to be seen there."""
+    for ob in bpy.data.objects:
+        if net_object.is_net(ob) and net_object.awakened(ob, bpy.context.scene):
+            ob.select_set(True)
+            bpy.context.view_layer.objects.active = ob
+
+
+def hand_over():
+    """Where points were duplicated and that was called off, the points themselves are selected, not their copies.
+
+    Only what an operator left when it had ended is looked at, since Blender is in the middle of one otherwise.
+    """
+    operators = bpy.context.window_manager.operators
+    last = operators[-1] if len(operators) else None
+    if last is not None and last.as_pointer() != state.handed and _DUPLICATING.search(last.bl_idname):
+        state.handed = last.as_pointer()
+        hand_over_now()
+
+
+_DUPLICATING = re.compile('extrude|duplicate')
+
+
+def hand_over_now():
+    """hand_over() where no operator runs: after undo, too, copies are selected that were when they were made."""
+    for ob in nets():
+        session = live.known_session(ob.data) if ob.mode == 'EDIT' else None
+        if session is not None and live.note(ob) and not free_net.is_free(ob.data):
+            with suppress(Refusal):     # of which live.problem() tells
+                selection.hand_over(ob, session.net)
 
 
 def _is_in(layer, ob):

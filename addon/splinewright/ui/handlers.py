@@ -4,9 +4,9 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge import follow, keyed, recipes, versions
-from ..bridge.file_state import forget, key, state
+from ..bridge.file_state import forget, key, look_again, state
 from ..bridge.net import live
-from . import editing, errands, saving, texts
+from . import editing, errands, messages, saving, texts
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -17,13 +17,16 @@ def updated(scene, depsgraph):
     """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
     if not errands.is_main_thread():
         return                          # of a render: frame_changed() sees to that
+    _put_back_after_failure()
     is_new = _look_through()
     changed = set()
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
+        _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
-        _look_again(changed)
     if state.nets:
         changed |= _follow_nets(changed)
+    if state.nets or state.status:
+        messages.refresh()
     if errands.is_away():
         return                          # a render is at another frame
     if changed:
@@ -38,16 +41,20 @@ def updated(scene, depsgraph):
 @persistent
 def undone(*_):
     """After undo and redo every object is another."""
-    state.touched.clear()
-    state.shown.clear()
+    _put_back_after_failure()
+    for known in (state.touched, state.selected, state.drawn, state.shown):
+        known.clear()
+    editing.awaken()
     editing.find_nets()
     follow.scan()
     live.trust()
     _pull_all()
+    messages.refresh()
 
 
 @persistent
 def loaded(*_):
+    messages.take_back()
     forget()
     undone()
     recipes.show_new((*bpy.data.meshes, *bpy.data.curves))
@@ -123,20 +130,35 @@ def _follow_nets(changed):
     """Bring the shapes of changed nets up to date; the data-blocks that were written."""
     written = set()
     for ob in editing.nets():
-        if ob.mode != 'EDIT':
+        if ob.mode == 'EDIT':
+            state.kept.discard(key(ob))
+            if ob.data in changed:
+                written.add(live.pull(ob))
+                if live.note(ob):
+                    _soon(editing.hand_over, 0.0)
+        elif key(ob) not in state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
             _soon(editing.sweep, 0.0)
-        elif ob.data in changed:
-            written.add(live.pull(ob))
     written.discard(None)
     if written:
         _later(editing.settle)
     return written
 
 
-def _look_again(changed):
+def _put_back_after_failure():
+    """Blender 3.4 does not tell of a save that failed; in a window a timer of saving puts nets back, where there are
+    none the next handler that is called."""
+    if state.suspended and bpy.app.background:
+        saving.put_back()
+
+
+def _look_again(updates):
     """What was found out about changed data-blocks may not be so any more."""
-    for block in changed if state.touched else ():
-        state.touched.pop(key(block), None)
+    for update in updates:
+        block = update.id.original
+        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)):
+            look_again(block)
+            if update.is_updated_geometry or update.is_updated_transform:
+                state.touched.pop(key(block), None)
 
 
 def _changed_blocks(updates):
@@ -149,6 +171,8 @@ def _pull_all():
     for ob in editing.nets():
         if ob.mode == 'EDIT':
             live.pull(ob)
+            if live.note(ob):
+                _soon(editing.hand_over_now, 0.0)
         else:
             _soon(editing.sweep, 0.0)
 
@@ -179,7 +203,7 @@ _HANDLERS = {
     'save_post': saving.after,
 }
 if versions.tells_of_failed_saves:
-    _HANDLERS['save_post_fail'] = saving.after
+    _HANDLERS['save_post_fail'] = saving.put_back
 
 
 def register():
@@ -195,6 +219,7 @@ def unregister():
     editing.end()
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).remove(handler)
-    for function in (_first_look, _serve, editing.sweep, editing.settle):
+    messages.take_back()
+    for function in (_first_look, _serve, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now):
         if bpy.app.timers.is_registered(function):
             bpy.app.timers.unregister(function)

@@ -10,7 +10,7 @@ import numpy as np
 from ..bridge import shape, surveys
 from ..bridge.file_state import state
 from ..bridge.net import net_object
-from . import hand, overlay, picking
+from . import hand, picking, strokes
 
 #: Of other pieces, of those in hand, of the one at the mouse.
 COLORS = ((1.0, 1.0, 1.0, 1.0), (1.0, 0.75, 0.2, 1.0), (0.35, 1.0, 0.5, 1.0))
@@ -78,8 +78,8 @@ def draw_outline():
         return
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        for line in surveys.outlines_of(ob.data)[state.hovered[1] - 1]:
-            overlay.draw_lines(COLORS[2], 3.0 * bpy.context.preferences.system.ui_scale, np.stack([line[:-1], line[1:]], 1))
+        strokes.draw(strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: COLORS[2], 3.0)
+                     for line in surveys.outlines_of(ob.data)[state.hovered[1] - 1])
 
 
 def draw():

@@ -3,11 +3,14 @@
 Where a point is in its spline says which it is. Its tilt is the number of the point it was made from.
 """
 
+from dataclasses import replace
+
 import bpy
 import numpy as np
 
 from ...core.net.exact_net import Spline
 from ...core.net.free_net import digits, present
+from ...core.net.reading import ChangedNet
 from . import net_object
 
 _FREE = 'any_count'
@@ -27,7 +30,7 @@ def set_closed(data, is_closed):
 
 def is_free(data):
     """Whether a net may have other points than it was made with."""
-    return _FREE in data[net_object.KEY].keys()
+    return isinstance(data, bpy.types.Curve) and _FREE in net_object.stored(data).keys()
 
 
 def numbers(data):
@@ -51,21 +54,39 @@ def read(data, made_with):
     return present(made_with, exact, rows[:, 3], splines)
 
 
+def without_copies(data, net):
+    """The Net that read() gave without points that are copies in the same place, as a duplication that was called off
+    leaves them; None where there are none."""
+    seen, keep = set(), np.ones(len(net.rows), bool)
+    for i, point in enumerate(zip(numbers(data).tolist(), map(tuple, net.positions.tolist()))):
+        keep[i] = point not in seen
+        seen.add(point)
+    if keep.all():
+        return None
+    splines, first = [], 0
+    for spline in net.splines:
+        count = int(keep[first:first + spline.count].sum())
+        first += spline.count
+        if count:
+            splines.append(replace(spline, count=count))
+    return present(net, net.positions[keep], net.weights[keep], splines)
+
+
 def require_one_polygon(net):
     """The only spline of a Net that was read. Raises ChangedNet where there is not one, of the type it had."""
     if not net.splines:
-        raise net_object.ChangedNet("the net has no points left: undo that, the shape waits")
+        raise ChangedNet("the net has no points left: undo that, the shape waits")
     if len(net.splines) > 1:
-        raise net_object.ChangedNet(f"the net has {len(net.splines)} splines: join them (Make Segment) "
+        raise ChangedNet(f"the net has {len(net.splines)} splines: join them (Make Segment) "
                                 "or delete all but one, the shape waits")
     if net.splines[0].kind != 'POLY':
-        raise net_object.ChangedNet("the spline of the net has another type: undo that, the shape waits")
+        raise ChangedNet("the spline of the net has another type: undo that, the shape waits")
     return net.splines[0]
 
 
 def editing(shape_data):
     """The data-block of the net of this kind that edits a shape, or None."""
-    token = shape_data.get(net_object.EDITED_BY)
+    token = net_object.editor(shape_data)
     return next((data for data in bpy.data.curves
                  if net_object.KEY in data.keys() and net_object.token(data) == token and is_free(data)), None)
 

@@ -10,11 +10,11 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
-from ...core.failures import Refusal, told
+from ...core.failures import FAILURES, Refusal, told
 from ...core.library import sc
-from ...core.net import exact_net
+from ...core.net import exact_net, reading
 from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
-from ..file_state import state
+from ..file_state import look_again, state
 from . import free_net, marks, net_object
 
 
@@ -38,8 +38,13 @@ class Session:
     def show(self, net):
         """Take this for the net, and its points for those that are there."""
         self.net = net                  # other than it was made with where that has gained or lost points
-        self.points = net.single        # for the overlay
-        self.state = exact_net.exact(net, net.single, net.single_weights)
+        self.take(exact_net.exact(net, net.single, net.single_weights), np.arange(len(net.rows)))
+
+    def take(self, exact, places):
+        """Take these for the numbers of the vertices, and for their places among what Blender holds, -1 for none."""
+        self.state, self.places = exact, places
+        with np.errstate(over='ignore'):
+            self.points = exact.positions.astype(np.float32)    # for the overlay
 
     def require_alone(self, data, pool):
         """Raises Refusal where others changed the shape since its net last wrote it."""
@@ -82,8 +87,9 @@ class Session:
 
     def _has_faces(self, data):
         """Whether the shape has the faces that are known here."""
-        return (self.faces is not None and self._fineness == fineness.of(data)
-                and stamp.same_topology(self._stamp, store.read_stamp(data)))
+        known = store.read_stamp(data)
+        return (self.faces is not None and known is not None and self._fineness == fineness.of(data)
+                and stamp.same_topology(self._stamp, known))
 
     def final_faces(self, data):
         """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
@@ -102,11 +108,25 @@ class Session:
 
 
 def session(data):
-    """The session of a net's data-block."""
-    token = net_object.token(data)
+    """The session of a net's data-block. Raises DamagedNet."""
+    token = net_object.required_token(data)
     if token not in state.sessions:
-        begin(data, net_object.net_of(net_object.source(data)))
-    return state.sessions[token]
+        try:
+            begin(data, net_object.net_of(net_object.source(data)))
+        except net_object.DamagedNet as error:
+            state.sessions[token] = error
+    found = state.sessions[token]
+    if isinstance(found, Exception):
+        raise found
+    return found
+
+
+def known_session(data):
+    """session(), or None where the net is damaged, of which problem() tells."""
+    try:
+        return session(data)
+    except net_object.DamagedNet:
+        return None
 
 
 def begin(data, net, shown_by=None):
@@ -129,27 +149,48 @@ def _drop_idle():
 
 
 def trust():
-    """After undo and redo: take shapes as they are."""
-    for current in state.sessions.values():
-        current.trust()
+    """After undo and redo: take shapes as they are, and look at damaged nets again."""
+    for token, current in list(state.sessions.items()):
+        if isinstance(current, Session):
+            current.trust()
+        else:
+            del state.sessions[token]
 
 
 def pull(ob):
     """Bring the shape of a net up to date. Returns its data-block if it changed, else None.
 
-    Where the net cannot be read or shown, shape and definition stay as they were last; problem() says why.
+    Of what cannot be read or shown the shape keeps what it has; problem() says why. Whatever goes wrong is kept in words:
+    others are to be brought up to date, too.
     """
-    if not net_object.is_current(ob):
-        return None
-    data, current = net_object.shape_of(ob).data, session(ob.data)
-    follow = _follow_points if free_net.is_free(ob.data) else _follow
-    is_changed = _show_as_marked(data, ob, current)
+    net = ob.data
+    look_again(net)
+    problems.tell(net, problems.STRAYS, "")
     try:
-        is_changed = follow(data, ob, current) or is_changed
-        problems.tell(data, problems.NET, "")
+        data, is_changed, problem = _pulled(ob)
     except Exception as error:
-        problems.tell(data, problems.NET, told(error))
+        problems.tell(net, problems.NET, told(error))
+        return None
+    problems.tell(net, problems.NET, problem)
     return data if is_changed else None
+
+
+def _pulled(ob):
+    """(the data-block of a net's shape, whether it changed, what it does not take of the net)."""
+    net_object.require_whole(ob)
+    owner = net_object.shape_of(ob)
+    if owner is None:
+        return None, False, "the shape of this net was deleted, or is in no scene"
+    if not net_object.is_current(ob):
+        return None, False, "this net is of an earlier time: its shape has changed since, and follows it no more"
+    data, current = owner.data, session(ob.data)
+    follow = _follow_points if free_net.is_free(ob.data) else _follow
+    is_shown_otherwise = _show_as_marked(data, ob, current)
+    try:
+        is_changed, problem = follow(data, ob, current)
+    except Exception as error:
+        is_changed, problem = False, told(error)
+    return data, is_changed or is_shown_otherwise, problem
 
 
 def _show_as_marked(data, ob, current):
@@ -179,29 +220,58 @@ def mark(data):
 
 
 def _follow(data, ob, current):
-    """Bring a shape up to date; whether it changed."""
-    current.points, weights = net_object.read(ob, current.net)
-    current.state = exact_net.exact(current.net, current.points, weights, net_object.typed(ob.data))
-    definition = exact_net.read(current.net, current.state)
-    return remaking.follow_net(data, definition) if recipes.has_points(data) else _show(data, definition, current)
+    """Bring a shape up to date; whether it changed, and what it does not take."""
+    found = reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data),
+                         lambda: _last(data, current.net))
+    current.take(found.state, found.places)
+    problems.tell(ob.data, problems.STRAYS, found.note)
+    definition = exact_net.read(current.net, found.state)
+    if recipes.has_points(data):
+        return remaking.follow_net(data, definition), found.problem
+    return _show(data, definition, current), found.problem
+
+
+def _last(data, net):
+    """The Net of a shape as it is; that which its net was made with where they do not compare."""
+    last = net_object.net_of(remaking.edited(data))
+    return last if np.array_equal(last.origins, net.origins) else net
 
 
 def _follow_points(data, ob, current):
     """_follow() where the net may gain and lose points. They are shown in the panel even if the shape refuses them."""
+    is_turned = free_net.is_turned(ob.data)
     current.show(free_net.read(ob.data, current.made_with))
-    return remaking.follow_points(data, current.net, free_net.is_turned(ob.data))
+    try:
+        return remaking.follow_points(data, current.net, is_turned), ""
+    except FAILURES:
+        others = free_net.without_copies(ob.data, current.net)
+        if others is None:
+            raise
+    is_changed = remaking.follow_points(data, others, is_turned)
+    problems.tell(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
+    return is_changed, ""
 
 
 def problem(ob):
-    """Why the shape does not follow its net, or ""."""
-    owner = net_object.shape_of(ob)
-    return problems.of(owner.data, problems.NET) if owner else ""
+    """What the shape does not take of its net, or ""."""
+    return problems.of(ob.data, problems.NET)
+
+
+def note(ob):
+    """What the shape passes over, or ""."""
+    return problems.of(ob.data, problems.STRAYS)
+
+
+def unread(ob):
+    """problem(), where leaving the net would lose something: not where there is no shape to lose it."""
+    return "" if net_object.is_orphan(ob) else problem(ob)
 
 
 def settle(data):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
     if store.is_draft(data):
         current = state.sessions.get(net_object.editor(data))
+        current = current if isinstance(current, Session) else None
         faces = shape.rewrite(data, faces=current.final_faces(data) if current else None)
         if current is not None:
             current.wrote(data, faces)
@@ -209,7 +279,7 @@ def settle(data):
 
 def _show(data, definition, current):
     """Whether anything was to be written."""
-    pool = np.array(data[store.KEY]['pool']).reshape(-1, 4)
+    pool = store.pool(data)
     if np.array_equal(pool, definition.pool):
         current.pool = pool
         return False

@@ -1,117 +1,100 @@
 """Single vertices of a net in Edit Mode: which are selected, and how one is moved by a number."""
 
-import bmesh
+import bpy
 import numpy as np
-from mathutils import Vector
 
-from . import free_net, net_object
+from ...core.net import reading
+from ...core.net.reading import ChangedNet
+from ..file_state import key, state
+from . import cage, free_net, net_object, net_splines
 
 
 def selected(ob, net):
     """Numbers of the selected vertices, ascending. The feet of arrows and idle handles are left out."""
-    chosen = _selected_of_curve(ob.data, net) if ob.type == 'CURVE' else _selected_of_cage(ob.data)
-    return [vertex for vertex in chosen if vertex < len(net.rows) and net.rows[vertex] >= 0]
+    chosen = every_selected(ob, net)
+    return chosen[net.rows[chosen] >= 0].tolist()
+
+
+def every_selected(ob, net):
+    """(k,): selected(), with feet and idle handles. Kept until Blender tells of a change, or select() makes one."""
+    name = key(ob.data)
+    if name not in state.selected:
+        state.selected[name] = _selected(ob, net)
+    return state.selected[name]
+
+
+def _selected(ob, net):
+    try:
+        places = _places(ob, net)
+    except ChangedNet:
+        return np.empty(0, np.int64)    # live.problem() says it
+    flags = _flags(ob)
+    there = np.flatnonzero((places >= 0) & (places < len(flags)))
+    return there[flags[places[there]]]
 
 
 def select(ob, net, vertices):
     """Make these the selected vertices."""
-    chosen = set(vertices)
-    if ob.type == 'CURVE':
-        for spline, handle, i, vertex in _curve_vertices(ob.data, net):
-            setattr(_point(spline, i), f"select{handle}", vertex in chosen)
-        return
-    mesh = bmesh.from_edit_mesh(ob.data)
-    number = mesh.verts.layers.int[net_object.NUMBER]
-    for vertex in mesh.verts:
-        vertex.select = vertex[number] in chosen
-    mesh.select_flush_mode()
-    bmesh.update_edit_mesh(ob.data)
+    places = _places(ob, net)[list(vertices)]
+    flags = np.zeros(len(_flags(ob)), bool)
+    flags[places[(places >= 0) & (places < len(flags))]] = True
+    _set_flags(ob, flags)
 
 
 def place(ob, net, vertices, rows):
     """Give vertices positions and weights, rows (k, 4); they are kept in float64 beside the net.
 
-    Raises ChangedNet where the net has not its points.
+    Raises Refusal where the net cannot be read, or a vertex is not there.
     """
-    if free_net.is_free(ob.data):
-        numbers = free_net.numbers(ob.data)[vertices]
-    else:
-        net_object.read(ob, net)
-        numbers = vertices
+    net_object.require_whole(ob)
+    places = _places(ob, net)[vertices]
+    if (places < 0).any():
+        raise ChangedNet("a point of the net is not there any more")
+    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else vertices
     net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
-    values = dict(zip(vertices, rows))
-    if ob.type == 'CURVE':
-        _place_on_curve(ob.data, net, values)
+    by_place = dict(zip(places.tolist(), rows.tolist()))
+    if _is_curve(ob):
+        net_splines.place(ob.data, by_place)
     else:
-        _place_on_cage(ob.data, values)
+        cage.place(ob, by_place)
 
 
-def _selected_of_cage(mesh):
-    vertices = bmesh.from_edit_mesh(mesh).verts
-    number = vertices.layers.int.get(net_object.NUMBER)
-    return sorted(v[number] for v in vertices if v.select) if number else []
+def hand_over(ob, net):
+    """Select points in place of their copies, where these are where the points are: what was called off is moved as if
+    it had not been. Safe at any time: nothing is added and nothing removed. In edge and face select mode, where a
+    vertex cannot be selected alone, all stays."""
+    if not _is_curve(ob) and not cage.selects_vertices(ob):
+        return
+    present = net_object.present(ob, net)
+    places, flags = reading.places(net, present), _flags(ob)
+    copies = np.flatnonzero((present.numbers >= 0) & flags)
+    points = places[present.numbers[copies]]
+    positions = present.positions()
+    is_copy = (points != copies) & (positions[points] == positions[copies]).all(1)
+    if is_copy.any():
+        flags[copies[is_copy]] = False
+        flags[points[is_copy]] = True
+        _set_flags(ob, flags)
 
 
-def _place_on_cage(data, values):
-    mesh = bmesh.from_edit_mesh(data)
-    number, weights = mesh.verts.layers.int[net_object.NUMBER], mesh.verts.layers.float[net_object.WEIGHT]
-    for vertex in mesh.verts:
-        if vertex[number] in values:
-            *vertex.co, vertex[weights] = values[vertex[number]]
-    bmesh.update_edit_mesh(data, loop_triangles=False, destructive=False)
+def _places(ob, net):
+    """(n,) of each vertex its place among those that Blender holds, or -1. Raises ChangedNet."""
+    if free_net.is_free(ob.data):
+        return np.arange(len(net.rows))
+    return reading.places(net, net_object.present(ob, net))
 
 
-def _curve_vertices(curve, net):
-    """(spline, end of the names of its handle's properties, index of the point, vertex)."""
-    first = 0
-    for spline, part in zip(curve.splines, net.splines):
-        handles = ('_left_handle', '_control_point', '_right_handle') if part.kind == 'BEZIER' else ('',)
-        if (spline.type == 'BEZIER') == (part.kind == 'BEZIER'):        # otherwise it is of another type now
-            numbers, is_turned = _numbers(curve, spline, part.count)
-            for i, number in enumerate(numbers):
-                for k, handle in enumerate(handles[::-1] if is_turned else handles):
-                    yield spline, handle, i, first + len(handles) * number + k
-        first += len(handles) * part.count
+def _is_curve(ob):
+    return isinstance(ob.data, bpy.types.Curve)
 
 
-def _numbers(curve, spline, count):
-    """(the number of each point of a spline in its place, whether its direction was switched)."""
-    if not free_net.is_free(curve):
-        try:
-            numbers = net_object.order_of(spline, count).tolist()
-            return numbers, count > 1 and numbers.index(0) > numbers.index(count - 1)
-        except net_object.ChangedNet:
-            pass                        # read() says it
-    return list(range(count)), False
+def _flags(ob):
+    return net_splines.flags(ob.data) if _is_curve(ob) else cage.flags(ob)
 
 
-def _point(spline, i):
-    return spline.bezier_points[i] if spline.type == 'BEZIER' else spline.points[i]
-
-
-def _selected_of_curve(curve, net):
-    for spline, handle, i, vertex in _curve_vertices(curve, net):
-        if i < len(spline.bezier_points or spline.points) and getattr(_point(spline, i), f"select{handle}"):
-            yield vertex
-
-
-_PLACES = {'_left_handle': 'handle_left', '_right_handle': 'handle_right'}
-
-
-def _place_on_curve(curve, net, values):
-    for spline, handle, i, vertex in list(_curve_vertices(curve, net)):
-        if vertex in values:
-            _place_point(_point(spline, i), handle, *values[vertex])
-    curve.update_tag()
-
-
-def _place_point(point, handle, x, y, z, weight):
-    if handle == '_control_point':
-        moved = Vector((x, y, z)) - point.co
-        ends = point.handle_left + moved, point.handle_right + moved
-        point.co = (x, y, z)
-        point.handle_left, point.handle_right = ends
-    elif handle:
-        setattr(point, _PLACES[handle], (x, y, z))
+def _set_flags(ob, flags):
+    state.selected.pop(key(ob.data), None)
+    if _is_curve(ob):
+        net_splines.set_flags(ob.data, flags)
     else:
-        point.co = (x, y, z, weight)
+        cage.set_flags(ob, flags)

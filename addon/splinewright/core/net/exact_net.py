@@ -12,7 +12,6 @@ import numpy as np
 
 from .. import definition as definitions
 from ..definition import Definition
-from ..failures import Refusal
 
 _EPSILON = float(np.finfo(np.float32).eps)
 
@@ -85,6 +84,27 @@ class Net:
         return weighted
 
     @cached_property
+    def spline_points(self):
+        """Of curves: (the first vertex of each point, whether it is a Bezier point, which has three)."""
+        counts = [spline.count for spline in self.splines]
+        are_bezier = np.repeat([spline.kind == 'BEZIER' for spline in self.splines], counts).astype(bool)
+        steps = np.where(are_bezier, 3, 1)
+        return np.cumsum(steps) - steps, are_bezier
+
+    @cached_property
+    def neighbours(self):
+        """(k, 2): pairs of vertices that are connected, a closed curve's last and first left out: what is drawn on from
+        there is connected to both. Handles of Bezier points count as beside those of the next."""
+        pairs = [np.asarray(some, dtype=np.int64).reshape(-1, 2) for some in (*self.lines, self.arrows)]
+        first = 0
+        for spline in self.splines:
+            step = 3 if spline.kind == 'BEZIER' else 1
+            before = np.arange(first, first + step * (spline.count - 1))
+            pairs.append(np.stack([before, before + step], -1))
+            first += step * spline.count
+        return np.concatenate(pairs)
+
+    @cached_property
     def handles(self):
         """Vertices of handles."""
         return np.flatnonzero((self.rows >= 0) & (self.origins[:, 0] >= 0))
@@ -121,27 +141,15 @@ def exact(net, positions, weights, typed=()):
 
 
 def read(net, state):
-    """The definition of an Exact state: the net's source if nothing moved.
-
-    Raises Refusal where a weight is 0 or a number is not finite.
-    """
+    """The definition of an Exact state: the net's source if nothing moved."""
     if state.kept.all() and state.kept_weights.all():
         return net.source
-    _require_numbers(net, state.positions, state.weights)
     pool = net.definition.pool.copy()
     points = np.flatnonzero(net.are_points & ~(state.kept & state.kept_weights))
     pool[net.rows[points], :3] = state.positions[points]
     pool[net.rows[points], 3] = state.weights[points]
     _read_handles(net, state.positions, state.kept, pool)
     return _joined(net, replace(net.definition, pool=pool))
-
-
-def _require_numbers(net, positions, weights):
-    if not np.isfinite(positions).all() or not np.isfinite(weights).all():
-        raise Refusal("a point of the net is not finite")
-    zero = net.are_points & (weights == 0) & (net.weights != 0)
-    if zero.any():
-        raise Refusal("a weight of 0 would take the point out of the shape: weights are above or below 0")
 
 
 def _read_handles(net, now, kept, pool):
