@@ -8,7 +8,7 @@ from pathlib import Path
 import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import ADDON, View, empty_file, into_net, out_of_net, part, redrawn, run, save_picture, until
+from window import ADDON, View, empty_file, into_net, out_of_net, part, redrawn, run, save_picture, until, user_item
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -22,10 +22,6 @@ def tick():
     os._exit(0)
 bpy.app.timers.register(tick, first_interval=1.0)
 """
-
-
-def user_item(operator):
-    return next(item for _, item, name in part('ui.keymaps').of_user() if name == operator)
 
 
 def steps():

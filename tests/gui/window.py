@@ -200,6 +200,11 @@ def part(name):
     return importlib.import_module(f"{ADDON}.{name}")
 
 
+def user_item(operator):
+    """The user's key for an operator of ours."""
+    return next(item for _, item, name in part('ui.keymaps').of_user() if name == operator)
+
+
 def empty_file():
     """Remove the objects of the factory scene, as an undo step."""
     for ob in list(bpy.data.objects):
