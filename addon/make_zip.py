@@ -1,10 +1,13 @@
-"""Pack the add-on: sources, the module's Python files and every compiled module, with one version."""
+"""Pack the add-on: sources, the manual, the module's Python files and every compiled module, with one version."""
 
 import argparse
+import ast
 import json
 import re
 import zipfile
 from pathlib import Path
+
+import make_manual
 
 ADDON = Path(__file__).parent / "splinewright"
 LICENSE = Path(__file__).parent.parent / "LICENSE"
@@ -12,22 +15,33 @@ LICENSE = Path(__file__).parent.parent / "LICENSE"
 FIXED_DATE = (2026, 1, 1, 0, 0, 0)
 
 
-def with_version(name, text, version):
+def addresses(text):
+    """{name: address} of what a file assigns, without those that are empty."""
+    assigned = [node for node in ast.parse(text).body if isinstance(node, ast.Assign)]
+    return {node.targets[0].id: value for node in assigned if (value := ast.literal_eval(node.value))}
+
+
+def completed(name, text, version, known):
+    """The text of __init__.py or of the manifest, with the version and the known addresses on the web."""
     if name == "__init__.py":
         numbers = ", ".join(version.split("."))
-        text = re.sub(r'"version": \(0, 0, 0\)', f'"version": ({numbers})', text)
+        entries = {"doc_url": known.get("WEBSITE"), "tracker_url": known.get("ISSUES")}
+        lines = "".join(f'    "{entry}": {address!r},\n' for entry, address in entries.items() if address)
+        text = re.sub(r'    "version": \(0, 0, 0\),\n', lambda _: f'    "version": ({numbers}),\n{lines}', text)
         return re.sub(r'__version__ = "0\.0\.0"', f'__version__ = "{version}"', text)
-    return re.sub(r'^version = "0\.0\.0"', f'version = "{version}"', text, flags=re.M)
+    website = f'website = "{known["WEBSITE"]}"\n' if "WEBSITE" in known else ""
+    return re.sub(r'^version = "0\.0\.0"\n', lambda _: f'version = "{version}"\n{website}', text, flags=re.M)
 
 
 def content(version, modules, bindings):
     """Pairs of a path inside the zip and its bytes."""
+    known = addresses((ADDON / "ui/addresses.py").read_text())
     for path in sorted(ADDON.rglob("*")):
         if path.is_dir() or "__pycache__" in path.parts:
             continue
         data = path.read_bytes()
         if path.parent == ADDON and path.name in ("__init__.py", "blender_manifest.toml"):
-            data = with_version(path.name, data.decode(), version).encode()
+            data = completed(path.name, data.decode(), version, known).encode()
         yield Path("splinewright") / path.relative_to(ADDON), data
     compiled = sorted(modules.glob("_splinecore.*.so"))
     for path in [*sorted(bindings.glob("*.py")), *compiled]:
@@ -35,6 +49,8 @@ def content(version, modules, bindings):
     sizes = {path.name: path.stat().st_size for path in compiled}
     yield Path("splinewright/splinecore/modules.json"), json.dumps(sizes, indent=1).encode()
     yield Path("splinewright/LICENSE"), LICENSE.read_bytes()
+    for path, data in make_manual.content():
+        yield Path("splinewright/manual") / path, data
 
 
 def main():

@@ -4,11 +4,13 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -105,6 +107,20 @@ py::array view_of_numbers(std::span<const Number> numbers, const Shape& shape, c
 template <class Number>
 py::array view_of_numbers(std::span<const Number> numbers, const py::object& owner) {
   return view_of_numbers(numbers, {static_cast<py::ssize_t>(numbers.size())}, owner);
+}
+
+/// A new array of so many numbers. The constructor of py::array_t that takes a count asks NumPy how large
+/// they are: of an older pybind11 and NumPy 2 all of them would lie in one place.
+template <class Number>
+py::array_t<Number> new_numbers(std::size_t count) {
+  return py::array_t<Number>(Shape{static_cast<py::ssize_t>(count)});
+}
+
+template <class Number, std::size_t Extent>
+py::array_t<std::remove_const_t<Number>> new_numbers(std::span<Number, Extent> numbers) {
+  auto array = new_numbers<std::remove_const_t<Number>>(numbers.size());
+  std::ranges::copy(numbers, array.mutable_data());
+  return array;
 }
 
 /// A new read-only array of (wx, wy, wz, w).

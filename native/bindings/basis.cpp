@@ -76,13 +76,11 @@ py::array function_derivatives_at(const KnotVector& knots, const py::object& i, 
 py::list triangle_at(const KnotVector& knots, const py::object& u) {
   py::list rows;
   for (const splinecore::TriangleRow& row : splinecore::function_triangle(knots, real(u, "u"))) {
-    py::array_t<std::int64_t> indices(static_cast<py::ssize_t>(row.values.size()));
+    auto indices = new_numbers<std::int64_t>(row.values.size());
     for (py::ssize_t j = 0; j < indices.size(); ++j) {
       indices.mutable_data()[j] = knots.periodic() ? (row.first + j) % knots.count() : row.first + j;
     }
-    const auto array = [](const std::vector<double>& values) {
-      return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-    };
+    const auto array = [](const std::vector<double>& values) { return new_numbers(std::span(values)); };
     rows.append(py::make_tuple(indices, array(row.values), array(row.rising), array(row.falling)));
   }
   return rows;
@@ -230,7 +228,7 @@ void bind_basis(py::module_& module) {
            py::arg("knots"), py::arg("u"), py::arg("order") = 0, py::kw_only(), py::arg("side") = "right")
       .def("__len__", [](const BoundSamples& self) { return self.samples.size(); })
       .def_property_readonly("first", [](const BoundSamples& self) {
-        py::array_t<std::int64_t> out(static_cast<py::ssize_t>(self.samples.size()));
+        auto out = new_numbers<std::int64_t>(self.samples.size());
         for (std::size_t i = 0; i < self.samples.size(); ++i) out.mutable_data()[i] = self.samples.first(i) % self.count;
         return out;
       }, "(m,) int64: the first control point that each sample depends on.")

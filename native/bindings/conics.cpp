@@ -37,9 +37,7 @@ glm::dvec3 vector_of(const py::object& value, const char* name) {
 }
 
 py::array array_of(const glm::dvec3& v) {
-  py::array_t<double> array(3);
-  std::copy_n(&v.x, 3, array.mutable_data());
-  return array;
+  return new_numbers(std::span(&v.x, 3));
 }
 
 EllipseForm form_of(const py::object& value) {

@@ -152,7 +152,7 @@ py::tuple flattened(const BezierCurve& curve, const py::object& tolerance) {
   const auto count = static_cast<py::ssize_t>(line.points.size());
   py::array_t<double> points({count, py::ssize_t{3}});
   std::copy_n(&line.points.data()->x, 3 * line.points.size(), points.mutable_data());
-  return py::make_tuple(py::array_t<double>(count, line.parameters.data()), points);
+  return py::make_tuple(new_numbers(std::span(line.parameters)), points);
 }
 
 AnyApproximation reduced(const BezierCurve& curve, const py::object& times, const py::object& tolerance) {

@@ -118,9 +118,7 @@ py::array derivatives(const Formula& formula, const py::object& t, const py::obj
 py::object polynomial(const Formula& formula) {
   const auto coefficients = unlocked([&] { return splinecore::polynomial(formula, splinecore::kMaxDegree); });
   if (!coefficients) return py::none();
-  py::array_t<double> out(static_cast<py::ssize_t>(coefficients->size()));
-  std::ranges::copy(*coefficients, out.mutable_data());
-  return out;
+  return new_numbers(std::span(*coefficients));
 }
 
 py::tuple names_tuple(const Formula& formula) { return py::tuple(py::cast(formula.variables())); }

@@ -7,18 +7,37 @@
 
 namespace py = pybind11;
 
+namespace {
+
+/// Raised for What; an Error and one of Python's own kinds.
+template <class What>
+void bind_error(py::module_& module, const char* name, PyObject* kind, const char* text) {
+  const py::tuple bases = py::make_tuple(module.attr("Error"), py::handle(kind));
+  py::register_local_exception<What>(module, name, bases).doc() = text;
+}
+
+void bind_errors(py::module_& module) {
+  module.attr("Error") = py::reinterpret_steal<py::object>(PyErr_NewExceptionWithDoc(
+      "_splinecore.Error", "All that the library raises of its own is one of these.", PyExc_Exception, nullptr));
+  bind_error<splinecore::InvalidShape>(
+      module, "InvalidShape", PyExc_ValueError,
+      "Bad input: the message names the argument, the first offending index and its value.");
+  bind_error<splinecore::PointAtInfinity>(module, "PointAtInfinity", PyExc_ArithmeticError,
+                                          "A point was asked for where the homogeneous weight is zero.");
+  bind_error<splinecore::ToleranceNotReached>(
+      module, "ToleranceNotReached", PyExc_ArithmeticError,
+      "What was asked for cannot be had within the tolerance: the message says with which error it could.");
+  bind_error<bindings::Cancelled>(module, "Cancelled", PyExc_RuntimeError,
+                                  "A long call was ended by its cancel argument.");
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_splinecore, module) {
   module.doc() = "Exact NURBS, Bezier and Hermite curves and patches.";
   module.attr("__version__") = SPLINECORE_VERSION;
 
-  py::register_local_exception<splinecore::InvalidShape>(module, "InvalidShape", PyExc_ValueError).doc() =
-      "Bad input: the message names the argument, the first offending index and its value.";
-  py::register_local_exception<splinecore::PointAtInfinity>(module, "PointAtInfinity", PyExc_ArithmeticError).doc() =
-      "A point was asked for where the homogeneous weight is zero.";
-  py::register_local_exception<splinecore::ToleranceNotReached>(module, "ToleranceNotReached", PyExc_ArithmeticError)
-      .doc() = "What was asked for cannot be had within the tolerance: the message says with which error it could.";
-  py::register_local_exception<bindings::Cancelled>(module, "Cancelled", PyExc_RuntimeError).doc() =
-      "A long call was ended by its cancel argument.";
+  bind_errors(module);
 
   bindings::bind_approximation(module);
   bindings::bind_continuity(module);

@@ -1,11 +1,15 @@
-"""Installs the zip as a legacy add-on: blender --background --python install.py -- ZIP"""
+"""Installs the zip, as an extension where Blender knows them: blender --background --python install.py -- ZIP"""
 
 import sys
 
 import addon_utils
 import bpy
 
-bpy.ops.preferences.addon_install(filepath=sys.argv[sys.argv.index('--') + 1], overwrite=True)
-if addon_utils.enable('splinewright', default_set=True, persistent=True) is None:
-    sys.exit("the add-on could not be enabled")
+path = sys.argv[sys.argv.index('--') + 1]
+if 'package_install_files' in dir(bpy.ops.extensions):
+    bpy.ops.extensions.package_install_files(filepath=path, repo='user_default', enable_on_install=True)
+else:
+    bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
+    if addon_utils.enable('splinewright', default_set=True, persistent=True) is None:
+        sys.exit("the add-on could not be enabled")
 bpy.ops.wm.save_userpref()

@@ -9,18 +9,15 @@ make_profile() {
   local here=${BASH_SOURCE[0]%/*}
   if is_extension_blender; then
     blender_here --command extension validate "$1"
-    blender_here --command extension install-file -r user_default --enable "$1" >"$profile/install.log" 2>&1 ||
-      { cat "$profile/install.log" >&2; return 1; }
-  else
-    blender_here --background --python-exit-code 1 --python "$here/install.py" -- "$1" >"$profile/install.log" 2>&1 ||
-      { cat "$profile/install.log" >&2; return 1; }
   fi
+  blender_here --background --python-exit-code 1 --python "$here/install.py" -- "$1" >"$profile/install.log" 2>&1 ||
+    { cat "$profile/install.log" >&2; return 1; }
 }
 
 # Extensions came with Blender 4.2.
 is_extension_blender() {
   local version
-  version=$("$blender" --version | sed -nE '1s/Blender ([0-9]+\.[0-9]+).*/\1/p')
+  version=$("$blender" --version | sed -nE 's/^Blender ([0-9]+\.[0-9]+).*/\1/p')
   [ "$(printf '%s\n' 4.2 "$version" | sort -V | head -n 1)" = 4.2 ]
 }
 

@@ -5,8 +5,8 @@ import numpy as np
 
 from support import curve_points, part, splinecore as sc, vertices
 
-live, net_points, recipes, shape, starters = (part(name) for name in (
-    'bridge.net.live', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape', 'core.starters'))
+live, selection, recipes, shape, starters = (part(name) for name in (
+    'bridge.net.live', 'bridge.net.selection', 'bridge.recipes', 'bridge.shape', 'core.starters'))
 
 RANDOM = np.random.default_rng(12)
 
@@ -92,7 +92,7 @@ def numbers_of(ob):
 
 
 def select(ob, *chosen):
-    net_points.select(ob, numbers_of(ob), chosen)
+    selection.select(ob, numbers_of(ob), chosen)
     bpy.ops.ed.undo_push(message="select")
 
 

@@ -1,5 +1,7 @@
 """Which curves the verbs change, how these look afterwards, and what the redo panel shows."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
@@ -82,7 +84,8 @@ def look(i):
 def test_material_radius_tilt_and_shading_stay_with_each_piece(name, settings, expected):
     ob = dressed([value_of('nurbs'), value_of('cubic'), sc.HermiteCurve(shapes.points(3), shapes.points(3))])
     run(name, **settings)
-    assert looks(ob) == [look(i) for i in expected]
+    turned = -1 if name == 'reverse' else 1     # as Blender's Switch Direction does
+    assert looks(ob) == [(*look(i)[:3], {turned * i / 4}) for i in expected]
     assert ob.data.bevel_depth == np.float32(0.1) and len(ob.data.materials) == 3
     bpy.ops.ed.undo()
     assert looks(bpy.data.objects["shape"]) == [look(i) for i in range(3)]
@@ -129,6 +132,12 @@ def drawn_by(cls, values):
     class Layout:
         def prop(self, _, name):
             names.append(name)
+
+        def row(self, align):
+            return self
+
+        def operator(self, name, **_):
+            return SimpleNamespace()
     own = {key: value for key, value in vars(cls).items() if key in ('settings', 'draw', 'allowed', 'limits')}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
     panel = type("Panel", bases, {**own, '__annotations__': dict(cls.__annotations__), **values, 'layout': Layout()})()

@@ -130,6 +130,7 @@ def test_every_verb_is_in_the_menu_and_in_the_sidebar():
     listed = [name for _, names in tools._GROUPS for name in names]
     assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for cls in (*verbs_of.CLASSES, *joins.CLASSES))
     drawn = []
+    add(value_of('nurbs'))
 
     class Layout:
         def operator(self, name, **_):

@@ -8,8 +8,8 @@ import pytest
 from shapes import VALUES, add, enter, first_point, leave, move, numbers_of, op, require_exact, select, shown
 from support import part, splinecore as sc, vertices
 
-definitions, editing, live, net, net_points, shape, store = (part(name) for name in (
-    'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points',
+definitions, editing, live, net_object, selection, shape, store = (part(name) for name in (
+    'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection',
     'bridge.shape', 'bridge.store'))
 
 
@@ -18,10 +18,10 @@ def test_entering_and_leaving_changes_no_digit(make):
     value = make()
     ob = add(value)
     before = shown(ob).copy()
-    assert net.is_net(enter()) and bpy.context.mode.startswith('EDIT')
+    assert net_object.is_net(enter()) and bpy.context.mode.startswith('EDIT')
     assert leave() == ob and bpy.context.mode == 'OBJECT'
     assert ob.data.splinewright.value == value and np.array_equal(shown(ob), before)
-    assert not [ob for ob in bpy.data.objects if net.is_net(ob)]
+    assert not [ob for ob in bpy.data.objects if net_object.is_net(ob)]
 
 
 POINTS_ONLY = [name for name in VALUES if 'hermite' not in name and name not in ('cubic', 'many curves', 'ferguson', 'mixed set')]
@@ -98,7 +98,7 @@ def test_undo_and_redo_cross_the_border_of_edit_mode(name):
 
     def state():
         editing.sweep()
-        nets = [ob for ob in bpy.data.objects if net.is_net(ob)]
+        nets = [ob for ob in bpy.data.objects if net_object.is_net(ob)]
         ob = bpy.data.objects["shape"]
         require_exact(ob)
         return bool(nets), ob.data.splinewright.value == moved, ob.data.splinewright.value == value
@@ -190,28 +190,6 @@ def test_a_weight_of_zero_is_refused_with_a_word_and_the_shape_waits():
     assert bpy.data.objects["shape"].data.splinewright.value == value
 
 
-@pytest.mark.parametrize('harm', (
-    lambda: bpy.ops.mesh.delete('EXEC_DEFAULT', True, type='VERT'),
-    lambda: bpy.ops.mesh.subdivide('EXEC_DEFAULT', True),
-    lambda: bpy.ops.mesh.duplicate('EXEC_DEFAULT', True),
-), ids=('delete', 'subdivide', 'duplicate'))
-def test_a_net_with_other_points_leaves_the_last_good_shape_and_says_so(harm):
-    value = VALUES['nurbs patch']()
-    add(value)
-    held = enter()
-    select(held, 0, 1, 4, 5)
-    harm()
-    bpy.context.view_layer.update()
-    assert "points" in live.problem(held)
-    assert bpy.data.objects["shape"].data.splinewright.value == value
-    bpy.ops.ed.undo()
-    held = bpy.context.object
-    assert live.problem(held) == ""
-    select(held, 0)
-    move(1, 0, 0)
-    assert bpy.data.objects["shape"].data.splinewright.value != value
-
-
 def test_points_are_told_by_their_number_not_by_their_order():
     value = VALUES['nurbs patch']()
     add(value)
@@ -230,7 +208,7 @@ def test_several_shapes_are_edited_at_once():
     before = [ob.data.splinewright.value for ob in obs]
     enter()
     held = bpy.context.objects_in_mode
-    assert sorted(net.shape_of(ob).name for ob in held) == ["a", "b"], "only shapes of one kind"
+    assert sorted(net_object.shape_of(ob).name for ob in held) == ["a", "b"], "only shapes of one kind"
     for ob in held:
         select(ob, 0)
     move(0, 0, 1)
@@ -259,8 +237,8 @@ def test_knots_are_edited_as_text_in_the_net_and_undone():
     select(held, 2)
     move(0, 0, 1)
     assert bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=KNOTS) == {'FINISHED'}
-    assert bpy.context.mode == 'EDIT_CURVE' and net.is_net(bpy.context.object)
-    assert net_points.selected(bpy.context.object, numbers_of(bpy.context.object)) == [2]
+    assert bpy.context.mode == 'EDIT_CURVE' and net_object.is_net(bpy.context.object)
+    assert selection.selected(bpy.context.object, numbers_of(bpy.context.object)) == [2]
     changed = bpy.data.objects["shape"].data.splinewright.value
     assert " ".join(f"{knot:g}" for knot in changed.knots) == KNOTS
     require_exact(bpy.data.objects["shape"])
@@ -360,21 +338,6 @@ def test_smooth_joints_of_a_chain_stay_smooth_when_a_handle_is_turned():
     assert np.allclose(*directions, atol=1e-5)
 
 
-def test_the_preference_takes_tab_away():
-    preferences = part('ui.preferences').get()
-    items = [item for _, item in part('ui.keymaps')._made]
-    if not items:                       # keymaps come late in background
-        part('ui.keymaps').register()
-        items = [item for _, item in part('ui.keymaps')._made]
-    assert len(items) == 3 and all(item.active for item in items)
-    preferences.use_keys = False
-    try:
-        assert not any(item.active for item in items)
-    finally:
-        preferences.use_keys = True
-    assert all(item.active for item in items)
-
-
 @pytest.mark.parametrize('name', ('nurbs', 'quintic', 'hermite', 'cubic', 'many curves'))
 def test_switching_the_direction_of_a_net_changes_no_digit(name):
     value = VALUES[name]()
@@ -454,4 +417,4 @@ def test_knots_of_a_net_that_lost_points_are_refused():
     bpy.ops.curve.delete('EXEC_DEFAULT', True, type='VERT')
     with pytest.raises(RuntimeError, match="lost points"):
         bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, knots=KNOTS)
-    assert net.is_net(bpy.context.object) and ob.data.splinewright.value == value
+    assert net_object.is_net(bpy.context.object) and ob.data.splinewright.value == value

@@ -11,8 +11,8 @@ import pytest
 from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select, shown
 from support import part, vertices
 
-editing, live, net, shape, store = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.shape', 'bridge.store'))
+editing, live, net_object, shape, store = (part(name) for name in (
+    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.shape', 'bridge.store'))
 
 DATA = Path(__file__).resolve().parent.parent / "data"
 KINDS = ('nurbs patch', 'teapot', 'nurbs', 'hermite')
@@ -27,7 +27,7 @@ def reopen(path):
 
 
 def nets():
-    return [ob for ob in bpy.data.objects if net.is_net(ob)]
+    return [ob for ob in bpy.data.objects if net_object.is_net(ob)]
 
 
 @pytest.mark.parametrize('name', KINDS)
@@ -42,7 +42,7 @@ def test_saving_in_the_middle_of_editing_keeps_editing_and_the_file_has_no_net(n
     path = tmp_path / "middle.blend"
     save(path)
     held = bpy.context.object
-    assert net.is_net(held) and held.mode == 'EDIT' and len(nets()) == 1
+    assert net_object.is_net(held) and held.mode == 'EDIT' and len(nets()) == 1
     move(0, 0, 1)
     further = bpy.data.objects["shape"].data.splinewright.value
     assert further != moved

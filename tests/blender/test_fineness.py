@@ -395,7 +395,7 @@ def test_normals_are_exact_at_every_move_where_that_costs_little_and_at_its_end_
     select(held, 7, 8)
     for _ in range(3):
         move(0, 0, 0.4)
-        if part('bridge.write_mesh').keeps_normals():
+        if part('bridge.versions').keeps_exact_normals:
             assert largest_angle(corner_normals(ob.data), exact_normals(ob)) < 0.1
     editing.settle()
     assert largest_angle(corner_normals(ob.data), exact_normals(ob)) < 0.1

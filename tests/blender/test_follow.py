@@ -4,12 +4,15 @@ import bpy
 import numpy as np
 import pytest
 
+from animated import coverage, curves_of, in_cycles
+from layouts import drawn
 from shapes import activate, require_exact
 from support import part, vertices
 
 follow, recipes, shape, starters, store = (part(name) for name in (
     'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.starters', 'bridge.store'))
 FOLLOW = part('core.recipes.table').FOLLOW
+key, state = part('bridge.file_state').key, part('bridge.file_state').state
 
 
 def native_curve(kind='NURBS'):
@@ -104,12 +107,6 @@ def animate_keys(source):
             point.interpolation = 'LINEAR'
 
 
-def curves_of(action):
-    if hasattr(action, 'fcurves'):
-        return action.fcurves
-    return action.layers[0].strips[0].channelbags[0].fcurves
-
-
 @pytest.mark.parametrize('make', (native_curve, native_surface))
 def test_keyframed_shape_keys_are_followed_at_every_frame(make):
     source = make()
@@ -146,29 +143,6 @@ def test_drivers_on_the_source_are_followed():
     assert np.allclose(pool(ob)[:, 2], 4)
 
 
-def camera_above():
-    """A camera that sees the square from -1 to 1."""
-    camera = linked("camera", bpy.data.cameras.new("camera"))
-    camera.data.type, camera.data.ortho_scale, camera.location.z = 'ORTHO', 2, 50
-    return camera
-
-
-def rendered_coverage(path, frames):
-    """The share of each frame's picture that is not transparent."""
-    scene = bpy.context.scene
-    scene.camera, scene.render.film_transparent = camera_above(), True
-    scene.render.resolution_x = scene.render.resolution_y = 16
-    scene.render.image_settings.color_mode = 'RGBA'
-    scene.frame_start, scene.frame_end, scene.frame_step = frames[0], frames[-1], frames[1] - frames[0]
-    scene.render.filepath = str(path / "frame")
-    bpy.ops.render.render(animation=True)
-    shares = []
-    for frame in frames:
-        image = bpy.data.images.load(str(path / f"frame{frame:04}.png"))
-        shares.append(np.array(image.pixels).reshape(-1, 4)[:, 3].mean())
-    return shares
-
-
 @pytest.mark.parametrize('engine', ('CYCLES', 'BLENDER_WORKBENCH'))
 @pytest.mark.parametrize('disabled', (False, True), ids=('hidden in renders', 'hidden everywhere'))
 def test_every_frame_of_a_render_is_right(engine, disabled, tmp_path):
@@ -180,11 +154,11 @@ def test_every_frame_of_a_render_is_right(engine, disabled, tmp_path):
     bpy.context.scene.frame_set(1)
     follow_object(source)
     source.hide_render, source.hide_viewport = True, disabled
-    scene = bpy.context.scene
-    scene.render.engine = engine
     if engine == 'CYCLES':
-        scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = 'CPU', 1, False
-    assert np.allclose(rendered_coverage(tmp_path, (1, 6, 11)), (1, 0, 0), atol=0.05)
+        in_cycles(bpy.context.scene)
+    else:
+        bpy.context.scene.render.engine = engine
+    assert np.allclose(coverage(tmp_path, (1, 6, 11)), (1, 0, 0), atol=0.05)
 
 
 def test_a_shape_may_follow_a_shape_and_chains_are_followed_in_order():
@@ -307,3 +281,97 @@ def test_a_follower_changed_by_hand_is_not_overwritten():
 def test_what_cannot_be_followed_is_refused(make):
     activate(make())
     assert not bpy.ops.splinewright.follow_object.poll()
+
+
+def delete(ob):
+    activate(ob)
+    bpy.ops.object.delete('EXEC_DEFAULT', True)
+    bpy.context.view_layer.update()
+
+
+def test_a_deleted_follower_costs_no_search_of_the_file_and_follows_again_when_it_is_back(monkeypatch):
+    source, other = native_curve(), linked("other", None)
+    ob = follow_object(source)
+    data, name = ob.data, ob.data.name
+    data.use_fake_user = True
+    delete(ob)
+    source.location.z = 1
+    bpy.context.view_layer.update()
+    searches = []
+    monkeypatch.setattr(follow, '_in_use', lambda found=follow._in_use: searches.append(1) or found())
+    for moved in (source, other):
+        moved.location.z = 2
+        bpy.context.view_layer.update()
+    assert key(data) in state.followers and not searches
+    ob = linked("back", bpy.data.curves[name])
+    assert np.allclose(pool(ob)[:, 2], 2)
+    source.location.z = 3
+    bpy.context.view_layer.update()
+    assert np.allclose(pool(ob)[:, 2], 3)
+
+
+@pytest.mark.parametrize('get', (lambda data: linked("another", data), lambda data: hand_to(data)), ids=('new', 'of other data'))
+def test_a_follower_that_lost_its_object_takes_another_in_its_place(get):
+    source = native_curve()
+    ob = follow_object(source)
+    data = ob.data
+    data.use_fake_user = True
+    bpy.data.objects.remove(ob)
+    source.location.z = 1
+    bpy.context.view_layer.update()
+    ob = get(data)
+    ob.location.z = -4
+    bpy.context.view_layer.update()
+    assert np.allclose(pool(ob)[:, 2], 5)
+
+
+def hand_to(data):
+    ob = linked("another", bpy.data.curves.new("another", 'CURVE'))
+    ob.data = data
+    return ob
+
+
+def test_undo_brings_a_deleted_follower_back_and_it_follows():
+    source = native_curve()
+    name = follow_object(source).name
+    bpy.ops.ed.undo_push(message="follow")
+    delete(bpy.data.objects[name])
+    bpy.data.objects["source"].location.z = 1
+    bpy.context.view_layer.update()
+    bpy.ops.ed.undo_push(message="move")
+    bpy.ops.ed.undo()
+    bpy.ops.ed.undo()
+    bpy.data.objects["source"].location.z = 2
+    bpy.context.view_layer.update()
+    assert np.allclose(pool(bpy.data.objects[name])[:, 2], 2)
+
+
+@pytest.mark.parametrize('is_instanced', (False, True))
+def test_a_linked_follower_is_said_to_be_as_it_was_saved_and_costs_nothing(is_instanced, tmp_path, monkeypatch):
+    asset = bpy.data.collections.new("asset")
+    bpy.context.scene.collection.children.link(asset)
+    source = native_curve()
+    ob = follow_object(source)
+    animate_keys(source)
+    for each in (source, ob):
+        bpy.context.scene.collection.objects.unlink(each)
+        asset.objects.link(each)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "asset.blend"))
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    with bpy.data.libraries.load(str(tmp_path / "asset.blend"), link=True) as (_, wanted):
+        wanted.collections = ["asset"]
+    if is_instanced:
+        instance = linked("instance", None)
+        instance.instance_type, instance.instance_collection = 'COLLECTION', wanted.collections[0]
+    else:
+        bpy.context.scene.collection.children.link(wanted.collections[0])
+    evaluations = []
+    monkeypatch.setattr(part('bridge.derived'), 'result', lambda *_: evaluations.append(1))
+    for frame in (1, 6, 11):
+        bpy.context.scene.frame_set(frame)
+    data = next(data for data in bpy.data.curves if recipes.has(data))
+    assert data.library and not evaluations
+    assert "linked" in follow.problem(data) and "as that was saved" in follow.problem(data)
+    if not is_instanced:
+        activate(next(ob for ob in bpy.data.objects if ob.data == data))
+        assert "as that was saved" in " ".join(drawn().split())

@@ -7,7 +7,7 @@ import pytest
 from shapes import VALUES, add, enter, leave, move, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
 
-net, store = part('bridge.net.net'), part('bridge.store')
+net_object, store = part('bridge.net.net_object'), part('bridge.store')
 
 
 def arrow_heads(ob):
@@ -23,7 +23,7 @@ def test_the_middle_of_a_quarter_circle_goes_to_infinity_and_it_is_a_half_circle
     points = curve.evaluate(np.linspace(0, 1, 33))
     assert np.allclose(np.linalg.norm(points, axis=1), 1, atol=1e-15)
     held = bpy.context.object
-    assert net.is_net(held) and len(arrow_heads(held)) == 1
+    assert net_object.is_net(held) and len(arrow_heads(held)) == 1
     select(held, *arrow_heads(held))
     move(0, 1, 0)
     assert bpy.data.objects["shape"].data.splinewright.value.points[1].tolist() == [0, 2, 0]

@@ -8,7 +8,7 @@ from shapes import (KINDS, VALUES, activate, add, by_hand, enter, first_point, l
                     shown, world_points)
 from support import part
 
-editing, net, shape, store = (part(name) for name in ('ui.editing', 'bridge.net.net', 'bridge.shape', 'bridge.store'))
+editing, net_object, shape, store = (part(name) for name in ('ui.editing', 'bridge.net.net_object', 'bridge.shape', 'bridge.store'))
 
 
 # Changed by hand -----------------------------------------------------------------------------------
@@ -179,7 +179,7 @@ def test_a_duplicate_is_a_shape_of_its_own_and_a_linked_one_the_same(name):
     copy = bpy.context.object
     assert copy.data != ob.data and copy.data.splinewright.value == value
     held = enter()
-    assert net.shape_of(held) == copy
+    assert net_object.shape_of(held) == copy
     select(held, first_point(held))
     move(0, 0, 1)
     leave()
@@ -224,7 +224,7 @@ def test_deleting_the_shape_while_its_net_is_edited():
     held = enter()
     bpy.data.objects.remove(bpy.data.objects["shape"])
     bpy.context.view_layer.update()
-    assert net.shape_of(held) is None
+    assert net_object.shape_of(held) is None
     assert op(bpy.ops.splinewright.leave_net) == {'FINISHED'}
     assert not bpy.data.objects and bpy.context.mode == 'OBJECT'
 
@@ -373,5 +373,5 @@ def test_one_selected_shape_changed_by_hand_keeps_no_other_from_being_edited():
     ob = add(VALUES['nurbs patch'](), "whole")
     touched.select_set(True)
     held = enter()
-    assert net.shape_of(held) == ob and len(bpy.context.objects_in_mode) == 1
+    assert net_object.shape_of(held) == ob and len(bpy.context.objects_in_mode) == 1
     leave()

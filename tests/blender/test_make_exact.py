@@ -199,16 +199,12 @@ def test_faces_have_the_material_of_their_patch_there_and_back():
     assert [m.name for m in ob.data.materials] == ["a", "b", "c"]
 
 
-def test_uniform_radius_and_tilt_are_kept_and_others_are_told():
+def test_uniform_radius_and_tilt_are_kept():
     ob = native_curve()
     for point in ob.data.splines[0].points:
         point.radius, point.tilt = 2, 0.5
     assert make_exact.make_exact(bpy.context, ob).dropped == []
     assert {(point.radius, point.tilt) for point in ob.data.splines[0].points} == {(2, 0.5)}
-    ob = native_curve()
-    ob.data.splines[0].points[1].radius = ob.data.splines[0].points[1].tilt = 3
-    assert make_exact.make_exact(bpy.context, ob).dropped == ["the radius of single points", "the tilt of single points"]
-    assert {(point.radius, point.tilt) for point in ob.data.splines[0].points} == {(1, 0)}
 
 
 @pytest.mark.parametrize('make', (native_curve, native_surface), ids=('curve', 'surface'))

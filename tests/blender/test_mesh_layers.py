@@ -56,7 +56,7 @@ def fill(attribute, name, value):
 
 def test_the_table_knows_every_type_of_this_blender():
     assert not set(TYPES) - set(VALUES)
-    assert not set(TYPES) - set(part('bridge.mesh_layers')._TYPES)
+    assert not set(TYPES) - set(part('bridge.mesh_layers').ATTRIBUTES)
 
 
 @pytest.mark.parametrize('domain', ('POINT', 'FACE', 'CORNER'))

@@ -10,6 +10,7 @@ from patches import patches_of, value_of
 from shapes import activate, add, op, require_exact
 from support import corner_normals, part, splinecore as sc, vertices
 
+Look = part('bridge.look').Look
 mesh_looks, shape = part('bridge.mesh_looks'), part('bridge.shape')
 AT = {'parameter_u': 0.3, 'parameter_v': 0.3}
 
@@ -26,7 +27,7 @@ def dressed(value, name="shape"):
 
 
 def look(i):
-    return mesh_looks.Look(i, i % 2 == 0)
+    return Look(i, i % 2 == 0)
 
 
 def looks_of(ob):

@@ -1,5 +1,7 @@
 """Patches that share points go on sharing them, and are chosen by number; menus and the redo panel."""
 
+from types import SimpleNamespace
+
 import bpy
 import pytest
 
@@ -156,6 +158,7 @@ def test_every_verb_is_in_the_menu_and_in_the_sidebar():
     classes = (*patch_verbs.CLASSES, *patch_join.CLASSES, *extract.CLASSES)
     assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for cls in classes)
     drawn = []
+    add(value_of('nurbs patch'))
 
     class Layout:
         def operator(self, name, **_):
@@ -202,8 +205,11 @@ def drawn_by(cls, values):
         def prop(self, _, name, expand=False):
             names.append(name)
 
-        def row(self):
+        def row(self, align=False):
             return self
+
+        def operator(self, name, **_):
+            return SimpleNamespace()
     own = {key: value for key, value in vars(cls).items() if key == 'settings'}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
     panel = type("Panel", bases, {**own, '__annotations__': dict(cls.__annotations__), **values, 'layout': Layout()})()

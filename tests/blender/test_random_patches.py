@@ -92,7 +92,7 @@ class PatchWalk(Walk):
     def object_paint(self):
         ob = self.patches()
         if ob and not ob.library and not ob.data.library:
-            kind = self.any(tuple(mesh_layers._TYPES))
+            kind = self.any(tuple(mesh_layers.ATTRIBUTES))
             if kind in bpy.types.Attribute.bl_rna.properties['data_type'].enum_items and len(ob.data.attributes) < 20:
                 ob.data.attributes.new(kind, kind, self.any(('POINT', 'FACE', 'CORNER', 'EDGE')))
             group = ob.vertex_groups.get("group") or ob.vertex_groups.new(name="group")

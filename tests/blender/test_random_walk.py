@@ -11,8 +11,8 @@ import numpy as np
 from shapes import VALUES, activate, add, numbers_of, require_exact
 from support import part, splinecore as sc
 
-editing, handlers, live, net, net_points, recipes, shape, store = (part(name) for name in (
-    'ui.editing', 'ui.handlers', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points', 'bridge.recipes',
+editing, handlers, live, net_object, selection, recipes, shape, store = (part(name) for name in (
+    'ui.editing', 'ui.handlers', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection', 'bridge.recipes',
     'bridge.shape', 'bridge.store'))
 
 STEPS = int(os.environ.get('SPLINEWRIGHT_STEPS', 10_000))
@@ -120,7 +120,7 @@ class Walk:
         for ob in editing.nets_in_edit_mode(bpy.context):
             count = len(numbers_of(ob).rows)
             try:
-                net_points.select(ob, numbers_of(ob), self.random.integers(0, count, 3).tolist())
+                selection.select(ob, numbers_of(ob), self.random.integers(0, count, 3).tolist())
             except (KeyError, IndexError):
                 return                  # the net has lost its points
         self.op(self.any((bpy.ops.transform.translate, bpy.ops.transform.resize)),
@@ -170,7 +170,7 @@ class Walk:
 
     def any_set_knots(self):
         owner = self.choose() if bpy.context.mode == 'OBJECT' else next(
-            (net.shape_of(ob) for ob in editing.nets_in_edit_mode(bpy.context) if ob == bpy.context.object), None)
+            (net_object.shape_of(ob) for ob in editing.nets_in_edit_mode(bpy.context) if ob == bpy.context.object), None)
         if owner and bpy.ops.splinewright.set_knots.poll():
             piece = store.read(owner.data).pieces[0]
             if piece.knots:
@@ -270,7 +270,7 @@ class Walk:
     def natives(self):
         layer = bpy.context.view_layer
         return [ob for ob in bpy.data.objects if ob.type in ('CURVE', 'SURFACE') and not shape.has_shape(ob)
-                and not net.is_net(ob) and layer.objects.get(ob.name) == ob]
+                and not net_object.is_net(ob) and layer.objects.get(ob.name) == ob]
 
     def object_make_exact(self):
         natives = self.natives()
@@ -418,7 +418,7 @@ def run(walk, steps):
 def test_ten_thousand_random_steps(tmp_path):
     walk = Walk(SEED, tmp_path)
     run(walk, STEPS)
-    assert not list(editing.nets()) and not [ob for ob in bpy.data.objects if net.is_net(ob)]
+    assert not list(editing.nets()) and not [ob for ob in bpy.data.objects if net_object.is_net(ob)]
     shapes = [ob for ob in bpy.data.objects if shape.has_shape(ob)]
     touched = [ob for ob in shapes if shape.is_touched(ob.data)]
     for ob in shapes:

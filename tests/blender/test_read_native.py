@@ -12,7 +12,7 @@ native = part('core.native.native')
 read_native = part('bridge.native.read_native')
 measure = part('bridge.native.measure_native')
 Direction, Flags = native.Direction, native.Flags
-VERSION = bpy.app.version
+SAMPLING = part('bridge.versions').sampling
 #: Blender's rounding, relative to the size: see test_against_blender.py.
 CURVE_TOLERANCE = 2e-5
 SURFACE_TOLERANCE = 1e-4
@@ -48,7 +48,7 @@ def test_a_nurbs_spline_is_what_blender_draws(curve, degree, flags):
         blender_objects.set_nurbs_spline(curve, net, direction, 5)
         reading = read_native.read(curve)
         is_valid = native.is_valid_curve(direction)
-        parameters = (native.curve_parameters(direction, 5, VERSION) if is_valid
+        parameters = (native.curve_parameters(direction, 5, SAMPLING) if is_valid
                       else np.arange(float(direction.count)))
         ours, blenders = reading.value.evaluate(parameters), blender_objects.evaluated_vertices(curve)
         assert ours.shape == blenders.shape and np.abs(ours - blenders).max() < CURVE_TOLERANCE
@@ -205,7 +205,7 @@ def blenders_parameters(spline, theirs):
         straight = part('bridge.native.native_splines').straight_segments(theirs)
         return [native.bezier_samples(straight, theirs.use_cyclic_u, theirs.resolution_u)]
     if len(spline.directions) == 1:
-        return [native.curve_samples(spline, theirs.resolution_u, VERSION)]
+        return [native.curve_samples(spline, theirs.resolution_u, SAMPLING)]
     return [native.surface_parameters(d, steps) for d, steps in
             zip(spline.directions, (theirs.resolution_u, theirs.resolution_v))]
 

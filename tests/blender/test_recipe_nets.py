@@ -7,8 +7,8 @@ import pytest
 from shapes import enter, leave, move, numbers_of, op, require_exact, select
 from support import part
 
-editing, live, net, net_points, net_props, recipes, table = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net', 'bridge.net.net_points', 'ui.net_props', 'bridge.recipes',
+editing, live, net_object, selection, net_props, recipes, table = (part(name) for name in (
+    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection', 'ui.net_props', 'bridge.recipes',
     'core.recipes.table'))
 ANY_COUNT = [recipe.kind for recipe in table.STARTING if recipe.has_any_count]
 CLOSING = [kind for kind in ANY_COUNT if table.RECIPES[kind].can_close]
@@ -23,7 +23,7 @@ def add_recipe(kind='catmull_rom', **settings):
     ob = bpy.context.object
     ob.name = ob.data.name = "shape"
     points = recipes.points(ob.data)
-    part('bridge.made').set_points(ob.data, points * THIRD + 0.1)
+    part('bridge.remaking').set_points(ob.data, points * THIRD + 0.1)
     bpy.ops.ed.undo_push(message="add")
     assert (recipes.points(ob.data) != recipes.points(ob.data).astype(np.float32)).any()
     return ob, recipes.points(ob.data), enter()
@@ -152,10 +152,10 @@ def test_toggle_cyclic_closes_the_recipe_and_the_panel_closes_the_net(kind):
     assert recipes.parameters(ob.data)['closed'] is True and np.array_equal(points_now(), before)
     closed = ob.data.splinewright.value
     assert closed != opened
-    setattr(ob.data.splinewright_recipe, f"{kind}_closed", False)
+    setattr(ob.data.splinewright_parameters, f"{kind}_closed", False)
     bpy.context.view_layer.update()
     assert not held.data.splines[0].use_cyclic_u and ob.data.splinewright.value == opened and problem() == ""
-    setattr(ob.data.splinewright_recipe, f"{kind}_closed", True)
+    setattr(ob.data.splinewright_parameters, f"{kind}_closed", True)
     bpy.context.view_layer.update()
     select(held, 4)
     move(0.25, 0, 0)
@@ -170,7 +170,7 @@ def test_toggle_cyclic_closes_the_recipe_and_the_panel_closes_the_net(kind):
 
 def test_closing_in_the_panel_is_undone_and_redone_in_the_net():
     ob, before, held = add_recipe()
-    ob.data.splinewright_recipe.catmull_rom_closed = True
+    ob.data.splinewright_parameters.catmull_rom_closed = True
     bpy.context.view_layer.update()
     bpy.ops.ed.undo_push(message="Closed")
     for step, closed in ((bpy.ops.ed.undo, False), (bpy.ops.ed.redo, True)):
@@ -184,7 +184,7 @@ def test_points_that_were_refused_are_taken_when_a_number_lets_them_fit():
     select(held, 0, 1, 2, 3)
     curve_op('subdivide')
     assert "9 points are not" in problem() and len(points_now()) == 6
-    shape_now().data.splinewright_recipe.osculating_derivatives = 2
+    shape_now().data.splinewright_parameters.osculating_derivatives = 2
     bpy.context.view_layer.update()
     require_sound(9)
 
@@ -310,7 +310,7 @@ def test_undo_and_redo_cross_changes_of_the_count_and_the_border_of_edit_mode():
         editing.sweep()
         ob = shape_now()
         require_exact(ob)
-        if net.is_net(bpy.context.object):
+        if net_object.is_net(bpy.context.object):
             require_sound(len(points_now()))
         return next(i for i, points in enumerate(states) if np.array_equal(points, points_now()))
 
@@ -319,7 +319,7 @@ def test_undo_and_redo_cross_changes_of_the_count_and_the_border_of_edit_mode():
         if bpy.ops.ed.undo.poll():
             bpy.ops.ed.undo()
             seen.append(found())
-            if seen[-1] == 0 and not net.is_net(bpy.context.object):
+            if seen[-1] == 0 and not net_object.is_net(bpy.context.object):
                 break
     assert seen == sorted(seen, reverse=True) and set(seen) >= {0, 1, 2, 4}
     assert not recipes.parameters(shape_now().data)['closed']
@@ -406,7 +406,7 @@ def test_nets_of_a_fixed_count_gain_and_lose_nothing(kind):
     select(held, len(before) - 1)
     op(bpy.ops.curve.extrude_move, TRANSFORM_OT_translate={'value': (1, 0, 0)})
     bpy.context.view_layer.update()
-    assert "gained points" in problem() and shape_now().data.splinewright.value == value
+    assert problem() == "" and "not of this net" in live.note(held) and shape_now().data.splinewright.value == value
 
 
 def test_two_nets_at_once_gain_points_of_their_own():

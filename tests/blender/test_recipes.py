@@ -9,8 +9,8 @@ import pytest
 from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select, shown
 from support import curve_points, part, splinecore as sc
 
-made, net_points, recipes, shape, store, table = (part(name) for name in (
-    'bridge.made', 'bridge.net.net_points', 'bridge.recipes', 'bridge.shape', 'bridge.store', 'core.recipes.table'))
+made, selection, recipes, shape, store, table = (part(name) for name in (
+    'bridge.remaking', 'bridge.net.selection', 'bridge.recipes', 'bridge.shape', 'bridge.store', 'core.recipes.table'))
 RECIPES = {recipe.kind: recipe for recipe in table.STARTING}
 WITH_POINTS = [kind for kind, recipe in RECIPES.items() if recipe.points]
 
@@ -22,7 +22,7 @@ def add_recipe(kind, **numbers):
 
 
 def numbers(ob):
-    return ob.data.splinewright_recipe
+    return ob.data.splinewright_parameters
 
 
 @pytest.mark.parametrize('kind', RECIPES)
@@ -301,7 +301,7 @@ def test_a_conic_through_five_points_is_drawn_through_them_however_far_it_runs(k
     ob = add_recipe('five_points')
     rows = np.column_stack([x, x * x + k * x ** 3, 0 * x])
     ob.data.splinewright.resolution_u = 1024
-    part('bridge.made').set_points(ob.data, rows)
+    part('bridge.remaking').set_points(ob.data, rows)
     drawn = shown(ob).astype(float)
     assert farthest_from(ob, rows) <= 10 * (1 + 1e-6)
     for row in rows:

@@ -70,11 +70,11 @@ def test_the_version_is_the_same_everywhere():
     assert f'"version": ({version.replace(".", ", ")})' in source
 
 
-def test_the_zip_holds_only_what_runs():
+def test_the_zip_holds_only_what_runs_and_the_manual():
     with zipfile.ZipFile(os.environ['SPLINEWRIGHT_ZIP']) as archive:
         names = archive.namelist()
     assert {name.split('/')[0] for name in names} == {'splinewright'}
-    assert {Path(name).suffix for name in names} <= {'.py', '.so', '.json', '.toml', '.md', ''}
+    assert {Path(name).suffix for name in names} <= {'.py', '.so', '.json', '.toml', '.md', '.html', '.css', '.webp', ''}
     assert not any('test' in name for name in names)
 
 
@@ -93,14 +93,18 @@ from splinewright.ui import preferences
 assert library.problem, "no problem seen"
 assert not hasattr(bpy.types.Mesh, 'splinewright')
 assert preferences.SplinewrightPreferences.is_registered
-drawn = []
+drawn, buttons = [], []
 class Row:
     alert = False
     def label(self, text, icon): drawn.append(text)
     def column(self, align): return self
+    row = lambda self: self
+    def operator(self, name, icon): buttons.append(name); return self
 class Self: layout = Row()
 preferences.SplinewrightPreferences.draw(Self(), None)
 print("SAID", ' '.join(drawn))
+assert buttons == ["splinewright.manual"] and bpy.types.SPLINEWRIGHT_OT_manual.is_registered
+assert "splinewright" in str([prefix for prefix, _ in bpy.utils.manual_map()])
 addon_utils.disable('splinewright', default_set=True)
 addon_utils.enable('splinewright', default_set=True, persistent=True)
 """

@@ -7,8 +7,8 @@ import pytest
 from shapes import VALUES, add, enter, leave, move, select
 from support import part, splinecore as sc
 
-definitions, overlay, panel, seams, starters, surveys = (part(name) for name in (
-    'core.definition', 'ui.seams_overlay', 'ui.continuity_panel', 'core.seams', 'core.starters', 'bridge.surveys'))
+colors, definitions, overlay, panel, seams, starters, surveys = (part(name) for name in (
+    'ui.colors', 'core.definition', 'ui.seams_overlay', 'ui.continuity_panel', 'core.seams', 'core.starters', 'bridge.surveys'))
 
 
 def pair(height, slope=0.0):
@@ -27,10 +27,10 @@ def test_a_seam_has_its_class_in_words_and_colours(value, word, number):
         value = sc.PatchSet.from_patches([value[0], sc.BezierPatch(net)])
     ob = add(value)
     survey = surveys.survey_of(ob.data)
-    assert survey.count == 1 and survey.joints[0].place == "1 u end · 2 u start"
+    assert survey.count == 1 and survey.joints[0].name == "1 u end · 2 u start"
     assert panel.kind(survey.joints[0]) == word
-    (line, colors), = overlay.coloured_lines(ob.data)
-    assert np.allclose(line[:, 0], 3) and np.allclose(colors, overlay.COLORS[number])
+    (line, found), = overlay.coloured_lines(ob.data)
+    assert np.allclose(line[:, 0], 3) and np.allclose(found, colors.of_seams()[number])
 
 
 def test_a_seam_that_opens_along_its_way_changes_its_colour():
@@ -38,9 +38,9 @@ def test_a_seam_that_opens_along_its_way_changes_its_colour():
     net = np.array([[(3 + x, y, 0.0) for y in range(4)] for x in range(4)])
     net[1, 3, 2] = 1.0                  # the tangent plane turns away towards the far end only
     ob = add(sc.PatchSet.from_patches([flat, sc.BezierPatch(net)]))
-    (line, colors), = overlay.coloured_lines(ob.data)
-    assert np.allclose(colors[line[:, 1].argmax()], overlay.COLORS[0])
-    assert np.allclose(colors[line[:, 1].argmin()], overlay.COLORS[2])
+    (line, found), = overlay.coloured_lines(ob.data)
+    assert np.allclose(found[line[:, 1].argmax()], colors.of_seams()[0])
+    assert np.allclose(found[line[:, 1].argmin()], colors.of_seams()[2])
 
 
 def test_places_that_cannot_be_measured_are_grey():
@@ -60,7 +60,7 @@ def test_the_teapot_has_its_seams_and_the_sphere_closes_smoothly():
     assert sphere.periodic == (True, False) and surveys.survey_of(bpy.context.object.data).count == 0
     opened = add(sphere.clamped('u'))
     joint, = surveys.survey_of(opened.data).joints
-    assert joint.place == "u start · u end" and joint.continuity.g == 2
+    assert joint.name == "u start · u end" and joint.continuity.g == 2
 
 
 def test_a_net_that_is_dragged_shows_what_becomes_of_the_seam():

@@ -53,7 +53,7 @@ def test_bodies_are_closed_and_their_normals_point_outwards(kind, settings):
 def test_a_number_changed_in_the_panel_changes_the_mesh_and_undo_brings_it_back():
     ob = add_recipe('sphere')
     name, before = ob.name, ob.data.splinewright.value
-    ob.data.splinewright_recipe.sphere_radius = 2.5
+    ob.data.splinewright_parameters.sphere_radius = 2.5
     assert np.allclose(np.linalg.norm(shape.points_of(ob.data), axis=1), 2.5, atol=1e-6)
     bpy.ops.ed.undo_push(message="radius")
     bpy.ops.ed.undo()

@@ -74,7 +74,7 @@ def test_graphs_follow_when_the_knots_change_and_lie_below_the_curve():
     bpy.context.view_layer.update()
     assert len(ob.data.splinewright.value) == 7
     require_exact(ob)
-    ob.data.splinewright_recipe.basis_height = 3.0
+    ob.data.splinewright_parameters.basis_height = 3.0
     assert max(graph.points[:, 1].max() for graph in ob.data.splinewright.value) == 3.0
 
 
@@ -106,11 +106,11 @@ def test_the_rational_algorithm_says_where_it_breaks_and_the_homogeneous_goes_on
     source = add(sc.BezierCurve([(1, 0, 0), (0, 1, 0), (-1, 0, 0)], weights=[1, 0, 1]))
     ob = derive('construction', source)
     before = ob.data.splinewright.value
-    ob.data.splinewright_recipe.construction_scheme = 'rational'
+    ob.data.splinewright_parameters.construction_scheme = 'rational'
     assert "breaks at level" in ob.data.splinewright.problem
     assert ob.data.splinewright.value == before
     assert recipes.parameters(ob.data)['scheme'] == 'de_boor'
-    ob.data.splinewright_recipe.construction_scheme = 'casteljau'
+    ob.data.splinewright_parameters.construction_scheme = 'casteljau'
     assert ob.data.splinewright.problem == ""
     circle = ob.data.splinewright.value[-1]
     assert np.allclose(circle.points[:, 2], 0) and np.allclose(circle.evaluate([0.0]), (0.03, 1, 0), atol=1e-12)
@@ -148,7 +148,7 @@ def test_the_deleted_curve_leaves_the_last_picture_and_its_numbers_as_they_are()
     bpy.data.objects.remove(source)
     bpy.context.view_layer.update()
     assert ob.data.splinewright.value == value and "deleted" in follow.problem(ob.data)
-    ob.data.splinewright_recipe.basis_height = 3.0
+    ob.data.splinewright_parameters.basis_height = 3.0
     assert "deleted" in ob.data.splinewright.problem and ob.data.splinewright.value == value
     assert recipes.parameters(ob.data)['height'] == 1.0
 

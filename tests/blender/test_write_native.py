@@ -105,6 +105,15 @@ def test_other_curves_are_the_same_shape(curve):
     assert_same_shape(ob, [curve])
 
 
+@pytest.mark.parametrize('flags', [flags for flags in native.ALL_FLAGS if flags.cyclic], ids=str)
+def test_a_closed_curve_of_one_step_is_no_polygon_of_its_points(flags):
+    """Which it would be at Blender's resolution 1, from 4.2 to 4.5."""
+    direction = Direction(6, 3, flags)
+    curve = sc.NurbsCurve(3, native.periodic_knots(direction), points(6), weights(6), periodic=True)
+    ob, _ = written(curve, steps=1)
+    assert_same_shape(ob, [curve])
+
+
 def test_what_blender_holds_otherwise_is_told():
     plain, other = CURVES['Bezier of degree 1'], CURVES['other knots']
     assert write_native.plan([plain, plain]).notes == []

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs ZIP into a throw-away profile and drives real windows under Xvfb; pictures go to OUTPUT.
+# Installs ZIP into a throw-away profile and drives real windows under Xvfb, two scripts at a time; pictures and what each
+# prints go to OUTPUT.
 #   run.sh ZIP OUTPUT [SCRIPT…]         without one every test_*.py beside this file
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -9,10 +10,56 @@ scripts=("$@")
 mkdir -p "$output"
 source "$here/../blender/profile.sh"
 make_profile "$zip"
-mkdir "$profile/frames"
-export HOME=$profile XDG_CONFIG_HOME=$profile/.config XDG_CACHE_HOME=$profile/.cache PYTHONDONTWRITEBYTECODE=1
-export XVFB_FRAMES=$profile/frames SPLINEWRIGHT_OUTPUT=$(realpath "$output")
-for script in "${scripts[@]}"; do
-  timeout 300 xvfb-run -a -s "-screen 0 1280x800x24 -fbdir $profile/frames" \
-    "$blender" --enable-event-simulate --python-exit-code 1 --window-geometry 0 0 1280 800 --python "$script"
-done
+said=$("$blender" --version)
+sed -n '/^Blender /{p;q}' <<<"$said"
+export SPLINEWRIGHT_OUTPUT=$(realpath "$output")
+
+# Starts an X server on a display that nobody has, with its picture in FOLDER, and leaves its number and process.
+start_display() {
+  mkdir "$1/frames"
+  Xvfb -displayfd 4 -screen 0 1280x800x24 -fbdir "$1/frames" -nolisten tcp 4>"$1/display" >/dev/null 2>&1 &
+  server=$!
+  local tries
+  for tries in {1..600}; do
+    [ -s "$1/display" ] && { DISPLAY=:$(cat "$1/display"); return; }
+    kill -0 $server 2>/dev/null || break
+    sleep 0.1
+  done
+  echo "Xvfb does not start" >&2
+  return 1
+}
+
+run_script() {
+  local own start=$SECONDS code=0 server
+  own=$(mktemp -d)
+  cp -r "$profile" "$own/home"
+  start_display "$own" || return
+  XVFB_FRAMES=$own/frames DISPLAY=$DISPLAY profile=$own/home timeout 1200 bash -c '
+    source "$0"; blender_here --enable-event-simulate --python-exit-code 1 --window-geometry 0 0 1280 800 --python "$1"
+    ' "$here/../blender/profile.sh" "$1" || code=$?
+  kill $server
+  wait $server 2>/dev/null || true
+  rm -rf "$own"
+  return $code
+}
+
+# Every second script, from the one of that number on.
+run_every_second() {
+  local i name said=
+  for ((i = $1; i < ${#scripts[@]}; i += 2)); do
+    name=$(basename "${scripts[i]}" .py)
+    local start=$SECONDS log=$output/$name.log
+    if run_script "${scripts[i]}" >"$log" 2>&1; then said=passed; else said=failed; echo "-- $log"; cat "$log"; fi
+    echo "$said" >"$output/$name.said"
+    printf '  %-38s %-28s %6d s\n' "$name.py" "$said" $((SECONDS - start))
+  done
+}
+
+start=$SECONDS
+rm -f "$output"/*.said
+run_every_second 0 & first=$!
+run_every_second 1
+wait $first
+passed=$(cat "$output"/*.said | grep -c passed || true)
+echo "$passed passed, $((${#scripts[@]} - passed)) failed in $((SECONDS - start)) s"
+[ "$passed" = ${#scripts[@]} ]

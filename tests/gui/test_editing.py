@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, mean_difference, part, pick_by_keys, run, save_picture, select_points
+from window import (View, empty_file, into_net, mean_difference, nets, out_of_net, part, pick_by_keys, redrawn, run,
+                    save_picture, select_points, until)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 NAME = "NURBS Patch"
@@ -21,7 +22,7 @@ class Look:
         self.picture = save_picture(OUTPUT / f"{name}.png")[:, :830]     # left of the sidebar
         ob = bpy.data.objects.get(NAME)
         self.value = ob.data.splinewright.value if ob else None
-        self.nets = [net for net in bpy.data.objects if part('bridge.net.net').is_net(net)]
+        self.nets = nets()
         self.mode = bpy.context.mode
         assert len(np.unique(self.picture.reshape(-1, 3), axis=0)) > 50, f"{name}.png is empty"
         if ob:
@@ -48,12 +49,25 @@ class Look:
         return mean_difference(self.picture, other.picture) > 0.5
 
 
+def value():
+    return bpy.data.objects[NAME].data.splinewright.value
+
+
+def at_rest():
+    """Steps until what was pressed is done, and the shape shown exactly."""
+    yield from redrawn()
+    store = part('bridge.store')
+    yield from until(lambda: NAME not in bpy.data.objects or not store.is_draft(bpy.data.objects[NAME].data),
+                     "exact normals")
+    yield from redrawn()
+
+
 def climb(view, name, redo, is_there):
     """Press Ctrl+Z, or Shift+Ctrl+Z, until it is there; what was seen at each rung."""
     seen = []
     for i in range(20):
         view.press('Z', ctrl=True, shift=redo)
-        yield 1.0
+        yield from at_rest()
         seen.append(Look(f"{name}-{i}"))
         if is_there(seen[-1]):
             return seen
@@ -71,91 +85,91 @@ def steps():
     empty_file()
     view.open_sidebar()
     view.move(420, 690)                 # the menu must fit below
-    yield 0.8
+    yield from redrawn()
     empty = Look("edit-0-empty")
 
     # Shift+A > Surface > Splinewright > NURBS Patch
     view.press('A', shift=True)
-    yield 0.8
+    yield from redrawn()
     from_first_entry = 2 if bpy.app.version < (4, 0, 0) else 3          # later ones begin with Search
     into_ours = ['RIGHT_ARROW', 'UP_ARROW', 'RIGHT_ARROW']
     yield from pick_by_keys(view, ['DOWN_ARROW'] * from_first_entry + into_ours + ['DOWN_ARROW'] * 2)
     save_picture(OUTPUT / "edit-1-menu.png")
     view.press('RET')
-    yield 1.0
-    assert bpy.context.object and bpy.context.object.name == NAME, "Shift+A added " + str(bpy.context.object)
+    yield from until(lambda: NAME in bpy.data.objects, "Shift+A adds a patch")
+    assert bpy.context.object.name == NAME
     with view.override():
         bpy.ops.view3d.view_selected()
-    yield 0.8
+    yield from redrawn()
     added = Look("edit-1-added")
     assert added.is_out() and added.differs_from(empty)
 
     view.move(420, 420)
     view.press('TAB')
-    yield 1.0
+    yield from into_net()
     entered = Look("edit-2-tab")
     assert entered.is_in_net() and entered.value == added.value and entered.differs_from(added)
     yield from view.show_tab("Splinewright", (1045, 538))
     view.move(420, 420)
-    yield 0.4
+    yield from redrawn()
 
     # G, a drag that the shape follows at every move, a click
     with view.override():
         select_points(14, 15, 20, 21)
-    yield 0.6
+    yield from redrawn()
     view.press('G')
-    yield 0.4
-    heights = []
+    yield from redrawn()
     for _ in range(5):
+        before = value()
         view.move(y=view.y + 14)
-        yield 0.4
-        heights.append(Look("edit-3-dragging").height(14))
-    assert len(set(heights)) == 5, f"the shape does not follow every move: {heights}"
+        yield from until(lambda: value() != before, "the shape follows every move")
+        Look("edit-3-dragging")
     view.press('LEFTMOUSE')
-    yield 1.0
+    yield from at_rest()
     dragged = Look("edit-3-dragged")
     assert dragged.is_in_net() and dragged.value != entered.value and dragged.differs_from(entered)
 
     # G, Z, a number, Enter
     view.press('G')
-    yield 0.3
+    yield from redrawn()
     for key in ('Z', 'ONE', 'RET'):
         view.press(key, **({'text': '1'} if key == 'ONE' else {}))
-        yield 0.4
-    yield 0.6
+        yield from redrawn()
+    yield from at_rest()
     typed = Look("edit-4-typed")
     assert abs(typed.height(14) - dragged.height(14) - 1) < 1e-6, (typed.height(14), dragged.height(14))
     assert typed.height(0) == added.height(0), "a point that was not moved lost digits"
 
     # G, a drag, Esc
     view.press('G')
-    yield 0.3
+    yield from redrawn()
     view.move(y=view.y + 60)
-    yield 0.5
-    assert Look("edit-5-before-escape").value != typed.value
+    yield from until(lambda: value() != typed.value, "the shape follows until Esc")
+    Look("edit-5-before-escape")
     view.press('ESC')
-    yield 0.8
+    yield from until(lambda: value() == typed.value, "Esc takes the drag back")
+    yield from at_rest()
     escaped = Look("edit-5-escaped")
     assert escaped.value == typed.value and escaped.is_in_net()
 
     # Proportional editing, by its key, with a circle that reaches other points
     bpy.context.scene.tool_settings.proportional_size = 4
     view.press('O')
-    yield 0.4
+    yield from redrawn()
     view.press('G')
-    yield 0.3
+    yield from redrawn()
     view.move(y=view.y + 40)
-    yield 0.5
+    yield from until(lambda: value() != escaped.value, "the shape follows proportional editing")
     view.press('LEFTMOUSE')
-    yield 0.8
+    yield from at_rest()
     proportional = Look("edit-6-proportional")
     moved = (proportional.value.points != escaped.value.points).any(-1)
     assert moved.sum() > 4, "proportional editing moved the selected points only"
     view.press('O')
-    yield 0.4
+    yield from redrawn()
 
     view.press('TAB')
-    yield 1.2
+    yield from out_of_net()
     left = Look("edit-7-left")
     assert left.is_out() and left.value == proportional.value and bpy.context.object.name == NAME
 
@@ -172,13 +186,12 @@ def steps():
     # Tab lets other objects alone
     with view.override():
         bpy.ops.mesh.primitive_cube_add()
-    yield 0.6
+    yield from redrawn()
     view.press('TAB')
-    yield 0.8
-    assert bpy.context.mode == 'EDIT_MESH' and bpy.context.object.name.startswith("Cube") and not Look("edit-10-cube").nets
+    yield from until(lambda: bpy.context.mode == 'EDIT_MESH', "Tab enters the cube")
+    assert bpy.context.object.name.startswith("Cube") and not Look("edit-10-cube").nets
     view.press('TAB')
-    yield 0.8
-    assert bpy.context.mode == 'OBJECT'
+    yield from until(lambda: bpy.context.mode == 'OBJECT', "Tab leaves the cube")
     print("editing did what it should:", bpy.app.version_string, flush=True)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from mathutils import Euler
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, part, run, save_picture, select_points
+from window import View, empty_file, into_net, out_of_net, part, redrawn, run, save_picture, select_points, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -18,7 +18,7 @@ OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 def frame(view):
     with view.override():
         bpy.ops.view3d.view_selected()
-    yield 0.6
+    yield from redrawn()
 
 
 def look_from_above(view):
@@ -38,17 +38,17 @@ def teapot(view):
     yield from view.show_tab("Splinewright", (1045, 538))
     view.move(420, 420)
     view.press('TAB')
-    yield 1.0
+    yield from into_net()
     held = bpy.context.object
     points = part('bridge.net.live').session(held.data).net.positions
     held.show_in_front = False
     with view.override():
         select_points(*np.flatnonzero(points[:, 2] > points[:, 2].max() - 0.05).tolist())
         bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0, 0.25))
-    yield 0.8
+    yield from redrawn()
     save_picture(OUTPUT / "tour-net.png")
     view.press('TAB')
-    yield 0.8
+    yield from out_of_net()
     ob = bpy.data.objects["Teapot"]
     assert bpy.context.object == ob and ob.data.vertices and not part('bridge.shape').is_touched(ob.data)
     ob.hide_set(True)
@@ -63,15 +63,16 @@ def knots(view):
     value = ob.data.splinewright.value
     with view.override():
         bpy.ops.splinewright.set_knots('INVOKE_DEFAULT')
-    yield 0.8
+    yield from redrawn()
     save_picture(OUTPUT / "tour-knots.png")
     # The button V; newer dialogs have a line more.
     view.move(view.x + 150, view.y - (9 if bpy.app.version >= (4, 1) else 35))
     view.press('LEFTMOUSE')
-    yield 0.6
+    yield from redrawn()
     view.press('RET')
-    yield 0.6
-    said = bpy.context.window_manager.operators[-1]
+    operators = bpy.context.window_manager.operators
+    yield from until(lambda: operators and operators[-1].bl_idname == 'SPLINEWRIGHT_OT_set_knots', "the dialog is confirmed")
+    said = operators[-1]
     assert (said.axis, said.knots) == ('V', "0 0 0 0 1 2 2 2 2"), (said.axis, said.knots)
     assert ob.data.splinewright.value == value
     with view.override():
@@ -98,9 +99,9 @@ def following(view):
     before = part('bridge.shape').points_of(ob.data)
     source.data.splines[0].bezier_points[1].co.z += 0.8
     source.data.update_tag()
-    yield 1.0
-    after = part('bridge.shape').points_of(ob.data)
-    assert np.abs(after - before).max() > 0.7, "the follower does not follow"
+    points_of = part('bridge.shape').points_of
+    yield from until(lambda: np.abs(points_of(ob.data) - before).max() > 0.7, "the follower follows")
+    yield from redrawn()
     save_picture(OUTPUT / "tour-follow.png")
     for other in (source, ob):
         other.hide_set(True)
@@ -115,13 +116,13 @@ def native(view):
     assert ob.type == 'MESH' and ob.data.splinewright.value.is_rational
     yield from frame(view)
     view.press('TAB')
-    yield 0.8
+    yield from into_net()
     with view.override():
         select_points(*range(8))
-    yield 0.5
+    yield from redrawn()
     save_picture(OUTPUT / "tour-exact.png")
     view.press('TAB')
-    yield 0.8
+    yield from out_of_net()
     assert bpy.context.object == ob
     ob.hide_set(True)
 
@@ -149,19 +150,19 @@ def teaching(view):
         bpy.context.view_layer.objects.active = curve
     before = [ob.data.splinewright.value for ob in made]
     view.press('TAB')
-    yield 0.8
+    yield from into_net()
     with view.override():
         select_points(3)
         bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0.4, 0))
-    yield 0.8
+    yield from redrawn()
     assert made[0].data.splinewright.value == before[0] and made[1].data.splinewright.value != before[1]
     view.press('TAB')
-    yield 0.8
+    yield from out_of_net()
     with view.override():
         curve.select_set(False)
         made[1].select_set(True)
         bpy.context.view_layer.objects.active = made[1]
-    yield 0.6
+    yield from redrawn()
     save_picture(OUTPUT / "tour-teaching.png")
     for ob in (curve, *made):
         ob.hide_set(True)
@@ -175,9 +176,9 @@ def conics(view):
         ob.data.bevel_depth = 0.02
         bpy.ops.view3d.view_axis(type='TOP')
     for weight in (1.0, 3.0, -0.7, -2.0):
-        ob.data.splinewright_recipe.conic_weight = weight
+        ob.data.splinewright_parameters.conic_weight = weight
         ob.data.splinewright.reach = 3.0
-        yield 0.3
+        yield from redrawn()
     assert len(ob.data.splines) == 3
     yield from frame(view)
     save_picture(OUTPUT / "tour-conic.png")
@@ -194,7 +195,7 @@ def surfaces(view):
             3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [(r, 0, z) for r, z in zip(radii, heights)])
         bpy.ops.splinewright.add_revolve('EXEC_DEFAULT', True)
         vase = bpy.context.object
-        vase.data.splinewright.set_tolerance(0.01)
+        part('bridge.settings').set_tolerance(vase.data, 0.01)
         bpy.context.space_data.overlay.show_wireframes = True
         vase.select_set(False)
         profile.select_set(True)
@@ -203,19 +204,19 @@ def surfaces(view):
     look_from_above(view)
     yield from frame(view)
     view.press('TAB')
-    yield 0.8
+    yield from into_net()
     with view.override():
         select_points(2)
         bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0.5, 0, 0))
-    yield 0.8
+    yield from redrawn()
     assert np.abs(part('bridge.shape').points_of(vase.data)[:, 0]).max() > 1.1 and len(vase.data.polygons) != before
     view.press('TAB')
-    yield 0.8
+    yield from out_of_net()
     with view.override():
         profile.select_set(False)
         vase.select_set(True)
         bpy.context.view_layer.objects.active = vase
-    yield 0.6
+    yield from redrawn()
     save_picture(OUTPUT / "tour-revolve.png")
     with view.override():
         bpy.context.space_data.overlay.show_wireframes = False
@@ -241,7 +242,7 @@ def seams(view):
         assert bpy.ops.splinewright.join_patches('EXEC_DEFAULT', True, continuity='G2', moves='both') == {'FINISHED'}
         bpy.ops.object.select_all(action='DESELECT')
     bpy.context.view_layer.objects.active = ob
-    yield 0.8
+    yield from redrawn()
     after = save_picture(OUTPUT / "seam-after.png").astype(int)
     assert green(after) > green(before) + 200, (green(before), green(after))
     ob.hide_set(True)
@@ -271,7 +272,7 @@ def steps():
     empty_file()
     view.open_sidebar()
     view.move(420, 420)
-    yield 0.8
+    yield from redrawn()
     for stop in (teapot, knots, following, native, teaching, conics, surfaces, seams):
         yield from stop(view)
     print("the tour is as the README says:", bpy.app.version_string, flush=True)

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, part, run, save_picture
+from window import View, part, pick_by_keys, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -23,19 +23,19 @@ def pick(view, menu, steps_down, name):
     """Open a menu, whose first entry comes up under the mouse, and choose one by keyboard."""
     with view.override():
         bpy.ops.wm.call_menu(name=menu)
-    yield 0.6
+    yield from redrawn()
     picture(name)
-    for _ in range(steps_down):
-        view.press('DOWN_ARROW')
-        yield 0.15
+    yield from pick_by_keys(view, ['DOWN_ARROW'] * steps_down)
+    before = len(bpy.data.objects)
     view.press('RET')
-    yield 0.8
+    yield from until(lambda: len(bpy.data.objects) > before, "the menu entry adds a shape")
+    yield from redrawn()
 
 
 def frame(view):
     with view.override():
         bpy.ops.view3d.view_selected()
-    yield 0.6
+    yield from redrawn()
 
 
 def steps():
@@ -47,7 +47,7 @@ def steps():
         view.area.spaces.active.overlay.show_cursor = False
     view.open_sidebar()
     view.move()
-    yield 1.0
+    yield from redrawn()
     empty = picture("empty")
 
     surfaces = sum(recipe.is_surface for recipe in part('core.recipes.table').STARTING)
@@ -58,20 +58,19 @@ def steps():
     yield from view.show_tab("Splinewright", click=(1044, 537))
     view.move(80, 96)               # open the redo panel
     view.press('LEFTMOUSE')
-    yield 1.0
+    yield from redrawn()
     view.move(650, 550)
-    yield 0.5
+    yield from redrawn()
     shown = picture("teapot")
     assert np.mean(np.any(shown != empty, axis=2)) > 0.05, "the teapot is not to be seen"
 
     ob.data.splinewright.resolution_u = 3
     assert len(ob.data.polygons) == 32 * 3 * 10
     view.press('Z', ctrl=True)
-    yield 0.8
-    assert not bpy.data.objects, "Ctrl+Z leaves the teapot there"
+    yield from until(lambda: not bpy.data.objects, "Ctrl+Z takes the teapot away")
     view.press('Z', ctrl=True, shift=True)
-    yield 0.8
-    assert len(bpy.data.objects["Teapot"].data.splinewright.value) == 32, "Shift+Ctrl+Z does not bring it back"
+    yield from until(lambda: "Teapot" in bpy.data.objects, "Shift+Ctrl+Z brings it back")
+    assert len(bpy.data.objects["Teapot"].data.splinewright.value) == 32
 
     bpy.data.objects["Teapot"].hide_set(True)
     view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height // 2)

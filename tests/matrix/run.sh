@@ -1,29 +1,25 @@
 #!/usr/bin/env bash
-# Packs one zip with a module for every Python, and runs the Blender tests with that very file on the
-# Blender of Debian 12 (this system), of Debian 13 and of Debian unstable.
-#   run.sh BUILD CACHE       CACHE keeps the roots of the other releases
+# Packs one zip with a module for every Python, and runs the Blender tests with that very file: all of them, and windows,
+# on the Blender of Debian 12 (this system), of Debian 13 and of Debian unstable; on the official builds, which have no
+# windows, all but those that no version changes.
+#   run.sh BUILD CACHE           CACHE keeps the roots of the other releases and the official builds
+#   run.sh BUILD CACHE full      all of it on the official builds, too
+#   run.sh BUILD CACHE plan      only says which official builds there are
 set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(cd -P "$(dirname "$0")" && pwd)
 project=$(realpath "$here/../..")
-build=$1; cache=$2
-if [ "$(id -u)" -ne 0 ]; then
-  echo "The matrix makes roots of other Debian releases: run it as root" >&2
-  exit 1
-fi
-mkdir -p "$cache"
+build=$(realpath "$1"); cache=$2; how=${3:-}
+# Official versions, and the release whose Python each is built for.
+official=(4.2:bookworm 4.5:bookworm 5.0:bookworm 5.1:trixie 5.2:trixie)
+# The folder of the build, as seen from inside a root.
+inside=/project/${build#"$project"/}
+[ "$inside" != "/project/$build" ] || { echo "the build $build is not inside $project" >&2; exit 2; }
 
 in_root() { local suite=$1; shift; "$here/root.sh" run "$cache/$suite" "$project" "$@"; }
 
-# The folder of the build, as seen from inside a root.
-inside=/project/${build#"$project"/}
-
-make_root() {
-  echo "Preparing a root of Debian $1"
-  "$here/root.sh" make "$1" "$cache/$1" >"$build/root-$1.log" 2>&1
-}
+make_root() { "$here/root.sh" make "$1" "$cache/$1" >"$build/root-$1.log" 2>&1; }
 
 build_module() {
-  echo "Building the module in Debian $1"
   in_root "$1" sh -c "
     cmake -S /project -B $inside/roots/$1 -G Ninja -DCMAKE_BUILD_TYPE=Release -DSPLINEWRIGHT_TESTS=OFF &&
     cmake --build $inside/roots/$1 --target _splinecore &&
@@ -31,32 +27,84 @@ build_module() {
     { tail -n 40 "$build/module-$1.log" >&2; return 1; }
 }
 
-run_tests() {
-  local suite=$1 zip=$2
-  echo; echo "== Debian $suite"
-  in_root "$suite" sh -c "cd /project && tests/blender/run.sh $inside/$zip $inside/blender-$suite &&
-    tests/gui/run.sh $inside/$zip $inside/gui-$suite"
+heading() { printf '\n== %s\n' "$*"; }
+
+# Runs a command and remembers its name where it fails.
+failed=()
+attempt() { local name=$1; shift; "$@" || failed+=("$name"); }
+
+test_debian() {
+  heading "Debian $1"
+  if [ "$1" = bookworm ]; then
+    attempt "Debian $1" "$here/../blender/run.sh" "$build/$zip" "$build/blender"
+    attempt "Debian $1, windows" "$here/../gui/run.sh" "$build/$zip" "$build/gui"
+  else
+    attempt "Debian $1" in_root "$1" sh -c "cd /project && tests/blender/run.sh $inside/$zip $inside/blender-$1"
+    attempt "Debian $1, windows" in_root "$1" sh -c "cd /project && tests/gui/run.sh $inside/$zip $inside/gui-$1"
+  fi
 }
 
-suites=()
-unstable=
+# official_build VERB VERSION RELEASE: leaves what it is, or why it is not, in $made.
+official_build() {
+  local root=
+  case "$3" in
+    bookworm) folder=$cache/official/$2 ;;
+    *) folder=/opt/official/$2 root=$cache/$3 ;;
+  esac
+  made=$("$here/official.sh" "$1" "$2" "$folder" "$root")
+}
+
+test_official() {
+  local version=$1 release=$2 code=0
+  official_build make "$version" "$release" || code=$?
+  heading "$made"
+  case $code in 0) ;; 3 | 4) return ;; *) failed+=("Blender $version"); return ;; esac
+  local program=official/$version/blender without=
+  [ "$how" = full ] || without=$(sed -nE 's/^(test_\w+\.py).*/\1/p' "$here/any_version.txt" | tr '\n' ' ')
+  [ -z "$without" ] || echo "without ${without% }: ./run matrix full has them, too"
+  if [ "$release" = bookworm ]; then
+    "$here/official.sh" program "$folder" "$project" "$build/$program"
+    BLENDER=$build/$program SHARED_WITHOUT=$without attempt "$made" "$here/../blender/run.sh" "$build/$zip" "$build/official/$version"
+  else
+    "$here/official.sh" program "$folder" /project "$build/$program"
+    attempt "$made" in_root "$release" sh -c "cd /project && BLENDER=$inside/$program SHARED_WITHOUT='$without' \
+      tests/blender/run.sh $inside/$zip $inside/official/$version"
+  fi
+}
+
+if [ "$how" = plan ]; then
+  for entry in "${official[@]}"; do official_build which "${entry%:*}" "${entry#*:}" || true; echo "$made"; done
+  echo "The build $build is $inside in the roots"
+  exit
+fi
+if [ "$(id -u)" -ne 0 ]; then
+  echo "The matrix makes roots of other Debian releases: run it as root" >&2
+  exit 1
+fi
+mkdir -p "$cache" "$build/modules"
+
+echo "Preparing roots of Debian trixie and unstable"
+make_root sid & sid=$!
 make_root trixie || { tail -n 20 "$build/root-trixie.log" >&2; exit 1; }
-suites+=(trixie)
-if make_root sid; then
+suites=(trixie) unstable=
+if wait $sid; then
   suites+=(sid)
 else
   reason=$(grep -E '^E:' "$build/root-sid.log" | tail -n 1 || true)
   unstable="Debian unstable cannot install its Blender today: ${reason:-$(tail -n 1 "$build/root-sid.log")}"
 fi
 
-mkdir -p "$build/modules"
-for suite in "${suites[@]}"; do build_module "$suite"; done
+echo "Building the module in ${suites[*]}"
+builders=()
+for suite in "${suites[@]}"; do build_module "$suite" & builders+=($!); done
+for builder in "${builders[@]}"; do wait "$builder"; done
 rm -f "$build"/splinewright-*.zip
 /usr/bin/cmake --build "$build" --target zip >/dev/null
 zip=$(basename "$build"/splinewright-*.zip)
 echo "Packed $zip with $(ls "$build"/modules | wc -l) modules: $(ls "$build"/modules | tr "\n" " ")"
 
-echo; echo "== Debian bookworm"
-"$here/../blender/run.sh" "$build/$zip" "$build/blender"
-for suite in "${suites[@]}"; do run_tests "$suite" "$zip"; done
-[ -z "$unstable" ] || echo "$unstable"
+for suite in bookworm "${suites[@]}"; do test_debian "$suite"; done
+[ -z "$unstable" ] || { heading "Debian unstable"; echo "$unstable"; }
+for entry in "${official[@]}"; do test_official "${entry%:*}" "${entry#*:}"; done
+
+[ ${#failed[@]} -eq 0 ] || { printf '\nFailed:\n'; printf '  %s\n' "${failed[@]}"; exit 1; }

@@ -116,7 +116,47 @@ def test_the_addon_imports_itself_relatively_and_touches_no_search_path():
         assert not re.search(r'\b(eval|exec)\(', text), path
 
 
+def test_one_file_of_the_addon_knows_versions_of_blender():
+    """Others ask it for a fact by its name."""
+    for _, path in addon_files():
+        if path != ADDON / "bridge" / "versions.py":
+            assert not re.search(r'\bapp\.version|hasattr\(bpy\.', path.read_text()), path
+
+
+def test_operators_report_through_one_function_only():
+    for room, path in addon_files():
+        calls = [node for node in ast.walk(ast.parse(path.read_text()))
+                 if isinstance(node, ast.Attribute) and node.attr == 'report']
+        assert len(calls) == (path.name == "reports.py"), path
+
+
+def test_windows_wait_until_it_is_so_and_never_a_fixed_time():
+    for path in (PROJECT / "tests" / "gui").glob("*.py"):
+        assert not re.search(r'\byield +[\d.]|\bsleep\(', path.read_text()), path
+
+
 def test_no_file_is_longer_than_500_lines():
     for pattern in ("native/**/*.?pp", "addon/**/*.py", "tests/**/*.py", "tests/**/*.?pp", "blend_samples/*.py"):
         for path in PROJECT.glob(pattern):
             assert len(path.read_text().splitlines()) <= 500, path
+
+
+def test_settings_are_reached_through_one_file():
+    for room, path in addon_files():
+        if room == 'bridge' and path.name != "settings.py":
+            assert not re.search(r'\.splinewright\b', path.read_text()), path
+
+
+def test_what_is_remembered_of_the_open_file_has_one_room():
+    """A dictionary, list or set at the top of a module outlives the file that is open; keymaps do, too."""
+    for room, path in addon_files():
+        if path.name != "keymaps.py":
+            assert not re.search(r'^[a-z_]+ = (set\(\)|dict\(\)|\{\}|\[\])', path.read_text(), re.M), path
+
+
+def test_refusals_are_told_from_mistakes():
+    """What a modeller is told of is a Refusal; a ValueError that nobody raised for him is a mistake of ours."""
+    allowed = {"failures.py", "store.py", "recipes.py", "bpt.py"}
+    for _, path in addon_files():
+        if path.name not in allowed:
+            assert not re.search(r'raise (ValueError|TypeError|RuntimeError|ArithmeticError)\(', path.read_text()), path

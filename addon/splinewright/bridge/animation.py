@@ -1,5 +1,7 @@
 """What animates a data-block: keys, strips of the nonlinear animation, drivers."""
 
+from . import versions
+
 
 def holders(animation):
     """What holds an action of an AnimData: itself, and the strips of its tracks."""
@@ -10,7 +12,7 @@ def holders(animation):
 def curve_lists(holder):
     """The lists of F-curves of a holder's action: one before Blender 4.4, one for each strip since."""
     action = holder.action
-    if not hasattr(action, 'layers'):
+    if not versions.actions_have_layers:
         return [action.fcurves]
     bags = [bag for layer in action.layers for strip in layer.strips for bag in strip.channelbags]
     return [bag.fcurves for bag in bags if bag.slot == holder.action_slot]

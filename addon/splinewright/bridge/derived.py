@@ -4,12 +4,13 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core import transform
+from ..core.failures import Refusal
 from . import shape, store
 from .native import read_native
 
 
-def made(recipe, values, sources, owner, depsgraph):
-    """What a recipe makes from objects, in the space of the object `owner`. Raises ValueError or ArithmeticError."""
+def result(recipe, values, sources, owner, depsgraph):
+    """What a recipe makes from objects, in the space of the object `owner`. Raises Refusal or an error of the library."""
     inputs = [_definition_of(source, depsgraph) for source in sources]
     if not recipe.is_beside:
         inputs = [_moved(definition, source, owner, depsgraph) for definition, source in zip(inputs, sources)]
@@ -17,10 +18,10 @@ def made(recipe, values, sources, owner, depsgraph):
 
 
 def _moved(definition, source, owner, depsgraph):
-    """A definition of one object in the space of another. Raises ValueError where that has no room for it."""
+    """A definition of one object in the space of another. Raises Refusal where that has no room for it."""
     space, place = (np.array(_matrix(ob, depsgraph), dtype=np.float64) for ob in (owner, source))
     if not abs(np.linalg.det(space[:3, :3])) > 0.0:
-        raise ValueError(f"{owner.name} has a scale of 0: it cannot show what it follows")
+        raise Refusal(f"{owner.name} has a scale of 0: it cannot show what it follows")
     if _are_one(space, place):
         return definition
     return transform.transformed(definition, np.linalg.inv(space) @ place)
@@ -43,14 +44,14 @@ def not_followed(source):
 
 
 def _definition_of(source, depsgraph):
-    """What an object is now, in its own space. Raises ValueError if it shows nothing."""
+    """What an object is now, in its own space. Raises Refusal if it shows nothing."""
     if shape.has_shape(source):
         return store.read(source.data)
     if not is_possible(source):
-        raise ValueError(f"{source.name} is no curve, surface or Splinewright shape")
+        raise Refusal(f"{source.name} is no curve, surface or Splinewright shape")
     reading = read_native.read(source, depsgraph)
     if reading.value is None:
-        raise ValueError(f"{source.name} shows nothing that could be followed")
+        raise Refusal(f"{source.name} shows nothing that could be followed")
     return definitions.from_value(reading.value)
 
 

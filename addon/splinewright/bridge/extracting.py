@@ -6,7 +6,7 @@ from mathutils import Matrix
 
 from ..core import definition as definitions
 from ..core import patch_curves, transform, verbs
-from . import shape, store
+from . import settings, shape, store
 
 
 def isocurves(data, number, at):
@@ -21,8 +21,8 @@ def boundaries(data, number, sides):
 
 def new_object(source, name, curves, axes):
     """A new object, not linked to a scene, of curves across these axes of a shape; it lies where that lies."""
-    settings = source.data.splinewright
-    resolution = max(settings.resolution_v if axis == 'u' else settings.resolution_u for axis in axes)
+    chosen = settings.of(source.data)
+    resolution = max(chosen.resolution_v if axis == 'u' else chosen.resolution_u for axis in axes)
     value = _without_shear(curves[0] if len(curves) == 1 else curves, source.matrix_world)
     data = shape.new_data(f"{source.name} {name}", value, (resolution, resolution))
     ob = bpy.data.objects.new(data.name, data)
@@ -32,8 +32,8 @@ def new_object(source, name, curves, axes):
 
 def _without_shear(value, matrix):
     """Curves as they lie in the place that an object without a parent can take in the place of that matrix."""
-    world, place = (np.array(one, dtype=np.float64) for one in (matrix, Matrix.LocRotScale(*matrix.decompose())))
+    world, plain = (np.array(one, dtype=np.float64) for one in (matrix, Matrix.LocRotScale(*matrix.decompose())))
     size = np.abs(world).max()
-    if np.abs(world - place).max() <= 1e-6 * size or np.linalg.det(place[:3, :3]) == 0:
+    if np.abs(world - plain).max() <= 1e-6 * size or np.linalg.det(plain[:3, :3]) == 0:
         return value
-    return definitions.to_value(transform.transformed(definitions.from_value(value), np.linalg.inv(place) @ world))
+    return definitions.to_value(transform.transformed(definitions.from_value(value), np.linalg.inv(plain) @ world))

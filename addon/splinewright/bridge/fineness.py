@@ -3,16 +3,21 @@
 import numpy as np
 from mathutils import Matrix
 
+from ..core.failures import Refusal
 from ..core.library import sc
-
-#: The ways to choose faces, as the settings name them.
-COUNT, TOLERANCE, ANGLE, BOTH = 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
+from . import settings
+from .settings import ANGLE, BOTH, COUNT, TOLERANCE
 
 
 def of(data):
     """What the settings of a data-block ask for: equal ones, equal faces."""
-    settings = data.splinewright
-    return settings.mode, settings.resolution_u, settings.resolution_v, settings.tolerance, settings.angle
+    chosen = settings.of(data)
+    return chosen.mode, chosen.resolution_u, chosen.resolution_v, chosen.tolerance, chosen.angle
+
+
+def by_count(data):
+    """Whether the faces do not depend on where the points lie."""
+    return settings.of(data).mode == COUNT
 
 
 def tessellated(data, patch_set):
@@ -27,29 +32,29 @@ def tessellated(data, patch_set):
 def of_render(ob, points, scene, depsgraph):
     """The length, in the object's units, that is one pixel where a shape is nearest to the scene's camera.
 
-    points: (n, 3), of the shape. Raises ValueError where the scene has no camera, or none of them is before it.
+    points: (n, 3), of the shape. Raises Refusal where the scene has no camera, or none of them is before it.
     """
     camera = scene.camera
     if camera is None:
-        raise ValueError("the scene has no camera")
+        raise Refusal("the scene has no camera")
     scale = largest_scale(ob.matrix_world)
     if scale == 0.0:
-        raise ValueError("it has a scale of 0: no camera sees it")
+        raise Refusal("it has a scale of 0: no camera sees it")
     render = scene.render
     width, height = (size * render.resolution_percentage / 100 for size in (render.resolution_x, render.resolution_y))
     window = np.array(camera.calc_matrix_camera(depsgraph, x=round(width), y=round(height),
                                                 scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y))
-    place = camera.matrix_world.normalized()
-    if place.determinant() == 0.0:
-        raise ValueError("the camera has a scale of 0")
-    to_camera = place.inverted() @ ob.matrix_world
+    camera_world = camera.matrix_world.normalized()
+    if camera_world.determinant() == 0.0:
+        raise Refusal("the camera has a scale of 0")
+    to_camera = camera_world.inverted() @ ob.matrix_world
     depth = -(np.array(to_camera)[2, :3] @ points.T + to_camera[2][3])
     # The window's matrix leads to clip space, which is 2 wide and divided by w: the depth, or 1 where all is parallel.
     is_perspective = window[3, 3] == 0.0
     start = camera.data.clip_start if camera.type == 'CAMERA' else 0.0
     seen = depth[depth >= start]
     if not len(seen):
-        raise ValueError("the shape lies behind the camera")
+        raise Refusal("the shape lies behind the camera")
     distance = seen.min() if is_perspective else 1.0
     pixel = distance * min(2 / (width * window[0, 0]), 2 / (height * window[1, 1]))
     return float(pixel / scale)

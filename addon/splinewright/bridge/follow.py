@@ -1,47 +1,55 @@
 """Shapes that follow an object: which they are, in which order, and how they are brought up to date."""
 
 import contextlib
+import functools
 import graphlib
 
 import bpy
 import numpy as np
 
 from ..core import definition as definitions
-from ..core.failures import FAILURES, sentence
+from ..core.failures import Refusal, told
 from ..core.recipes.table import FOLLOW
-from . import derived, recipes, shape, store
-
-#: (is it a curve, name) of data-blocks that follow something. Only a hint: scan() makes it anew.
-known = set()
-#: Why a follower is not up to date, by the same keys.
-problems = {}
-_owners = {}
+from . import derived, problems, recipes, shape, store
+from .file_state import block_of, key, state
 
 
-class Cycle(ValueError):
+class Cycle(Refusal):
     """A shape would follow itself."""
 
 
 def scan():
     """Find all followers of the file."""
-    known.clear()
-    problems.clear()
-    _owners.clear()
-    for blocks in (bpy.data.meshes, bpy.data.curves):
-        known.update(_key(data) for data in blocks if recipes.follows(data))
+    state.followers.clear()
+    state.owners.clear()
+    problems.forget(problems.FOLLOWING)
+    _add(data for blocks in (bpy.data.meshes, bpy.data.curves) for data in blocks)
+
+
+def _add(blocks):
+    """Keep those that are followers in mind. In older files nothing watches what they follow."""
+    for data in blocks:
+        if _is_live(data) and key(data) not in state.followers:
+            state.followers.add(key(data))
+            recipes.watch(data)
+
+
+def _is_live(data):
+    """Whether a data-block is to follow. What is linked from another file cannot be written."""
+    return recipes.follows(data) and not data.library
 
 
 def new_object(recipe, values, sources, resolution, depsgraph):
     """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies.
 
-    Raises ValueError or ArithmeticError if it cannot be made.
+    Raises Refusal or an error of the library if it cannot be result.
     """
-    made = derived.made(recipe, values, sources, sources[0], depsgraph)
+    result = derived.result(recipe, values, sources, sources[0], depsgraph)
     name = f"{sources[0].name} {recipe.label if recipe.parameters else 'Exact'}"
-    data = shape.new_data(name, definitions.to_value(made.definition), resolution)
+    data = shape.new_data(name, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
     ob.matrix_world = sources[0].matrix_world
-    _write(data, recipe, values, sources, made.error)
+    _write(data, recipe, values, sources, result.error)
     return ob
 
 
@@ -51,28 +59,30 @@ def attach(ob, source, depsgraph):
     Raises Cycle if that follows the shape itself, ValueError if it cannot be followed.
     """
     if not shape.has_shape(ob):
-        raise ValueError(f"{ob.name} is no Splinewright shape: it cannot follow anything")
+        raise Refusal(f"{ob.name} is no Splinewright shape: it cannot follow anything")
     require_no_cycle(ob.data, source)
     shape.require_writable(ob.data)
-    made = derived.made(FOLLOW, {}, [source], ob, depsgraph)
-    shape.set_definition(ob.data, made.definition)
-    _write(ob.data, FOLLOW, {}, [source], made.error)
+    result = derived.result(FOLLOW, {}, [source], ob, depsgraph)
+    shape.set_definition(ob.data, result.definition)
+    _write(ob.data, FOLLOW, {}, [source], result.error)
 
 
-def set_parameter(data, name, value, depsgraph):
-    """Change one number or text of what is made from objects. Raises, and changes nothing, where nothing comes of it."""
-    owner, sources = owner_of(data), recipes.read_inputs(data)
+def set_parameters(data, changes, depsgraph):
+    """Change parameters of what is made from objects, by name. Raises, and changes nothing, where nothing comes of it."""
+    state.owners.pop(key(data), None)
+    owner, sources = _owner_of(data, _Turn(depsgraph)), recipes.read_inputs(data)
     if owner is None or None in sources:
-        raise ValueError("an object it is made from was deleted: it stays as it was last")
-    recipe, values = recipes.of(data), {**recipes.parameters(data), name: value}
-    made = derived.made(recipe, values, sources, owner, depsgraph)
-    shape.set_definition(data, made.definition)
-    recipes.write_derived(data, recipe, values, sources, made.error)
+        raise Refusal("an object it is made from was deleted: it stays as it was last")
+    stored = recipes.read(data)
+    recipe, values = stored.recipe, {**stored.values, **changes}
+    result = derived.result(recipe, values, sources, owner, depsgraph)
+    shape.set_definition(data, result.definition)
+    recipes.write_derived(data, recipe, values, sources, result.error)
 
 
 def _write(data, recipe, values, sources, error):
     recipes.write_derived(data, recipe, values, sources, error)
-    known.add(_key(data))
+    state.followers.add(key(data))
 
 
 def require_no_cycle(data, source):
@@ -82,88 +92,123 @@ def require_no_cycle(data, source):
         ob = waiting.pop()
         if ob.data == data:
             raise Cycle(f"{ob.name} would follow itself")
-        if ob.name not in seen and ob.data:
-            waiting += _inputs(ob.data)
-        seen.add(ob.name)
+        if key(ob) not in seen and ob.data and recipes.follows(ob.data):
+            waiting += recipes.pointers(ob.data)
+        seen.add(key(ob))
 
 
 def refresh(changed, depsgraph):
     """Bring the followers of changed blocks up to date, inputs before what follows them."""
     _note(changed)
-    if not known:
+    if not state.followers:
         return
-    changed = set(changed)
+    turn = _Turn(depsgraph)
+    causes = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object))}
     for data in _in_order():
-        sources, owner = _inputs(data), owner_of(data)
-        if not sources or owner is None:
-            continue
-        causes = {owner, *(cause for source in sources for cause in _causes(source))}
-        if not changed.isdisjoint(causes) and _update(data, owner, sources, depsgraph):
-            changed.add(data)
+        if not causes.isdisjoint(_causes(data)) and _update(data, turn):
+            causes.add(data)
 
 
-def _causes(source):
-    return source, source.data, getattr(source.data, 'shape_keys', None)
+def _causes(data):
+    """What a follower depends on; of an object that shows it its place, for which the follower itself stands here."""
+    for source in recipes.pointers(data):
+        yield from (source, source.data, getattr(source.data, 'shape_keys', None))
+    yield data
 
 
 def _note(blocks):
-    """Add the followers among changed blocks, which may be new to the file."""
+    """Changed blocks may be followers that are new to the file, or objects in whose space one lies."""
+    _add(block for block in blocks if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)))
     for block in blocks:
-        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and recipes.follows(block):
-            known.add(_key(block))
+        if isinstance(block, bpy.types.Object) and block.data and state.owners.get(key(block.data), block) is None:
+            del state.owners[key(block.data)]
 
 
-def refresh_all(depsgraph):
-    """Bring every follower up to date: another frame, another file."""
+def refresh_all(changed, depsgraph):
+    """Bring every follower up to date that a depsgraph shows: another frame, another file."""
+    _note(changed)
+    turn = _Turn(depsgraph)
     for data in _in_order():
-        sources, owner = _inputs(data), owner_of(data)
-        if sources and owner is not None:
-            _update(data, owner, sources, depsgraph)
+        _update(data, turn)
 
 
 def problem(data):
     """Why a follower does not follow, or ""."""
     if not recipes.follows(data):
         return ""
-    if not all(source is not None and source.users_scene for source in recipes.read_inputs(data)):
-        return "The object it follows was deleted, or is in no scene: it stays as it was last"
-    return problems.get(_key(data), "")
-
-
-def owner_of(data):
-    """The object in whose space a follower lies: the first by name that is in a scene, or None."""
-    hint = bpy.data.objects.get(_owners.get(_key(data), ""))
-    if hint is None or hint.data != data or not hint.users_scene:
-        hint = _find_owner(data)
-        _owners[_key(data)] = hint.name if hint else ""
-    return hint
-
-
-def _find_owner(data):
-    users = [ob for ob in bpy.data.user_map(subset={data})[data]
-             if isinstance(ob, bpy.types.Object) and ob.data == data and ob.users_scene]
-    return min(users, key=lambda ob: ob.name) if users else None
-
-
-def _update(data, owner, sources, depsgraph):
-    """Whether the follower changed."""
-    key = _key(data)
+    if data.library:
+        return "It is linked from another file: it is shown as that was saved. Bake Animation there makes it move here"
     try:
-        if not all(source.users_scene for source in sources):
+        sources = recipes.read_inputs(data)
+    except store.UnreadableDefinition as error:
+        return str(error)
+    if not _in_use().issuperset(sources):
+        return _GONE
+    return problems.of(data, problems.FOLLOWING)
+
+
+_GONE = "The object it follows was deleted, or is in no scene: it stays as it was last"
+
+
+class _Turn:
+    """One go of bringing followers up to date."""
+
+    def __init__(self, depsgraph):
+        self.depsgraph = depsgraph
+
+    @functools.cached_property
+    def in_use(self):
+        return _in_use()
+
+    def shows(self, ob):
+        """Whether the depsgraph evaluates an object: it may be of another scene, or left out of the view layer."""
+        return ob.evaluated_get(self.depsgraph).is_evaluated
+
+
+def _in_use():
+    """The objects that were not deleted: those in a scene, or in a collection, which may be instanced."""
+    collections = (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes))
+    return {ob for collection in collections for ob in collection.objects}
+
+
+def _owner_of(data, turn):
+    """The object in whose space a follower lies: the first by name that is in use, or None. That is kept until an
+    object is told of that could be it: to look for one costs as much as the file has objects."""
+    name = key(data)
+    if name in state.owners:
+        known = state.owners[name]
+        owner = block_of(known) if known else None
+        if known is None or owner is not None and owner.data == data and owner in turn.in_use:
+            return owner
+    users = (ob for ob in bpy.data.objects if ob.data == data and ob in turn.in_use)
+    owner = min(users, key=lambda ob: ob.name, default=None)
+    state.owners[name] = key(owner) if owner else None
+    return owner
+
+
+def _update(data, turn):
+    """Whether the follower changed. Whatever goes wrong is kept in words: others are to be brought up to date, too."""
+    try:
+        owner = _owner_of(data, turn)
+        if owner is None:
             return False
-        for i, source in enumerate(sources):
-            if recipes.was_shape(data, i) and not shape.has_shape(source):
-                raise ValueError(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        made = derived.made(recipes.of(data), recipes.parameters(data), sources, owner, depsgraph)
-        definition = made.definition
-        problems.pop(key, None)
+        stored = recipes.read(data)
+        sources = stored.sources
+        if not turn.in_use.issuperset(sources) or not all(map(turn.shows, sources)):
+            return False
+        for source, was_shape in zip(sources, stored.were_shapes):
+            if was_shape and not shape.has_shape(source):
+                raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
+        result = derived.result(stored.recipe, stored.values, sources, owner, turn.depsgraph)
+        definition = result.definition
+        problems.tell(data, problems.FOLLOWING, "")
         if _same(store.read(data), definition) and not shape.is_touched(data):
             return False
         shape.set_definition(data, definition)
-        recipes.write_error(data, made.error)
+        recipes.write_error(data, result.error)
         return True
-    except FAILURES as error:
-        problems[key] = sentence(error)
+    except Exception as error:
+        problems.tell(data, problems.FOLLOWING, told(error))
         return False
 
 
@@ -175,45 +220,32 @@ def _same(a, b):
                for p, q in zip(a.pieces, b.pieces))
 
 
+def links():
+    """Pairs of a follower and an object that it follows, of those that are shown."""
+    turn = _Turn(None)
+    return [(data, source) for data in _blocks() if _owner_of(data, turn) for source in recipes.pointers(data)]
+
+
 def _in_order():
     """The followers, each after the shape that it follows. Those of a cycle are left out."""
-    blocks = {_key(data): data for data in _blocks()}
+    blocks = {key(data): data for data in _blocks()}
     sorter = graphlib.TopologicalSorter(
-        {key: {_key(source.data) for source in _inputs(data) if source.data} for key, data in blocks.items()})
+        {name: {key(source.data) for source in recipes.pointers(data) if source.data} for name, data in blocks.items()})
     with contextlib.suppress(graphlib.CycleError):
         sorter.prepare()
     order = []
     while sorter.is_active():
         ready = sorter.get_ready()
-        order += [blocks.pop(key) for key in sorted(ready) if key in blocks]
+        order += [blocks.pop(name) for name in sorted(ready) if name in blocks]
         sorter.done(*ready)
-    for key in blocks:
-        problems[key] = "It follows itself, in a circle: it stays as it was last"
+    for data in blocks.values():
+        problems.tell(data, problems.FOLLOWING, "It follows itself, in a circle: it stays as it was last")
     return order
 
 
 def _blocks():
-    blocks = [_block(key) for key in sorted(known)]
-    if all(data is not None and recipes.follows(data) for data in blocks):
+    blocks = [block_of(name) for name in sorted(state.followers)]
+    if all(data is not None and _is_live(data) for data in blocks):
         return blocks
     scan()                              # one was renamed or removed
-    return [_block(key) for key in sorted(known)]
-
-
-def _inputs(data):
-    """The objects that a shape is made from; [] where it is made from none, or one is missing or unknown."""
-    try:
-        sources = recipes.read_inputs(data)
-    except store.UnreadableDefinition as error:
-        problems[_key(data)] = str(error)
-        return []
-    return [] if None in sources else sources
-
-
-def _key(data):
-    return isinstance(data, bpy.types.Curve), data.name
-
-
-def _block(key):
-    is_curve, name = key
-    return (bpy.data.curves if is_curve else bpy.data.meshes).get(name)
+    return [block_of(name) for name in sorted(state.followers)]

@@ -1,26 +1,61 @@
 """Several shapes become one."""
 
-import functools
 from typing import NamedTuple
 
 import bpy
 import numpy as np
 
 from ..core import joints, patch_joints, transform
-from . import blocks, mesh_looks, recipes, replacing, shape, store, write_curve
+from ..core.failures import Refusal, blenders_refusals
+from . import blocks, curve_pieces, mesh_attributes, mesh_looks, recipes, replacing, shape, store, write_mesh
+from .look import Look
 
 
 def join(active, others):
     """The active shape takes the pieces of the others, where they stand; the others are removed.
 
-    Each piece keeps its material, splines their radius and tilt. Raises ValueError, and changes nothing, where one
-    cannot be read or changed.
+    What users put on each stays on it. Raises Refusal, and changes nothing, where one cannot be read or changed.
     """
     definition = together(active, others)
-    looks = _looks([active, *others])
+    belongings = _belongings([active, *others])
     shape.set_definition(active.data, definition)
-    _give_looks(active.data, looks)
+    _give(active, definition, belongings)
     _remove(others)
+
+
+def join_plainly(active, chosen):
+    """Blender's own Join of selected objects, some of which are no shapes: the definitions of the others end.
+
+    Returns a sentence for the user. Raises Refusal, and changes nothing, where Blender refuses.
+    """
+    said, ended = f"Joined into {active.name}", [ob.data for ob in chosen if shape.has_shape(ob)]
+    count = len(set(ended))
+    with blenders_refusals():
+        outcome = bpy.ops.object.join()
+    if outcome != {'FINISHED'}:
+        raise Refusal("Blender did not join them")
+    for data in set(ended):
+        if data == active.data:
+            shape.detach(data)
+        else:
+            blocks.remove(data)
+    return f"{said}: {count} definition{'s' if count > 1 else ''} ended"
+
+
+def ending_in_words(chosen):
+    """What join_plainly() ends, as a sentence."""
+    shapes, others = ([ob.name for ob in chosen if shape.has_shape(ob) == is_shape] for is_shape in (True, False))
+    are, them = ("is no Splinewright shape", "it") if len(others) == 1 else ("are no Splinewright shapes", "them")
+    names = _listed(shapes)
+    end = f"definition of {names} ends: what it shows" if len(shapes) == 1 else f"definitions of {names} end: what they show"
+    return f"{_listed(others)} {are}. Joined with {them}, the {end} stays, without a net"
+
+
+def _listed(names):
+    """A few names in words."""
+    if len(names) > 4:
+        names = [*names[:3], f"{len(names) - 3} more"]
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
 def join_ends(active, other, first, second, smoothness):
@@ -32,10 +67,10 @@ def join_ends(active, other, first, second, smoothness):
     definition = together(active, [other])
     parted = len(store.read(active.data).pieces)
     changed = joints.joined(definition, first, second, smoothness, linear_of(active), parted)
-    looks = _looks([active, other])
-    worn = replacing.carried(looks.worn, definition, changed, active.data)
+    belongings = _belongings([active, other])
     shape.set_definition(active.data, changed.definition)
-    _give_looks(active.data, looks._replace(worn=worn))
+    pieces = curve_pieces.carried(belongings.pieces, changed)
+    _give(active, changed.definition, belongings._replace(pieces=pieces))
     _remove([other])
     return definition, changed
 
@@ -54,9 +89,9 @@ def join_patches(active, other, first, second, smoothness, moves):
         return found
     parted = len(store.read(active.data).pieces)
     found = patch_joints.joined(together(active, [other]), first, second, smoothness, moves, linear_of(active), parted)
-    looks = _looks([active, other])
+    belongings = _belongings([active, other])
     shape.set_definition(active.data, found.changed.definition)
-    _give_looks(active.data, looks)
+    _give(active, found.changed.definition, belongings)
     _remove([other])
     return found
 
@@ -67,16 +102,16 @@ def linear_of(ob):
 
 
 def together(active, others):
-    """The definition of all pieces in the space of the active shape. Raises ValueError as join() does."""
+    """The definition of all pieces in the space of the active shape. Raises Refusal as join() does."""
     for ob in [active, *others]:
         if ob.library or ob.override_library or ob.data.library:
-            raise ValueError(f"{ob.name} is linked from another file")
+            raise Refusal(f"{ob.name} is linked from another file")
         recipes.require_free(ob.data)
         shape.require_writable(ob.data)
         shape.require_untouched(ob.data)
     into = np.array(active.matrix_world, dtype=np.float64)
     if np.linalg.det(into[:3, :3]) == 0:
-        raise ValueError(f"{active.name} has a scale of 0: nothing can be put into its space")
+        raise Refusal(f"{active.name} has a scale of 0: nothing can be put into its space")
     into = np.linalg.inv(into)
     parts = [store.read(active.data)]
     for ob in others:
@@ -91,40 +126,52 @@ def _remove(obs):
         blocks.remove(data)
 
 
-class _Looks(NamedTuple):
+class _Belongings(NamedTuple):
+    """What users put on the parts, with material indices of the whole."""
+
     materials: list
-    of_pieces: list             # a mesh_looks.Look for each piece of a mesh
-    worn: list                  # a write_curve.Dress for each spline of a curve
+    pieces: list                # for each piece a Look, or of a curve what curve_pieces.of() gives
+    painted: list               # (mesh_attributes.Kept, the first of its patches, how many it has) of each mesh with any
 
 
-def _looks(obs):
-    """The materials of all parts, and which of them each wears."""
-    materials = list(obs[0].data.materials)
-    of_pieces, worn = [], []
+def _belongings(obs):
+    materials, pieces, painted = list(obs[0].data.materials), [], []
     for ob in obs:
-        data = ob.data
+        data, definition = ob.data, store.read(ob.data)
         materials += [material for material in data.materials if material not in materials]
-        slots = [materials.index(material) for material in data.materials] or [0]
-        slot = functools.partial(_slot, slots)
-        if isinstance(data, bpy.types.Curve):
-            worn += [dress._replace(material_index=slot(dress.material_index)) for dress in write_curve.dresses(data)]
-        else:
-            known = mesh_looks.looks_by_patch(data)
-            looks = [known.get(i, mesh_looks.Look()) for i in range(len(store.read(data).pieces))]
-            of_pieces += [look._replace(material_index=slot(look.material_index)) for look in looks]
-    return _Looks(materials, of_pieces, worn)
+        slots = np.array([materials.index(material) for material in data.materials] or [0])
+        if definition.has_curves:
+            pieces += [[layers._replace(look=_in_whole(slots, layers.look)) for layers in piece]
+                       for piece in curve_pieces.of(data, definition)]
+            continue
+        known, uneven = mesh_looks.kept(data)
+        kept = mesh_attributes.keep(data, write_mesh.owner_of(data), [_layer_in_whole(slots, layer) for layer in uneven])
+        if kept is not None:
+            painted.append((kept, len(pieces), len(definition.pieces)))
+        pieces += [_in_whole(slots, known.get(i, Look())) for i in range(len(definition.pieces))]
+    return _Belongings(materials, pieces, painted)
 
 
-def _slot(slots, index):
-    """Of a material index in one part, the index in the whole; Blender takes the last for one too high."""
-    return slots[min(index, len(slots) - 1)]
+def _in_whole(slots, look):
+    """A Look of one part, whose material is another of the whole; Blender takes the last for an index too high."""
+    return look._replace(material_index=int(slots[min(look.material_index, len(slots) - 1)]))
 
 
-def _give_looks(data, looks):
-    for material in looks.materials[len(data.materials):]:
+def _layer_in_whole(slots, layer):
+    if layer.name != 'material_index':
+        return layer
+    return layer._replace(values=slots[np.minimum(layer.values, len(slots) - 1)].astype(np.int32))
+
+
+def _give(active, definition, belongings):
+    data = active.data
+    for material in belongings.materials[len(data.materials):]:
         data.materials.append(material)
-    if isinstance(data, bpy.types.Curve):
-        if len(looks.worn) == len(data.splines):
-            write_curve.put_on(data, looks.worn)
-    else:
-        replacing.give_looks(data, looks.of_pieces)
+    if definition.has_curves:
+        curve_pieces.write(data, definition, belongings.pieces)
+        return
+    replacing.give_looks(data, belongings.pieces)
+    for kept, first, count in belongings.painted:
+        mesh_attributes.add(data, active, kept, first, count)
+    if belongings.painted:
+        shape.rewrite(data)             # sharp edges and normals of flat faces

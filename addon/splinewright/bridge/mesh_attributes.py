@@ -1,7 +1,7 @@
-"""What users put on the vertices, faces and corners of a mesh, carried over to other faces of the same patches.
+"""What users put on a mesh, carried over to other faces of the same patches.
 
 Numbers are interpolated over the parameters of each patch, which every corner keeps; whole numbers, texts and
-switches are those of the nearest corner. What lies on edges goes with them.
+switches are those of the nearest corner. What lies on edges is mesh_marks'.
 """
 
 import contextlib
@@ -11,15 +11,16 @@ from typing import NamedTuple
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from . import mesh_layers
-from .mesh_layers import MOST_UV_MAPS, PARAMETERS, UV_NAME, read
+from . import mesh_groups, mesh_layers, mesh_marks, mesh_sharp
+from .mesh_layers import ATTRIBUTES, MOST_UV_MAPS, PARAMETERS, UV_NAME, Layer, read
 
 
 class Kept(NamedTuple):
     """What was on a mesh, and the triangles over whose parameters it lies."""
 
-    layers: list
-    groups: object                      # mesh_layers.Groups or None
+    layers: list                        # of vertices, faces and corners
+    marks: list                         # of mesh_marks
+    groups: object                      # mesh_groups.Groups or None
     triangles: np.ndarray               # (t, 3) corners
     corners: np.ndarray                 # (c, 3) parameters
     vertices: np.ndarray                # (c,) the vertex of each corner
@@ -46,10 +47,10 @@ def _parameters(tessellation):
 
 
 @contextlib.contextmanager
-def moved(mesh, owner, parents, places):
+def moved(mesh, owner, uneven, parents, places):
     """While other patches are written, what lies on the faces lies on those: each came of one of `parents`, and lies
-    there in a core.places.Place. Where that fails it lies where it lay."""
-    kept = keep(mesh, owner)
+    there in a core.places.Place. Where that fails it lies where it lay. uneven: of mesh_looks.kept()."""
+    kept = keep(mesh, owner, uneven)
     if kept is None:
         yield
         return
@@ -58,10 +59,13 @@ def moved(mesh, owner, parents, places):
     is_ours = uvs is not None and np.abs(uvs - kept.corners[:, :2]).max() <= 1e-6
     corners = _on_parts(mesh, kept.corners, parents, places)
     _put(mesh, corners, corners[:, :2] if is_ours else None)
+    mesh_marks.remember(mesh, mesh_marks.moved(kept.marks, parents, places), is_certain=True)
     try:
         yield
+        mesh_marks.be_uncertain(mesh)
     except Exception:
         _put(mesh, kept.corners, uvs if is_ours else None)
+        mesh_marks.remember(mesh, kept.marks)
         raise
 
 
@@ -91,66 +95,111 @@ def has_room_for_ours(kept):
     return kept is None or sum(layer.data_type == 'UV' for layer in kept.layers if layer.name != UV_NAME) < MOST_UV_MAPS
 
 
-def keep(mesh, owner):
-    """The Kept of a mesh, or None where a user put nothing on it. owner: of its vertex groups, an object or None."""
+def keep(mesh, owner, uneven=()):
+    """The Kept of a mesh, or None where a user put nothing on it. owner: of its vertex groups, an object or None.
+    uneven: of mesh_looks.kept()."""
     corners = mesh_layers.parameters(mesh)
     if corners is None or not len(mesh.polygons):
         return None
-    layers = [*mesh_layers.attributes(mesh), *mesh_layers.uv_maps(mesh, corners[:, :2])]
-    groups = mesh_layers.groups_of(mesh, owner)
-    if not layers and groups is None:
+    of_users = list(mesh_layers.of_users(mesh))
+    marks = mesh_marks.keep(mesh, corners, _of_edges(mesh, of_users))
+    layers = [*uneven, *(layer for layer in of_users if layer.domain != 'EDGE'),
+              *mesh_layers.uv_maps(mesh, corners[:, :2]), *mesh_layers.pins(mesh)]
+    groups = mesh_groups.of(mesh, owner)
+    if not layers and not marks and groups is None:
         return None
     triangles, faces = _triangles(mesh)
-    vertices = read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
-    return Kept(layers, groups, triangles, corners, vertices, faces, mesh_layers.active(mesh))
+    return Kept(layers, marks, groups, triangles, corners, mesh_layers.corner_vertices(mesh), faces,
+                mesh_layers.active(mesh))
+
+
+def _of_edges(mesh, of_users=None):
+    """The Layers that a user put on edges."""
+    found = [layer for layer in of_users or mesh_layers.of_users(mesh) if layer.domain == 'EDGE']
+    sharp = mesh_sharp.of_users(mesh, mesh_sharp.marked(mesh))
+    return found if sharp is None else [*found, Layer('use_edge_sharp', 'FIELD', 'EDGE', sharp[:, None])]
+
+
+def in_words(kept):
+    """What was kept, but for vertex groups, as nouns for the user."""
+    if kept is None:
+        return []
+    found = [f"the UV map {layer.name}" for layer in kept.layers if layer.data_type == 'UV']
+    found += [f"the attribute {layer.name}" for layer in kept.layers if layer.data_type in ATTRIBUTES]
+    others = [layer for layer in kept.layers if layer.data_type not in ('UV', *ATTRIBUTES)]
+    return found + ["marks of edges"] * bool(kept.marks) + ["marks of faces and vertices"] * bool(others)
 
 
 def restore(mesh, owner, kept):
     """Put what was kept on the faces that the mesh has now."""
     corners = mesh_layers.parameters(mesh)
-    vertices = read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0]
+    if kept.layers or kept.groups is not None:
+        _restore_on(mesh, owner, kept, corners, slice(None))
+    mesh_marks.restore(mesh, corners, kept.marks)
+    mesh_layers.set_active(mesh, kept.active)
+
+
+def add(mesh, owner, kept, first, count):
+    """Put what was kept of another mesh, whose patches are `count` of this one from number `first` on, on their faces.
+    owner: an object with the mesh, which gets the vertex groups. Edges of the surface are not sharp until it is written."""
+    corners = mesh_layers.parameters(mesh)
+    kept = kept._replace(corners=kept.corners + np.array([0, 0, first], np.float32))
+    if kept.layers or kept.groups is not None:
+        is_in = (np.rint(corners[:, 2]) >= first) & (np.rint(corners[:, 2]) < first + count)
+        _restore_on(mesh, owner, kept, corners, is_in)
+    if kept.marks:
+        here = mesh_marks.keep(mesh, corners, _of_edges(mesh))
+        mesh_marks.restore(mesh, corners, mesh_marks.together(here, kept.marks, first))
+
+
+def _restore_on(mesh, owner, kept, corners, chosen):
+    """Put what was kept on vertices, faces and corners: those of the chosen corners, (c,) or all."""
+    vertices = mesh_layers.corner_vertices(mesh)
     starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     counts = np.diff(np.append(starts, len(corners)))
     of_faces = np.add.reduceat(corners, starts) / counts[:, None]
     # A corner is asked for a little inside its face, so that it gets the value of the side it belongs to.
     inside = corners + np.float32(1e-3) * (np.repeat(of_faces, counts, axis=0) - corners)
-    _, first = np.unique(vertices, return_index=True)
-    places = {'CORNER': inside, 'FACE': of_faces, 'POINT': corners[first]}
-    found = _Found(kept)
-    for layer in kept.layers:
-        mesh_layers.write(mesh, layer, found.values(layer, places))
+    numbers = np.arange(len(corners))[chosen]
+    which, first = np.unique(vertices[numbers], return_index=True)
+    faces = np.flatnonzero(np.isin(starts, numbers))
+    found = _Found(kept, {'CORNER': inside[numbers], 'FACE': of_faces[faces], 'POINT': corners[numbers][first]})
+    of_domains = {'CORNER': numbers, 'FACE': faces, 'POINT': which}
+    # Those that a copy of the mesh is needed for come first.
+    for layer in sorted(kept.layers, key=lambda layer: layer.data_type != 'BMESH'):
+        mesh_layers.write_some(mesh, layer, found.values(layer), of_domains[layer.domain])
+    mesh_layers.hide_with_faces(mesh)
     if kept.groups is not None:
-        weights = found.blended(kept.groups.weights[kept.vertices], 'POINT', places)
-        mesh_layers.write_groups(owner, kept.groups, weights)
-    mesh_layers.set_active(mesh, kept.active)
+        weights = found.blended(kept.groups.weights[kept.vertices], 'POINT')
+        mesh_groups.write(owner, kept.groups, weights, which)
 
 
 class _Found:
-    """Where places of new faces lie on the old ones, looked up once for each domain."""
+    """Where places of new faces, of each domain, lie on the old ones, looked up once for each domain."""
 
-    def __init__(self, kept):
-        self.kept, self._known = kept, {}
+    def __init__(self, kept, places):
+        self.kept, self.places, self._known = kept, places, {}
         self.tree = BVHTree.FromPolygons(_apart(kept.corners).tolist(), kept.triangles.tolist(), all_triangles=True)
 
-    def values(self, layer, places):
+    def values(self, layer):
         if layer.domain == 'FACE':
-            triangle, _ = self._at('FACE', places)
+            triangle, _ = self._at('FACE')
             return layer.values[self.kept.faces[triangle]]
         of_corners = layer.values if layer.domain == 'CORNER' else layer.values[self.kept.vertices]
         if layer.is_mixed:
-            return self.blended(of_corners, layer.domain, places)
-        triangle, weights = self._at(layer.domain, places)
+            return self.blended(of_corners, layer.domain)
+        triangle, weights = self._at(layer.domain)
         nearest = self.kept.triangles[triangle, weights.argmax(1)]
         return of_corners[nearest]
 
-    def blended(self, of_corners, domain, places):
-        triangle, weights = self._at(domain, places)
+    def blended(self, of_corners, domain):
+        triangle, weights = self._at(domain)
         return np.einsum('nk,nkx->nx', weights, of_corners[self.kept.triangles[triangle]]).astype(np.float32)
 
-    def _at(self, domain, places):
+    def _at(self, domain):
         """(triangle, weights (n, 3) of its corners) of each place."""
         if domain not in self._known:
-            where = _apart(places[domain])
+            where = _apart(self.places[domain])
             triangle = np.array([self.tree.find_nearest(place)[2] for place in where.tolist()])
             corners = self.kept.corners[self.kept.triangles[triangle], :2]
             self._known[domain] = triangle, _barycentric(corners, where[:, :2])

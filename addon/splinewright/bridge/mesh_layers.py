@@ -1,35 +1,50 @@
-"""What users put on a mesh, as arrays: attributes, UV maps, vertex groups, and which of them are active.
+"""What users put on a mesh, as arrays: attributes, UV maps, marks, and which of them are active.
 
 Blender drops all of it with the faces.
 """
 
 from typing import NamedTuple
 
+import bmesh
+import bpy
 import numpy as np
+
+from . import versions
 
 #: Corner attribute: u, v in [0, 1] of the patch, and the number of the patch.
 PARAMETERS = "parameters"
 UV_NAME = "UVMap"
-_OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face'}
-#: How a value of each type is read: the name of its field, how many numbers it has, their type.
-_TYPES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT8': ('value', 1, np.int32),
-          'BOOLEAN': ('value', 1, bool), 'FLOAT_VECTOR': ('vector', 3, np.float32),
-          'FLOAT_COLOR': ('color', 4, np.float32), 'BYTE_COLOR': ('color', 4, np.float32),
-          'FLOAT2': ('vector', 2, np.float32), 'INT16_2D': ('value', 2, np.int32), 'INT32_2D': ('value', 2, np.int32),
-          'FLOAT4': ('vector', 4, np.float32), 'QUATERNION': ('value', 4, np.float32),
-          'FLOAT4X4': ('value', 16, np.float32), 'STRING': ('value', 1, object)}
+_OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face', 'sharp_edge'}
+#: Blender's own, which a user made all the same.
+_HIDDEN = {'.sculpt_mask', '.sculpt_face_set', '.uv_seam', '.hide_poly'}
+_PINS = '.pn.'
+#: How a value of each type of attribute is read: the name of its field, how many numbers it has, their type.
+ATTRIBUTES = {'FLOAT': ('value', 1, np.float32), 'INT': ('value', 1, np.int32), 'INT8': ('value', 1, np.int32),
+              'BOOLEAN': ('value', 1, bool), 'FLOAT_VECTOR': ('vector', 3, np.float32),
+              'FLOAT_COLOR': ('color', 4, np.float32), 'BYTE_COLOR': ('color', 4, np.float32),
+              'FLOAT2': ('vector', 2, np.float32), 'INT16_2D': ('value', 2, np.int32), 'INT32_2D': ('value', 2, np.int32),
+              'FLOAT4': ('vector', 4, np.float32), 'QUATERNION': ('value', 4, np.float32),
+              'FLOAT4X4': ('value', 16, np.float32), 'STRING': ('value', 1, object)}
 #: A mixture of two turns is none.
 _NEVER_MIXED = {'QUATERNION', 'FLOAT4X4'}
 #: So many UV maps a mesh may have.
 MOST_UV_MAPS = 8
-_DOMAINS = ('POINT', 'FACE', 'CORNER')
+_COLLECTIONS = {'POINT': 'vertices', 'EDGE': 'edges', 'FACE': 'polygons', 'CORNER': 'loops'}
+#: What some versions keep as a field of vertices, edges or faces, where others have attributes: domain, name, type, and
+#: the property of the mesh that tells whether any has it.
+_FIELDS = (('EDGE', 'use_seam', bool, None), ('EDGE', 'crease', np.float32, 'has_crease_edge'),
+           ('EDGE', 'bevel_weight', np.float32, 'has_bevel_weight_edge'),
+           ('POINT', 'bevel_weight', np.float32, 'has_bevel_weight_vertex'),
+           ('EDGE', 'use_freestyle_mark', bool, None), ('FACE', 'use_freestyle_mark', bool, None))
+#: Of Blender 3: collections of one layer or none, which bmesh alone can make, and its names for them.
+_OF_BMESH = {'vertex_paint_masks': 'paint_mask', 'vertex_creases': 'crease'}
 
 
 class Layer(NamedTuple):
     """One attribute or UV map of a mesh."""
 
     name: str
-    data_type: str                      # as Blender's attributes, or 'UV'
+    data_type: str                      # as Blender's attributes, or 'UV', 'PIN', 'FIELD', 'BMESH'
     domain: str
     values: np.ndarray                  # (n, numbers)
 
@@ -37,15 +52,6 @@ class Layer(NamedTuple):
     def is_mixed(self):
         """Whether what lies between two values is a mixture of them, not the nearer one."""
         return self.values.dtype == np.float32 and self.data_type not in _NEVER_MIXED
-
-
-class Groups(NamedTuple):
-    """The vertex groups of an object and their weights."""
-
-    names: list
-    locked: list
-    active: int
-    weights: np.ndarray                 # (vertices, groups)
 
 
 def ours(mesh, name, data_type, domain):
@@ -72,15 +78,80 @@ def read(data, field, numbers, dtype):
     return flat.reshape(-1, numbers)
 
 
-def attributes(mesh):
-    """A Layer for each that a user made and that does not lie on edges."""
+def column(mesh, collection, field, attribute, dtype):
+    """(n,) of a field, whose attribute is where this Blender has it; None where no element has that."""
+    if not versions.marks_are_attributes:
+        return read(getattr(mesh, collection), field, 1, dtype)[:, 0]
+    layer = mesh.attributes.get(attribute)
+    return None if layer is None else read(layer.data, 'value', 1, dtype)[:, 0]
+
+
+def corner_vertices(mesh):
+    """(c,) the vertex of each corner."""
+    return column(mesh, 'loops', 'vertex_index', '.corner_vert', np.int32)
+
+
+def corner_edges(mesh):
+    """(c,) the edge from each corner to the next of its face."""
+    return column(mesh, 'loops', 'edge_index', '.corner_edge', np.int32)
+
+
+def of_users(mesh):
+    """A Layer for each attribute, mark and hidden layer that a user made; UV maps are uv_maps()."""
+    yield from _attributes(mesh)
+    yield from _fields(mesh)
+    if not versions.marks_are_attributes:
+        yield from _layers_of_blender_3(mesh)
+
+
+def _layers_of_blender_3(mesh):
+    for collection in _OF_BMESH:
+        for layer in getattr(mesh, collection):
+            yield Layer(collection, 'BMESH', 'POINT', read(layer.data, 'value', 1, np.float32))
+    for layer in mesh.face_maps:
+        yield Layer('face_maps', 'BMESH', 'FACE', read(layer.data, 'value', 1, np.int32))
+
+
+def _attributes(mesh):
     for attribute in mesh.attributes:
-        if attribute.name in _OWN or attribute.name.startswith('.') or getattr(attribute, 'is_internal', False):
+        if not _is_users(attribute) or attribute.name in mesh.uv_layers or attribute.data_type not in ATTRIBUTES:
             continue
-        if attribute.name in mesh.uv_layers or attribute.data_type not in _TYPES or attribute.domain not in _DOMAINS:
-            continue
-        values = read(attribute.data, *_TYPES[attribute.data_type])
+        values = read(attribute.data, *ATTRIBUTES[attribute.data_type])
         yield Layer(attribute.name, attribute.data_type, attribute.domain, values)
+
+
+def _is_users(attribute):
+    name = attribute.name
+    if name.startswith('.'):
+        return name in _HIDDEN or name.startswith(_PINS)
+    return name not in _OWN and attribute.domain in _COLLECTIONS and not getattr(attribute, 'is_internal', False)
+
+
+def _fields(mesh):
+    for domain, name, dtype, is_there in _FIELDS:
+        collection = getattr(mesh, _COLLECTIONS[domain])
+        if not _has_field(domain, name) or is_there is not None and not getattr(mesh, is_there):
+            continue
+        values = read(collection, name, 1, dtype)
+        if values.any():
+            yield Layer(name, 'FIELD', domain, values)
+
+
+def _has_field(domain, name):
+    if name == 'use_seam' and versions.marks_are_attributes:
+        return False
+    owner = {'POINT': bpy.types.MeshVertex, 'EDGE': bpy.types.MeshEdge, 'FACE': bpy.types.MeshPolygon}[domain]
+    return name in owner.bl_rna.properties
+
+
+def is_possible(layer):
+    """Whether a mesh of this Blender may have the Layer."""
+    return _has_field(layer.domain, layer.name) if layer.data_type == 'FIELD' else layer.data_type in ATTRIBUTES
+
+
+def is_dropped_where_empty(layer):
+    """Whether Blender drops the Layer, leaving Edit Mode say, where no edge has it."""
+    return layer.data_type == 'FIELD' or layer.name.endswith('uv_seam')
 
 
 def uv_maps(mesh, ours):
@@ -91,47 +162,99 @@ def uv_maps(mesh, ours):
             yield Layer(layer.name, 'UV', 'CORNER', values)
 
 
+def pins(mesh):
+    """A Layer for each UV map of which corners are pinned, where that is no attribute."""
+    for layer in mesh.uv_layers:
+        if not hasattr(layer, 'uv'):
+            values = read(layer.data, 'pin_uv', 1, bool)
+            if values.any():
+                yield Layer(layer.name, 'PIN', 'CORNER', values)
+
+
 def uv_of(layer):
     """The items of a UV map and the name of their field."""
-    return (layer.uv, 'vector') if hasattr(layer, 'uv') else (layer.data, 'uv')
+    return (layer.uv, 'vector') if versions.uvs_are_attributes else (layer.data, 'uv')
 
 
 def write(mesh, layer, values):
     """Give a mesh that has lost the Layer these values of it, (n, numbers)."""
-    if layer.data_type == 'UV':
-        data, field = uv_of(mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False))
-    else:
-        attribute = mesh.attributes.new(layer.name, layer.data_type, layer.domain)
-        data, field = attribute.data, _TYPES[layer.data_type][0]
+    if layer.data_type == 'BMESH':
+        _write_by_bmesh(mesh, layer, values)
+        return
+    data, field = _items(mesh, layer)
     if values.dtype == object:
         for item, value in zip(data, values[:, 0]):
             setattr(item, field, value)
-    else:
+    elif data is not None:
         data.foreach_set(field, np.ascontiguousarray(values).ravel())
 
 
-def groups_of(mesh, owner):
-    """The Groups of an object that has the mesh, or None where there are none."""
-    if owner is None or not owner.vertex_groups:
-        return None
-    groups = owner.vertex_groups
-    weights = np.zeros((len(mesh.vertices), len(groups)), np.float32)
-    for i, vertex in enumerate(mesh.vertices):
-        for entry in vertex.groups:
-            if entry.group < len(groups):
-                weights[i, entry.group] = entry.weight
-    names, locked = [group.name for group in groups], [group.lock_weight for group in groups]
-    return Groups(names, locked, groups.active_index, weights)
+def write_some(mesh, layer, values, numbers):
+    """Give these elements of a mesh, by their numbers, which grow, values of a Layer, (n, numbers); others keep theirs."""
+    count = len(getattr(mesh, _COLLECTIONS[layer.domain]))
+    if len(numbers) < count:
+        every = _present(mesh, layer, count)
+        every[numbers] = values
+        values = every
+    write(mesh, layer, values)
 
 
-def write_groups(owner, groups, weights):
-    """Give an object Groups with other weights, (vertices, groups)."""
-    for name, is_locked, column in zip(groups.names, groups.locked, weights.T):
-        group = owner.vertex_groups.get(name) or owner.vertex_groups.new(name=name)
-        for i in np.flatnonzero(column).tolist():
-            group.add([i], float(column[i]), 'REPLACE')
-        group.lock_weight = is_locked
-    owner.vertex_groups.active_index = groups.active
+def _present(mesh, layer, count):
+    """(count, numbers): what a mesh has of a Layer; zeros where it has none."""
+    if layer.data_type == 'BMESH':
+        there = list(getattr(mesh, layer.name))
+        data, field = (there[0].data if there else None), 'value'
+    else:
+        data, field = _items(mesh, layer)
+    shape = layer.values.shape[1]
+    dtype = layer.values.dtype
+    return np.zeros((count, shape), dtype) if data is None else read(data, field, shape, dtype)
+
+
+def _items(mesh, layer):
+    """The items of a Layer, which is made where it is missing, and the name of their field."""
+    if layer.data_type == 'FIELD':
+        return getattr(mesh, _COLLECTIONS[layer.domain]), layer.name
+    if layer.data_type == 'UV':
+        uv_map = mesh.uv_layers.get(layer.name) or mesh.uv_layers.new(name=layer.name, do_init=False)
+        return (None, "") if uv_map is None else uv_of(uv_map)      # there may be as many as Blender takes
+    if layer.data_type == 'PIN':
+        uv_map = mesh.uv_layers.get(layer.name)
+        return (None if uv_map is None else uv_map.data), 'pin_uv'
+    attribute = (ours(mesh, layer.name, layer.data_type, layer.domain)
+                 or mesh.attributes.new(layer.name, layer.data_type, layer.domain))
+    return attribute.data, ATTRIBUTES[layer.data_type][0]
+
+
+def _write_by_bmesh(mesh, layer, values):
+    if layer.name == 'face_maps':
+        face_map = mesh.face_maps[0] if len(mesh.face_maps) else mesh.face_maps.new()
+        face_map.data.foreach_set('value', np.ascontiguousarray(values).ravel())
+        return
+    copy = bmesh.new()
+    copy.from_mesh(mesh)
+    key = getattr(copy.verts.layers, _OF_BMESH[layer.name]).verify()
+    for vertex, value in zip(copy.verts, values[:, 0].tolist()):
+        vertex[key] = value
+    copy.to_mesh(mesh)
+    copy.free()
+
+
+def hide_with_faces(mesh):
+    """Hide what lies between hidden faces only."""
+    hidden = ours(mesh, '.hide_poly', 'BOOLEAN', 'FACE')
+    if hidden is None:
+        return
+    of_faces = read(hidden.data, 'value', 1, bool)[:, 0]
+    if not of_faces.any():
+        return
+    starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
+    is_shown = ~np.repeat(of_faces, np.diff(np.append(starts, len(mesh.loops))))
+    for name, domain, numbers in (('.hide_vert', 'POINT', corner_vertices(mesh)), ('.hide_edge', 'EDGE', corner_edges(mesh))):
+        attribute = ours(mesh, name, 'BOOLEAN', domain) or mesh.attributes.new(name, 'BOOLEAN', domain)
+        hide = np.ones(len(attribute.data), bool)
+        hide[numbers[is_shown]] = False
+        attribute.data.foreach_set('value', hide)
 
 
 def active(mesh):

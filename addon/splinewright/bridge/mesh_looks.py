@@ -1,18 +1,13 @@
-"""How the faces of a mesh look, kept for each patch while the faces themselves come and go."""
-
-from typing import NamedTuple
+"""The Look of each patch of a mesh, kept while the faces themselves come and go."""
 
 import numpy as np
 
-from . import mesh_layers
+from ..core.failures import Refusal
+from . import mesh_layers, versions
+from .look import Look
 
 #: Face attribute: which patch of the shape a face belongs to.
 PATCH_NAME = "patch"
-
-
-class Look(NamedTuple):
-    material_index: int = 0
-    use_smooth: bool = True
 
 
 def name_patches(mesh, face_patches):
@@ -28,14 +23,36 @@ def name_patches(mesh, face_patches):
 
 def looks_by_patch(mesh):
     """The Look of each patch's first face, by the number of the patch; {} where that is not known."""
+    return kept(mesh)[0]
+
+
+def kept(mesh):
+    """(looks_by_patch(), what faces of a patch have that differ from one another: mesh_layers.Layers)."""
     patches = _patches(mesh)
     if patches is None:
-        return {}
-    indices, smooth = np.empty(len(patches), np.int32), np.empty(len(patches), bool)
-    mesh.polygons.foreach_get('material_index', indices)
-    mesh.polygons.foreach_get('use_smooth', smooth)
-    numbers, first = np.unique(patches, return_index=True)
-    return dict(zip(numbers.tolist(), map(Look, indices[first].tolist(), smooth[first].tolist())))
+        return {}, []
+    indices, smooth = _material_indices(mesh), _smooth(mesh)
+    first = np.full(1 + patches.max(), -1)
+    first[patches[::-1]] = np.arange(len(patches))[::-1]
+    looks = {number: Look(int(indices[face]), bool(smooth[face]))
+             for number, face in enumerate(first.tolist()) if face >= 0}
+    if np.array_equal(indices[first[patches]], indices) and np.array_equal(smooth[first[patches]], smooth):
+        return looks, []
+    return looks, [mesh_layers.Layer(name, 'FIELD', 'FACE', values[:, None])
+                   for name, values in (('material_index', indices), ('use_smooth', smooth))]
+
+
+def _material_indices(mesh):
+    indices = mesh_layers.column(mesh, 'polygons', 'material_index', 'material_index', np.int32)
+    return np.zeros(len(mesh.polygons), np.int32) if indices is None else indices
+
+
+def _smooth(mesh):
+    """(faces,): where these are attributes, what is not smooth is marked."""
+    if not versions.marks_are_attributes:
+        return mesh_layers.read(mesh.polygons, 'use_smooth', 1, bool)[:, 0]
+    sharp = mesh_layers.column(mesh, 'polygons', '', 'sharp_face', bool)
+    return np.ones(len(mesh.polygons), bool) if sharp is None else ~sharp
 
 
 def set_looks(mesh, looks):
@@ -51,11 +68,11 @@ def set_looks(mesh, looks):
 
 
 def set_material(mesh, piece, index):
-    """Give the faces of one patch, counted from 1, or of all where it is 0, a material index. Raises ValueError."""
+    """Give the faces of one patch, counted from 1, or of all where it is 0, a material index. Raises Refusal."""
     patches = _patches(mesh)
     count = 0 if patches is None else 1 + int(patches.max())
     if piece > count:
-        raise ValueError(f"the shape has {count} patch{'' if count == 1 else 'es'}, there is none of number {piece}")
+        raise Refusal(f"the shape has {count} patch{'' if count == 1 else 'es'}, there is none of number {piece}")
     indices = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('material_index', indices)
     indices[(patches == piece - 1) if piece else slice(None)] = index
@@ -75,11 +92,16 @@ def shaded_normals(mesh, normals):
     return np.where(np.repeat(smooth, counts)[:, None], normals, np.repeat(of_faces, counts, axis=0))
 
 
+def patch_of_face(mesh, face):
+    """The number, counted from 1, of the patch that a face of a mesh, also of an evaluated one, shows; 0 if unknown."""
+    attribute = mesh_layers.ours(mesh, PATCH_NAME, 'INT', 'FACE')
+    return attribute.data[face].value + 1 if attribute is not None and face < len(attribute.data) else 0
+
+
 def _patches(mesh):
     """The patch of each face, or None where that is not known."""
     attribute = mesh_layers.ours(mesh, PATCH_NAME, 'INT', 'FACE')
     if attribute is None or not len(mesh.polygons) or len(attribute.data) != len(mesh.polygons):
         return None
-    patches = np.empty(len(mesh.polygons), np.int32)
-    attribute.data.foreach_get('value', patches)
-    return patches
+    patches = mesh_layers.read(attribute.data, 'value', 1, np.int32)[:, 0]
+    return patches if patches.min() >= 0 else None

@@ -1,73 +1,218 @@
 """How a definition comes about, kept beside it on the Mesh or Curve: by following another object, or from
-the numbers and points of a recipe. A shape without one has points of its own."""
+the numbers and points of a recipe. A shape without one has points of its own.
 
+read() is the one door: what it gives is valid, and anything else that may be stored is refused with a sentence.
+"""
+
+import contextlib
+import math
+from typing import NamedTuple
+
+import bpy
 import numpy as np
 
+from ..core.failures import Refusal
+from ..core.recipes.recipe import Recipe
 from ..core.recipes.table import RECIPES
-from . import store
+from . import parameters as properties
+from . import store, watching
 
+#: No registered property has this name: before Blender 5.0 reading it would put an empty group in place of ours.
 KEY = "splinewright_recipe"
 VERSION = 2
 #: Keys of the pointers to the objects that a shape is made from, and of whether each was a shape then.
 _INPUTS = (('input', 'shape'), ('input_2', 'shape_2'))
+#: The property that a driver is on which reads the inputs, and its data path.
+_WATCHED = "watched"
+WATCHED = f'["{KEY}"]["{_WATCHED}"]'
+
+
+class Stored(NamedTuple):
+    """What is stored of a recipe."""
+
+    recipe: Recipe
+    values: dict                        # of its parameters, by name
+    points: np.ndarray                  # (n, 3) float64; none where it has inputs
+    sources: tuple                      # objects that it is made from, None for one that was deleted
+    were_shapes: tuple                  # of each: whether it was a shape when it was chosen
+    error: float                        # how far what it made may lie from what it should be
 
 
 def has(data):
-    return KEY in data.keys()
-
-
-def kind(data):
-    """The kind of a recipe, or ""."""
-    return data[KEY]['kind'] if has(data) else ""
+    """Whether a recipe is stored, readable or not. An empty group is none: Blender makes one by reading a property."""
+    if KEY not in data.keys():
+        return False
+    stored = data[KEY]
+    return not store.is_group(stored) or len(stored.keys()) > 0
 
 
 def follows(data):
-    """Whether the shape is made from other objects."""
-    return has(data) and _INPUTS[0][1] in data[KEY].keys()
+    """Whether the shape is made from other objects, as far as can be told without reading the recipe."""
+    return has(data) and store.is_group(data[KEY]) and _INPUTS[0][0] in data[KEY].keys()
+
+
+def pointers(data):
+    """The objects that a shape is made from, as far as can be told without reading the recipe; those deleted are missing."""
+    group = data[KEY]
+    found = [group.get(pointer) for pointer, _ in _INPUTS] if store.is_group(group) else []
+    return [source for source in found if isinstance(source, bpy.types.Object)]
+
+
+def kind(data):
+    """The kind of a recipe, as far as can be told without reading it; "" where there is none that is known."""
+    named = data[KEY].get('kind') if has(data) and store.is_group(data[KEY]) else None
+    return named if type(named) is str and named in RECIPES else ""
+
+
+def read(data):
+    """The Stored recipe of a data-block, or None. Raises UnreadableDefinition for one that is damaged, or newer."""
+    if not has(data):
+        return None
+    group = data[KEY]
+    if not store.is_group(group):
+        raise _damaged(data, "it is no group of properties")
+    recipe = _recipe(data, group)
+    try:
+        sources, were_shapes = _sources(group, recipe)
+        return Stored(recipe, _values(group, recipe), _points(group, recipe), sources, were_shapes,
+                      _number(group.get('error', 0.0)))
+    except (TypeError, ValueError, AttributeError, OverflowError) as error:
+        raise _damaged(data, error) from error
+
+
+def _damaged(data, reason):
+    return store.UnreadableDefinition(f"The recipe of {data.name} is damaged ({str(reason)[:200]}): "
+                                      "it is shown as it was last, and Make Editable drops the recipe")
+
+
+def _recipe(data, group):
+    version, stored_kind = group.get('version', 0), group.get('kind')
+    if type(version) is not int or type(stored_kind) is not str:
+        raise _damaged(data, "its version or kind is none")
+    if version > VERSION or stored_kind not in RECIPES:
+        raise store.UnreadableDefinition(f"{data.name} has a recipe of a newer Splinewright: it is shown as it was last")
+    return RECIPES[stored_kind]
+
+
+def _values(group, recipe):
+    stored = group.get('parameters')
+    if not store.is_group(stored):
+        raise ValueError("its parameters are no group")
+    return {parameter.name: _value(parameter, stored[parameter.name]) if parameter.name in stored.keys()
+            else parameter.default for parameter in recipe.parameters}
+
+
+def _value(parameter, stored):
+    wanted = type(parameter.default)
+    if wanted is str:
+        if type(stored) is not str or parameter.choices and stored not in (choice[0] for choice in parameter.choices):
+            raise ValueError(f"{parameter.label} is none of its choices")
+        return stored
+    value = _number(stored)
+    if wanted is not bool and not _is_within(value, parameter.least, parameter.most):
+        raise ValueError(f"{parameter.label} is {value:g}, outside its limits")
+    return wanted(value)
+
+
+def _is_within(value, least, most):
+    """Blender's properties clip in single precision."""
+    slack = 1e-6 * abs(value)
+    return least - slack <= value <= most + slack
+
+
+def _number(stored):
+    if not isinstance(stored, (bool, int, float)) or not math.isfinite(stored):
+        raise ValueError("a number of it is none")
+    return stored
+
+
+def _points(group, recipe):
+    stored = group.get('points', ())
+    points = np.array(stored, dtype=np.float64).reshape(-1, 3)
+    if not np.isfinite(points).all():
+        raise ValueError("its points are not finite")
+    if recipe.points and not len(points):
+        raise ValueError("its points are missing")
+    points.flags.writeable = False
+    return points
+
+
+def _sources(group, recipe):
+    if bool(recipe.inputs) != (_INPUTS[0][0] in group.keys()):
+        raise ValueError("it has other inputs than its kind")
+    sources = tuple(group.get(pointer) for pointer, _ in _INPUTS[:len(recipe.inputs)])
+    if not all(source is None or isinstance(source, bpy.types.Object) for source in sources):
+        raise ValueError("what it is made from is no object")
+    return sources, tuple(bool(group.get(flag, False)) for _, flag in _INPUTS[:len(recipe.inputs)])
 
 
 def has_points(data):
     """Whether the shape is made from points of its own, which its net shows."""
-    return has(data) and not follows(data) and len(data[KEY].get('points', ())) > 0
+    return has(data) and not follows(data) and len(points(data)) > 0
 
 
 def remove(data):
-    if has(data):
+    if KEY in data.keys():
+        watching.stop(data, WATCHED)
         del data[KEY]
 
 
 def require_free(data):
-    """Raises ValueError where a recipe would write over what is changed by other ways."""
+    """Raises Refusal where a recipe would write over what is changed by other ways."""
     if follows(data):
-        raise ValueError(f"{data.name} follows another object: use Make Editable first")
+        raise Refusal(f"{data.name} follows another object: use Make Editable first")
     if has(data):
-        raise ValueError(f"{data.name} is made by a recipe: change its numbers in the panel, or use Make Editable first")
+        raise Refusal(f"{data.name} is made by a recipe: change its numbers in the panel, or use Make Editable first")
+
+
+def of(data):
+    """The Recipe, or None. Raises as read()."""
+    stored = read(data)
+    return stored.recipe if stored else None
+
+
+def parameters(data):
+    """The numbers and texts of a recipe, by name. Raises as read()."""
+    return dict(read(data).values)
+
+
+def points(data):
+    """(n, 3) float64: the points of a recipe; none where it has inputs. Raises as read()."""
+    return read(data).points
 
 
 def read_inputs(data):
-    """The objects that a shape is made from, None for one that was deleted; [] where there are none.
-
-    Raises UnreadableDefinition for a recipe of a newer Splinewright.
-    """
-    if not follows(data):
-        return []
-    return [data[KEY].get(pointer) for pointer, _ in _INPUTS[:len(of(data).inputs)]]
+    """The objects that a shape is made from, None for one that was deleted; [] where there are none. Raises as read()."""
+    stored = read(data)
+    return list(stored.sources) if stored else []
 
 
-def was_shape(data, number):
-    """Whether an input was a shape when it was chosen."""
-    return bool(data[KEY].get(_INPUTS[number][1], False))
+def around(data):
+    """(n, 3): the points around which curves that may run far are shown; None where they are shown as they are."""
+    stored = read(data)
+    return stored.points if stored and stored.recipe.is_endless else None
+
+
+def error(data):
+    """How far what a recipe made may lie from what it should be. Raises as read()."""
+    return read(data).error
 
 
 def write_derived(data, recipe, values, sources, error):
-    """Make a shape from objects from now on.
-
-    The pointers also tell Blender's depsgraph to evaluate what is followed where it is hidden, in renders, too.
-    """
+    """Make a shape from objects from now on."""
     group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error)}
     for (pointer, flag), source in zip(_INPUTS, sources):
         group.update({pointer: source, flag: store.has_definition(source.data)})
     store.assign(data, KEY, group)
+    properties.show(data, recipe, values)
+    watch(data)
+
+
+def watch(data):
+    """Let Blender evaluate what a shape is made from with it."""
+    if _WATCHED not in data[KEY].keys():
+        data[KEY][_WATCHED] = 0.0
+    watching.start(data, WATCHED, pointers(data))
 
 
 def write_error(data, error):
@@ -75,47 +220,24 @@ def write_error(data, error):
     data[KEY]['error'] = float(error)
 
 
-def of(data):
-    """The Recipe, or None. Raises UnreadableDefinition for one of a newer Splinewright."""
-    if not kind(data):
-        return None
-    _require_known(data)
-    return RECIPES[kind(data)]
-
-
-def parameters(data):
-    """The numbers and texts of a recipe, by name."""
-    recipe, group = of(data), data[KEY].get('parameters', {})
-    try:
-        return {name: type(default)(group[name]) if name in group.keys() else default
-                for name, default in recipe.defaults.items()}
-    except (TypeError, ValueError, AttributeError) as error:
-        raise store.UnreadableDefinition(f"the recipe of {data.name} is damaged: {error}") from error
-
-
-def points(data):
-    """(n, 3) float64: the points of a recipe; none where it has inputs."""
-    try:
-        return np.array(data[KEY].get('points', ()), dtype=np.float64).reshape(-1, 3)
-    except (TypeError, ValueError) as error:
-        raise store.UnreadableDefinition(f"the recipe of {data.name} is damaged: its points are none") from error
-
-
-def around(data):
-    """(n, 3): the points around which curves that may run far are shown; None where they are shown as they are."""
-    return points(data) if has(data) and kind(data) in RECIPES and RECIPES[kind(data)].is_endless else None
-
-
 def write_made(data, recipe, values, rows, error):
     """Keep a recipe with its parameters and points, and how far what it made may lie from what it should be."""
     store.assign(data, KEY, {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error),
                              'points': np.ascontiguousarray(rows, dtype=np.float64).ravel()})
+    properties.show(data, recipe, values)
 
 
-def error(data):
-    return data[KEY].get('error', 0.0)
+def show_new(blocks):
+    """show() for those of the data-blocks that have a recipe and never were shown: they are of older files."""
+    for data in blocks:
+        recipe = RECIPES.get(kind(data)) if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)) else None
+        if recipe and not properties.are_shown(data, recipe):
+            show(data)
 
 
-def _require_known(data):
-    if data[KEY].get('version', 0) > VERSION or kind(data) not in RECIPES:
-        raise store.UnreadableDefinition(f"{data.name} has a recipe of a newer Splinewright: it is shown as it was last")
+def show(data):
+    """Let Blender's properties show the parameters of a recipe, if it has one that can be read."""
+    with contextlib.suppress(store.UnreadableDefinition):
+        stored = read(data)
+        if stored:
+            properties.show(data, stored.recipe, stored.values)

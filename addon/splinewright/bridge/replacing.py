@@ -1,7 +1,8 @@
-"""A shape is given other pieces, and its splines or faces keep their look."""
+"""A shape is given other pieces, and its splines or faces keep what users put on them."""
 
 from ..core import verbs
-from . import mesh_attributes, mesh_looks, recipes, shape, store, write_curve, write_mesh
+from . import curve_pieces, mesh_attributes, mesh_looks, recipes, shape, store, write_mesh
+from .look import Look
 
 
 def is_curve_shape(ob):
@@ -15,7 +16,7 @@ def is_patch_shape(ob):
 
 
 def require_changeable(data):
-    """Raises ValueError where the definition is not to be changed, or cannot be."""
+    """Raises Refusal where the definition is not to be changed, or cannot be."""
     recipes.require_free(data)
     shape.require_writable(data)
     shape.require_untouched(data)
@@ -43,46 +44,22 @@ def put(data, before, changed):
 
 
 def _put_curves(data, before, changed):
-    worn = carried(write_curve.dresses(data), before, changed, data)
+    pieces = curve_pieces.carried(curve_pieces.of(data, before), changed)
     shape.set_definition(data, changed.definition)
-    if len(worn) == len(data.splines):
-        write_curve.put_on(data, worn)
+    curve_pieces.write(data, changed.definition, pieces)
 
 
 def _put_patches(data, before, changed):
-    looks = mesh_looks.looks_by_patch(data)
-    with mesh_attributes.moved(data, write_mesh.owner_of(data), changed.parents, changed.places):
+    looks, uneven = mesh_looks.kept(data)
+    with mesh_attributes.moved(data, write_mesh.owner_of(data), uneven, changed.parents, changed.places):
         shape.set_definition(data, changed.definition)
-    if changed.parents == tuple(range(len(before.pieces))):
-        return                          # a patch of the same number is the same one
-    give_looks(data, [looks.get(parent, mesh_looks.Look()) for parent in changed.parents])
+    # A patch of the same number is the same one; and uneven looks lie where they lay.
+    if changed.parents != tuple(range(len(before.pieces))) and not uneven:
+        give_looks(data, [looks.get(parent, Look()) for parent in changed.parents])
 
 
 def give_looks(data, of_pieces):
-    """Give the faces of each patch a mesh_looks.Look."""
+    """Give the faces of each patch a Look."""
     mesh_looks.set_looks(data, dict(enumerate(of_pieces)))
     if not all(look.use_smooth for look in of_pieces):
         shape.rewrite(data)             # normals of flat faces are their own
-
-
-def carried(worn, before, changed, data):
-    """The dresses of the splines of a changed definition: each piece wears what the piece wore that it came from.
-
-    A piece may be shown by several splines, or none, where it runs to infinity. [] if the dresses are not of `before`.
-    """
-    of_pieces, first = [], 0
-    for count in _spline_counts(before, data):
-        of_pieces.append(worn[first:first + count])
-        first += count
-    if first != len(worn):
-        return []
-    result = []
-    for parent, count in zip(changed.parents, _spline_counts(changed.definition, data)):
-        was = of_pieces[parent]
-        result += was if len(was) == count else (was[:1] or [write_curve.Dress()]) * count
-    return result
-
-
-def _spline_counts(definition, data):
-    """For each piece, as shape.evaluated() shows it."""
-    return [len(shape.lines_of(data, curve)) for curve in verbs.curves_of(definition)]

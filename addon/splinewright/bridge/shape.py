@@ -6,13 +6,20 @@ import bpy
 import numpy as np
 
 from ..core import definition as definitions
+from ..core.failures import Refusal
 from ..core.library import sc
-from . import blocks, fineness, recipes, stamp, store, write_curve, write_mesh
+from . import blocks, fineness, problems, recipes, settings, stamp, store, write_curve, write_mesh
+from .file_state import key, state
 
 
 def has_shape(ob):
     """Whether the object is a shape of ours."""
-    return ob is not None and ob.type in ('MESH', 'CURVE') and store.has_definition(ob.data)
+    return ob is not None and ob.type in ('MESH', 'CURVE') and is_shape(ob.data)
+
+
+def is_shape(data):
+    """Whether a data-block, or None, is that of a shape of ours."""
+    return type(data) in (bpy.types.Mesh, bpy.types.Curve) and store.has_definition(data)
 
 
 #: Steps that set_definition() and rewrite() report to `progress`.
@@ -24,7 +31,8 @@ def no_progress(step):
 
 
 def new_data(name, value, resolution, progress=no_progress, around=None):
-    """A new Mesh or Curve that shows the value. resolution is a pair; a curve uses the first.
+    """A new Mesh or Curve that shows the value. resolution: two numbers, of which a curve uses the first, or all that
+    settings.start() takes.
 
     around: as of set_definition().
     """
@@ -34,7 +42,7 @@ def new_data(name, value, resolution, progress=no_progress, around=None):
     if definition.has_curves:
         data.use_path = True        # Follow Path finds no path otherwise
     try:
-        data.splinewright.set_resolution(*resolution)
+        settings.start(data, *resolution)
         set_definition(data, definition, progress, around)
     except Exception:
         blocks.remove(data)
@@ -62,29 +70,53 @@ def set_definition(data, definition, progress=no_progress, around=None):
 
     Returns the Tessellation whose faces the data-block has then; None for a Curve.
     """
+    plan = planned(data, definition, around)
+    progress(1)
+    carry_out(plan, progress)
+    return plan.picture.tessellation
+
+
+class Plan(NamedTuple):
+    """A definition that a data-block can have, and what it will show then."""
+
+    data: bpy.types.ID
+    definition: definitions.Definition
+    picture: "Picture"
+
+
+def planned(data, definition, around=None):
+    """The Plan of set_definition(), for several that are to be carried out together or not at all.
+
+    Raises as set_definition() does.
+    """
     require_writable(data)
     require_untouched(data)
     store.require_fitting(data, definition)
-    picture = evaluated(data, definition, around)
-    progress(1)
-    store.write(data, definition)
-    _finish(data, picture, progress)
-    return picture.tessellation
+    return Plan(data, definition, evaluated(data, definition, around))
 
 
-def rewrite(data, progress=no_progress):
-    """Evaluate the stored definition again, after its settings changed. Raises and returns as set_definition() does."""
+def carry_out(plan, progress=no_progress):
+    """Do what was planned."""
+    store.write(plan.data, plan.definition)
+    _finish(plan.data, plan.picture, progress)
+
+
+def rewrite(data, progress=no_progress, faces=None):
+    """Evaluate the stored definition again, after its settings changed. Raises and returns as set_definition() does.
+
+    faces: the Tessellation that it is to have, where that is known.
+    """
     require_untouched(data)
-    return restore(data, progress)
+    return restore(data, progress, faces)
 
 
-def restore(data, progress=no_progress):
+def restore(data, progress=no_progress, faces=None):
     """rewrite(), also where the geometry was changed by others: their changes are lost."""
     definition = store.read(data)
     if definition is None:
         return None
     require_writable(data)
-    picture = evaluated(data, definition, recipes.around(data))
+    picture = evaluated(data, definition, recipes.around(data), faces)
     progress(1)
     _finish(data, picture, progress)
     return picture.tessellation
@@ -94,23 +126,31 @@ def _finish(data, picture, progress):
     picture.write()
     store.write_final(data, stamp.of(data))
     progress(2)
-    data.splinewright.problem = ""
+    problems.tell(data, problems.SETTING, "")
+    state.touched[key(data)] = False
+    state.shown[key(data)] = settings.values(data)
 
 
 def detach(data):
     """Leave a plain Mesh or Curve: what it shows stays, the definition goes."""
     if data.library or data.override_library:
-        raise ValueError(f"{data.name} is linked from another file and cannot be changed here")
+        raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
     store.remove(data)
     recipes.remove(data)
 
 
 def is_touched(data):
     """Whether the geometry is not what was written: edited by hand, joined, remeshed, moved by Apply Transform."""
-    if not store.has_definition(data) or not hasattr(data[store.KEY], 'get'):
-        return False
-    known = store.read_stamp(data)
+    known = store.read_stamp(data) if store.has_definition(data) else None
     return known is not None and known != stamp.of(data)
+
+
+def seems_touched(data):
+    """is_touched() as it was when Blender last told of a change, for what is drawn again and again."""
+    name = key(data)
+    if name not in state.touched:
+        state.touched[name] = is_touched(data)
+    return state.touched[name]
 
 
 class Picture(NamedTuple):
@@ -121,10 +161,11 @@ class Picture(NamedTuple):
     tessellation: object = None         # the splinecore Tessellation of patches
 
 
-def evaluated(data, definition, around=None):
-    """The Picture of a definition, evaluated now and written when its write() is called; around as of set_definition().
+def evaluated(data, definition, around=None, faces=None):
+    """The Picture of a definition, evaluated now and written when its write() is called; around as of set_definition(),
+    faces as of rewrite().
 
-    Raises ValueError or ArithmeticError where there is nothing finite to show.
+    Raises Refusal or an error of the library where there is nothing finite to show.
     """
     if definition.has_curves:
         value = definitions.to_value(definition)
@@ -135,16 +176,17 @@ def evaluated(data, definition, around=None):
         lines = [(_single(points), closed) for points, closed in lines]
         return Picture(np.concatenate([points for points, _ in lines]), lambda: write_curve.write(data, lines))
     patch_set = definitions.to_patch_set(definition)
-    tessellation = fineness.tessellated(data, patch_set)
+    tessellation = faces if faces is not None else fineness.tessellated(data, patch_set)
     positions, normals = tessellation.evaluate(patch_set)
     _single(positions)
-    sharp = tessellation.sharp_edges(normals, data.splinewright.sharp_angle)
+    sharp = tessellation.sharp_edges(normals, settings.of(data).sharp_angle)
     return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp), tessellation)
 
 
 def lines_of(data, curve, around=None):
     """The polylines by which a data-block shows one of its curves; around as of set_definition()."""
-    return curve.polylines(data.splinewright.resolution_u, data.splinewright.reach, around)
+    chosen = settings.of(data)
+    return curve.polylines(chosen.resolution_u, chosen.reach, around)
 
 
 def points_of(data):
@@ -171,20 +213,20 @@ def _single(points):
 
 
 def require_writable(data):
-    """Raises ValueError where writing would be lost, or would lose something."""
+    """Raises Refusal where writing would be lost, or would lose something."""
     store.require_known_version(data)
     if data.library:
-        raise ValueError(f"{data.name} is linked from another file and cannot be changed here")
+        raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
     if data.override_library or data.is_evaluated:
-        raise ValueError(f"{data.name} is a copy that Blender makes anew: change the original")
+        raise Refusal(f"{data.name} is a copy that Blender makes anew: change the original")
     if data.is_editmode:
-        raise ValueError(f"{data.name} is in Edit Mode: leave it first")
+        raise Refusal(f"{data.name} is in Edit Mode: leave it first")
     if data.shape_keys:
-        raise ValueError(f"{data.name} has shape keys, which hold positions of their own: remove them first")
+        raise Refusal(f"{data.name} has shape keys, which hold positions of their own: remove them first")
 
 
 def require_untouched(data):
-    """Raises ValueError where writing would throw away what others made of the geometry."""
+    """Raises Refusal where writing would throw away what others made of the geometry."""
     if is_touched(data):
-        raise ValueError(f"{data.name} was changed by hand since Splinewright wrote it: "
+        raise Refusal(f"{data.name} was changed by hand since Splinewright wrote it: "
                          "Restore throws the changes away, Detach keeps them and ends the shape")

@@ -1,26 +1,37 @@
 """A definition as ID properties of a Mesh or Curve, float64 and versioned.
 
+read() is the one door: what it gives the library takes, and anything else that may be stored is refused with a sentence.
 Version 1 had no stamp of what was written; a shape of that version is taken as it is.
 """
 
 import hashlib
 import json
+import math
 
 import bpy
 import numpy as np
+from idprop.types import IDPropertyGroup
 
+from ..core import definition as definitions
 from ..core.definition import Definition, Piece
+from ..core.failures import Refusal, WrongKind
+from ..core.library import sc
+from .file_state import remember, state
 
 KEY = "splinewright_definition"
 _STAMP = "stamp"
 _DRAFT = "draft"
 VERSION = 2
+#: What a stamp counts is below it.
+_MOST = 2.0 ** 53
+#: Definitions that are kept after they were read.
+_KEPT = 8
 
 _NOUNS = {bpy.types.Mesh: "a mesh", bpy.types.Curve: "a curve", bpy.types.SurfaceCurve: "a surface of Blender's own",
           bpy.types.TextCurve: "a text"}
 
 
-class UnreadableDefinition(ValueError):
+class UnreadableDefinition(Refusal):
     """The stored definition is damaged, or was made by a newer Splinewright. Nothing was changed."""
 
 
@@ -42,18 +53,40 @@ def write(data, definition):
 
 
 def digest(data):
-    """What differs wherever definitions differ, for use as a key. Cheaper than to read one."""
-    group, found = data[KEY], hashlib.blake2b(digest_size=16)
+    """What differs wherever definitions differ, for use as a key. Cheaper than to read one.
+
+    Raises UnreadableDefinition where none can be told.
+    """
+    group, found = _group(data), hashlib.blake2b(digest_size=16)
     for name in ('version', 'form', 'structure', 'pool', 'indices', 'knots'):
-        value = group.get(name) if hasattr(group, 'get') else None
-        found.update(value.encode() if isinstance(value, str) else np.array(value).tobytes())
+        value = group.get(name)
+        is_array = hasattr(value, 'typecode')
+        content = np.array(value).tobytes() if is_array else repr(value).encode(errors='replace')
+        found.update(b"%d %d " % (is_array, len(content)) + content)
     return found.digest()
+
+
+def _group(data):
+    """The stored group. Raises UnreadableDefinition where something else is stored."""
+    if not is_group(data[KEY]):
+        raise _unreadable("it is no group of properties")
+    return data[KEY]
+
+
+def is_group(stored):
+    """Whether what is stored has keys of its own; a data-block that is pointed to is none."""
+    return isinstance(stored, IDPropertyGroup)
+
+
+def _unreadable(reason):
+    words = str(reason)[:200]
+    return UnreadableDefinition(f"The definition of this shape is damaged ({words}): what it shows is left alone")
 
 
 def write_draft(data, definition, stamp):
     """write() for what is shown in a hurry, without exact normals."""
     group = data[KEY]
-    if len(group['pool']) == definition.pool.size and group['structure'] == _structure(definition):
+    if group.get('structure') == _structure(definition) and pool(data).size == definition.pool.size:
         assign(group, 'pool', np.ascontiguousarray(definition.pool, dtype=np.float64).ravel())
     else:
         write(data, definition)
@@ -64,7 +97,7 @@ def write_draft(data, definition, stamp):
 
 def is_draft(data):
     """Whether what is shown lacks its exact normals."""
-    return KEY in data.keys() and _DRAFT in data[KEY].keys()
+    return KEY in data.keys() and is_group(data[KEY]) and _DRAFT in data[KEY].keys()
 
 
 def remove(data):
@@ -87,9 +120,13 @@ def write_final(data, stamp):
 
 
 def read_stamp(data):
-    """The stamp as a list, or None."""
+    """The stamp as a list, or None where none was kept or what is there is none."""
     group = data[KEY]
-    return [int(number) for number in group[_STAMP]] if _STAMP in group.keys() else None
+    numbers = group.get(_STAMP) if is_group(group) else None
+    if getattr(numbers, 'typecode', None) != 'd':
+        return None
+    numbers = np.array(numbers)
+    return numbers.astype(np.int64).tolist() if (np.abs(numbers) < _MOST).all() else None
 
 
 def encoded(definition):
@@ -113,60 +150,95 @@ def _structure(definition):
 
 
 def read(data):
-    """The definition of a data-block, or None where it has none.
+    """The definition of a data-block, or None where it has none. What was read before is found again.
 
     Raises UnreadableDefinition with a sentence for the user.
     """
     if KEY not in data.keys():
         return None
     require_known_version(data)
+    found = digest(data)
+    definition = state.definitions.get(found)
     try:
-        definition = decoded(data[KEY])
+        if definition is None:
+            definition = remember(state.definitions, found, valid(_group(data)), _KEPT)
         require_fitting(data, definition)
+    except UnreadableDefinition:
+        raise
+    except Refusal as error:
+        raise _unreadable(error) from error
+    return definition
+
+
+def valid(group):
+    """decoded(), of which the library makes a value. Raises Refusal where it is damaged."""
+    try:
+        definition = decoded(group)
+        definitions.to_value(definition)
         return definition
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError) as error:
-        raise UnreadableDefinition(f"The definition of this shape is damaged ({error}): what it shows is left alone") from error
+    except (sc.Error, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError,
+            MemoryError) as error:
+        raise Refusal(str(error)) from error
+
+
+def pool(data):
+    """(n, 4): the points of a definition, which may be damaged elsewhere. Raises UnreadableDefinition."""
+    found = _group(data).get('pool')
+    if getattr(found, 'typecode', None) != 'd' or len(found) % 4:
+        raise _unreadable("its points are none")
+    return np.array(found).reshape(-1, 4)
 
 
 def require_known_version(data):
     """Raises UnreadableDefinition where a newer Splinewright wrote what would be lost."""
-    version = data[KEY].get('version') if KEY in data.keys() and hasattr(data[KEY], 'get') else None
+    version = data[KEY].get('version') if KEY in data.keys() and is_group(data[KEY]) else None
     if isinstance(version, int) and version > VERSION:
         raise UnreadableDefinition(f"This shape was made by a newer Splinewright (definition version {version}, "
                                    f"this one reads {VERSION}): it is shown but cannot be changed here")
 
 
 def require_fitting(data, definition):
-    """Raises TypeError unless the data-block can show the definition. Texts and surfaces are Curves, too."""
+    """Raises WrongKind unless the data-block can show the definition. Texts and surfaces are Curves, too."""
     shows_curves, shows_patches = type(data) is bpy.types.Curve, type(data) is bpy.types.Mesh
     if definition.has_curves and not shows_curves:
-        raise TypeError(f"{data.name} is {_NOUNS.get(type(data), 'no curve')}: curves are shown by a curve object")
+        raise WrongKind(f"{data.name} is {_NOUNS.get(type(data), 'no curve')}: curves are shown by a curve object")
     if not definition.has_curves and not shows_patches:
-        raise TypeError(f"{data.name} is {_NOUNS.get(type(data), 'no mesh')}: patches are shown by a mesh")
+        raise WrongKind(f"{data.name} is {_NOUNS.get(type(data), 'no mesh')}: patches are shown by a mesh")
 
 
 def decoded(group):
     """The definition of what encoded() made, of this version or one before.
 
-    Raises ValueError, KeyError and the like where it is damaged.
+    Raises Refusal, KeyError and the like where it is damaged.
     """
     if not isinstance(group['version'], int) or not 1 <= group['version'] <= VERSION:
-        raise ValueError(f"its version is {group['version']!r}")
+        raise Refusal(f"its version is {group['version']!r}")
     pool = np.array(group['pool'], dtype=np.float64).reshape(-1, 4)
-    all_indices = np.array(group['indices'], dtype=np.int32)
+    all_indices = np.array(group['indices'])
+    if all_indices.dtype != np.int32:
+        raise ValueError("its indices are no whole numbers")
     all_knots = np.array(group['knots'], dtype=np.float64)
     pieces, next_index, next_knot = [], 0, 0
     for entry in json.loads(group['structure']):
-        count = int(np.prod(entry['shape']))
+        count = math.prod(map(_whole, entry['shape']))
         indices = all_indices[next_index:next_index + count].reshape(entry['shape'])
         next_index += count
         knots = []
         for length in entry['knots']:
-            knots.append(all_knots[next_knot:next_knot + length])
+            knots.append(all_knots[next_knot:next_knot + _whole(length)])
             next_knot += length
         pieces.append(Piece(entry['kind'], indices, tuple(entry['degree']), tuple(entry['periodic']), tuple(knots)))
     if next_index != len(all_indices) or next_knot != len(all_knots):
-        raise ValueError("its lengths disagree")
+        raise Refusal("its lengths disagree")
+    for array in (pool, all_indices, all_knots):
+        array.flags.writeable = False
     definition = Definition(str(group['form']), pool, tuple(pieces))
     definition.require_consistent()
     return definition
+
+
+def _whole(number):
+    """A count. Raises Refusal for what is none."""
+    if type(number) is not int or not 0 <= number < _MOST:
+        raise ValueError(f"{number!r} is no count")
+    return number

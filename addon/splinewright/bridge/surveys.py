@@ -1,7 +1,8 @@
-"""How smoothly shapes go on, worked out when their definition changes and not at every redraw."""
+"""What is shown of shapes beside themselves, worked out when their definition changes and not at every redraw."""
 
-from ..core import continuity, seams
+from ..core import continuity, landmarks, seams, verbs
 from . import store
+from .file_state import remember, state
 
 #: Joints that are measured.
 SHOWN = 50
@@ -9,8 +10,6 @@ SHOWN = 50
 DRAWN = 500
 #: Definitions of which something is kept.
 _KEPT = 8
-
-_known = {}
 
 
 def survey_of(data):
@@ -26,6 +25,16 @@ def seams_of(data):
     return _kept('seams', data, lambda definition: (seams.seams_of(definition, DRAWN)[0], definition.size))
 
 
+def middles_of(data):
+    """(n, 3): a point in the middle of each piece of a definition. Raises store.UnreadableDefinition."""
+    return _kept('middles', data, lambda definition: landmarks.middles(verbs.pieces_of(definition)))
+
+
+def outlines_of(data):
+    """For each piece of a definition the polylines of core.landmarks.outline(). Raises store.UnreadableDefinition."""
+    return _kept('outlines', data, lambda definition: list(map(landmarks.outline, verbs.pieces_of(definition))))
+
+
 def _survey(definition):
     room = continuity if definition.has_curves else seams
     return room.surveyed(definition, SHOWN)
@@ -33,9 +42,6 @@ def _survey(definition):
 
 def _kept(what, data, work):
     digest = store.digest(data)
-    if (what, digest) not in _known:
-        found = work(store.read(data))
-        while len(_known) >= _KEPT:
-            del _known[next(iter(_known))]
-        _known[what, digest] = found
-    return _known[what, digest]
+    if (what, digest) not in state.surveys:
+        remember(state.surveys, (what, digest), work(store.read(data)), _KEPT)
+    return state.surveys[what, digest]

@@ -4,7 +4,8 @@ import numpy as np
 from mathutils import Matrix
 
 from ..core import transform
-from . import animation, recipes, shape, stamp, store
+from ..core.failures import Refusal
+from . import animation, recipes, settings, shape, stamp, store
 
 _CURES = "Restore throws the changes away, Detach keeps them"
 
@@ -12,13 +13,13 @@ _CURES = "Restore throws the changes away, Detach keeps them"
 def apply(ob, location, rotation, scale):
     """Move parts of an object's own transform into its definition; its children stay where they are.
 
-    Raises ValueError, and changes nothing, where several objects show the data or the scale is 0.
+    Raises Refusal, and changes nothing, where several objects show the data or the scale is 0.
     """
     data = ob.data
     if ob.library or ob.override_library:
-        raise ValueError("it is linked from another file")
+        raise Refusal("it is linked from another file")
     if data.users - data.use_fake_user > 1:
-        raise ValueError(f"{data.users} users show the same data: make it single-user first")
+        raise Refusal(f"{data.users} users show the same data: make it single-user first")
     recipes.require_free(data)
     _require_still(ob, location, rotation, scale)
     shape.require_writable(data)
@@ -38,28 +39,25 @@ def apply(ob, location, rotation, scale):
 
 
 def _require_still(ob, location, rotation, scale):
-    """Raises ValueError where keys or drivers would put back what is taken out."""
+    """Raises Refusal where keys or drivers would put back what is taken out."""
     for name, is_taken in (('location', location), ('rotation', rotation), ('scale', scale)):
         # "rotation_euler", "delta_location", but nothing of a pose's bones or a modifier
         if is_taken and any(path.removeprefix("delta_").startswith(name) for path in animation.paths(ob)):
-            raise ValueError(f"its {name} is animated: the keys or drivers would move the shape away again")
+            raise Refusal(f"its {name} is animated: the keys or drivers would move the shape away again")
 
 
 def _rest(matrix, location, rotation, scale):
-    """What is left of a transform when parts of it are taken out. Raises ValueError for a scale of 0."""
+    """What is left of a transform when parts of it are taken out. Raises Refusal for a scale of 0."""
     place, turn, size = matrix.decompose()
     if min(map(abs, size)) == 0.0:
-        raise ValueError("it has a scale of 0, which would flatten the shape for ever")
+        raise Refusal("it has a scale of 0, which would flatten the shape for ever")
     return Matrix.LocRotScale(None if location else place, None if rotation else turn, None if scale else size)
 
 
 def _set_definition(data, definition, matrix):
     """A mirroring has exchanged u and v of patches: so are their resolutions."""
     if np.linalg.det(matrix[:3, :3]) < 0 and not definition.has_curves:
-        settings = data.splinewright
-        settings.quiet = True
-        settings.resolution_u, settings.resolution_v = settings.resolution_v, settings.resolution_u
-        settings.quiet = False
+        settings.exchange_resolutions(data)
     shape.set_definition(data, definition)
 
 
@@ -70,19 +68,19 @@ def _exact(matrix):
 def adopt(data):
     """Take an affine map of the whole mesh or curve, made by others, into the definition.
 
-    Raises ValueError where the geometry is not an affine image of what the definition shows.
+    Raises Refusal where the geometry is not an affine image of what the definition shows.
     """
     recipes.require_free(data)
     shape.require_writable(data)
     if not shape.is_touched(data):
-        raise ValueError("it is as Splinewright wrote it: there is nothing to adopt")
+        raise Refusal("it is as Splinewright wrote it: there is nothing to adopt")
     definition = store.read(data)
     if not stamp.same_topology(store.read_stamp(data), stamp.of(data)):
-        raise ValueError(f"its faces or splines were changed, too: {_CURES}")
+        raise Refusal(f"its faces or splines were changed, too: {_CURES}")
     before, after = shape.evaluated(data, definition).points.astype(np.float64), shape.points_of(data)
     matrix = transform.affine_between(before, after) if len(before) == len(after) else None
     if matrix is None:
-        raise ValueError(f"it was not moved as a whole: {_CURES}")
+        raise Refusal(f"it was not moved as a whole: {_CURES}")
     moved = transform.transformed(definition, matrix)
     shape.evaluated(data, moved)        # raises before anything is changed
     store.remove(data)

@@ -1,9 +1,10 @@
 """A tessellation into a Mesh: faces, UVs, exact normals, sharp edges."""
 
+import bmesh
 import bpy
 import numpy as np
 
-from . import mesh_attributes, mesh_layers, mesh_looks
+from . import mesh_attributes, mesh_edges, mesh_layers, mesh_looks, mesh_sharp, versions
 
 
 def write(mesh, tessellation, positions, normals, sharp):
@@ -13,19 +14,24 @@ def write(mesh, tessellation, positions, normals, sharp):
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
+        flags = mesh_sharp.marked(mesh)
+        users = mesh_sharp.of_users(mesh, flags)
     else:
-        _replace_faces(mesh, tessellation, positions)
-    _write_sharp_edges(mesh, sharp)
-    # Before 4.5 normals are stored relative to those of the faces, which must be up to date.
+        has_marks = _replace_faces(mesh, tessellation, positions)
+        users = flags = mesh_sharp.marked(mesh) if has_marks else None
+    flags = mesh_sharp.mark(mesh, sharp, users, flags)
+    # Normals that are not exact are stored relative to those of the faces, which must be up to date.
     mesh.update()
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
+    # Before 4.5, too, Blender marks edges sharp where normals differ.
+    mesh_sharp.note(mesh, users, flags if versions.keeps_exact_normals else mesh_sharp.marked(mesh))
     mesh.update()
 
 
 def move(mesh, positions, normals=None):
-    """Give the vertices other positions, and the corners other normals (c, 3) where the mesh keeps_normals(); else they
-    are Blender's own until the next write()."""
-    if hasattr(mesh, 'use_auto_smooth'):
+    """Give the vertices other positions, and the corners other normals (c, 3) where versions.keeps_exact_normals; else
+    they are Blender's own until the next write()."""
+    if versions.has_auto_smooth:
         mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
     _write_positions(mesh, positions)
     if normals is not None:
@@ -34,9 +40,17 @@ def move(mesh, positions, normals=None):
     mesh.update()
 
 
-def keeps_normals():
-    """Whether exact normals cost little: from Blender 4.5 on they may be stored as they are, not as 16-bit angles."""
-    return bpy.app.version >= (4, 5, 0)
+def let_normals_turn(mesh):
+    """Keep the normals relative to those that Blender finds, for points that are moved by others."""
+    flat = np.empty(3 * len(mesh.loops), np.float32)
+    if versions.has_auto_smooth:
+        mesh.calc_normals_split()
+        mesh.loops.foreach_get('normal', flat)
+    else:
+        mesh.corner_normals.foreach_get('vector', flat)
+    if versions.keeps_exact_normals:
+        mesh.attributes.remove(mesh.attributes['custom_normal'])
+    mesh.normals_split_custom_set(flat.reshape(-1, 3).tolist())
 
 
 def _has_faces(mesh, tessellation):
@@ -45,10 +59,9 @@ def _has_faces(mesh, tessellation):
     if (len(mesh.vertices), len(mesh.loops), len(mesh.polygons)) != (
             tessellation.vertex_count, len(corners), len(tessellation.face_starts)):
         return False
-    vertices, starts = np.empty(len(corners), np.int32), np.empty(len(mesh.polygons), np.int32)
-    mesh.loops.foreach_get('vertex_index', vertices)
-    mesh.polygons.foreach_get('loop_start', starts)
-    return np.array_equal(vertices, corners) and np.array_equal(starts, tessellation.face_starts)
+    if not np.array_equal(mesh_layers.corner_vertices(mesh), corners):
+        return False
+    return np.array_equal(mesh_layers.read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0], tessellation.face_starts)
 
 
 def _write_positions(mesh, positions):
@@ -60,9 +73,10 @@ def _write_positions(mesh, positions):
 
 
 def _replace_faces(mesh, tessellation, positions):
-    owner = owner_of(mesh)
-    looks, kept = mesh_looks.looks_by_patch(mesh), mesh_attributes.keep(mesh, owner)
-    mesh.clear_geometry()
+    """Whether edges of the new faces have marks."""
+    owner, (looks, uneven) = owner_of(mesh), mesh_looks.kept(mesh)
+    kept = mesh_attributes.keep(mesh, owner, uneven)
+    _clear(mesh)
     _write_faces(mesh, tessellation, positions)
     mesh_looks.name_patches(mesh, tessellation.face_patches)
     mesh_looks.set_looks(mesh, looks)
@@ -71,6 +85,14 @@ def _replace_faces(mesh, tessellation, positions):
         _write_uvs(mesh, tessellation)
     if kept is not None:
         mesh_attributes.restore(mesh, owner, kept)
+    return kept is not None and len(kept.marks) > 0
+
+
+def _clear(mesh):
+    """Take all geometry away. Blender's clear_geometry() takes keys and drivers along."""
+    empty = bmesh.new()
+    empty.to_mesh(mesh)
+    empty.free()
 
 
 def owner_of(mesh):
@@ -88,9 +110,9 @@ def _write_faces(mesh, tessellation, positions):
     _write_positions(mesh, positions)
     mesh.loops.foreach_set('vertex_index', corners)
     mesh.polygons.foreach_set('loop_start', starts)
-    if not hasattr(mesh, 'shade_smooth'):       # Blender 3.4 derives no totals
+    if versions.wants_face_totals:
         mesh.polygons.foreach_set('loop_total', np.diff(np.append(starts, len(corners))).astype(np.int32))
-    mesh.update(calc_edges=True)
+    mesh_edges.calculate(mesh)
 
 
 def _write_uvs(mesh, tessellation):
@@ -98,25 +120,9 @@ def _write_uvs(mesh, tessellation):
     data.foreach_set(field, tessellation.corner_uvs.ravel())
 
 
-def _write_sharp_edges(mesh, sharp):
-    flags = np.zeros(len(mesh.edges), bool)
-    if len(sharp):
-        ends = np.empty(2 * len(mesh.edges), np.int32)
-        mesh.edges.foreach_get('vertices', ends)
-        count = len(mesh.vertices)
-        flags = np.isin(_edge_numbers(ends.reshape(-1, 2), count), _edge_numbers(sharp, count))
-    mesh.edges.foreach_set('use_edge_sharp', flags)
-
-
-def _edge_numbers(pairs, count):
-    """One number for an edge, whichever way it runs."""
-    pairs = np.sort(pairs.astype(np.int64), axis=1)
-    return pairs[:, 0] * count + pairs[:, 1]
-
-
 def _write_normals(mesh, normals):
     flat = np.ascontiguousarray(normals, np.float32)
-    if keeps_normals():
+    if versions.keeps_exact_normals:
         attribute = mesh.attributes.get('custom_normal')
         if attribute is not None and (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'CORNER'):
             mesh.attributes.remove(attribute)
@@ -125,7 +131,7 @@ def _write_normals(mesh, normals):
             attribute = mesh.attributes.new('custom_normal', 'FLOAT_VECTOR', 'CORNER')
         attribute.data.foreach_set('vector', flat.ravel())
         return
-    if hasattr(mesh, 'use_auto_smooth'):
+    if versions.has_auto_smooth:
         mesh.use_auto_smooth = True
         mesh.auto_smooth_angle = np.pi
     mesh.normals_split_custom_set(flat.tolist())

@@ -75,7 +75,7 @@ def _read_patch(words, index):
     points = np.array(numbers).reshape(degree_u + 1, degree_v + 1, 3) + 0.0
     try:
         return sc.BezierPatch(points)
-    except ValueError as error:
+    except sc.InvalidShape as error:
         raise sc.InvalidShape(f"BPT: patch {index}: {error}") from None
 
 

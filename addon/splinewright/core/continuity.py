@@ -18,7 +18,7 @@ _MOST_NEIGHBOURS = 16
 class Joint(NamedTuple):
     """A place where a curve goes on, by itself or by another."""
 
-    place: str                          # in words
+    name: str                           # where it is, in words
     continuity: object                  # a splinecore Continuity; None at infinity
     degree: int                         # of the curve, or the higher of two: so many derivatives are all
 
@@ -33,17 +33,17 @@ class Survey(NamedTuple):
 def surveyed(definition, limit):
     """The Survey of a definition of curves, piece by piece, of so many joints at most.
 
-    A place is a parameter or "seam", after the number of the piece where there are several; of two pieces their
+    A name is a parameter or "seam", after the number of the piece where there are several; of two pieces their
     numbers and the way each runs: in "1 → → 2" the second goes on where the first ends, "1 → ← 2" end both.
     """
     curves = verbs.curves_of(definition)
     ends = np.array([joints.ends_of(curve) for curve in curves])
     near = _NEAR * np.array([_size(definition.pool, piece) for piece in definition.pieces])
-    places = [[_Inside(i, u) for u in _parameters(curves[i], ends[i], near[i])] for i in range(len(curves))]
+    found = [[_Inside(i, u) for u in _parameters(curves[i], ends[i], near[i])] for i in range(len(curves))]
     for between in _meetings(ends, np.minimum(near, np.median(near))):
-        places[between.piece].append(between)
-    places = sum(places, [])
-    return Survey(tuple(place.joint(curves) for place in places[:limit]), len(places))
+        found[between.piece].append(between)
+    found = sum(found, [])
+    return Survey(tuple(one.joint(curves) for one in found[:limit]), len(found))
 
 
 class _Inside(NamedTuple):
@@ -56,8 +56,8 @@ class _Inside(NamedTuple):
         nurbs = curves[self.piece].to_nurbs()
         is_seam = self.u is None or self.u == nurbs.domain[0]
         where = "seam" if is_seam else f"{self.u:.4g}"
-        place = f"{self.piece + 1}: {where}" if len(curves) > 1 else where
-        return _measured(place, nurbs.degree, lambda: _at(nurbs, self.u))
+        name = f"{self.piece + 1}: {where}" if len(curves) > 1 else where
+        return _measured(name, nurbs.degree, lambda: _at(nurbs, self.u))
 
 
 class _Between(NamedTuple):
@@ -73,21 +73,21 @@ class _Between(NamedTuple):
         degree = max(before.degree, after.degree)
         if (self.end, self.other_end) == (0, 1):
             return _measured(f"{self.other + 1} → → {self.piece + 1}", degree, lambda: after.continuity_to(before))
-        place = f"{self.piece + 1} {'←→'[self.end]} {'→←'[self.other_end]} {self.other + 1}"
+        name = f"{self.piece + 1} {'←→'[self.end]} {'→←'[self.other_end]} {self.other + 1}"
         before = before if self.end else before.reversed()
         after = after.reversed() if self.other_end else after
-        return _measured(place, degree, lambda: before.continuity_to(after))
+        return _measured(name, degree, lambda: before.continuity_to(after))
 
 
 def _at(nurbs, u):
     return nurbs.continuity_to(nurbs) if u is None else nurbs.continuity(u)
 
 
-def _measured(place, degree, measure):
+def _measured(name, degree, measure):
     try:
-        return Joint(place, measure(), degree)
+        return Joint(name, measure(), degree)
     except sc.PointAtInfinity:
-        return Joint(place, None, degree)
+        return Joint(name, None, degree)
 
 
 def _parameters(curve, ends, near):
@@ -114,15 +114,15 @@ def _meetings(ends, near):
     ends: (n, 2, 3), nan where there is none. near: (n,), how near to each other the ends of each are to lie.
     """
     pieces, sides = np.nonzero(np.isfinite(ends).all(-1))
-    places, near = ends[pieces, sides], near[pieces]
-    along = places @ _SLANT
+    points, near = ends[pieces, sides], near[pieces]
+    along = points @ _SLANT
     order = np.argsort(along, kind='stable')
     found = []
     for step in range(1, min(len(order), _MOST_NEIGHBOURS + 1)):
         a, b = order[:-step], order[step:]
         if (along[b] - along[a]).min() > near.max():
             break
-        meet = np.linalg.norm(places[a] - places[b], axis=1) <= np.minimum(near[a], near[b])
+        meet = np.linalg.norm(points[a] - points[b], axis=1) <= np.minimum(near[a], near[b])
         first, second = np.minimum(a, b)[meet], np.maximum(a, b)[meet]
         found += zip(pieces[first].tolist(), sides[first].tolist(), pieces[second].tolist(), sides[second].tolist())
     return [_Between(*row) for row in sorted(found) if row[0] != row[2]]

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .failures import Refusal, WrongKind
 from .library import sc
 
 CURVES = (sc.BezierCurve, sc.HermiteCurve, sc.NurbsCurve)
@@ -27,27 +28,27 @@ class Piece:
     knots: tuple = ()               # NURBS: knots, Hermite: parameters, of each axis
 
     def require_consistent(self, axes, pool_size):
-        """Raises ValueError unless the counts of a piece with so many axes fit each other and the pool."""
+        """Raises Refusal unless the counts of a piece with so many axes fit each other and the pool."""
         if self.kind not in ('bezier', 'hermite', 'nurbs'):
-            raise ValueError(f"'{self.kind}' is no kind of piece")
+            raise Refusal(f"'{self.kind}' is no kind of piece")
         nets = () if self.kind != 'hermite' else (3,) if axes == 1 else (4,)
         counts = self.indices.shape[len(nets):]
         if self.indices.shape[:len(nets)] != nets or len(counts) != axes:
-            raise ValueError(f"a piece has points of shape {self.indices.shape}")
+            raise Refusal(f"a piece has points of shape {self.indices.shape}")
         if self.indices.size == 0 or self.indices.min() < 0 or self.indices.max() >= pool_size:
-            raise ValueError("a piece names points that are not there")
+            raise Refusal("a piece names points that are not there")
         if self.kind == 'nurbs':
             self._require_knots(counts)
         elif self.degree or self.periodic or [len(k) for k in self.knots] != (list(counts) if nets else []):
-            raise ValueError("a piece has degrees or knots that its kind has not")
+            raise Refusal("a piece has degrees or knots that its kind has not")
 
     def _require_knots(self, counts):
         if not all(type(p) is bool for p in self.periodic) or not all(type(d) is int and d > 0 for d in self.degree):
-            raise ValueError("a piece has a degree or a period that is none")
+            raise Refusal("a piece has a degree or a period that is none")
         expected = [count + 1 if periodic else count + degree + 1
                     for count, degree, periodic in zip(counts, self.degree, self.periodic)]
         if len(self.degree) != len(counts) or [len(k) for k in self.knots] != expected:
-            raise ValueError("the knots of a piece do not fit its points")
+            raise Refusal("the knots of a piece do not fit its points")
 
 
 @dataclass(frozen=True)
@@ -75,13 +76,13 @@ class Definition:
         return self.has_curves and bool(used) and bool((self.pool[np.concatenate(used), 3] <= 0).any())
 
     def require_consistent(self):
-        """Raises ValueError or TypeError unless this could have come from a value."""
+        """Raises Refusal or TypeError unless this could have come from a value."""
         if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:
-            raise ValueError(f"its form is '{self.form}' with {len(self.pieces)} pieces")
+            raise Refusal(f"its form is '{self.form}' with {len(self.pieces)} pieces")
         if self.form in ('curve', 'patch') and len(self.pieces) != 1:
-            raise ValueError(f"it is one {self.form} with {len(self.pieces)} pieces")
+            raise Refusal(f"it is one {self.form} with {len(self.pieces)} pieces")
         if not np.isfinite(self.pool).all() or not self.pool[:, 3].any():
-            raise ValueError("its points are not finite")
+            raise Refusal("its points are not finite")
         for piece in self.pieces:
             piece.require_consistent(1 if self.has_curves else 2, len(self.pool))
 
@@ -97,11 +98,11 @@ def from_value(value):
     if isinstance(value, (list, tuple)):
         for i, item in enumerate(value):
             if not isinstance(item, ANY_CURVES):
-                raise TypeError(f"value[{i}] is a {type(item).__name__}, a list holds curves only")
+                raise WrongKind(f"value[{i}] is a {type(item).__name__}, a list holds curves only")
         if not value:
-            raise ValueError("value is an empty list: a shape needs one curve or more")
+            raise Refusal("value is an empty list: a shape needs one curve or more")
         return _from_curves('curves', list(map(_kept, value)))
-    raise TypeError(f"value is of type {type(value).__name__}: a curve, a list of curves, a patch "
+    raise WrongKind(f"value is of type {type(value).__name__}: a curve, a list of curves, a patch "
                     "or a PatchSet is expected")
 
 

@@ -1,13 +1,46 @@
-"""What may go wrong at a door of Splinewright, and how it is said."""
+"""What may go wrong at a door of Splinewright, and how it is said.
 
-import numpy as np
+A Refusal, an error of the library, a file that cannot be reached and memory that is not there are told to the modeller
+as sentences. Anything else is a mistake of ours: its traceback is shown.
+"""
 
-#: What a modeller is told of; anything else is a mistake of ours and shows its traceback.
-FAILURES = (ValueError, TypeError, ArithmeticError, RuntimeError, OSError, MemoryError, np.linalg.LinAlgError)
+import traceback
+from contextlib import contextmanager
+
+from .library import sc
+
+
+class Refusal(ValueError):
+    """Something is not done, for a reason that a modeller understands; nothing has changed."""
+
+
+class WrongKind(Refusal, TypeError):
+    """Something of another kind was given than is taken."""
+
+
+#: What a modeller is told of; where the library is missing, nothing of its own.
+FAILURES = (Refusal, OSError, MemoryError, *([sc.Error] if sc else []))
 
 
 def sentence(error):
-    """A failure in words."""
+    """One of the FAILURES in words."""
     if isinstance(error, MemoryError):
         return "there is not enough memory"
     return getattr(error, 'strerror', None) or str(error)
+
+
+def told(error):
+    """Any exception in words, for places that must go on whatever happens. A mistake of ours shows its traceback, too."""
+    if isinstance(error, FAILURES):
+        return sentence(error)
+    traceback.print_exception(type(error), error, error.__traceback__)
+    return f"a mistake of Splinewright's own, told of in the console ({type(error).__name__}: {error})"
+
+
+@contextmanager
+def blenders_refusals():
+    """What Blender's own operators refuse is refused in their words."""
+    try:
+        yield
+    except RuntimeError as error:
+        raise Refusal(str(error).strip()) from error

@@ -3,6 +3,7 @@
 import numpy as np
 
 from . import teaching
+from .failures import Refusal
 from .library import sc
 
 #: Spans of a curve that are written out, and the highest degree of one that is.
@@ -26,7 +27,7 @@ def conic_lines(curve):
     """Pairs of a label and a text for a curve that lies on one conic, in whatever form; [] for any other."""
     try:
         conic = conic_of(curve)
-    except (ValueError, ArithmeticError):
+    except (Refusal, sc.Error):
         return []
     return _lines_of(curve, conic)
 
@@ -45,7 +46,7 @@ def _is_one_arc(curve):
 
 
 def conic_of(curve):
-    """The ImplicitConic that a NurbsCurve lies on. Raises ValueError or ArithmeticError if it lies on none."""
+    """The ImplicitConic that a NurbsCurve lies on. Raises Refusal or an error of the library if it lies on none."""
     if _is_one_arc(curve):
         return sc.conics.implicit(curve)
     points = _finite_points(curve)
@@ -55,19 +56,19 @@ def conic_of(curve):
     off_plane = points - conic.origin - np.outer(x, conic.x_axis) - np.outer(y, conic.y_axis)
     terms = conic.coefficients * np.column_stack([x * x, x * y, y * y, x, y, np.ones_like(x)])
     if np.abs(off_plane).max() > _SAME * size or (abs(terms.sum(1)) > _SAME * abs(terms).sum(1)).any():
-        raise ValueError("it lies on no conic")
+        raise Refusal("it lies on no conic")
     return conic
 
 
 def _finite_points(curve):
-    """Points of every span. Raises ValueError where they are too few."""
+    """Points of every span. Raises Refusal where they are too few."""
     start, end = curve.domain
     knots = np.unique(np.clip(curve.knots, start, end))
     inside = (np.arange(7) + 0.5) / 7
     points = curve.evaluate((knots[:-1, None] + np.diff(knots)[:, None] * inside).ravel(), at_infinity='nan')
     points = points[np.isfinite(points).all(1)]
     if len(points) < 7:
-        raise ValueError("it has no finite points")
+        raise Refusal("it has no finite points")
     return points
 
 
@@ -107,7 +108,7 @@ def _conic(curve):
     """Lecture row S10."""
     try:
         conic = conic_of(curve)
-    except (ValueError, ArithmeticError):
+    except (Refusal, sc.Error):
         return []
     lines = [f"  {label}: {value}" for label, value in _lines_of(curve, conic)]
     plane = (f"  x and y from {_vector(conic.origin)} along {_vector(conic.x_axis)} and {_vector(conic.y_axis)}")

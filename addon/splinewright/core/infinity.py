@@ -1,26 +1,28 @@
-"""Control points at infinity (lecture row S11): a direction in place of a point, and back."""
+"""Control points at infinity (lecture row S11): a direction in at of a point, and back."""
 
 from dataclasses import replace
 
 import numpy as np
 
+from .failures import Refusal
+
 
 def sent(definition, rows):
     """The definition with points of the pool sent off to infinity, each straight away from its neighbours.
 
-    Raises ValueError where a row is no point with a weight, or lies on all its neighbours.
+    Raises Refusal where a row is no point with a weight, or lies on all its neighbours.
     """
     pool = definition.pool.copy()
     for row in rows:
         _require_free(definition, row)
         if pool[row, 3] == 0:
-            raise ValueError("it lies at infinity already")
+            raise Refusal("it lies at infinity already")
         direction = definition.pool[row, :3] - _foot(definition, row)
         if not direction.any():
-            raise ValueError("a point that lies amid its neighbours has no direction to go")
+            raise Refusal("a point that lies amid its neighbours has no direction to go")
         pool[row] = *direction, 0.0
     if not pool[:, 3].any():
-        raise ValueError("one point must stay")
+        raise Refusal("one point must stay")
     return replace(definition, pool=pool)
 
 
@@ -30,14 +32,14 @@ def brought_back(definition, rows):
     for row in rows:
         _require_free(definition, row)
         if pool[row, 3] != 0:
-            raise ValueError("it does not lie at infinity")
+            raise Refusal("it does not lie at infinity")
         pool[row] = *(definition.pool[row, :3] + _foot(definition, row)), 1.0
     return replace(definition, pool=pool)
 
 
 def _require_free(definition, row):
     if any(piece.kind == 'hermite' and row in piece.indices for piece in definition.pieces):
-        raise ValueError("points and tangents of Hermite pieces have no weights")
+        raise Refusal("points and tangents of Hermite pieces have no weights")
 
 
 def _foot(definition, row):
@@ -45,11 +47,11 @@ def _foot(definition, row):
     return foot_of(definition.pool, piece.indices, np.argwhere(piece.indices == row)[0], piece.periodic)
 
 
-def foot_of(pool, net, place, periodic):
-    """Where the arrow of the direction at a place of a row or net of points begins: in the middle of the finite
+def foot_of(pool, net, at, periodic):
+    """Where the arrow of the direction at a position in a row or net of points begins: in the middle of the finite
     points beside it; the origin where there are none."""
-    beside = list(_beside_in_row(pool, net, place[0]) if net.ndim == 1 else
-                  (row for row in _beside_in_net(net, place, periodic or (False, False)) if pool[row, 3] != 0))
+    beside = list(_beside_in_row(pool, net, at[0]) if net.ndim == 1 else
+                  (row for row in _beside_in_net(net, at, periodic or (False, False)) if pool[row, 3] != 0))
     return pool[beside, :3].mean(0) if beside else np.zeros(3)
 
 
@@ -59,10 +61,10 @@ def _beside_in_row(pool, row, i):
     return row[np.concatenate([finite[finite < i][-1:], finite[finite > i][:1]])]
 
 
-def _beside_in_net(net, place, periodic):
+def _beside_in_net(net, at, periodic):
     for axis in (0, 1):
         for step in (-1, 1):
-            other = place.copy()
+            other = at.copy()
             other[axis] += step
             if periodic[axis]:
                 other[axis] %= net.shape[axis]

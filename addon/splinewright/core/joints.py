@@ -1,9 +1,12 @@
 """Where the ends of two curves meet: which ends are nearest, and the curves as one."""
 
+from typing import NamedTuple
+
 import numpy as np
 
+from . import decimals, places, verbs
 from . import definition as definitions
-from . import parameters, verbs
+from .failures import Refusal
 
 #: For continuity, in the order in which it asks for more.
 SMOOTHNESS = ('C0', 'G1', 'C1', 'C2')
@@ -19,21 +22,25 @@ def joined(definition, first, second, smoothness, linear=np.eye(3), parted=None)
     parted: `first` is one of so many pieces at the beginning, `second` one of the rest, counted from there.
 
     The two nearest ends meet; a piece is reversed where it must be. The parameter of the first goes on in that
-    of the second. Raises ValueError where a piece has no ends or they lie at infinity.
+    of the second. Raises Refusal where a piece has no ends or they lie at infinity.
     """
     curves = verbs.curves_of(definition)
     count = len(curves)
     if count < 2:
-        raise ValueError("it has one piece: Make Periodic closes it, and two shapes are joined if both are selected")
+        raise Refusal("it has one piece: Make Periodic closes it, and two shapes are joined if both are selected")
     rows = _chosen(curves[:parted], first)
     columns = _chosen(curves[parted or 0:], second) + (parted or 0)
     a, end_a, b, end_b = _nearest_ends(curves, rows, columns, linear)
-    result = _in_a_row(curves[a], end_a, curves[b], end_b, smoothness)
-    after, parents = list(curves), list(range(count))
-    after[a] = result.value
-    del after[b], parents[b]
-    value = after[0] if len(after) == 1 else after
-    return verbs.Changed(definitions.from_value(value), tuple(parents), result.error)
+    whole, error, origin = _in_a_row((curves[a], a), end_a, (curves[b], b), end_b, smoothness)
+    after, origins = list(curves), [(places.Origin(i),) for i in range(count)]
+    after[a], origins[a] = whole, origin
+    del after[b], origins[b]
+    return _changed(after, [i for i in range(count) if i != b], error, origins)
+
+
+def _changed(curves, parents, error, origins):
+    value = curves[0] if len(curves) == 1 else curves
+    return verbs.Changed(definitions.from_value(value), tuple(parents), error, origins=tuple(origins))
 
 
 def _chosen(curves, number):
@@ -66,13 +73,13 @@ def _nearest_ends(curves, rows, columns, linear):
 
 
 def _refuse(curves, rows, columns):
-    """Raises ValueError: no two ends can meet."""
+    """Raises Refusal: no two ends can meet."""
     if len(rows) == len(columns) == 1 and rows[0] == columns[0]:
-        raise ValueError("a piece is not joined to itself: Make Periodic closes it")
+        raise Refusal("a piece is not joined to itself: Make Periodic closes it")
     for i in (*rows, *columns):
         if getattr(curves[i], 'periodic', False):
-            raise ValueError(f"piece {i + 1} is periodic: it has no end to join")
-    raise ValueError("the ends of the pieces lie at infinity")
+            raise Refusal(f"piece {i + 1} is periodic: it has no end to join")
+    raise Refusal("the ends of the pieces lie at infinity")
 
 
 def ends_of(curve):
@@ -84,16 +91,41 @@ def ends_of(curve):
                            curve.evaluate([end], side='left', at_infinity='nan')])
 
 
-def _in_a_row(a, end_a, b, end_b, smoothness):
-    """The Approximation of both by one curve."""
-    a, b = a.to_nurbs(), b.to_nurbs()
+def _in_a_row(first, end_a, second, end_b, smoothness):
+    """(both as one curve, how far they moved, the core.places.Origins of it). Both are pairs: a curve, its number."""
+    (a, number), (b, other) = first, second
     if end_a == _START and end_b == _END:
-        return b.join(a, smoothness)
-    if end_a == _START:
-        a = a.reversed()
-    if end_b == _END:
-        b = b.reversed()
-    return a.join(b, smoothness)
+        return _in_a_row(second, _END, first, _START, smoothness)
+    a = _Part(a.to_nurbs(), (places.Origin(number),))
+    b = _Part(b.to_nurbs(), (places.Origin(other),))
+    whole, error = _joined(_turned(a) if end_a == _START else a, _turned(b) if end_b == _END else b, smoothness)
+    return whole.curve, error, whole.origins
+
+
+class _Part(NamedTuple):
+    """A NURBS curve, and the core.places.Origins of what it consists of."""
+
+    curve: object
+    origins: tuple
+
+
+def _turned(part):
+    return _Part(part.curve.reversed(), tuple(origin._replace(stretches=places.reversed_(origin.stretches))
+                                              for origin in part.origins))
+
+
+def _joined(a, b, smoothness):
+    """(a _Part of both, how far they moved). The domain of the first stays, and that of the other follows it."""
+    found = a.curve.join(b.curve, smoothness)
+    (start, end), (_, joint) = found.value.domain, a.curve.domain
+    at = (joint - start) / (end - start)
+    origins = (*_squeezed(a.origins, 0.0, at), *_squeezed(b.origins, at, 1.0))
+    return _Part(found.value, origins), found.error
+
+
+def _squeezed(origins, start, end):
+    """What lies from 0 to 1 from `start` to `end`."""
+    return tuple(origin._replace(stretches=places.squeezed(origin.stretches, start, end)) for origin in origins)
 
 
 def chained(definition, tolerance):
@@ -101,21 +133,23 @@ def chained(definition, tolerance):
 
     A joint where the directions agree is made C1: the parameter of the later piece is scaled for that. Then knots
     go as far as the tolerance allows, so that a chain of Bezier curves is the B-spline again that it came from (S8).
-    Raises ValueError where no two ends meet.
+    Raises Refusal where no two ends meet.
     """
-    curves, length = verbs.curves_of(definition), parameters.exact(tolerance)
+    curves, length = verbs.curves_of(definition), decimals.typed(tolerance)
     if len(curves) == 1:
-        raise ValueError("it has one piece: there is nothing to join")
+        raise Refusal("it has one piece: there is nothing to join")
     rows = _rows(np.array([ends_of(curve) for curve in curves]), length)
     if len(rows) == len(curves):
-        raise ValueError(f"no two ends of its pieces lie within {length:.4g} of each other")
-    after, error = [], 0.0
+        raise Refusal(f"no two ends of its pieces lie within {length:.4g} of each other")
+    after, error, origins = [], 0.0, []
     for row in rows:
-        value, moved = _as_one(curves, row, length) if len(row) > 1 else (curves[row[0][0]], 0.0)
-        after.append(value)
+        number = row[0][0]
+        part, moved = _as_one(curves, row, length) if len(row) > 1 else (
+            _Part(curves[number], (places.Origin(number),)), 0.0)
+        after.append(part.curve)
+        origins.append(part.origins)
         error = max(error, moved)
-    value = after[0] if len(after) == 1 else after
-    return verbs.Changed(definitions.from_value(value), tuple(row[0][0] for row in rows), error)
+    return _changed(after, [row[0][0] for row in rows], error, origins)
 
 
 def _rows(ends, tolerance):
@@ -146,16 +180,16 @@ def _next(ends, row, is_forward, free, tolerance):
 
 
 def _as_one(curves, row, tolerance):
-    """(the NURBS curve of a row of pieces, how far it lies from them)."""
+    """(the _Part of a row of pieces, how far it lies from them)."""
     whole, error = None, 0.0
     for piece, is_reversed in row:
-        curve = curves[piece].to_nurbs()
-        curve = curve.reversed() if is_reversed else curve
+        part = _Part(curves[piece].to_nurbs(), (places.Origin(piece),))
+        part = _turned(part) if is_reversed else part
         if whole is None:
-            whole = curve
+            whole = part
             continue
-        is_smooth = whole.continuity_to(curve).g >= 1
-        whole, moved = whole.join(curve, 'C1' if is_smooth else 'C0')
+        is_smooth = whole.curve.continuity_to(part.curve).g >= 1
+        whole, moved = _joined(whole, part, 'C1' if is_smooth else 'C0')
         error += moved
-    whole, moved = whole.remove_knots(tolerance)
-    return whole, error + moved
+    found = whole.curve.remove_knots(tolerance)
+    return whole._replace(curve=found.value), error + found.error

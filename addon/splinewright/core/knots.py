@@ -5,25 +5,26 @@ from dataclasses import replace
 import numpy as np
 
 from . import definition as definitions
+from .failures import Refusal
 
 #: More numbers than this in one text are refused.
 _MOST = 1_000_000
 
 
 def text_of(definition, piece, axis):
-    """The knots of a piece, counted from 0, every digit. Raises ValueError where it has none."""
+    """The knots of a piece, counted from 0, every digit. Raises Refusal where it has none."""
     return " ".join(repr(float(knot)).removesuffix(".0") for knot in _knots(definition, piece, axis)[axis])
 
 
 def replaced(definition, piece, axis, text):
     """The definition with other knots for a piece along an axis.
 
-    Raises ValueError, naming the word or the knot, where the text is not a knot vector that fits.
+    Raises Refusal, naming the word or the knot, where the text is not a knot vector that fits.
     """
     old = _knots(definition, piece, axis)
     new = _numbers(text)
     if len(new) != len(old[axis]):
-        raise ValueError(f"{len(new)} knots were given, {len(old[axis])} are needed for these points and this degree")
+        raise Refusal(f"{len(new)} knots were given, {len(old[axis])} are needed for these points and this degree")
     knots = tuple(new if i == axis else vector for i, vector in enumerate(old))
     pieces = list(definition.pieces)
     pieces[piece] = replace(pieces[piece], knots=knots)
@@ -35,23 +36,23 @@ def replaced(definition, piece, axis, text):
 def _knots(definition, piece, axis):
     if not 0 <= piece < len(definition.pieces):
         count = len(definition.pieces)
-        raise ValueError(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {piece + 1}")
+        raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {piece + 1}")
     if not definition.pieces[piece].knots:
-        raise ValueError("a Bezier piece has no knots")
+        raise Refusal("a Bezier piece has no knots")
     knots = definition.pieces[piece].knots
     if axis >= len(knots):
-        raise ValueError("a curve has no knots along v")
+        raise Refusal("a curve has no knots along v")
     return knots
 
 
 def _numbers(text):
     words = text.replace(",", " ").split()
     if len(words) > _MOST:
-        raise ValueError(f"{len(words)} knots are too many")
+        raise Refusal(f"{len(words)} knots are too many")
     numbers = []
     for i, word in enumerate(words, 1):
         try:
             numbers.append(float(word))
         except ValueError:
-            raise ValueError(f"'{word[:40]}', word {i} of the knots, is not a number") from None
+            raise Refusal(f"'{word[:40]}', word {i} of the knots, is not a number") from None
     return np.array(numbers, dtype=np.float64)

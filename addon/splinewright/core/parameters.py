@@ -2,18 +2,15 @@
 
 import numpy as np
 
-
-def exact(number):
-    """The shortest decimal of a float32 number, as float64: 0.1 typed into a property is 0.1."""
-    return float(str(np.float32(number)))
+from . import decimals
 
 
 def snapped(number, knots):
-    """exact(), or of the knots that are this number as float32 the one nearest to it.
+    """decimals.typed(), or of the knots that are this number as float32 the one nearest to it.
 
     So a knot such as 1/3 can be named in a property that holds float32.
     """
-    number = exact(number)
+    number = decimals.typed(number)
     with np.errstate(over='ignore'):
         same = knots[knots.astype(np.float32) == np.float32(number)]
     return float(same[np.abs(same - number).argmin()]) if len(same) else number

@@ -1,6 +1,8 @@
 """Curves on patches: at one parameter, and around."""
 
 from . import parameters, verbs
+from .failures import Refusal
+from .library import sc
 from .patch_verbs import Along
 
 #: Sides as splinecore names them, and in words.
@@ -11,7 +13,7 @@ _POINT = 1e-12
 
 def isocurves(patches, number, at):
     """(the curves on patches at pairs of an axis and a parameter, why those that are none were left out), of one patch
-    or of all where the number is 0. Raises ValueError if no curve is left.
+    or of all where the number is 0. Raises Refusal if no curve is left.
     """
     return _found(patches, number, at, _isocurve)
 
@@ -21,28 +23,28 @@ def boundaries(patches, number, sides):
     return _found(patches, number, sides, side_of)
 
 
-def _found(patches, number, places, find):
+def _found(patches, number, wanted, find):
     verbs.require_piece(patches, number, least=0)
     curves, left_out = [], []
     for i, patch in enumerate(patches):
-        for place in places if number in (0, i + 1) else ():
-            curve, reason = find(patch, place)
+        for one in wanted if number in (0, i + 1) else ():
+            curve, reason = find(patch, one)
             if not reason:
                 curves.append(curve)
             else:
                 left_out.append(f"piece {i + 1}: {reason}" if len(patches) > 1 else reason)
     if not curves:
-        raise ValueError(", ".join(left_out))
+        raise Refusal(", ".join(left_out))
     return curves, left_out
 
 
-def _isocurve(patch, place):
+def _isocurve(patch, wanted):
     """(a curve, "") or (None, why there is none)."""
-    axis, parameter = place
+    axis, parameter = wanted
     parameter = parameters.snapped(parameter, parameters.knots_of(Along(patch, axis)))
     try:
         curve = patch.isocurve(axis, parameter)
-    except ValueError as error:
+    except sc.InvalidShape as error:
         return None, str(error).replace("at =", f"{axis} =")
     return (None, f"at {axis} = {parameter:.6g} it is a point") if _is_point(curve, patch) else (curve, "")
 
@@ -53,7 +55,7 @@ def side_of(patch, side):
         return None, f"{SIDES[side]} is no side, the patch is periodic"
     try:
         curve = patch.boundary(side)
-    except ValueError:
+    except sc.InvalidShape:
         return None, f"{SIDES[side]} lies at infinity"
     return (None, f"{SIDES[side]} is a point") if _is_point(curve, patch) else (curve, "")
 

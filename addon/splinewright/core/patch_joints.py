@@ -6,6 +6,7 @@ import numpy as np
 
 from . import definition as definitions
 from . import patch_curves, sewing, verbs
+from .failures import Refusal
 from .library import sc
 
 #: For continuity, in the order in which it asks for more.
@@ -37,11 +38,11 @@ def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parte
 
     first, second: Choices. moves: 'second', 'first' or 'both'. linear: (3, 3), what takes the points to the space in
     which distances are measured. parted: `first` is one of so many patches at the beginning, `second` one of the rest,
-    counted from there. Raises ValueError where there are no such sides, or they cannot be joined.
+    counted from there. Raises Refusal where there are no such sides, or they cannot be joined.
     """
     patches = verbs.pieces_of(definition)
     if len(patches) < 2:
-        raise ValueError("it has one patch: select two shapes to join, or Make Periodic to close it")
+        raise Refusal("it has one patch: select two shapes to join, or Make Periodic to close it")
     rows = _sides(patches, 0, parted or len(patches), first, linear)
     columns = _sides(patches, parted or 0, len(patches), second, linear)
     (a, side_a), (b, side_b) = _nearest(rows, columns)
@@ -62,11 +63,11 @@ class _Side(NamedTuple):
 
 
 def _sides(patches, start, end, choice, linear):
-    """The sides that a Choice among the patches from start to end leaves. Raises ValueError if there is none."""
+    """The sides that a Choice among the patches from start to end leaves. Raises Refusal if there is none."""
     count = end - start
     if choice.number > count:
         patches_are = "is 1 patch" if count == 1 else f"are {count} patches"
-        raise ValueError(f"there {patches_are}, none of number {choice.number}")
+        raise Refusal(f"there {patches_are}, none of number {choice.number}")
     numbers = [start + choice.number - 1] if choice.number else range(start, end)
     found, reasons = [], []
     for i in numbers:
@@ -76,12 +77,12 @@ def _sides(patches, start, end, choice, linear):
                 reasons.append(f"patch {i - start + 1}: {reason}")
                 continue
             low, high = curve.domain
-            places = np.minimum(low + _PLACES * (high - low), high)
-            points = np.concatenate([curve.evaluate(places[:-1], at_infinity='nan'),
-                                     curve.evaluate(places[-1:], side='left', at_infinity='nan')])
+            at = np.minimum(low + _PLACES * (high - low), high)
+            points = np.concatenate([curve.evaluate(at[:-1], at_infinity='nan'),
+                                     curve.evaluate(at[-1:], side='left', at_infinity='nan')])
             found.append(_Side(i, side, points @ linear.T))
     if not found:
-        raise ValueError(", ".join(reasons[:4]))
+        raise Refusal(", ".join(reasons[:4]))
     return found
 
 
@@ -97,5 +98,5 @@ def _nearest(rows, columns):
         if gaps[nearest] < best:
             best, pair = gaps[nearest], ((row.patch, row.side), (columns[nearest].patch, columns[nearest].side))
     if pair is None:
-        raise ValueError("a patch is not joined to itself: Make Periodic closes it")
+        raise Refusal("a patch is not joined to itself: Make Periodic closes it")
     return pair

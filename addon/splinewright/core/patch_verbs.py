@@ -4,6 +4,7 @@ What a verb is says core.verbs. An axis is 'u' or 'v'; axes are 'u', 'v' or 'uv'
 """
 
 from . import parameters, places, verbs
+from .failures import Refusal
 from .library import sc
 
 _PAIRS = ('degree', 'domain', 'knots', 'periodic')
@@ -52,7 +53,7 @@ class Along:
         if isinstance(result, sc.Approximation):
             return verbs.Near(self._of(result.value), result.error)
         if isinstance(result, sc.NurbsPatch) and min(result.points.shape[:2]) < 2:
-            raise ValueError("within that tolerance nothing of it would be left")
+            raise Refusal("within that tolerance nothing of it would be left")
         return Along(result, self.axis, self.stretches)
 
 
@@ -66,7 +67,7 @@ def along(axes, make):
         for axis in axes:
             try:
                 parts, error = _along_one(parts, axis, make(axis, sum(errors)))
-            except (ValueError, ArithmeticError) as error:
+            except (Refusal, sc.Error) as error:
                 if len(axes) == 1:
                     raise
                 raise type(error)(f"along {axis}: {error}") from error

@@ -1,4 +1,4 @@
-"""Where a patch lies on the one it came of, in parts of their domains."""
+"""Where a curve or patch lies on the one it came of, in parts of their domains."""
 
 from typing import NamedTuple
 
@@ -31,6 +31,13 @@ class Place(NamedTuple):
     is_swapped: bool = False
 
 
+class Origin(NamedTuple):
+    """What a curve, or a part of one, came of: the number of a piece, counted from 0, and stretches of it."""
+
+    piece: int
+    stretches: tuple = WHOLE
+
+
 def cut(stretches, start, end):
     """Of an axis from `start` to `end`."""
     parts = []
@@ -58,3 +65,9 @@ def reversed_(stretches):
 
 def sped(stretches, rho):
     return tuple(part._replace(rho=rho) for part in stretches)
+
+
+def squeezed(stretches, first, last):
+    """Of an axis that became the part of another from `first` to `last`."""
+    return tuple(part._replace(first=first + part.first * (last - first), last=first + part.last * (last - first))
+                 for part in stretches)

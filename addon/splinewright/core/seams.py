@@ -34,7 +34,7 @@ def surveyed(definition, limit):
     """The core.continuity.Survey of a definition of patches."""
     seams, count = seams_of(definition, limit)
     is_one = len(definition.pieces) == 1
-    return Survey(tuple(Joint(_place(seam, is_one), seam.measured, _MORE) for seam in seams), count)
+    return Survey(tuple(Joint(_name(seam, is_one), seam.measured, _MORE) for seam in seams), count)
 
 
 def classes(measured, size):
@@ -61,6 +61,6 @@ def _measured(patch_set, first, second):
         return None
 
 
-def _place(seam, is_one):
+def _name(seam, is_one):
     return " · ".join(side.replace('_', ' ') if is_one else f"{patch + 1} {side.replace('_', ' ')}"
                       for patch, side in (seam.first, seam.second))

@@ -3,15 +3,16 @@
 import numpy as np
 
 from . import definition as definitions
+from .failures import Refusal
 from .library import sc
 
 
 def nurbs_of(definition, piece):
-    """A curve of a definition as NURBS; pieces are counted from 1. Raises ValueError where there is none."""
+    """A curve of a definition as NURBS; pieces are counted from 1. Raises Refusal where there is none."""
     if not definition.has_curves:
-        raise ValueError("it is made of patches: a curve is needed")
+        raise Refusal("it is made of patches: a curve is needed")
     if piece > len(definition.pieces):
-        raise ValueError(f"there is no piece {piece}: the curve has {len(definition.pieces)}")
+        raise Refusal(f"there is no piece {piece}: the curve has {len(definition.pieces)}")
     value = definitions.to_value(definition)
     return (value[piece - 1] if isinstance(value, list) else value).to_nurbs()
 
@@ -27,13 +28,13 @@ def basis_graphs(knot_vector, width, height):
     if knot_vector.periodic:
         start, end = knot_vector.domain
         knots = _unrolled_knots(knot_vector)
-    place = width / (end - start)
+    scale = width / (end - start)
     graphs = []
     for i in range(len(knots) - degree - 1):
         graph = _within(_graph(degree, knots[i:i + degree + 2]), start, end)
         if graph is not None:
             points = graph.points.copy()
-            points[:, 0] = (points[:, 0] - start) * place
+            points[:, 0] = (points[:, 0] - start) * scale
             points[:, 1] *= height
             graphs.append(graph.with_points(points))
     return graphs
@@ -73,7 +74,7 @@ def construction(curve, position, scheme, marker):
     """The polygons of every level that lead to a point of a NurbsCurve, and a circle around the point.
 
     position: 0 for the start of the domain, 1 for its end. scheme: 'de_boor', 'casteljau' or 'rational'.
-    Raises ValueError where the rational algorithm divides by zero.
+    Raises Refusal where the rational algorithm divides by zero.
     """
     start, end = curve.domain
     u = min(start + position * (end - start), end)
@@ -112,7 +113,7 @@ def _casteljau(curve, u, is_rational):
     if is_rational:
         _, broken = bezier.rational_casteljau_triangle(t)
         if broken is not None:
-            raise ValueError(broken_text(broken))
+            raise Refusal(broken_text(broken))
     return bezier.casteljau_triangle(t)
 
 

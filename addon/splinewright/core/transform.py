@@ -4,18 +4,20 @@ from dataclasses import replace
 
 import numpy as np
 
+from .failures import Refusal
+
 
 def transformed(definition, matrix):
     """The definition under a (4, 4) affine matrix. Directions (w = 0) are not moved by its translation.
 
     A mirroring exchanges u and v of patches, so that normals stay outside.
-    Raises ValueError if the matrix flattens space or is not finite.
+    Raises Refusal if the matrix flattens space or is not finite.
     """
     matrix = np.asarray(matrix, dtype=np.float64)
     linear, offset = matrix[:3, :3], matrix[:3, 3]
     determinant = np.linalg.det(linear)
     if not np.isfinite(matrix).all() or determinant == 0:
-        raise ValueError("the transform has a scale of 0, which would flatten the shape for ever")
+        raise Refusal("the transform has a scale of 0, which would flatten the shape for ever")
     pool = definition.pool.copy()
     pool[:, :3] = pool[:, :3] @ linear.T + np.where(pool[:, 3:] != 0, offset, 0.0)
     pieces = definition.pieces

@@ -1,7 +1,7 @@
 """Verbs, on the pieces of a definition; those of curves, which core.patch_verbs does along an axis of a patch, too.
 
-A verb takes a curve or patch and gives one, a list of those that stand for it, or a splinecore Approximation or Near;
-a patch that lies elsewhere than its parent is a Part.
+A verb takes a core.traced.Traced curve or a patch and gives one, a list of those that stand for it, or Near; a patch
+that lies elsewhere than its parent is a Part.
 Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does. A tolerance is a length.
 """
 
@@ -9,20 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import decimals, parameters, places, sewing
 from . import definition as definitions
-from . import parameters, places, sewing
+from .failures import Refusal
 from .library import sc
-
-
-class Near(NamedTuple):
-    """A curve or patch that stands for another, as splinecore's Approximation."""
-
-    value: object
-    error: float
+from .traced import Near, Traced, bare
 
 
 class Part(NamedTuple):
-    """A patch that stands for another or a part of it, and its core.places.Place there."""
+    """A curve or patch that stands for another or a part of it, and its core.places.Place there."""
 
     value: object
     place: object
@@ -35,12 +30,13 @@ class Changed(NamedTuple):
     parents: tuple              # for each piece, the number of the piece it came from, counted from 0
     error: float                # how far the shape is from what it was, at most; 0 where nothing but rounding was lost
     places: tuple = ()          # for each patch, its core.places.Place on the one it came from
+    origins: tuple = ()         # for each curve, the core.places.Origins of what it consists of
 
 
 def changed(definition, number, verb, already="nothing changes"):
     """The Changed definition, after a verb was done with one piece, counted from 1, or with all where `number` is 0.
 
-    Raises ValueError or ArithmeticError, naming the piece where there are several, if one refuses; ValueError
+    Raises Refusal or an error of the library, naming the piece where there are several, if one refuses; ValueError
     with the sentence `already` if every piece came out as it went in.
     """
     before = pieces_of(definition)
@@ -48,14 +44,23 @@ def changed(definition, number, verb, already="nothing changes"):
     parts, parents, error = [], [], 0.0
     for i, value in enumerate(before):
         values, piece_error = _done(verb, value, i, len(before)) if number in (0, i + 1) else ([value], 0.0)
-        parts += [part if isinstance(part, Part) else Part(part, places.Place()) for part in values]
+        parts += map(_part, values)
         parents += [i] * len(values)
         error = max(error, piece_error)
     after = [part.value for part in parts]
     if after == before:
-        raise ValueError(already)
-    made = _of_curves(definition, after) if definition.has_curves else sewing.sewn(definition, after, parents)
-    return Changed(made, tuple(parents), error, tuple(part.place for part in parts))
+        raise Refusal(already)
+    lie = tuple(part.place for part in parts)
+    if not definition.has_curves:
+        return Changed(sewing.sewn(definition, after, parents), tuple(parents), error, lie)
+    origins = tuple((places.Origin(parent, place.u),) for parent, place in zip(parents, lie))
+    return Changed(_of_curves(definition, after), tuple(parents), error, origins=origins)
+
+
+def _part(value):
+    if isinstance(value, Traced):
+        return Part(value.curve, places.Place(value.stretches))
+    return value if isinstance(value, Part) else Part(value, places.Place())
 
 
 def _of_curves(before, curves):
@@ -74,21 +79,21 @@ def curves_of(definition):
 
 
 def require_piece(pieces, number, least=1):
-    """Raises ValueError unless there is a piece of this number, counted from 1."""
+    """Raises Refusal unless there is a piece of this number, counted from 1."""
     count = len(pieces)
     if not least <= number <= count:
-        raise ValueError(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {number}")
+        raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {number}")
 
 
 def _done(verb, value, i, count):
     """(what stands for a curve or patch, the error)."""
     try:
-        result = verb(value)
-    except (ValueError, ArithmeticError) as error:
+        result = verb(Traced(value) if isinstance(value, definitions.CURVES) else value)
+    except (Refusal, sc.Error) as error:
         if count == 1:
             raise
         raise type(error)(f"piece {i + 1}: {error}") from error
-    if isinstance(result, (sc.Approximation, Near)):
+    if isinstance(result, Near):
         return [result.value], result.error
     return (result, 0.0) if isinstance(result, list) else ([result], 0.0)
 
@@ -124,7 +129,7 @@ def remove_knot(parameter, is_nearest, times, tolerance):
 def _nearest_removable(curve, parameter):
     knots = parameters.inner_knots(curve)
     if not len(knots):
-        raise ValueError("there is no inner knot")
+        raise Refusal("there is no inner knot")
     return float(knots[np.abs(knots - parameter).argmin()])
 
 
@@ -148,11 +153,11 @@ def lower_degree(times, tolerance):
     """tolerance: or None."""
     def verb(curve):
         result = _capable(curve, 'reduce').reduce(times)
-        if isinstance(curve, sc.BezierCurve):
+        if isinstance(bare(curve), sc.BezierCurve):
             # Its own error adds up those of all steps.
             result = Near(result.value, curve.to_nurbs().largest_distance(result.value.to_nurbs()))
         if tolerance is not None and result.error > tolerance:
-            raise ValueError(f"the degree cannot be lowered within {tolerance:.4g}: "
+            raise Refusal(f"the degree cannot be lowered within {tolerance:.4g}: "
                              f"the error would be {result.error:.4g}")
         return result
     return verb
@@ -201,13 +206,13 @@ def reverse():
 
 def set_domain(start, end):
     def verb(curve):
-        domain = parameters.exact(start), parameters.exact(end)
+        domain = decimals.typed(start), decimals.typed(end)
         return curve if curve.domain == domain else curve.to_nurbs().with_domain(domain)
     return verb
 
 
 def moebius(rho):
-    return lambda curve: _capable(curve, 'moebius').moebius(parameters.exact(rho))
+    return lambda curve: _capable(curve, 'moebius').moebius(decimals.typed(rho))
 
 
 def standard_form():
@@ -249,12 +254,12 @@ def make_periodic(tolerance):
 
 def project(eye):
     """The image on the plane z = 0, seen from a point: new weights are what the perspective does (S9)."""
-    x, y, z = map(parameters.exact, eye)
+    x, y, z = map(decimals.typed, eye)
     matrix = [[z, 0, -x, 0], [0, z, -y, 0], [0, 0, 0, 0], [0, 0, -1, z]]
 
     def verb(curve):
         if z == 0.0:
-            raise ValueError("the eye lies in the plane of the image, z = 0")
+            raise Refusal("the eye lies in the plane of the image, z = 0")
         return curve.to_nurbs().transformed(matrix)
     return verb
 
@@ -269,9 +274,9 @@ def to_bezier_chain():
 def to_hermite(tolerance):
     """Of a conic with weights, which no Hermite chain is, cubics within the tolerance."""
     def verb(curve):
-        if isinstance(curve, sc.HermiteCurve):
+        if isinstance(bare(curve), sc.HermiteCurve):
             return curve
-        return _conic_as_hermite(curve, tolerance) if _is_conic(curve) else curve.to_hermite()
+        return _conic_as_hermite(bare(curve), tolerance) if _is_conic(curve) else curve.to_hermite()
     return verb
 
 
@@ -281,9 +286,10 @@ def _is_conic(curve):
 
 def _conic_as_hermite(curve, tolerance):
     try:
-        return sc.conics.as_hermite(curve, tolerance)
+        found = sc.conics.as_hermite(curve, tolerance)
+        return Near(found.value, found.error)
     except sc.InvalidShape as error:
-        raise ValueError("it runs to infinity or has a gap: a Hermite chain is finite and connected") from error
+        raise Refusal("it runs to infinity or has a gap: a Hermite chain is finite and connected") from error
 
 
 def to_nurbs():

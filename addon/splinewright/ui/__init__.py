@@ -3,26 +3,29 @@
 import bpy
 
 from ..core import library
-from . import preferences
+from . import manual, preferences
 
 
 def _rooms():
     """Modules with CLASSES and, some, register() and unregister(); imported only with the library."""
-    from . import (continuity_panel, curve_tools, formulas_panel, handlers, keymaps, menus, net_props, overlay, panels,
-                   patch_tools, props, recipe_props)
-    from .operators import (add_curve, add_patch, add_recipe, curve_join, curve_verbs, edit, exchange, extract,
-                            fineness, follow, formulas, from_objects, infinity, life, native, patch_join, patch_verbs,
-                            set_knots)
+    from . import (continuity_panel, curve_tools, formulas_panel, handlers, join_notice, keymaps, menus, messages,
+                   net_props, numbers_overlay, overlay, panels, patch_tools, props, recipe_props)
+    from .operators import (add_curve, add_patch, add_recipe, bake, curve_join, curve_verbs, edit, exchange,
+                            extract, fineness, follow, formulas, from_objects, infinity, join, life, native, patch_join,
+                            patch_verbs, pick_piece, set_knots)
     return (props, net_props, recipe_props, add_curve, add_recipe, add_patch, exchange, edit, set_knots, infinity, life,
-            follow, from_objects, native, curve_verbs, curve_join, patch_verbs, patch_join, extract, fineness, formulas,
-            panels, curve_tools, patch_tools, continuity_panel, formulas_panel, menus, keymaps, overlay, handlers)
+            join, follow, bake, from_objects, native, curve_verbs, curve_join, patch_verbs, patch_join, extract, fineness,
+            formulas, pick_piece, panels, curve_tools, patch_tools, continuity_panel, formulas_panel, menus, keymaps,
+            overlay, numbers_overlay, messages, handlers, join_notice)
+
+
+def _all_rooms():
+    """Without the library only what helps to mend that."""
+    return (manual, preferences, *(() if library.problem else _rooms()))
 
 
 def register():
-    bpy.utils.register_class(preferences.SplinewrightPreferences)
-    if library.problem:
-        return
-    for room in _rooms():
+    for room in _all_rooms():
         for cls in room.CLASSES:
             bpy.utils.register_class(cls)
         if hasattr(room, 'register'):
@@ -30,10 +33,8 @@ def register():
 
 
 def unregister():
-    if not library.problem:
-        for room in reversed(_rooms()):
-            if hasattr(room, 'unregister'):
-                room.unregister()
-            for cls in reversed(room.CLASSES):
-                bpy.utils.unregister_class(cls)
-    bpy.utils.unregister_class(preferences.SplinewrightPreferences)
+    for room in reversed(_all_rooms()):
+        if hasattr(room, 'unregister'):
+            room.unregister()
+        for cls in reversed(room.CLASSES):
+            bpy.utils.unregister_class(cls)

@@ -5,13 +5,13 @@ import math
 import bpy
 
 from ..bridge import shape, store, surveys
-from ..bridge.net import live, net
-from . import seams_overlay, texts
+from ..bridge.net import live, net_object
+from . import colors, hand, texts
 from .sub_panel import SubPanel
 
 #: Characters of a note that fit a line of the sidebar as wide as it opens.
 _WIDTH = 26
-#: Characters of a place that leave room beside it.
+#: Characters of a name that leave room beside it.
 _SHORT = 14
 
 
@@ -28,7 +28,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
             survey = surveys.survey_of(_shape_in_hand(context.object).data)
         except store.UnreadableDefinition:
             return                      # the panel above says it
-        if net.is_net(context.object) and live.problem(context.object):
+        if net_object.is_net(context.object) and live.problem(context.object):
             texts.draw_note(self.layout, "As it was before the last change, which is not shown", _WIDTH)
         data = _shape_in_hand(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
@@ -38,14 +38,16 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
         if is_surface:
             self.layout.prop(data.splinewright, "show_seams")
             if data.splinewright.show_seams:
-                texts.draw_note(self.layout, seams_overlay.LEGEND, _WIDTH)
+                colors.draw_legend(self.layout)
+        if hand.count_of(data) > 1:
+            self.layout.prop(data.splinewright, "show_numbers")
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
         _draw_joints(self.layout, survey)
 
 
 def _shape_in_hand(ob):
     """The shape that is active, or whose net is; None where there is none."""
-    owner = net.shape_of(ob) if ob is not None and net.is_net(ob) else ob
+    owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
     return owner if shape.has_shape(owner) else None
 
 
@@ -59,8 +61,8 @@ def _draw_in_columns(layout, items):
 def _draw_joints(layout, survey):
     for joint in survey.joints:
         box = layout.box().column(align=True)
-        row = box.split(factor=0.6) if len(joint.place) <= _SHORT else box
-        row.label(text=joint.place)
+        row = box.split(factor=0.6) if len(joint.name) <= _SHORT else box
+        row.label(text=joint.name)
         row.label(text=kind(joint))
         _draw_in_columns(box, numbers(joint))
     hidden = survey.count - len(survey.joints)

@@ -34,6 +34,7 @@ class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
         return replacing.is_curve_shape(context.object)
 
     def draw(self, context):
+        tools.draw_hand(self.layout, context.object.data)
         tools.draw_panel(self.layout, _GROUPS)
 
 

@@ -1,13 +1,14 @@
 """Putting nets out and away. Undo steps are the operators' affair, but for end()."""
 
+import re
+from contextlib import suppress
+
 import bpy
 
-from ..bridge import made, recipes, shape
-from ..bridge.net import live, net, net_points, points_net
-from ..core.failures import FAILURES, sentence
-
-#: Names of the objects that are nets. Only a hint: undo and loading make it anew.
-known = set()
+from ..bridge import problems, recipes, remaking, settings, shape, store
+from ..bridge.file_state import block_of, key, state
+from ..bridge.net import free_net, live, net_object, selection
+from ..core.failures import FAILURES, Refusal, sentence, told
 
 
 def why_not(ob):
@@ -18,62 +19,88 @@ def why_not(ob):
         return "The shape is linked from another file: make it local first"
     if recipes.follows(ob.data):
         return "The shape follows another object: edit that, or use Make Editable first"
-    if recipes.has(ob.data) and not recipes.has_points(ob.data):
-        return "The shape is made by its numbers: change them in the panel, or use Make Editable first"
-    return ""
+    try:
+        is_of_numbers = recipes.has(ob.data) and not recipes.has_points(ob.data)
+    except store.UnreadableDefinition as error:
+        return str(error)
+    return "The shape is made by its numbers: change them in the panel, or use Make Editable first" if is_of_numbers else ""
 
 
 def nets():
     """All net objects of the file that the last scan or an operator told of."""
-    found = [bpy.data.objects.get(name) for name in sorted(known)]
-    if not all(net.is_net(ob) for ob in found):
+    found = [block_of(name) for name in sorted(state.nets)]
+    if not all(_is_out(ob) for ob in found):
         find_nets()                     # one was renamed or removed
-        found = [bpy.data.objects[name] for name in sorted(known)]
+        found = [block_of(name) for name in sorted(state.nets)]
     return found
 
 
 def find_nets():
     """Scan the file."""
-    known.clear()
-    known.update(ob.name for ob in bpy.data.objects if net.is_net(ob))
+    state.nets.clear()
+    state.nets.update(key(ob) for ob in bpy.data.objects if _is_out(ob))
+    state.kept &= state.nets
+
+
+def _is_out(ob):
+    return net_object.is_net(ob) and not ob.library and not net_object.is_resting(ob)
 
 
 def nets_in_edit_mode(context):
     if not context.mode.startswith('EDIT'):
         return []
-    return [ob for ob in context.objects_in_mode if net.is_net(ob)]
+    return [ob for ob in context.objects_in_mode if net_object.is_net(ob)]
+
+
+def kept_net(data):
+    """The net in Object Mode that edits a shape's data-block, which holds what that has not taken, or None."""
+    return next((ob for ob in nets() if ob.mode == 'OBJECT' and net_object.is_current(ob)
+                 and net_object.shape_of(ob).data == data), None)
+
+
+def blocks_of(ob):
+    """The data-blocks of a net and of its shape."""
+    owner = net_object.shape_of(ob)
+    return {ob.data, owner.data} if owner else {ob.data}
 
 
 def enter(context, active, progress=shape.no_progress):
     """Put the nets of the active shape, and of selected ones of its kind, into Edit Mode.
 
-    Raises ValueError, and nothing has changed, if the net of the active shape cannot be made.
+    Raises Refusal, and nothing has changed, if the net of the active shape cannot be made.
     """
     chosen = [active] + [ob for ob in context.selected_objects
                          if ob != active and ob.type == active.type and not why_not(ob) and not shape.is_touched(ob.data)]
-    put_out, seen = [], set()
+    put_out, made, seen = [], [], set()
     try:
         for ob in chosen:
             if ob.data.name not in seen:
                 seen.add(ob.data.name)
-                put_out.append(_put_out(context, ob))
+                kept = kept_net(ob.data)
+                put_out.append(_brought_back(context, kept) if kept else _put_out(context, ob))
+                made += [] if kept else put_out[-1:]
                 progress(len(put_out))
     except Exception:
-        for ob in put_out:
-            net.remove(ob)
+        for ob in made:
+            net_object.remove(ob)
         raise
-    net.remember(put_out[0], [ob.name for ob in context.selected_objects if ob not in chosen])
+    if put_out[0] in made:
+        net_object.remember(put_out[0], [ob.name for ob in context.selected_objects if ob not in chosen])
     for ob in context.selected_objects:
         ob.select_set(False)
     for ob in put_out:
         ob.select_set(True)
-        known.add(ob.name)
+        state.nets.add(key(ob))
     context.view_layer.objects.active = put_out[0]
-    bpy.ops.object.mode_set(mode='EDIT')
+    with suppress(RuntimeError):        # where Blender refuses, the mode tells
+        bpy.ops.object.mode_set(mode='EDIT')
     if put_out[0].mode != 'EDIT':
-        for ob in put_out:
+        for ob in made:
             put_away(context, ob)
-        raise ValueError(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
+        raise Refusal(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
+    for ob in put_out:
+        if ob not in made:
+            live.pull(ob)
     return put_out
 
 
@@ -81,46 +108,64 @@ def _put_out(context, ob):
     data = ob.data
     shape.require_writable(data)
     shape.require_untouched(data)
-    definition = made.edited(data)
-    numbers = net.numbers(definition)
-    held = net.make(ob, definition, numbers, context.scene)
-    if made.takes_any_count(data):
-        points_net.set_free(held.data, made.is_closed(data))
-    live.begin(held.data, numbers)
+    definition = remaking.edited(data)
+    numbers = net_object.net_of(definition)
+    is_free = remaking.takes_any_count(data)
+    is_closed = is_free and remaking.is_closed(data)
+    held = net_object.make(ob, definition, numbers, context.scene)      # nothing raises from here on
+    if is_free:
+        free_net.set_free(held.data, is_closed)
+    live.begin(held.data, numbers, settings.values(data))
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
         held.local_view_set(space, True)
     return held
 
 
-def leave(context, progress=shape.no_progress):
-    """Put the nets in Edit Mode away; the shapes are selected. Returns the last problem, or ""."""
-    editing = nets_in_edit_mode(context)
-    problem = ""
-    for ob in editing:
+def _brought_back(context, held):
+    """A net that was kept, where it can be edited."""
+    if not _is_in(context.view_layer, held):
+        raise Refusal(f"{held.name} holds changes that its shape has not taken, and is not in the view layer at hand: "
+                      "go on with it where it is, or delete it")
+    held.hide_viewport = False
+    held.hide_set(False)
+    return held
+
+
+def unread(nets):
+    """What the shapes of nets in Edit Mode do not take, as one sentence, or ""."""
+    for ob in nets:
         live.pull(ob)
-        problem = problem or live.problem(ob)
+    return "; ".join(filter(None, map(live.unread, nets)))
+
+
+def leave(context, progress=shape.no_progress):
+    """Put the nets in Edit Mode away, whatever they hold; the shapes are selected. Returns unread() of them."""
+    editing = nets_in_edit_mode(context)
+    lost = unread(editing)
+    tokens = {net_object.token(ob.data) for ob in editing} - {""}
     bpy.ops.object.mode_set(mode='OBJECT')
     for i, ob in enumerate(editing, 1):
         put_away(context, ob)
         progress(i)
     find_nets()
     for copy in nets():
-        if copy.mode == 'OBJECT':
+        if copy.mode == 'OBJECT' and net_object.token(copy.data) in tokens:
             put_away(context, copy)
-    return problem
+    return lost
 
 
 def put_away(context, ob):
     """Remove a net in Object Mode; its shape is exact, and selected and active where the net was."""
-    owner = net.shape_of(ob)
+    owner = net_object.shape_of(ob)
     if not _is_copy(ob):
-        net.end(ob)
+        net_object.end(ob)
     layer = context.view_layer
-    others = net.remembered(ob)
+    others = net_object.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
-    known.discard(ob.name)
-    net.remove(ob)
+    state.nets.discard(key(ob))
+    state.kept.discard(key(ob))
+    net_object.remove(ob)
     if owner is None:
         return
     _settle(owner)
@@ -133,33 +178,54 @@ def put_away(context, ob):
 
 
 def anew(context, nets):
-    """Put the nets away and out again, from what the shapes are now; points stay selected."""
+    """Put the nets away and out again, from what the shapes are now; points stay selected.
+
+    Returns warnings: why they did not come out again. The shapes are as they should be.
+    """
     selections = {}
     for ob in nets:
-        owner = net.shape_of(ob)
-        if owner is not None:
-            selections[owner.name] = net_points.selected(ob, live.session(ob.data).net)
-    active = net.shape_of(context.object)
+        owner, session = net_object.shape_of(ob), live.known_session(ob.data)
+        if owner is not None and session is not None:
+            selections[owner.name] = selection.selected(ob, session.net)
+    active = net_object.shape_of(context.object)
     leave(context)
     if active is None or context.view_layer.objects.get(active.name) != active:
-        return
+        return ()
     context.view_layer.objects.active = active
-    for ob in enter(context, active):
+    try:
+        out = enter(context, active)
+    except FAILURES as error:
+        return (f"the net did not come out again: {sentence(error)}",)
+    for ob in out:
         numbers = live.session(ob.data).net
-        net_points.select(ob, numbers, selections.get(net.shape_of(ob).name, ()))
+        chosen = selections.get(net_object.shape_of(ob).name, ())
+        selection.select(ob, numbers, [vertex for vertex in chosen if vertex < len(numbers.rows)])
+    return ()
 
 
 def sweep():
-    """Put away the nets that were left by another way than leave(), and copies of nets."""
+    """Put away the nets that were left by another way than leave(), and copies of nets. One that holds what its shape
+    does not take stays, as an object. Whatever goes wrong with one is shown: others are to be swept, too."""
+    if state.suspended:                 # a file is being saved
+        return
     find_nets()
     for ob in nets():
-        if ob.mode == 'EDIT':
-            continue
-        if ob.mode != 'OBJECT' and not _to_object_mode(ob):
-            continue
-        if ob.users_scene and not _is_copy(ob):
-            live.pull(ob)
-        put_away(bpy.context, ob)
+        try:
+            _sweep(ob)
+        except Exception as error:
+            problems.tell(ob.data, problems.NET, told(error))
+
+
+def _sweep(ob):
+    state.kept.discard(key(ob))
+    if ob.mode == 'EDIT' or ob.mode != 'OBJECT' and not _to_object_mode(ob):
+        return
+    if ob.users_scene and not _is_copy(ob):
+        live.pull(ob)
+        if live.unread(ob):
+            state.kept.add(key(ob))
+            return
+    put_away(bpy.context, ob)
 
 
 def _to_object_mode(ob):
@@ -173,35 +239,80 @@ def _to_object_mode(ob):
 
 
 def _is_copy(ob):
-    """Whether the net itself is in Edit Mode, and this a part that was separated from it."""
-    return any(other != ob and other.mode == 'EDIT' and net.token(other.data) == net.token(ob.data) for other in nets())
+    """Whether another is the net itself, and this a part that was separated from it, or a duplicate."""
+    token = net_object.token(ob.data)
+    others = [other for other in nets() if other != ob and token and net_object.token(other.data) == token]
+    return any(_rank(other) < _rank(ob) for other in others)
+
+
+def _rank(ob):
+    """Of nets with one token the net is the first."""
+    size = len(ob.data.vertices) if isinstance(ob.data, bpy.types.Mesh) else len(ob.data.splines)
+    return ob.mode != 'EDIT', -size, ob.name
 
 
 def end():
-    """Put all nets away: the add-on goes."""
+    """Put all nets away: the add-on goes. One that holds what its shape does not take stays, as an object."""
     context = bpy.context
     if nets_in_edit_mode(context):
-        leave(context)
+        bpy.ops.object.mode_set(mode='OBJECT')
+        sweep()
         # Without a step of its own undo would look for the net's points, and Blender 3.4 crash.
         bpy.ops.ed.undo_push(message="Leave Net")
+    sweep()
     for ob in nets():
-        live.pull(ob)
-        put_away(context, ob)
+        if ob.mode == 'EDIT':           # in another scene
+            live.pull(ob)
+            if not live.unread(ob):
+                put_away(context, ob)
 
 
 def settle():
     """Exact normals for the shapes of all nets."""
     for ob in nets():
-        owner = net.shape_of(ob)
+        owner = net_object.shape_of(ob)
         if owner is not None:
             _settle(owner)
 
 
 def _settle(owner):
+    """Whatever goes wrong is kept in words: other shapes are to get theirs, too."""
     try:
         live.settle(owner.data)
-    except FAILURES as error:
-        owner.data.splinewright.problem = sentence(error)
+    except Exception as error:
+        problems.tell(owner.data, problems.SETTING, told(error))
+
+
+def awaken():
+    """After undo without Blender's global undo: nets that were left are in Edit Mode again, and are to be seen there."""
+    for ob in bpy.data.objects:
+        if net_object.is_net(ob) and net_object.awakened(ob, bpy.context.scene):
+            ob.select_set(True)
+            bpy.context.view_layer.objects.active = ob
+
+
+def hand_over():
+    """Where points were duplicated and that was called off, the points themselves are selected, not their copies.
+
+    Only what an operator left when it had ended is looked at, since Blender is in the middle of one otherwise.
+    """
+    operators = bpy.context.window_manager.operators
+    last = operators[-1] if len(operators) else None
+    if last is not None and last.as_pointer() != state.handed and _DUPLICATING.search(last.bl_idname):
+        state.handed = last.as_pointer()
+        hand_over_now()
+
+
+_DUPLICATING = re.compile('extrude|duplicate')
+
+
+def hand_over_now():
+    """hand_over() where no operator runs: after undo, too, copies are selected that were when they were made."""
+    for ob in nets():
+        session = live.known_session(ob.data) if ob.mode == 'EDIT' else None
+        if session is not None and live.note(ob) and not free_net.is_free(ob.data):
+            with suppress(Refusal):     # of which live.problem() tells
+                selection.hand_over(ob, session.net)
 
 
 def _is_in(layer, ob):

@@ -3,9 +3,10 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow
+from ..bridge import follow, keyed, recipes, versions
+from ..bridge.file_state import forget, key, look_again, state
 from ..bridge.net import live
-from . import editing, saving
+from . import editing, errands, messages, saving, texts
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -13,48 +14,151 @@ _SETTLE = 0.3
 
 @persistent
 def updated(scene, depsgraph):
-    """Shapes follow their nets and their inputs. Cheap where nothing changed."""
+    """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
+    if not errands.is_main_thread():
+        return                          # of a render: frame_changed() sees to that
+    _put_back_after_failure()
+    is_new = _look_through()
     changed = set()
-    if follow.known or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
+    if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
+        _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
-    if editing.known:
+    if state.nets:
         changed |= _follow_nets(changed)
+    if state.nets or state.status:
+        messages.refresh()
+    if errands.is_away():
+        return                          # a render is at another frame
     if changed:
+        recipes.show_new(changed)
+        changed |= keyed.show(changed, depsgraph)
+    if is_new:
+        follow.refresh_all(changed, depsgraph)
+    elif changed:
         follow.refresh(changed, depsgraph)
 
 
 @persistent
 def undone(*_):
     """After undo and redo every object is another."""
+    _put_back_after_failure()
+    for known in (state.touched, state.selected, state.drawn, state.shown):
+        known.clear()
+    editing.awaken()
     editing.find_nets()
     follow.scan()
     live.trust()
     _pull_all()
+    messages.refresh()
 
 
 @persistent
 def loaded(*_):
-    live.forget()
+    messages.take_back()
+    forget()
     undone()
+    recipes.show_new((*bpy.data.meshes, *bpy.data.curves))
+    state.is_scanned = True
+
+
+def _look_through():
+    """Whether the file was open before the add-on was there. In background handlers are the first to notice."""
+    if state.is_scanned:
+        return False
+    loaded()
+    return True
 
 
 @persistent
-def frame_changed(scene, depsgraph=None):
-    follow.refresh_all(depsgraph or bpy.context.evaluated_depsgraph_get())
+def frame_changes(*_):
+    """Other add-ons may move what is followed when the frame has changed: theirs comes first."""
+    chain = bpy.app.handlers.frame_change_post
+    if frame_changed in chain[:-1]:
+        chain.remove(frame_changed)
+        chain.append(frame_changed)
+
+
+@persistent
+def frame_changed(scene, depsgraph):
+    """The shapes of another frame: in views, renders and exports."""
+    changed = _changed_blocks(depsgraph.updates)
+    if len(bpy.app.handlers.frame_change_post) > 1:
+        _evaluate(depsgraph)
+    if not state.is_scanned or state.followers or any(map(keyed.is_shape, changed)):
+        errands.in_main_thread(lambda: _show_frame(changed, depsgraph), scene)
+
+
+def _show_frame(changed, depsgraph):
+    is_new = _look_through()
+    changed |= keyed.show(changed, depsgraph)
+    # What a render evaluates is new in every frame, and before it shapes were at another.
+    refresh = follow.refresh_all if is_new or depsgraph.mode == 'RENDER' else follow.refresh
+    refresh(changed, depsgraph)
+
+
+def _evaluate(depsgraph):
+    """What other add-ons changed since Blender evaluated the frame counts, too. It evaluates that after all handlers.
+
+    Not where a render goes on from the frame before: it would not learn what changed. There the shapes are late by a frame.
+    """
+    if errands.is_main_thread() and depsgraph == bpy.context.evaluated_depsgraph_get():
+        return                          # that has done it, where there was anything to do
+    if not depsgraph.scene.render.use_persistent_data:
+        depsgraph.update()
+
+
+def _come_back():
+    """A render or an export is over; views show the frame at hand."""
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    follow.refresh_all(keyed.show({*bpy.data.meshes, *bpy.data.curves}, depsgraph), depsgraph)
+    if state.missed:
+        texts.pop_up(f"{state.missed} frames were rendered with shapes as they were before: "
+                     "switch Render > Lock Interface on and render again")
+        state.missed = 0
+
+
+def _serve():
+    return errands.serve(_come_back)
+
+
+def _first_look():
+    if _look_through():
+        follow.refresh_all(set(), bpy.context.evaluated_depsgraph_get())
 
 
 def _follow_nets(changed):
     """Bring the shapes of changed nets up to date; the data-blocks that were written."""
     written = set()
     for ob in editing.nets():
-        if ob.mode != 'EDIT':
+        if ob.mode == 'EDIT':
+            state.kept.discard(key(ob))
+            if ob.data in changed:
+                written.add(live.pull(ob))
+                if live.note(ob):
+                    _soon(editing.hand_over, 0.0)
+        elif key(ob) not in state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
             _soon(editing.sweep, 0.0)
-        elif ob.data in changed:
-            written.add(live.pull(ob))
     written.discard(None)
     if written:
         _later(editing.settle)
     return written
+
+
+def _put_back_after_failure():
+    """Blender 3.4 does not tell of a save that failed; in a window a timer of saving puts nets back, where there are
+    none the next handler that is called."""
+    if state.suspended and bpy.app.background:
+        saving.put_back()
+
+
+def _look_again(updates):
+    """What was found out about changed data-blocks may not be so any more."""
+    for update in updates:
+        block = update.id.original
+        if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)):
+            look_again(block)
+            if update.is_updated_geometry or update.is_updated_transform:
+                state.touched.pop(key(block), None)
 
 
 def _changed_blocks(updates):
@@ -67,6 +171,8 @@ def _pull_all():
     for ob in editing.nets():
         if ob.mode == 'EDIT':
             live.pull(ob)
+            if live.note(ob):
+                _soon(editing.hand_over_now, 0.0)
         else:
             _soon(editing.sweep, 0.0)
 
@@ -91,25 +197,29 @@ _HANDLERS = {
     'undo_post': undone,
     'redo_post': undone,
     'load_post': loaded,
+    'frame_change_pre': frame_changes,
     'frame_change_post': frame_changed,
     'save_pre': saving.before,
     'save_post': saving.after,
-    'save_post_fail': saving.after,     # from Blender 3.6 on
 }
+if versions.tells_of_failed_saves:
+    _HANDLERS['save_post_fail'] = saving.put_back
 
 
 def register():
     for name, handler in _HANDLERS.items():
-        if hasattr(bpy.app.handlers, name):
-            getattr(bpy.app.handlers, name).append(handler)
-    _soon(loaded, 0.0)                  # a file is open already; bpy.data may be out of reach now
+        getattr(bpy.app.handlers, name).append(handler)
+    state.is_scanned = False            # a file is open already; bpy.data may be out of reach now
+    _soon(_first_look, 0.0)
+    if not bpy.app.background:
+        bpy.app.timers.register(_serve, persistent=True)
 
 
 def unregister():
     editing.end()
     for name, handler in _HANDLERS.items():
-        if hasattr(bpy.app.handlers, name):
-            getattr(bpy.app.handlers, name).remove(handler)
-    for function in (loaded, editing.sweep, editing.settle):
+        getattr(bpy.app.handlers, name).remove(handler)
+    messages.take_back()
+    for function in (_first_look, _serve, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now):
         if bpy.app.timers.is_registered(function):
             bpy.app.timers.unregister(function)

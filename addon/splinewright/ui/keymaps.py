@@ -2,8 +2,6 @@
 
 import bpy
 
-from . import preferences
-
 #: Keymap, operator, key, control; the first that applies is taken.
 _ITEMS = (
     ('Object Non-modal', "splinewright.edit_net", 'TAB', False),
@@ -14,10 +12,15 @@ _ITEMS = (
 _made = []
 
 
-def update():
-    """Follow the preference."""
-    for _, item in _made:
-        item.active = preferences.get().use_keys
+def of_user():
+    """[(keymap, item, operator)] of the user's configuration, which has what a user changed; the item is None where a
+    user removed it."""
+    config, found = bpy.context.window_manager.keyconfigs.user, []
+    for keymap, made in _made:
+        own = config.keymaps.get(keymap.name) if config else None
+        items = [item for item in own.keymap_items if item.idname == made.idname] if own else []
+        found.append((own, min(items, key=lambda item: item.is_user_defined, default=None), made.idname))
+    return found
 
 
 CLASSES = ()
@@ -30,7 +33,6 @@ def register():
     for name, operator, key, control in _ITEMS:
         keymap = config.keymaps.new(name=name)
         _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', ctrl=control)))
-    update()
 
 
 def unregister():

@@ -2,9 +2,10 @@
 
 import bpy
 
-from ..bridge.net import net
+from ..bridge import baking, shape
+from ..bridge.net import net_object
 from ..core.recipes.table import DERIVED, FOLLOW, STARTING
-from . import curve_tools, patch_tools
+from . import curve_tools, patch_tools, tools
 
 #: Conics come before it, splines and formulas from it on.
 _FIRST_SPLINE = 'catmull_rom'
@@ -69,15 +70,65 @@ def _draw_export(self, context):
     self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.json)")
 
 
+_SHAPES = {'curve', 'patch'}
+_ALL = {'curve', 'patch', 'native', 'baked'}
+
+
+def _kinds(context):
+    """What is selected of what entries concern: shapes of curves or patches, baked ones, Blender's own curves and surfaces."""
+    found = set()
+    for ob in context.selected_objects:
+        if shape.has_shape(ob):
+            found.add('curve' if ob.type == 'CURVE' else 'patch')
+        elif baking.is_baked(ob.data):
+            found.add('baked')
+        elif ob.type in ('CURVE', 'SURFACE'):
+            found.add('native')
+    return found
+
+
 def _draw_apply(self, context):
-    self.layout.separator()
-    self.layout.operator("splinewright.apply_transform", text="Splinewright: Transform into Definition")
+    if _kinds(context) & _SHAPES:
+        self.layout.separator()
+        self.layout.operator("splinewright.apply_transform", text="Splinewright: Transform into Definition")
 
 
 def _draw_convert(self, context):
-    self.layout.separator()
-    self.layout.operator("splinewright.make_exact", text="Splinewright: Make Exact")
-    self.layout.operator("splinewright.to_native", text="Splinewright: To Blender's Own")
+    kinds = _kinds(context)
+    if kinds:
+        self.layout.separator()
+    if 'native' in kinds:
+        self.layout.operator("splinewright.make_exact", text="Splinewright: Make Exact")
+    if kinds & _SHAPES:
+        self.layout.operator("splinewright.to_native", text="Splinewright: To Blender's Own")
+
+
+#: Names of operators and menus, with what they concern, in groups.
+_ENTRIES = (
+    (('edit_net', _SHAPES), ('set_knots', _SHAPES), ('pick_piece', _SHAPES),
+     (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
+    (('make_exact', {'native'}), ('to_native', _SHAPES), ('follow_object', _SHAPES | {'native'}), ('make_editable', _SHAPES),
+     ('bake_animation', _SHAPES), ('unbake', {'baked'})),
+    tuple((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW),
+    (('join', _SHAPES), ('apply_transform', _SHAPES), ('adopt_transform', _SHAPES)),
+    (('restore', _SHAPES), ('detach', _SHAPES)))
+_ENTRY_ICONS = {'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_piece': 'EYEDROPPER',
+                curve_tools.SPLINEWRIGHT_MT_curve: 'CURVE_DATA', patch_tools.SPLINEWRIGHT_MT_patch: 'SURFACE_DATA'}
+
+
+def _draw_entries(layout, kinds):
+    """Those that concern one of these kinds."""
+    layout.operator_context = 'INVOKE_REGION_WIN'
+    groups = [[entry for entry, concerned in group if concerned & kinds] for group in _ENTRIES]
+    for i, group in enumerate(filter(None, groups)):
+        if i:
+            layout.separator()
+        for entry in group:
+            icon = _ENTRY_ICONS.get(entry, 'NONE')
+            if isinstance(entry, str):
+                layout.operator(f"splinewright.{entry}", text=tools.text_of(entry), icon=icon)
+            else:
+                layout.menu(entry.bl_idname, icon=icon)
 
 
 class SPLINEWRIGHT_MT_object(bpy.types.Menu):
@@ -85,50 +136,45 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
     bl_label = "Splinewright"
 
     def draw(self, context):
-        layout = self.layout
-        layout.operator_context = 'INVOKE_REGION_WIN'
-        layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
-        layout.operator("splinewright.set_knots")
-        layout.menu(curve_tools.SPLINEWRIGHT_MT_curve.bl_idname, icon='CURVE_DATA')
-        layout.menu(patch_tools.SPLINEWRIGHT_MT_patch.bl_idname, icon='SURFACE_DATA')
-        layout.separator()
-        layout.operator("splinewright.make_exact")
-        layout.operator("splinewright.to_native")
-        layout.operator("splinewright.follow_object", icon='LINKED')
-        layout.operator("splinewright.make_editable")
-        layout.separator()
-        for recipe in DERIVED:
-            if recipe is not FOLLOW:
-                layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label)
-        layout.separator()
-        layout.operator("splinewright.join")
-        layout.operator("splinewright.apply_transform")
-        layout.operator("splinewright.adopt_transform")
-        layout.separator()
-        layout.operator("splinewright.restore")
-        layout.operator("splinewright.detach")
+        _draw_entries(self.layout, _ALL)
+
+
+class SPLINEWRIGHT_MT_object_context(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_object_context"
+    bl_label = "Splinewright"
+
+    def draw(self, context):
+        _draw_entries(self.layout, _kinds(context))
 
 
 def _draw_object(self, context):
+    """In the Object menu, where what cannot be done is grey and says why."""
     self.layout.separator()
     self.layout.menu(SPLINEWRIGHT_MT_object.bl_idname, icon='SURFACE_DATA')
 
 
+def _draw_object_context(self, context):
+    if _kinds(context):
+        self.layout.separator()
+        self.layout.menu(SPLINEWRIGHT_MT_object_context.bl_idname, icon='SURFACE_DATA')
+
+
 def _draw_net(self, context):
-    if any(net.is_net(ob) for ob in context.objects_in_mode):
+    if any(net_object.is_net(ob) for ob in context.objects_in_mode):
         self.layout.operator("splinewright.leave_net")
         self.layout.operator("splinewright.point_to_infinity")
         self.layout.operator("splinewright.point_from_infinity")
         self.layout.separator()
 
 
-CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object)
+CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object,
+           SPLINEWRIGHT_MT_object_context)
 
-_ENTRIES = (
+_PLACES = (
     ("VIEW3D_MT_curve_add", _draw_curve_add),
     ("VIEW3D_MT_surface_add", _draw_surface_add),
     ("VIEW3D_MT_object", _draw_object),
-    ("VIEW3D_MT_object_context_menu", _draw_object),
+    ("VIEW3D_MT_object_context_menu", _draw_object_context),
     ("VIEW3D_MT_object_apply", _draw_apply),
     ("VIEW3D_MT_object_convert", _draw_convert),
     ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
@@ -139,10 +185,10 @@ _ENTRIES = (
 
 
 def register():
-    for menu, draw in _ENTRIES:
+    for menu, draw in _PLACES:
         getattr(bpy.types, menu).append(draw)
 
 
 def unregister():
-    for menu, draw in _ENTRIES:
+    for menu, draw in _PLACES:
         getattr(bpy.types, menu).remove(draw)

@@ -3,35 +3,57 @@
 import numpy as np
 
 from ..bridge import recipes, store
-from ..bridge.net import live, net
+from ..bridge.net import live, net_object
 from ..core import describe
-from . import net_props, recipe_props, texts
+from . import net_props, recipe_props, settings_panel, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
+#: Points whose coordinates are shown one above the other; of more side by side.
+_IN_COLUMNS = 2
 
 
 def draw(layout, ob):
-    """For a net object in Edit Mode."""
-    owner = net.shape_of(ob)
+    """For a net object, in Edit Mode or kept."""
+    owner = net_object.shape_of(ob)
     if owner is None:
-        texts.draw_problem(layout, "The shape of this net was deleted, or is in no scene")
+        texts.draw_problem(layout, live.problem(ob) or "The shape of this net was deleted, or is in no scene")
         return
-    layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
-    layout.prop(ob, "show_in_front", text="Show Points Behind")
-    problem = live.problem(ob)
+    _draw_state(layout, ob, owner)
+    session = live.known_session(ob.data)
+    if session is None or ob.mode != 'EDIT':
+        return
+    _draw_points(layout, ob, session, has_weights=not recipes.has(owner.data))
+    try:
+        definition = store.read(owner.data)
+        if recipes.has(owner.data):
+            recipe_props.draw(layout.box(), owner.data, is_net_out=True)
+        else:
+            _draw_knots(layout, definition, _pieces_in_hand(ob, session))
+        layout.separator()
+        settings_panel.draw(layout, owner.data, definition, has_buttons=False)
+    except store.UnreadableDefinition as error:
+        texts.draw_problem(layout, str(error))
+
+
+def _draw_state(layout, ob, owner):
+    """The way out of a net, or back into one that was kept, and what its shape does not take."""
+    if ob.mode == 'EDIT':
+        layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
+        layout.prop(ob, "show_in_front", text="Show Points Behind")
+    else:
+        layout.operator("splinewright.edit_net", text=f"Go on with the Net of {owner.name}", icon='EDITMODE_HLT')
+    problem, note = live.problem(ob), live.note(ob)
     if problem:
         texts.draw_problem(layout, problem)
-    _draw_points(layout, ob, has_weights=not recipes.has(owner.data))
-    if recipes.has(owner.data):
-        recipe_props.draw(layout.box(), owner.data, is_net_out=True)
-    else:
-        _draw_knots(layout, store.read(owner.data), _pieces_in_hand(ob))
+    elif note:
+        texts.draw_note(layout, note)
+    if (problem or note) and ob.mode == 'EDIT':
+        layout.operator("splinewright.renew_net", icon='FILE_REFRESH')
 
 
-def _draw_points(layout, ob, has_weights):
+def _draw_points(layout, ob, session, has_weights):
     data = ob.data
-    session = live.session(data)
     _, vertices = net_props.chosen(data)
     box = layout.column(align=True)
     if not vertices:
@@ -42,9 +64,9 @@ def _draw_points(layout, ob, has_weights):
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
         column.label(text=_name(session.net, vertex))
-        row = column.row(align=True)
-        for axis in range(3):
-            row.prop(numbers, "numbers", index=4 * i + axis, text="")
+        axes = column.row(align=True) if len(vertices) > _IN_COLUMNS else column
+        for axis in range(3):           # the text is what Undo History says
+            axes.prop(numbers, "numbers", index=4 * i + axis, text="XYZ"[axis])
         if has_weights and session.net.weighted[vertex]:
             column.prop(numbers, "numbers", index=4 * i + 3, text="Weight")
     hidden = len(vertices) - net_props.SHOWN
@@ -67,9 +89,9 @@ def _name(numbers, vertex):
     return f"Handle {vertex}"
 
 
-def _pieces_in_hand(ob):
+def _pieces_in_hand(ob, session):
     """Numbers of the pieces that have a selected point or handle; of all where none is selected."""
-    numbers = live.session(ob.data).net
+    numbers = session.net
     _, vertices = net_props.chosen(ob.data)
     rows = numbers.rows[vertices]
     pieces = numbers.definition.pieces

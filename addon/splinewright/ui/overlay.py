@@ -1,17 +1,12 @@
 """Over the 3D view: seams, the rows of a cage in two colours, and arrows for directions at infinity."""
 
-import bmesh
 import bpy
 import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 
-from ..bridge.net import live, net
-from . import editing, seams_overlay
-
-#: As Blender colours the two directions of its own surfaces: u yellow, v magenta.
-COLORS = ((0.95, 0.78, 0.1, 1.0), (0.9, 0.25, 0.75, 1.0))
-ARROW_COLOR = (0.2, 0.9, 0.95, 1.0)
+from ..bridge.file_state import key, state
+from ..bridge.net import live, selection
+from . import colors, editing, seams_overlay, strokes
 
 _handle = None
 
@@ -21,48 +16,49 @@ def draw():
     if not bpy.context.space_data.overlay.show_overlays:
         return
     seams_overlay.draw()
-    for ob in editing.nets() if editing.known else ():
+    for ob in editing.nets() if state.nets else ():
         if ob.mode == 'EDIT' and ob.visible_get():
-            gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-            with gpu.matrix.push_pop():
-                gpu.matrix.multiply_matrix(ob.matrix_world)
-                _draw_net(ob, live.session(ob.data))
-            gpu.state.depth_test_set('NONE')
+            current = live.known_session(ob.data)
+            if current is not None:
+                _draw_net(ob, current)
 
 
 def _draw_net(ob, current):
-    numbers, positions = current.net, current.points
-    scale = bpy.context.preferences.system.ui_scale
-    for color, pairs in zip(COLORS, numbers.lines):
-        _draw_lines(color, 1.5 * scale, positions[pairs])
-    for foot, head in numbers.arrows:
-        _draw_lines(ARROW_COLOR, 2.5 * scale, arrow(positions[foot], positions[head]))
+    """What there is to draw is worked out once, until Blender tells of a change of the net."""
+    name = key(ob.data)
+    if name not in state.drawn:
+        state.drawn[name] = list(_strokes(ob, current))
+    gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
+    with gpu.matrix.push_pop():
+        gpu.matrix.multiply_matrix(ob.matrix_world)
+        strokes.draw(state.drawn[name])
+    gpu.state.depth_test_set('NONE')
+
+
+def _strokes(ob, current):
+    """Those of a net; what lies above others comes last."""
+    net, points = current.net, current.points
+    for axis, pairs in enumerate(net.lines):
+        yield strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5)
+    arrows = [arrow(points[foot], points[head]) for foot, head in net.arrows]
+    yield strokes.lines(np.array(arrows).reshape(-1, 2, 3), colors.of_arrows, 2.5)
     if ob.type == 'MESH':
-        _draw_selection(ob, current, scale)
+        yield from _of_selection(ob, current)
 
 
-def _draw_selection(ob, current, scale):
+def _of_selection(ob, current):
     """What Blender drew below our lines: vertices, and edges between selected ones."""
-    selected = _selected(ob, len(current.points))
-    if selected is None:
-        return
-    theme = bpy.context.preferences.themes[0].view_3d
-    for pairs in current.net.lines:
-        _draw_lines((*theme.edge_select, 1.0), 2.0 * scale, current.points[pairs[selected[pairs].all(1)]])
-    size = (theme.vertex_size + 2) * scale
-    _draw_points((*theme.vertex, 1.0), size, current.points[~selected])
-    _draw_points((*theme.vertex_select, 1.0), size + 1, current.points[selected])
+    net, points, are_there = current.net, current.points, current.places >= 0
+    selected = np.zeros(len(points), bool)
+    selected[selection.every_selected(ob, net)] = True
+    for pairs in net.lines:
+        yield strokes.lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
+    yield strokes.points(points[are_there & ~selected], lambda: (*_theme().vertex, 1.0), lambda: _theme().vertex_size + 2)
+    yield strokes.points(points[selected], lambda: (*_theme().vertex_select, 1.0), lambda: _theme().vertex_size + 3)
 
 
-def _selected(ob, count):
-    """(count,) bool in the order of the net's numbers, or None while the net is not whole."""
-    vertices = bmesh.from_edit_mesh(ob.data).verts
-    number = vertices.layers.int.get(net.NUMBER)
-    if len(vertices) != count or number is None:
-        return None
-    selected = np.zeros(count, bool)
-    selected[[vertex[number] for vertex in vertices if vertex.select]] = True
-    return selected
+def _theme():
+    return bpy.context.preferences.themes[0].view_3d
 
 
 def arrow(foot, head):
@@ -75,29 +71,6 @@ def arrow(foot, head):
     across *= 0.06 * length / np.linalg.norm(across)
     back = head - 0.15 * along
     return np.array([(foot, head), (head, back + across), (head, back - across)])
-
-
-def _draw_lines(color, width, pairs):
-    """pairs: (n, 2, 3) ends."""
-    if len(pairs):
-        shader = gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')
-        shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
-        shader.uniform_float('lineWidth', width)
-        _draw(shader, 'LINES', color, pairs)
-
-
-def _draw_points(color, size, positions):
-    if len(positions):
-        gpu.state.point_size_set(size)
-        # Blender 5 has a shader of its own for points.
-        name = 'POINT_UNIFORM_COLOR' if bpy.app.version >= (5, 0, 0) else 'UNIFORM_COLOR'
-        _draw(gpu.shader.from_builtin(name), 'POINTS', color, positions)
-        gpu.state.point_size_set(1.0)
-
-
-def _draw(shader, kind, color, positions):
-    shader.uniform_float('color', color)
-    batch_for_shader(shader, kind, {'pos': np.ascontiguousarray(positions, np.float32).reshape(-1, 3)}).draw(shader)
 
 
 CLASSES = ()

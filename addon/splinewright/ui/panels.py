@@ -2,32 +2,66 @@
 
 import bpy
 
-from ..bridge import derived, fineness, follow, recipes, shape, store
-from ..bridge.net import net
+from ..bridge import baking, derived, follow, recipes, shape, store
+from ..bridge.net import net_object
 from ..core import describe
-from . import net_panel, recipe_props, texts
+from . import manual, net_panel, recipe_props, settings_panel, texts
 
 
 class _ShapePanel:
     bl_label = "Splinewright"
 
+    @staticmethod
+    def in_hand(context):
+        """(a data-block or None, the object through which it is seen or None)."""
+        ob = context.object
+        return (ob.data if ob else None), ob
+
     @classmethod
     def poll(cls, context):
-        return shape.has_shape(context.object) or net.is_net(context.object)
+        data, ob = cls.in_hand(context)
+        return net_object.is_net(ob) or shape.is_shape(data) or baking.is_baked(data)
+
+    def draw_header_preset(self, context):
+        data, ob = self.in_hand(context)
+        theme = "curves.html" if isinstance(data, bpy.types.Curve) else "surfaces.html"
+        manual.draw_button(self.layout, "nets.html" if net_object.is_net(ob) else theme)
 
     def draw(self, context):
-        ob = context.object
-        if net.is_net(ob):
+        data, ob = self.in_hand(context)
+        if net_object.is_net(ob):
             net_panel.draw(self.layout, ob)
             return
+        if baking.is_baked(data):
+            self.layout.label(text=f"Baked: frames {baking.frames(data)}", icon='RENDER_ANIMATION')
+            if ob is not None:
+                self.layout.operator("splinewright.unbake")
+            return
         try:
-            definition = store.read(ob.data)
+            definition = store.read(data)
         except store.UnreadableDefinition as error:
             texts.draw_problem(self.layout, str(error))
             return
-        _draw_state(self.layout, ob)
+        is_active = ob is not None and ob == context.active_object
+        if is_active:
+            _draw_state(self.layout, ob)
+        else:
+            _draw_pinned(self.layout, data)
         _draw_definition(self.layout, definition)
-        _draw_settings(self.layout, ob.data, definition)
+        settings_panel.draw(self.layout, data, definition, has_buttons=is_active)
+
+
+def _draw_pinned(layout, data):
+    """What can be said and changed of a shape that is not the active one: buttons would take another."""
+    texts.draw_note(layout, "Pinned: for its buttons make its object active and unpin")
+    if shape.seems_touched(data):
+        texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
+        return
+    try:
+        if recipes.has(data):
+            recipe_props.draw(layout.box(), data, is_net_out=net_object.editor(data) is not None)
+    except store.UnreadableDefinition as error:
+        texts.draw_problem(layout, str(error))
 
 
 def _draw_state(layout, ob):
@@ -37,7 +71,7 @@ def _draw_state(layout, ob):
         texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net")
     elif recipes.follows(data):
         _draw_following(layout, data)
-    elif shape.is_touched(data):
+    elif shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
         column.operator("splinewright.restore", text="Restore: throw the changes away")
@@ -63,6 +97,7 @@ def _draw_following(layout, data):
         recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
+        layout.operator("splinewright.make_editable")
         return
     names = " and ".join(source.name for source in sources if source)
     layout.label(text=f"Follows {names or 'nothing any more'}", icon='LINKED')
@@ -73,6 +108,7 @@ def _draw_following(layout, data):
         for text in (text for source in sources for text in derived.not_followed(source)):
             texts.draw_note(layout, f"Not followed: {text}")
     layout.operator("splinewright.make_editable")
+    layout.operator("splinewright.bake_animation")
 
 
 def _draw_definition(layout, definition):
@@ -82,44 +118,6 @@ def _draw_definition(layout, definition):
         row.label(text=label)
         row.label(text=text)
     layout.separator()
-
-
-def _draw_settings(layout, data, definition):
-    settings = data.splinewright
-    column = layout.column(align=True)
-    if definition.has_curves:
-        column.prop(settings, "resolution_u", text="Resolution")
-        if definition.runs_to_infinity or recipes.around(data) is not None:
-            column.prop(settings, "reach")
-    else:
-        _draw_fineness(column, settings)
-        layout.prop(settings, "sharp_angle")
-        column = layout.column(align=True)
-        column.label(text=f"{len(data.vertices):,} vertices")
-        column.label(text=_faces(data))
-        if len(definition.pieces) > 1 and len(data.materials) > 1:
-            layout.operator("splinewright.set_patch_material", icon='MATERIAL')
-    if settings.problem:
-        texts.draw_problem(layout, settings.problem)
-
-
-def _draw_fineness(column, settings):
-    column.prop(settings, "mode")
-    if settings.mode == fineness.COUNT:
-        column.prop(settings, "resolution_u")
-        column.prop(settings, "resolution_v", text="V")
-    if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
-        row = column.row(align=True)
-        row.prop(settings, "tolerance")
-        row.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
-    if settings.mode in (fineness.ANGLE, fineness.BOTH):
-        column.prop(settings, "angle")
-
-
-def _faces(data):
-    """Of a Mesh, and how many there were before."""
-    before, now = data.splinewright.faces_before, len(data.polygons)
-    return f"{before:,} → {now:,} faces" if before not in (0, now) else f"{now:,} faces"
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
@@ -135,6 +133,13 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
     bl_region_type = 'WINDOW'
     bl_context = "data"
     bl_options = {'DEFAULT_CLOSED'}
+
+    @staticmethod
+    def in_hand(context):
+        """What is pinned, or else the active object's; pinned data is seen without an object."""
+        ob = context.object
+        data = getattr(context, 'mesh', None) or getattr(context, 'curve', None) or (ob.data if ob else None)
+        return data, ob if ob is not None and ob.data == data else None
 
 
 CLASSES = (SPLINEWRIGHT_PT_shape, SPLINEWRIGHT_PT_data)

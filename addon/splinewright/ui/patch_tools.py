@@ -35,6 +35,7 @@ class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
         return replacing.is_patch_shape(context.object)
 
     def draw(self, context):
+        tools.draw_hand(self.layout, context.object.data)
         tools.draw_panel(self.layout, _GROUPS)
 
 

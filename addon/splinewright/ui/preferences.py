@@ -1,10 +1,12 @@
 """The add-on's preferences. They work without the native library, to say what is wrong with it."""
 
 import bpy
-from bpy.props import BoolProperty
+import rna_keymap_ui
+from bpy.props import BoolProperty, FloatVectorProperty, IntProperty
 
+from ..bridge import settings
 from ..core import library
-from . import texts
+from . import addresses, keymaps, manual, texts
 
 _NAME = __package__.rpartition('.')[0]
 
@@ -12,32 +14,110 @@ _NAME = __package__.rpartition('.')[0]
 def get():
     """The preferences in use; their defaults where Blender has none yet."""
     addon = bpy.context.preferences.addons.get(_NAME)
-    return addon.preferences if addon and addon.preferences else _Defaults
+    return addon.preferences if addon and addon.preferences else _Defaults()
 
 
 class _Defaults:
-    use_keys = True
+    def __getattr__(self, name):
+        known = SplinewrightPreferences.bl_rna.properties[name]
+        return tuple(known.default_array) if getattr(known, 'is_array', False) else known.default
 
 
-def _keys_changed(self, context):
-    from . import keymaps
-    keymaps.update()
+def _color(name, default, description):
+    return FloatVectorProperty(name=name, description=description, subtype='COLOR_GAMMA', min=0.0, max=1.0, default=default)
+
+
+def _steps(name, of_what):
+    return IntProperty(name=name, description=f"Steps in every span of {of_what}; 0: as many as suit its kind",
+                       default=0, min=0, max=4096, soft_max=64)
 
 
 class SplinewrightPreferences(bpy.types.AddonPreferences):
     bl_idname = _NAME
 
-    use_keys: BoolProperty(
-        name="Tab edits the net of a shape, Ctrl+J joins shapes",
-        description="Off: Blender's own Tab and Ctrl+J, and buttons in the sidebar for ours",
-        default=True, update=_keys_changed)
+    use_theme: BoolProperty(
+        name="Nets in the Theme's Colours",
+        description="Rows of nets are coloured as the theme colours active lines of Blender's own surfaces", default=True)
+    color_u: _color("Along U", (0.95, 0.78, 0.1), "Rows of nets along u")
+    color_v: _color("Along V", (0.9, 0.25, 0.75), "Rows of nets along v")
+    color_arrow: _color("At Infinity", (0.2, 0.9, 0.95), "Arrows to control points at infinity")
+    color_gap: _color("Gap", (0.9, 0.05, 0.05), "Seams where patches do not meet")
+    color_edge: _color("Edge", (1.0, 0.45, 0.0), "Seams where tangent planes differ")
+    color_g1: _color("G1", (1.0, 0.9, 0.1), "Seams where tangent planes agree")
+    color_g2: _color("G2", (0.1, 0.8, 0.25), "Seams where curvatures agree")
+
+    curve_resolution: _steps("Resolution of Curves", "a new curve")
+    surface_mode: settings.mode_property()
+    surface_resolution: _steps("Resolution of Surfaces", "a new surface along u and v")
+    surface_tolerance: settings.tolerance_property()
+    surface_angle: settings.angle_property()
 
     def draw(self, context):
         layout = self.layout
         if library.problem:
             texts.draw_problem(layout, library.problem, width=90)
+            _draw_help(layout)
             return
         layout.label(text=f"Native library splinecore {library.sc.__version__} is loaded", icon='CHECKMARK')
-        layout.prop(self, "use_keys")
+        _draw_help(layout)
+        self._draw_new_shapes(_section(layout, "New Shapes"))
+        _draw_keys(layout, context)
+        self._draw_colors(_section(layout, "Colours"), context)
+
+    def _draw_new_shapes(self, column):
+        column.prop(self, "curve_resolution")
+        column.prop(self, "surface_mode", text="Faces of Surfaces")
+        if self.surface_mode == settings.COUNT:
+            column.prop(self, "surface_resolution")
+        if self.surface_mode in (settings.TOLERANCE, settings.BOTH):
+            column.prop(self, "surface_tolerance")
+        if self.surface_mode in (settings.ANGLE, settings.BOTH):
+            column.prop(self, "surface_angle")
+
+    def _draw_colors(self, column, context):
+        column.prop(self, "use_theme")
+        if self.use_theme:
+            theme = context.preferences.themes[0].view_3d
+            column.prop(theme, "nurb_sel_uline", text="Along U")
+            column.prop(theme, "nurb_sel_vline", text="Along V")
+        else:
+            column.prop(self, "color_u")
+            column.prop(self, "color_v")
+        column.prop(self, "color_arrow")
+        column.separator()
+        for name in ("color_gap", "color_edge", "color_g1", "color_g2"):
+            column.prop(self, name)
 
 
+def _draw_help(layout):
+    """The manual, and what there is on the web."""
+    row = layout.row()
+    row.alignment = 'LEFT'
+    row.operator(manual.SPLINEWRIGHT_OT_manual.bl_idname, icon='HELP')
+    for text, address in addresses.known():
+        row.operator("wm.url_open", text=text, icon='URL').url = address
+
+
+def _section(layout, title):
+    layout.separator()
+    layout.label(text=title)
+    column = layout.column()
+    column.use_property_split = True
+    column.use_property_decorate = False
+    return column
+
+
+def _draw_keys(layout, context):
+    """The items as the preferences of Blender draw them: what a user changes is kept with all other keys."""
+    layout.separator()
+    layout.label(text="Keys")
+    column = layout.column()
+    for keymap, item, operator in keymaps.of_user():
+        if item is None:
+            column.label(text=f"{operator} has no key: Restore brings it back in Keymap > {keymap.name if keymap else ''}")
+            continue
+        column.context_pointer_set("keymap", keymap)
+        rna_keymap_ui.draw_kmi([], context.window_manager.keyconfigs.user, keymap, item, column, 0)
+
+
+CLASSES = (SplinewrightPreferences,)

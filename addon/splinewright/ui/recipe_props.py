@@ -3,94 +3,61 @@
 Numbers are kept in float64 beside the definition; properties only show and change them.
 """
 
-import contextlib
-import math
-
 import bpy
-import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import follow, made, recipes, store
+from ..bridge import keyed, parameters, problems, recipes, settings
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
 
 
-def property_of(parameter, **access):
-    """Blender's property for a parameter. access: get and set, where it keeps nothing itself."""
-    named = {'name': parameter.label, 'description': parameter.description}
-    default = {} if access else {'default': parameter.default}
+def property_of(parameter, **more):
+    """Blender's property for a parameter. more: what Blender's property functions take."""
+    named = {'name': parameter.label, 'description': parameter.description, 'default': parameter.default, **more}
     if parameter.choices:
-        return EnumProperty(items=parameter.choices, **named, **default, **access)
+        return EnumProperty(items=parameter.choices, **named)
     if isinstance(parameter.default, bool):
-        return BoolProperty(**named, **default, **access)
+        return BoolProperty(**named)
     if isinstance(parameter.default, str):
-        return StringProperty(**named, **default, **access)
+        return StringProperty(**named)
     if isinstance(parameter.default, int):
-        return IntProperty(min=int(parameter.least), max=int(parameter.most), **named, **default, **access)
-    return FloatProperty(min=parameter.least, max=parameter.most, unit=parameter.unit, precision=5, step=1,
-                         **named, **default, **access)
-
-
-def as_typed(parameter, value):
-    """The value as the user typed it: of a float32 the shortest decimal that is it."""
-    if not isinstance(parameter.default, float):
-        return value
-    if np.float32(value) == np.float32(parameter.default):
-        return parameter.default
-    text, degrees = (str(np.float32(number)) for number in (value, math.degrees(value)))
-    is_typed_in_degrees = parameter.unit == 'ROTATION' and len(degrees) < len(text)
-    return math.radians(float(degrees)) if is_typed_in_degrees else float(text)
+        return IntProperty(min=int(parameter.least), max=int(parameter.most), **named)
+    return FloatProperty(min=parameter.least, max=parameter.most, unit=parameter.unit, precision=5, step=1, **named)
 
 
 def typed(recipe, properties):
     """The values of a recipe's parameters, from an operator's properties."""
-    return {parameter.name: as_typed(parameter, getattr(properties, parameter.name)) for parameter in recipe.parameters}
+    return {parameter.name: parameters.as_typed(parameter, getattr(properties, parameter.name))
+            for parameter in recipe.parameters}
 
 
-def name_of(recipe, parameter):
-    """The attribute of a parameter among those of all recipes."""
-    return f"{recipe.kind}_{parameter.name}"
+def _updater(recipe, parameter):
+    """What Blender calls when a user, or a script, has changed a property; never for keys and drivers."""
+    name = parameters.name_of(recipe, parameter)
 
-
-def _getter(recipe, parameter):
-    def get(self):
+    def update(self, context):
         data = self.id_data
-        value = parameter.default
-        if recipes.kind(data) == recipe.kind:
-            with contextlib.suppress(store.UnreadableDefinition):
-                value = recipes.parameters(data)[parameter.name]
-        return [choice[0] for choice in parameter.choices].index(value) if parameter.choices else value
-    return get
+        if recipes.kind(data) == recipe.kind and not settings.is_quiet(data):
+            _change(data, parameter.name, parameters.as_typed(parameter, getattr(self, name)))
+    return update
 
 
-def _setter(recipe, parameter):
-    def set_it(self, value):
-        data = self.id_data
-        if recipes.kind(data) != recipe.kind:
-            return
-        value = parameter.choices[value][0] if parameter.choices else as_typed(parameter, value)
-        try:
-            if value == recipes.parameters(data)[parameter.name]:
-                return
-            _set_parameter(data, parameter.name, value)
-            data.splinewright.problem = ""
-        except FAILURES as error:
-            data.splinewright.problem = sentence(error)
-    return set_it
-
-
-def _set_parameter(data, name, value):
-    if recipes.follows(data):
-        follow.set_parameter(data, name, value, bpy.context.evaluated_depsgraph_get())
-    else:
-        made.set_parameter(data, name, value)
+def _change(data, name, value):
+    """Change a parameter. Where nothing comes of it the property shows again what it did."""
+    try:
+        if value != recipes.parameters(data)[name]:
+            keyed.set_parameters(data, {name: value})
+        problems.tell(data, problems.SETTING, "")
+    except FAILURES as error:
+        problems.tell(data, problems.SETTING, sentence(error))
+        recipes.show(data)
 
 
 class SplinewrightRecipe(bpy.types.PropertyGroup):
     """Parameters of the recipe that makes a shape."""
 
     __annotations__ = {
-        name_of(recipe, parameter): property_of(parameter, get=_getter(recipe, parameter), set=_setter(recipe, parameter))
+        parameters.name_of(recipe, parameter): property_of(parameter, update=_updater(recipe, parameter))
         for recipe in RECIPES.values() for parameter in recipe.parameters}
 
 
@@ -107,7 +74,7 @@ def draw(layout, data, is_net_out=False):
     for parameter in recipe.parameters:
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'
-        row.prop(data.splinewright_recipe, name_of(recipe, parameter))
+        row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
     error = recipes.error(data)
     if error:
         layout.label(text=f"Within {error:.1e} of what is asked for", icon='INFO')
@@ -118,9 +85,9 @@ CLASSES = (SplinewrightRecipe,)
 
 def register():
     for data in (bpy.types.Curve, bpy.types.Mesh):
-        data.splinewright_recipe = PointerProperty(type=SplinewrightRecipe)
+        data.splinewright_parameters = PointerProperty(type=SplinewrightRecipe)
 
 
 def unregister():
     for data in (bpy.types.Curve, bpy.types.Mesh):
-        del data.splinewright_recipe
+        del data.splinewright_parameters

@@ -1,4 +1,7 @@
-"""Files are saved without nets, so that they open as they should where Splinewright is missing."""
+"""Files are saved without nets, so that they open as they should where Splinewright is missing.
+
+A net that holds what its shape does not take stays in the file, as an object in Object Mode, and can be gone on with.
+"""
 
 from contextlib import suppress
 from typing import NamedTuple
@@ -6,7 +9,10 @@ from typing import NamedTuple
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.net import live, net
+from ..bridge import problems
+from ..bridge.file_state import state
+from ..bridge.net import live, net_object
+from ..core.failures import told
 from . import editing
 
 
@@ -19,9 +25,6 @@ class _Suspended(NamedTuple):
     collections: list                   # for each the collections it was taken from
 
 
-_suspended = []
-
-
 @persistent
 def before(*_):
     """Take the nets in Edit Mode out of their scenes."""
@@ -29,32 +32,52 @@ def before(*_):
     for ob in editing.nets():
         live.pull(ob)
     editing.settle()
-    for scene in bpy.data.scenes:
-        for layer in scene.view_layers:
-            members = [ob for ob in layer.objects if ob and ob.mode == 'EDIT']
-            if any(map(net.is_net, members)):
-                _suspend(scene, layer, members)
-    if _suspended and not bpy.app.background:
-        bpy.app.timers.register(after)  # Blender 3.4 does not tell of a save that failed
+    suspended = []
+    try:
+        for scene in bpy.data.scenes:
+            for layer in scene.view_layers:
+                members = [ob for ob in layer.objects if ob and ob.mode == 'EDIT']
+                if any(map(net_object.is_net, members)):
+                    suspended.append(_suspend(scene, layer, members))
+    finally:
+        state.suspended += suspended
+    if suspended and not bpy.app.background:
+        bpy.app.timers.register(put_back)       # Blender 3.4 does not tell of a save that failed
 
 
 def _suspend(scene, layer, members):
     members.sort(key=lambda ob: ob != layer.objects.active)
     with _at(scene, layer, members[0]):
         bpy.ops.object.mode_set(mode='OBJECT')
-    taken = [list(ob.users_collection) if net.is_net(ob) else [] for ob in members]
+    taken = [list(ob.users_collection) if net_object.is_net(ob) and not live.unread(ob) else [] for ob in members]
     for ob, collections in zip(members, taken):
         for collection in collections:
             collection.objects.unlink(ob)
-    _suspended.append(_Suspended(scene, layer, members, taken))
+    return _Suspended(scene, layer, members, taken)
 
 
 @persistent
 def after(*_):
-    """Put them back, in Edit Mode."""
-    while _suspended:
-        with suppress(ReferenceError):  # something took the scene or its objects away meanwhile
-            _put_back(_suspended.pop())
+    """A file was written."""
+    put_back()
+    for ob in editing.nets():
+        problems.tell(ob.data, problems.SAVED, _where(ob) if live.unread(ob) else "")
+
+
+def _where(ob):
+    return f"the file has that in {ob.name}, as an object: Tab on it will go on"
+
+
+@persistent
+def put_back(*_):
+    """Put the nets back, in Edit Mode, whether a file was written or not."""
+    while state.suspended:
+        suspended = state.suspended.pop()
+        try:
+            with suppress(ReferenceError):      # something took the scene or its objects away meanwhile
+                _put_back(suspended)
+        except Exception as error:
+            told(error)                 # others are to be put back, too
 
 
 def _put_back(suspended):

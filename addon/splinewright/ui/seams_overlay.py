@@ -7,21 +7,17 @@ from gpu_extras.batch import batch_for_shader
 from mathutils import Matrix
 
 from ..bridge import store, surveys
-from ..bridge.net import net
+from ..bridge.net import net_object
 from ..core import seams
+from . import colors
 
-#: By the classes of core.seams, from unknown to curvatures that agree.
-COLORS = {-2: (0.5, 0.5, 0.5, 1.0), -1: (0.9, 0.05, 0.05, 1.0), 0: (1.0, 0.45, 0.0, 1.0),
-          1: (1.0, 0.9, 0.1, 1.0), 2: (0.1, 0.8, 0.25, 1.0)}
-#: What they mean, as the panel says it.
-LEGEND = "red a gap, orange an edge, yellow G1, green G2"
 #: Lines are drawn nearer by this part of their distance, so that the surface does not hide them.
 _NEARER = 2e-3
 
 
 def shape_in_hand(ob):
     """The patch shape that is active, or whose net is; None where there is none."""
-    owner = net.shape_of(ob) if ob is not None and net.is_net(ob) else ob
+    owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
     return owner if owner is not None and owner.type == 'MESH' and store.has_definition(owner.data) else None
 
 
@@ -39,20 +35,20 @@ def draw():
         distance = bpy.context.region_data.view_distance
         gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix(), distance))
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        for points, colors in lines:
-            _draw_line(points, colors)
+        for points, of_points in lines:
+            _draw_line(points, of_points)
     gpu.state.depth_test_set('NONE')
 
 
 def coloured_lines(data):
     """[(points (n, 3), colours (n, 4))] of the seams of a Mesh."""
-    found = []
+    found, of_class = [], colors.of_seams()
     measured, size = surveys.seams_of(data)
     for seam in measured:
         if seam.measured is not None:
             numbers = seams.classes(seam.measured, size)
             found.append((seam.measured.points.astype(np.float32),
-                          np.array([COLORS[number] for number in numbers.tolist()], np.float32)))
+                          np.array([of_class[number] for number in numbers.tolist()], np.float32)))
     return found
 
 
@@ -63,10 +59,10 @@ def _nearer(projection, distance):
     return projection @ Matrix.Translation((0.0, 0.0, _NEARER * distance))
 
 
-def _draw_line(points, colors):
+def _draw_line(points, of_points):
     shader = gpu.shader.from_builtin('POLYLINE_SMOOTH_COLOR')
     shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
     shader.uniform_float('lineWidth', 4.0 * bpy.context.preferences.system.ui_scale)
     finite = np.isfinite(points).all(1)
     if finite.sum() > 1:
-        batch_for_shader(shader, 'LINE_STRIP', {'pos': points[finite], 'color': colors[finite]}).draw(shader)
+        batch_for_shader(shader, 'LINE_STRIP', {'pos': points[finite], 'color': of_points[finite]}).draw(shader)

@@ -2,6 +2,8 @@
 
 import textwrap
 
+import bpy
+
 #: Characters that fit a line of the sidebar.
 _WIDTH = 40
 
@@ -19,3 +21,12 @@ def draw_note(layout, text, width=_WIDTH):
     column = layout.column(align=True)
     for i, line in enumerate(textwrap.wrap(text, width)):
         column.label(text=line, icon='INFO' if i == 0 else 'BLANK1')
+
+
+def pop_up(text):
+    """A sentence about something that went wrong where no operator can report it, in a window and in the console."""
+    print(f"Splinewright: {text}")
+    windows = bpy.context.window_manager.windows
+    if windows:
+        with bpy.context.temp_override(window=windows[0]):
+            bpy.context.window_manager.popup_menu(lambda menu, context: draw_problem(menu.layout, text, 80), title="Splinewright")

@@ -3,6 +3,13 @@
 Groups are pairs of a label and names of operators.
 """
 
+import bpy
+
+from . import hand
+
+#: What buttons leave out of an operator's label, which Undo History shows, too.
+_LEFT_OUT = ("Add ", "Bring To ", "Convert ", "Take ")
+
 
 def draw_menu(layout, groups):
     layout.operator_context = 'INVOKE_REGION_WIN'
@@ -10,7 +17,20 @@ def draw_menu(layout, groups):
         if i:
             layout.separator()
         for name in names:
-            layout.operator(f"splinewright.{name}")
+            layout.operator(f"splinewright.{name}", text=text_of(name))
+
+
+def draw_hand(layout, data):
+    """The pieces in hand, where there are several."""
+    if hand.count_of(data) < 2:
+        return
+    chosen = data.splinewright
+    layout.prop(chosen, "show_numbers")
+    column = layout.column(align=True)
+    for name, is_other in (("piece", False), ("other_piece", True)):
+        row = column.row(align=True)
+        row.prop(chosen, name)
+        row.operator("splinewright.pick_piece", text="", icon='EYEDROPPER').other = is_other
 
 
 def draw_panel(layout, groups):
@@ -19,4 +39,12 @@ def draw_panel(layout, groups):
         row.label(text=label)
         column = row.column(align=True)
         for name in names:
-            column.operator(f"splinewright.{name}")
+            column.operator(f"splinewright.{name}", text=text_of(name))
+
+
+def text_of(name):
+    """What a button of an operator says."""
+    label = getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}").bl_label
+    for words in _LEFT_OUT:
+        label = label.removeprefix(words)
+    return label

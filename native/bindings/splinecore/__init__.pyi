@@ -15,6 +15,7 @@ __all__ = [
     "Cancelled",
     "Continuity",
     "Curvatures",
+    "Error",
     "Formula",
     "FormulaError",
     "HermiteCurve",
@@ -52,7 +53,10 @@ _Interval = tuple[float, float]
 _Floats = NDArray[np.float64]
 _Points = NDArray[Any]  # float64, or float32 where dtype or out ask for it
 
-class InvalidShape(ValueError):
+class Error(Exception):
+    """All that the library raises of its own is one of these."""
+
+class InvalidShape(Error, ValueError):
     """Bad input: the message names the argument, the first offending index and its value."""
 
 class FormulaError(InvalidShape):
@@ -60,13 +64,13 @@ class FormulaError(InvalidShape):
 
     position: int
 
-class PointAtInfinity(ArithmeticError):
+class PointAtInfinity(Error, ArithmeticError):
     """A point was asked for where the homogeneous weight is zero."""
 
-class ToleranceNotReached(ArithmeticError):
+class ToleranceNotReached(Error, ArithmeticError):
     """What was asked for cannot be had within the tolerance."""
 
-class Cancelled(RuntimeError):
+class Cancelled(Error, RuntimeError):
     """A long call was ended by its cancel argument."""
 
 @final

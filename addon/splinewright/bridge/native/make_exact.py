@@ -2,11 +2,13 @@
 
 from typing import NamedTuple
 
-import bpy
+import numpy as np
 
+from ...core.failures import Refusal
 from ...core.native import native_density
-from .. import blocks, mesh_looks, shape, store
-from . import measure_native, native_dress, native_links, read_native, retype
+from .. import blocks, curve_pieces, mesh_looks, settings, shape, store, versions
+from ..look import Look
+from . import measure_native, native_layers, native_links, read_native, retype
 
 
 class Outcome(NamedTuple):
@@ -20,13 +22,13 @@ def make_exact(context, ob):
     """Make the data-block of a CURVE or SURFACE object a shape, and so of all objects that share it.
 
     A curve keeps its data-block. A surface becomes a mesh, and the objects stay the same objects.
-    Raises ValueError, ArithmeticError or RuntimeError with a sentence, and has changed nothing, if it cannot be.
+    Raises one of the FAILURES, and has changed nothing, if it cannot be.
     """
     users = native_links.users_of(ob.data)
     _require_native(ob, users)
     reading = read_native.read(ob)
     if reading.value is None:
-        raise ValueError("; ".join(["nothing to make exact", *reading.dropped]))
+        raise Refusal("; ".join(["nothing to make exact", *reading.dropped]))
     deviation = measure_native.of_reading(ob, reading)
     dropped = reading.dropped + native_links.parented_points(users)
     if ob.data.shape_keys:
@@ -37,31 +39,36 @@ def make_exact(context, ob):
 
 def _require_native(ob, users):
     if ob.type not in ('CURVE', 'SURFACE'):
-        raise ValueError("it is no curve or surface")
+        raise Refusal("it is no curve or surface")
     if store.has_definition(ob.data):
-        raise ValueError("it is exact already")
+        raise Refusal("it is exact already")
     for block in [ob.data, *(users if ob.type == 'SURFACE' else [])]:
         if block.library or block.override_library:
-            raise ValueError(f"{block.name} is linked from another file and cannot be changed here")
+            raise Refusal(f"{block.name} is linked from another file and cannot be changed here")
     if ob.data.is_editmode:
-        raise ValueError("leave Edit Mode first")
+        raise Refusal("leave Edit Mode first")
 
 
 def _curve(context, ob, reading, users):
     data = ob.data
-    steps = max(native_density.steps_of_curve(spline, data.splines[i].resolution_u, bpy.app.version)
+    steps = max(native_density.steps_of_curve(spline, data.splines[i].resolution_u, versions.sampling)
                 for spline, i in zip(reading.splines, reading.indices))
     rehearsal = shape.new_data(data.name, reading.value, (steps, steps))    # raises before anything is changed
     blocks.remove(rehearsal)
-    dress, lost = native_dress.of(data, reading.indices)
+    is_flat, lost = native_layers.fill_of(data, reading.indices)
+    layers = [native_layers.along(data.splines[i], spline) for spline, i in zip(reading.splines, reading.indices)]
     lost += native_links.hooked_points(users)
     if data.shape_keys:
         ob.shape_key_clear()
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
-    data.splinewright.set_resolution(steps, steps)
+    settings.set_resolution(data, steps, steps)
     shape.set_value(data, reading.value)
-    native_dress.put_on(data, dress, [len(shape.lines_of(data, curve)) for curve in reading.pieces])
+    definition = store.read(data)
+    places = [np.concatenate([line.at for line in lines]) for lines in curve_pieces.shown_of(data, definition)]
+    curve_pieces.write(data, definition, [[of_spline(at)] for of_spline, at in zip(layers, places)])
+    if is_flat:
+        data.dimensions = '2D'
     return lost
 
 
@@ -73,7 +80,7 @@ def _surface(context, ob, reading, users):
     for material in data.materials:
         mesh.materials.append(material)
     smooth = [data.splines[i].use_smooth for i in reading.indices]
-    mesh_looks.set_looks(mesh, dict(enumerate(map(mesh_looks.Look, reading.materials, smooth))))
+    mesh_looks.set_looks(mesh, dict(enumerate(map(Look, reading.materials, smooth))))
     shape.restore(mesh)                 # flat faces have normals of their own
     lost = ["the animation of the surface data"] if data.animation_data else []
     return lost + retype.all_become(context, users, mesh, retype.become_mesh, retype.become_surface)

@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 
 from ...core.native import native
+from .. import versions
 from . import native_splines
 
 #: Enough to see a difference; one step has oddities of its own in some versions.
@@ -94,6 +95,6 @@ def _parameters(theirs, spline):
         straight = native_splines.straight_segments(theirs)
         return [native.bezier_samples(straight, theirs.use_cyclic_u, theirs.resolution_u)]
     if len(spline.directions) == 1:
-        return [native.curve_samples(spline, theirs.resolution_u, bpy.app.version)]
+        return [native.curve_samples(spline, theirs.resolution_u, versions.sampling)]
     return [native.surface_parameters(direction, getattr(theirs, f"resolution_{axis}"))
             for axis, direction in zip('uv', spline.directions)]

@@ -4,28 +4,30 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...core.failures import Refusal
+
 
 def mixed(splines, ob, keys):
     """The NativeSplines of a surface with their points where the Key puts them.
 
-    `keys` may be evaluated, for values that are animated. Raises ValueError where it cannot be told.
+    `keys` may be evaluated, for values that are animated. Raises Refusal where it cannot be told.
     """
     if not keys.use_relative and not ob.show_only_shape_key:
-        raise ValueError(f"{ob.name} has absolute shape keys, which are not read from surfaces")
+        raise Refusal(f"{ob.name} has absolute shape keys, which are not read from surfaces")
     if any(len(block.data) != sum(map(_point_count, splines)) for block in keys.key_blocks):
-        raise ValueError(f"{ob.name} has shape keys of another number of points")
+        raise Refusal(f"{ob.name} has shape keys of another number of points")
     basis = keys.reference_key
     if ob.show_only_shape_key:
         shown = keys.key_blocks[ob.active_shape_key_index]
-        return _moved(splines, _places(basis if shown.mute else shown))
-    places = _places(basis)
+        return _moved(splines, _positions(basis if shown.mute else shown))
+    positions = _positions(basis)
     for block in keys.key_blocks:
         if block != basis and not block.mute and block.value:
-            places = places + block.value * (_places(block) - _places(block.relative_key))
-    return _moved(splines, places)
+            positions = positions + block.value * (_positions(block) - _positions(block.relative_key))
+    return _moved(splines, positions)
 
 
-def _places(block):
+def _positions(block):
     flat = np.empty(3 * len(block.data), np.float32)
     block.data.foreach_get('co', flat)
     return flat.reshape(-1, 3).astype(np.float64)
@@ -35,10 +37,10 @@ def _point_count(spline):
     return spline.points[..., 0].size
 
 
-def _moved(splines, places):
+def _moved(splines, positions):
     starts = np.cumsum([_point_count(spline) for spline in splines])[:-1]
     moved = []
-    for spline, own in zip(splines, np.split(places, starts)):
+    for spline, own in zip(splines, np.split(positions, starts)):
         points = spline.points.copy()
         points[..., :3] = own.reshape(*points.shape[1::-1], 3).swapaxes(0, 1)       # u runs fastest
         moved.append(replace(spline, points=points))

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import bpy
 
+from ...core.failures import Refusal
 from ...core.library import sc
 from ...core.native import native_values
 from . import native_keys, native_splines
@@ -36,10 +37,10 @@ def read(ob, depsgraph=None):
 
     With a depsgraph the points are those evaluated there: animated shape keys, and on curves hooks and
     other modifiers that move control points. Without one modifiers have no effect. In Edit Mode it is
-    what is being edited. Raises ValueError with a sentence where it cannot be told what Blender draws.
+    what is being edited. Raises Refusal with a sentence where it cannot be told what Blender draws.
     """
     if ob.type not in ('CURVE', 'SURFACE'):
-        raise ValueError(f"{ob.name} is no curve or surface")
+        raise Refusal(f"{ob.name} is no curve or surface")
     is_surface = ob.type == 'SURFACE'
     splines, materials = _splines(ob, is_surface, depsgraph)
     make = native_values.surface_value if is_surface else native_values.curve_value
@@ -47,7 +48,7 @@ def read(ob, depsgraph=None):
     for i, spline in enumerate(splines):
         try:
             piece, words = make(spline, f"spline {i + 1}")
-        except ValueError as error:
+        except (Refusal, sc.Error) as error:
             piece, words = None, [f"spline {i + 1} ({error})"]
         dropped += words
         if piece is not None:
@@ -83,7 +84,7 @@ def _of_evaluated(ob, depsgraph):
     try:
         return _of_data(ob.to_curve(depsgraph, apply_modifiers=True), False)
     except RuntimeError as error:
-        raise ValueError(f"{ob.name} has no evaluated points ({error})") from error
+        raise Refusal(f"{ob.name} has no evaluated points ({error})") from error
     finally:
         ob.to_curve_clear()
 
@@ -95,7 +96,7 @@ def _of_data(data, is_surface):
 
 def not_followed(ob):
     """What of a native object read() does not read even with a depsgraph: nouns for the user."""
-    found = [] if ob.type == 'SURFACE' else _dress(ob.data)
+    found = [] if ob.type == 'SURFACE' else _thickness(ob.data)
     followed = 0 if ob.type == 'SURFACE' or ob.data.is_editmode else _modifiers_on_points(ob)
     return found + [f"the modifier {modifier.name}" for modifier in ob.modifiers[followed:] if modifier.show_viewport]
 
@@ -111,8 +112,8 @@ def _modifiers_on_points(ob):
     return count
 
 
-def _dress(curve):
-    """What is put round a bare curve."""
+def _thickness(curve):
+    """What gives a bare curve a thickness."""
     points = [point for spline in curve.splines for point in spline.bezier_points or spline.points]
     has = {
         "the bevel": curve.bevel_depth != 0 or curve.bevel_object is not None,

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core.failures import FAILURES
+from ...core.failures import Refusal, blenders_refusals
 from .. import blocks
 from . import staging
 
@@ -16,7 +16,7 @@ def all_become(context, users, data, become, back):
         for ob in users:
             lost += [noun for noun in become(context, ob, data) if noun not in lost]
             done.append(ob)
-    except FAILURES:
+    except Exception:
         for ob in done:
             back(context, ob, old)
         blocks.remove(data)
@@ -37,8 +37,8 @@ def _copy_properties(old, data):
 def become_mesh(context, ob, mesh):
     """Make a SURFACE object a MESH object. Returns what it lost, as nouns.
 
-    The mesh has as many materials as the surface. Raises RuntimeError, and has changed nothing, if
-    Blender does not convert it; ValueError outside Object Mode.
+    The mesh has as many materials as the surface. Raises Refusal, and has changed nothing,
+    if Blender does not convert it, and outside Object Mode.
     """
     return _become(context, ob, bpy.data.curves.new(ob.name, 'SURFACE'), 'MESH', mesh)
 
@@ -62,7 +62,8 @@ def _become(context, ob, stand_in, target, data):
     keeper = ob.copy()              # of the modifiers: converting takes them away
     try:
         with staging.alone(context, ob):
-            _convert(ob, stand_in, target)
+            with blenders_refusals():
+                _convert(ob, stand_in, target)
             made, ob.data = ob.data, data
             blocks.remove(made)
             if keeper.modifiers:
@@ -88,8 +89,8 @@ def _convert(ob, stand_in, target):
             modifier.show_viewport = False
         bpy.ops.object.convert(target=target)
         if ob.type != target:
-            raise RuntimeError(f"Blender did not convert {ob.name}")
-    except RuntimeError:
+            raise Refusal(f"Blender did not convert {ob.name}")
+    except (RuntimeError, Refusal):
         ob.data = old
         for modifier, is_shown in zip(ob.modifiers, shown):
             modifier.show_viewport = is_shown

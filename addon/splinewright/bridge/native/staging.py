@@ -2,15 +2,17 @@
 
 from contextlib import contextmanager
 
+from ...core.failures import Refusal
+
 
 @contextmanager
 def alone(context, ob):
     """`ob` is the only selected object, active, and can be seen, also if it is in no scene or is hidden.
 
-    Raises ValueError in Edit Mode and the like.
+    Raises Refusal in Edit Mode and the like.
     """
     if context.mode != 'OBJECT':
-        raise ValueError("leave the present mode first")
+        raise Refusal("leave the present mode first")
     layer, root = context.view_layer, context.scene.collection
     active, selected = layer.objects.active, [other for other in layer.objects if other and other.select_get()]
     is_linked = root.objects.get(ob.name) == ob

@@ -5,6 +5,7 @@ from itertools import groupby
 import bpy
 import numpy as np
 
+from ...core.failures import Refusal, blenders_refusals
 from . import staging
 from .native_splines import single
 
@@ -12,27 +13,32 @@ from .native_splines import single
 def new_surface(context, name, counts):
     """A new surface data-block with a spline of each of these (u, v) counts, two or more points each.
 
-    Their points are anywhere. Mode, selection and active object are as before. Raises RuntimeError
-    if Blender does not make them.
+    Their points are anywhere. Mode, selection and active object are as before. Raises Refusal if
+    Blender does not make them.
     """
     data = bpy.data.curves.new(name, 'SURFACE')
     data.dimensions = '3D'
     ob = bpy.data.objects.new(name, data)
     try:
         with staging.alone(context, ob):
-            bpy.ops.object.mode_set(mode='EDIT')
-            try:
-                for (u, v), group in groupby(counts):
-                    _add_run(data, u, v, len(list(group)))
-            finally:
-                bpy.ops.object.mode_set(mode='OBJECT')
+            with blenders_refusals():
+                _fill(data, counts)
         if [(spline.point_count_u, spline.point_count_v) for spline in data.splines] != list(counts):
-            raise RuntimeError("Blender did not make the surfaces that were asked for")
+            raise Refusal("Blender did not make the surfaces that were asked for")
     except Exception:
         bpy.data.curves.remove(data)
         raise
     bpy.data.objects.remove(ob)
     return data
+
+
+def _fill(data, counts):
+    bpy.ops.object.mode_set(mode='EDIT')
+    try:
+        for (u, v), group in groupby(counts):
+            _add_run(data, u, v, len(list(group)))
+    finally:
+        bpy.ops.object.mode_set(mode='OBJECT')
 
 
 def _add_run(data, u, v, count):

@@ -1,10 +1,10 @@
 """Shapes become Blender's own curves and surfaces, in their place."""
 
-import numpy as np
-
 from ...core.definition import CURVES
-from .. import mesh_looks, recipes, shape
-from . import native_dress, native_links, retype, write_native
+from ...core.failures import Refusal
+from .. import animation, curve_layers, curve_pieces, mesh_attributes, mesh_looks, recipes, settings, shape, store
+from ..look import Look
+from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
 
 
@@ -12,16 +12,16 @@ def to_native(context, ob):
     """Make the data-block of a shape Blender's own, and so of all objects that share it.
 
     A curve keeps its data-block. A mesh of patches becomes a surface, and the objects stay the same
-    objects. Raises ValueError or RuntimeError with a sentence, and has changed nothing, if it cannot be.
+    objects. Raises one of the FAILURES, and has changed nothing, if it cannot be.
     """
     if not shape.has_shape(ob):
-        raise ValueError("it is no Splinewright shape")
+        raise Refusal("it is no Splinewright shape")
     data, users = ob.data, native_links.users_of(ob.data)
     shape.require_writable(data)
     shape.require_untouched(data)
     for user in users:
         if ob.type == 'MESH' and (user.library or user.override_library):
-            raise ValueError(f"{user.name} is linked from another file and cannot be changed here")
+            raise Refusal(f"{user.name} is linked from another file and cannot be changed here")
     value = shape.value_of(data)
     planned = write_native.plan(value)
     parented = native_links.parented_points(users)
@@ -31,35 +31,32 @@ def to_native(context, ob):
 
 def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
-    steps = data.splinewright.resolution_u
-    curves = [value] if isinstance(value, CURVES) else value
-    around = recipes.around(data)
-    dress, undressed = _dress(data, [len(shape.lines_of(data, curve, around)) for curve in curves])
+    steps = settings.of(data).resolution_u
+    pieces = curve_pieces.of(data, store.read(data))
+    is_flat, unfilled = native_layers.fill_of(data, range(len(data.splines)))
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
     shape.detach(data)
+    curve_layers.forget(data)
     deviation = write_native.write_curves(data, planned, steps)
-    native_dress.put_on(data, dress, np.bincount(planned.numbers, minlength=len(curves)))
-    return deviation, lost + undressed
-
-
-def _dress(data, counts):
-    """The Dress of a shape that shows so many polylines of each curve, and what is lost."""
-    if len(data.splines) != sum(counts):
-        return native_dress.plain(len(counts)), []
-    return native_dress.of(data, np.cumsum([0, *counts[:-1]]).tolist())
+    curves = [value] if isinstance(value, CURVES) else value
+    unlike = native_layers.give(data, planned, [curve.domain for curve in curves], pieces)
+    if is_flat:
+        data.dimensions = '2D'
+    return deviation, lost + unfilled + [f"{noun} of single points" for noun in unlike]
 
 
 def _surface(context, ob, value, planned, users):
-    mesh, lost = ob.data, []
-    settings = mesh.splinewright
+    mesh = ob.data
+    lost = mesh_attributes.in_words(mesh_attributes.keep(mesh, None))
+    chosen = settings.of(mesh)
     surface, deviation = write_native.new_surface(
-        context, mesh.name, planned, (settings.resolution_u, settings.resolution_v))
+        context, mesh.name, planned, (chosen.resolution_u, chosen.resolution_v))
     for material in mesh.materials:
         surface.materials.append(material)
     looks = mesh_looks.looks_by_patch(mesh)
     for spline, number in zip(surface.splines, planned.numbers):
-        spline.material_index, spline.use_smooth = looks.get(number, mesh_looks.Look())
-    if mesh.animation_data:
+        spline.material_index, spline.use_smooth = looks.get(number, Look())
+    if animation.paths(mesh) - {recipes.WATCHED}:
         lost.append("the animation of the mesh data")
     return deviation, lost + retype.all_become(context, users, surface, retype.become_surface, retype.become_mesh)

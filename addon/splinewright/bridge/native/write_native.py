@@ -2,11 +2,11 @@
 
 from typing import NamedTuple
 
-import bpy
-
 from ...core.definition import CURVES
+from ...core.failures import Refusal
 from ...core.library import sc
 from ...core.native import native_density, native_forms
+from .. import versions
 from . import measure_native, native_splines, surface_nets
 
 
@@ -29,7 +29,7 @@ class Plan(NamedTuple):
 def plan(value):
     """What write_curves() or new_surface() will write.
 
-    Raises ValueError, naming the piece, where Blender has no such shape.
+    Raises Refusal, naming the piece, where Blender has no such shape.
     """
     if isinstance(value, CURVES):
         pieces, make = [value], native_forms.curve_forms
@@ -42,8 +42,8 @@ def plan(value):
     for number, piece in enumerate(pieces):
         try:
             forms = make(piece)
-        except ValueError as error:
-            raise ValueError(f"piece {number + 1}: {error}" if len(pieces) > 1 else str(error)) from error
+        except (Refusal, sc.Error) as error:
+            raise Refusal(f"piece {number + 1}: {error}" if len(pieces) > 1 else str(error)) from error
         found.forms.extend(forms)
         found.numbers.extend([number] * len(forms))
     return found
@@ -57,7 +57,7 @@ def write_curves(data, planned, steps):
     data.dimensions = '3D'
     data.splines.clear()
     for form in planned.forms:
-        resolution = native_density.resolution_of_curve(form.spline, steps, bpy.app.version)
+        resolution = native_density.resolution_of_curve(form.spline, steps, versions.sampling)
         native_splines.append(data, form.spline, resolution)
     data.update_tag()               # Blender 3.4 does not notice foreach_set on points
     return measure_native.of_forms(data, planned.forms)
@@ -66,7 +66,7 @@ def write_curves(data, planned, steps):
 def new_surface(context, name, planned, steps):
     """A new surface data-block of the planned splines, and the measured deviation. steps: ours along u and v.
 
-    Raises ValueError outside Object Mode.
+    Raises Refusal outside Object Mode.
     """
     data = surface_nets.new_surface(context, name, [form.spline.points.shape[:2] for form in planned.forms])
     for spline, form in zip(data.splines, planned.forms):

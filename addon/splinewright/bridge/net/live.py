@@ -10,12 +10,12 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, told
 from ...core.library import sc
-from ...core.net import net as nets
-from .. import fineness, made, recipes, shape, stamp, store, write_mesh
-from . import net as bridge
-from . import points_net
+from ...core.net import exact_net, reading
+from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
+from ..file_state import look_again, state
+from . import free_net, marks, net_object
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
@@ -27,24 +27,29 @@ class Session:
 
     def __init__(self, net):
         self.made_with = net
-        self.problem = ""
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
+        self._settings = {}             # of the shape, their values by the mark that the net carries
 
     def show(self, net):
         """Take this for the net, and its points for those that are there."""
         self.net = net                  # other than it was made with where that has gained or lost points
-        self.points = net.single        # for the overlay
-        self.state = nets.exact(net, net.single, net.single_weights)
+        self.take(exact_net.exact(net, net.single, net.single_weights), np.arange(len(net.rows)))
+
+    def take(self, exact, places):
+        """Take these for the numbers of the vertices, and for their places among what Blender holds, -1 for none."""
+        self.state, self.places = exact, places
+        with np.errstate(over='ignore'):
+            self.points = exact.positions.astype(np.float32)    # for the overlay
 
     def require_alone(self, data, pool):
-        """Raises ValueError where others changed the shape since its net last wrote it."""
+        """Raises Refusal where others changed the shape since its net last wrote it."""
         if self.pool is not None and not np.array_equal(pool, self.pool):
-            raise ValueError("the shape was given another definition while its net was out: leave the net")
+            raise Refusal("the shape was given another definition while its net was out: leave the net")
         now = time.monotonic()
         if now - self._checked > _PAUSE:        # not at every step of a drag
             shape.require_untouched(data)
@@ -58,6 +63,21 @@ class Session:
         """The shape has these faces now."""
         self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
 
+    def settings(self, mark, present):
+        """What a mark stands for: from now on the present values, where it is new or none of ours."""
+        return present if mark < marks.FIRST else self._settings.setdefault(mark, present)
+
+    def mark(self, values):
+        """The mark that stands for values of the shape's settings."""
+        known = next((mark for mark, others in self._settings.items() if others == values), None)
+        if known is None:
+            known = marks.FIRST + len(self._settings)
+            if known == marks.FIRST + marks.COUNT:
+                known = next(iter(self._settings))
+                del self._settings[known]
+            self._settings[known] = values
+        return known
+
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
         is_source = definition is self.net.source
@@ -65,105 +85,201 @@ class Session:
             self._patch_sets[is_source] = definitions.to_patch_set(definition)
         return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
+    def _has_faces(self, data):
+        """Whether the shape has the faces that are known here."""
+        known = store.read_stamp(data)
+        return (self.faces is not None and known is not None and self._fineness == fineness.of(data)
+                and stamp.same_topology(self._stamp, known))
+
+    def final_faces(self, data):
+        """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
+        return self.faces if self._has_faces(data) and fineness.by_count(data) else None
+
     def moved(self, data, patch_set):
         """(positions, exact normals or None) on the faces that the shape has, or None where it needs others."""
-        if self.faces is None or self._fineness != fineness.of(data):
-            return None
-        if not stamp.same_topology(self._stamp, store.read_stamp(data)):
+        if not self._has_faces(data):
             return None
         try:
-            if write_mesh.keeps_normals():
+            if versions.keeps_exact_normals:
                 return self.faces.evaluate(patch_set)
             return self.faces.evaluate_positions(patch_set), None
         except sc.InvalidShape:
             return None                 # sides that were one are not any more, or the other way round
 
 
-_sessions = {}
-
-
 def session(data):
-    """The session of a net's data-block."""
-    token = bridge.token(data)
-    if token not in _sessions:
-        begin(data, bridge.numbers(bridge.source(data)))
-    return _sessions[token]
+    """The session of a net's data-block. Raises DamagedNet."""
+    token = net_object.required_token(data)
+    if token not in state.sessions:
+        try:
+            begin(data, net_object.net_of(net_object.source(data)))
+        except net_object.DamagedNet as error:
+            state.sessions[token] = error
+    found = state.sessions[token]
+    if isinstance(found, Exception):
+        raise found
+    return found
 
 
-def begin(data, net):
-    """Start the session of a net's data-block that was made from these numbers."""
-    if len(_sessions) > 32:
+def known_session(data):
+    """session(), or None where the net is damaged, of which problem() tells."""
+    try:
+        return session(data)
+    except net_object.DamagedNet:
+        return None
+
+
+def begin(data, net, shown_by=None):
+    """Start the session of a net's data-block that was made from these numbers.
+
+    shown_by: the values of the settings of the shape when its net was made, where they are known.
+    """
+    if len(state.sessions) > 32:
         _drop_idle()
-    _sessions[bridge.token(data)] = Session(net)
+    state.sessions[net_object.token(data)] = started = Session(net)
+    if shown_by is not None:
+        started.settings(marks.FIRST, shown_by)
 
 
 def _drop_idle():
     """Forget the sessions of nets that are no more; undo may bring them back, at the cost of a new one."""
-    living = {bridge.token(ob.data) for ob in bpy.data.objects if bridge.is_net(ob)}
-    for token in set(_sessions) - living:
-        del _sessions[token]
-
-
-def forget():
-    """Drop all sessions: another file was opened."""
-    _sessions.clear()
+    living = {net_object.token(ob.data) for ob in bpy.data.objects if net_object.is_net(ob)}
+    for token in set(state.sessions) - living:
+        del state.sessions[token]
 
 
 def trust():
-    """After undo and redo: take shapes as they are."""
-    for current in _sessions.values():
-        current.trust()
+    """After undo and redo: take shapes as they are, and look at damaged nets again."""
+    for token, current in list(state.sessions.items()):
+        if isinstance(current, Session):
+            current.trust()
+        else:
+            del state.sessions[token]
 
 
 def pull(ob):
     """Bring the shape of a net up to date. Returns its data-block if it changed, else None.
 
-    Where the net cannot be read or shown, shape and definition stay as they were last; problem() says why.
+    Of what cannot be read or shown the shape keeps what it has; problem() says why. Whatever goes wrong is kept in words:
+    others are to be brought up to date, too.
     """
-    if not bridge.is_current(ob):
-        return None
-    owner, current = bridge.shape_of(ob), session(ob.data)
-    follow = _follow_points if points_net.is_free(ob.data) else _follow
+    net = ob.data
+    look_again(net)
+    problems.tell(net, problems.STRAYS, "")
     try:
-        return owner.data if follow(owner.data, ob, current) else None
-    except FAILURES as error:
-        current.problem = sentence(error)
+        data, is_changed, problem = _pulled(ob)
+    except Exception as error:
+        problems.tell(net, problems.NET, told(error))
         return None
+    problems.tell(net, problems.NET, problem)
+    return data if is_changed else None
+
+
+def _pulled(ob):
+    """(the data-block of a net's shape, whether it changed, what it does not take of the net)."""
+    net_object.require_whole(ob)
+    owner = net_object.shape_of(ob)
+    if owner is None:
+        return None, False, "the shape of this net was deleted, or is in no scene"
+    if not net_object.is_current(ob):
+        return None, False, "this net is of an earlier time: its shape has changed since, and follows it no more"
+    data, current = owner.data, session(ob.data)
+    follow = _follow_points if free_net.is_free(ob.data) else _follow
+    is_shown_otherwise = _show_as_marked(data, ob, current)
+    try:
+        is_changed, problem = follow(data, ob, current)
+    except Exception as error:
+        is_changed, problem = False, told(error)
+    return data, is_changed or is_shown_otherwise, problem
+
+
+def _show_as_marked(data, ob, current):
+    """Give a shape the settings that its net is marked with: undo may have brought others back. Whether it changed."""
+    present = settings.values(data)
+    wanted = current.settings(marks.read(ob), present)
+    if wanted == present:
+        return False
+    settings.take(data, wanted)
+    try:
+        current.wrote(data, shape.rewrite(data))
+    except Exception as error:
+        problems.tell(data, problems.SETTING, told(error))
+        return False
+    return True
+
+
+def mark(data):
+    """The settings of a shape were changed: let its net know, if it is out."""
+    token = net_object.editor(data)
+    if token is None:
+        return
+    nets = (ob for ob in bpy.data.objects if net_object.is_net(ob) and net_object.token(ob.data) == token)
+    held = next((ob for ob in nets if ob.mode == 'EDIT'), None)
+    if held is not None:
+        marks.write(held, session(held.data).mark(settings.values(data)))
 
 
 def _follow(data, ob, current):
-    """Bring a shape up to date; whether it changed."""
-    current.points, weights = bridge.read(ob, current.net)
-    current.state = nets.exact(current.net, current.points, weights, bridge.typed(ob.data))
-    definition = nets.read(current.net, current.state)
-    current.problem = ""
-    return made.follow_net(data, definition) if recipes.has_points(data) else _show(data, definition, current)
+    """Bring a shape up to date; whether it changed, and what it does not take."""
+    found = reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data),
+                         lambda: _last(data, current.net))
+    current.take(found.state, found.places)
+    problems.tell(ob.data, problems.STRAYS, found.note)
+    definition = exact_net.read(current.net, found.state)
+    if recipes.has_points(data):
+        return remaking.follow_net(data, definition), found.problem
+    return _show(data, definition, current), found.problem
+
+
+def _last(data, net):
+    """The Net of a shape as it is; that which its net was made with where they do not compare."""
+    last = net_object.net_of(remaking.edited(data))
+    return last if np.array_equal(last.origins, net.origins) else net
 
 
 def _follow_points(data, ob, current):
     """_follow() where the net may gain and lose points. They are shown in the panel even if the shape refuses them."""
-    current.show(points_net.read(ob.data, current.made_with))
-    current.problem = ""
-    return made.follow_points(data, current.net, points_net.is_turned(ob.data))
+    is_turned = free_net.is_turned(ob.data)
+    current.show(free_net.read(ob.data, current.made_with))
+    try:
+        return remaking.follow_points(data, current.net, is_turned), ""
+    except FAILURES:
+        others = free_net.without_copies(ob.data, current.net)
+        if others is None:
+            raise
+    is_changed = remaking.follow_points(data, others, is_turned)
+    problems.tell(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
+    return is_changed, ""
 
 
 def problem(ob):
-    """Why the shape does not follow its net, or ""."""
-    return session(ob.data).problem
+    """What the shape does not take of its net, or ""."""
+    return problems.of(ob.data, problems.NET)
+
+
+def note(ob):
+    """What the shape passes over, or ""."""
+    return problems.of(ob.data, problems.STRAYS)
+
+
+def unread(ob):
+    """problem(), where leaving the net would lose something: not where there is no shape to lose it."""
+    return "" if net_object.is_orphan(ob) else problem(ob)
 
 
 def settle(data):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
     if store.is_draft(data):
-        faces = shape.rewrite(data)
-        current = _sessions.get(bridge.editor(data))
+        current = state.sessions.get(net_object.editor(data))
+        current = current if isinstance(current, Session) else None
+        faces = shape.rewrite(data, faces=current.final_faces(data) if current else None)
         if current is not None:
             current.wrote(data, faces)
 
 
 def _show(data, definition, current):
     """Whether anything was to be written."""
-    pool = np.array(data[store.KEY]['pool']).reshape(-1, 4)
+    pool = store.pool(data)
     if np.array_equal(pool, definition.pool):
         current.pool = pool
         return False

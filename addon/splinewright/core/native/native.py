@@ -1,6 +1,6 @@
 """What Blender makes of a NURBS spline: its knots, where it is valid, where it samples.
 
-Measured on 3.4.1, 4.3.2 and 5.2.2. Blender calls degree + 1 the order.
+Blender calls degree + 1 the order.
 """
 
 import itertools
@@ -22,6 +22,13 @@ class Flags(NamedTuple):
 
 
 ALL_FLAGS = tuple(Flags(*flags) for flags in itertools.product((False, True), repeat=3))
+
+
+class Sampling(NamedTuple):
+    """How a version of Blender samples NURBS curves."""
+
+    by_span: bool                   # so many steps in every span, not so many for each point
+    polygon_at_1: bool              # a cyclic curve of resolution 1 is its control polygon
 
 
 class Direction(NamedTuple):
@@ -75,7 +82,7 @@ def _growing_knots(degree, flags):
         yield from itertools.repeat(value, degree if flags.bezier else 1)
 
 
-def _all_knots(direction):
+def all_knots(direction):
     """count + degree + 1 knots; degree more, for the points that come round again, if cyclic."""
     count, degree, flags = direction
     own = count if flags.cyclic or flags.endpoint else count + degree + 1
@@ -91,7 +98,7 @@ def _all_knots(direction):
 
 def domain(direction):
     """(start, end) of Blender's parameter."""
-    knots = _all_knots(direction)
+    knots = all_knots(direction)
     last = direction.count + direction.degree if direction.flags.cyclic else direction.count
     return knots[direction.degree], knots[last]
 
@@ -107,7 +114,7 @@ def used_count(direction):
 def plain_knots(direction):
     """The knots of the plain spline on wrapped() points."""
     used = direction._replace(count=used_count(direction))
-    return _all_knots(used)
+    return all_knots(used)
 
 
 def wrapped(points, direction, axis=0):
@@ -118,15 +125,15 @@ def wrapped(points, direction, axis=0):
 
 def periodic_knots(direction):
     """One period of a cyclic direction, for its own points, unrepeated."""
-    return _all_knots(direction)[direction.degree:direction.count + direction.degree + 1]
+    return all_knots(direction)[direction.degree:direction.count + direction.degree + 1]
 
 
-def curve_samples(spline, resolution, version):
-    """Where that version of Blender samples a NURBS curve or a polygon, in its parameter: those of
+def curve_samples(spline, resolution, sampling):
+    """Where a Blender of that Sampling samples a NURBS curve or a polygon, in its parameter: those of
     a polygon are the numbers of its points, also where Blender takes an invalid curve for one."""
     direction, = spline.directions
     if spline.kind == 'NURBS' and is_valid_curve(direction):
-        return curve_parameters(direction, resolution, version)
+        return curve_parameters(direction, resolution, sampling)
     return np.arange(float(direction.count))
 
 
@@ -138,9 +145,9 @@ def bezier_samples(straight, is_cyclic, resolution):
     return inner if is_cyclic else np.append(inner, len(straight))
 
 
-def curve_parameters(direction, resolution, version):
-    """Where that version of Blender samples a curve. The two oddities of Blender 3 and 4 are not in it."""
-    if version >= (5, 0, 0):
+def curve_parameters(direction, resolution, sampling):
+    """Where a Blender of that Sampling samples a curve, if it does not show the polygon."""
+    if sampling.by_span:
         return _parameters_by_span(direction, resolution)
     cyclic = direction.flags.cyclic
     return _spread(direction, resolution * (direction.count if cyclic else direction.count - 1))
@@ -158,7 +165,7 @@ def _spread(direction, count):
 
 def _parameters_by_span(direction, resolution):
     start, end = domain(direction)
-    joints = np.unique(_all_knots(direction))
+    joints = np.unique(all_knots(direction))
     joints = joints[(joints >= start) & (joints <= end)]
     steps = np.arange(resolution) / resolution
     parameters = (joints[:-1, None] + np.diff(joints)[:, None] * steps).ravel()
@@ -168,15 +175,10 @@ def _parameters_by_span(direction, resolution):
 def span_count(direction):
     """Non-empty spans of the domain."""
     start, end = domain(direction)
-    joints = np.unique(_all_knots(direction))
+    joints = np.unique(all_knots(direction))
     return np.count_nonzero((joints >= start) & (joints <= end)) - 1
 
 
-def gives_origin(direction, resolution, version):
-    """Before 5, two points at resolution 1 leave room for one sample, which Blender never writes."""
-    return version < (5, 0, 0) and direction.count == 2 and resolution == 1 and not direction.flags.cyclic
-
-
-def gives_polygon(direction, resolution, version):
-    """4.3 takes a cyclic curve of resolution 1 for its control polygon."""
-    return (4, 3, 0) <= version < (5, 0, 0) and resolution == 1 and direction.flags.cyclic
+def gives_polygon(direction, resolution, sampling):
+    """Whether a Blender of that Sampling shows the control polygon of a valid curve."""
+    return sampling.polygon_at_1 and resolution == 1 and direction.flags.cyclic

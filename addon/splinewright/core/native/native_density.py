@@ -3,14 +3,14 @@
 from . import native
 
 
-def steps_of_curve(spline, resolution, version):
+def steps_of_curve(spline, resolution, sampling):
     """Our steps in a span where Blender has this resolution."""
     direction, = spline.directions
     if spline.kind == 'BEZIER':
         return resolution
     if spline.kind != 'NURBS' or not native.is_valid_curve(direction):
         return 1
-    samples = len(native.curve_parameters(direction, resolution, version))
+    samples = len(native.curve_parameters(direction, resolution, sampling))
     return _steps(direction, samples)
 
 
@@ -23,12 +23,14 @@ def _steps(direction, samples):
     return max(round(edges / native.span_count(direction)), 1)
 
 
-def resolution_of_curve(spline, steps, version):
-    """Blender's resolution for so many of our steps in a span."""
+def resolution_of_curve(spline, steps, sampling):
+    """Blender's resolution for so many of our steps in a span: never one at which it shows another curve."""
     direction, = spline.directions
-    if spline.kind == 'BEZIER' or version >= (5, 0, 0):
+    if spline.kind == 'BEZIER' or sampling.by_span:
         return steps
-    return _resolution(direction, steps, direction.count if direction.flags.cyclic else direction.count - 1)
+    resolution = _resolution(direction, steps, direction.count if direction.flags.cyclic else direction.count - 1)
+    shows_another = direction.degree > 1 and native.gives_polygon(direction, resolution, sampling)
+    return 2 if shows_another else resolution
 
 
 def resolution_of_surface(direction, steps):

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..failures import Refusal
 from ..library import sc
 from . import native
 from .native import Direction, Flags, NativeSpline
@@ -33,9 +34,20 @@ class Form(NamedTuple):
         start, end = (0, len(joints) - 1) if self.spline.kind == 'BEZIER' else native.domain(direction)
         return np.interp(blenders, np.linspace(start, end, len(joints)), joints)
 
+    def at_parts(self, fractions):
+        """Our parameters, of a curve, at parts of its spline."""
+        joints, = self.joints
+        return np.interp(fractions, np.linspace(0.0, 1.0, len(joints)), joints)
+
+    def parts_at(self, parameters):
+        """At which parts of the spline of a curve our parameters lie; those beyond it are left out."""
+        joints, = self.joints
+        inside = parameters[(parameters >= joints[0]) & (parameters <= joints[-1])]
+        return np.interp(inside, joints, np.linspace(0.0, 1.0, len(joints)))
+
 
 def curve_forms(curve):
-    """The Forms of a curve: one, or more where its knots break it. Raises ValueError with a sentence."""
+    """The Forms of a curve: one, or more where its knots break it. Raises Refusal with a sentence."""
     _require_degree(curve.degree)
     if isinstance(curve, sc.HermiteCurve) or _is_plain_cubic(curve):
         return [_chain(curve)]
@@ -59,7 +71,7 @@ def patch_forms(patch):
 
 def _require_degree(degree):
     if degree > MOST_DEGREE:
-        raise ValueError(f"its degree is {degree}: Blender's own curves and surfaces end at {MOST_DEGREE}")
+        raise Refusal(f"its degree is {degree}: Blender's own curves and surfaces end at {MOST_DEGREE}")
 
 
 def _is_plain_cubic(curve):
@@ -69,16 +81,16 @@ def _is_plain_cubic(curve):
 def _chain(curve):
     """A cubic Bezier curve or a Hermite chain as a Bezier spline, cyclic where a chain closes."""
     cubics = np.array([piece.points for piece in curve.to_bezier()])
-    places = np.concatenate([cubics[:, 0], cubics[-1:, 3]])
+    positions = np.concatenate([cubics[:, 0], cubics[-1:, 3]])
     left = np.concatenate([2 * cubics[:1, 0] - cubics[:1, 1], cubics[:, 2]])
     right = np.concatenate([cubics[:, 1], 2 * cubics[-1:, 3] - cubics[-1:, 2]])
     joints = np.array([0.0, 1.0])
     if isinstance(curve, sc.HermiteCurve):
         joints = curve.parameters
-        left[0] = places[0] - (joints[1] - joints[0]) / 3 * curve.tangents[0, 0]
-        right[-1] = places[-1] + (joints[-1] - joints[-2]) / 3 * curve.tangents[-1, 1]
-    points = np.stack([left, places, right], axis=1)
-    is_closed = len(points) > 2 and np.array_equal(places[0], places[-1])
+        left[0] = positions[0] - (joints[1] - joints[0]) / 3 * curve.tangents[0, 0]
+        right[-1] = positions[-1] + (joints[-1] - joints[-2]) / 3 * curve.tangents[-1, 1]
+    points = np.stack([left, positions, right], axis=1)
+    is_closed = len(points) > 2 and np.array_equal(positions[0], positions[-1])
     if is_closed:
         points[0, 0] = points[-1, 0]
         points = points[:-1]
@@ -187,21 +199,21 @@ def _with_positive_weights(axes, net, joints):
             inner = bad[bad[:, i] % axis.degree != 0, i]
             spans = np.unique(inner // axis.degree)
             joints[i] = np.union1d(joints[i], (joints[i][spans] + joints[i][spans + 1]) / 2)
-    raise ValueError(_NEAR_INFINITY)
+    raise Refusal(_NEAR_INFINITY)
 
 
 def _require_finite_joints(axes, weights):
     at_joints = weights[np.ix_(*(range(0, weights.shape[i], axis.degree) for i, axis in enumerate(axes)))]
     if (at_joints <= 0).any():
-        raise ValueError(_AT_INFINITY)
+        raise Refusal(_AT_INFINITY)
 
 
 def _in_single(points):
-    """The points rounded as Blender will hold them. Raises ValueError where it cannot."""
+    """The points rounded as Blender will hold them. Raises Refusal where it cannot."""
     with np.errstate(over='ignore'):
         single = points.astype(np.float32)
     if not np.isfinite(single).all():
-        raise ValueError("a point is farther away than Blender can hold (3.4e38)")
+        raise Refusal("a point is farther away than Blender can hold (3.4e38)")
     if points.shape[-1] == 4 and (single[..., 3] == 0).any():
-        raise ValueError(_NEAR_INFINITY)
+        raise Refusal(_NEAR_INFINITY)
     return points

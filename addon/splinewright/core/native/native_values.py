@@ -52,10 +52,10 @@ def surface_value(spline, name):
 def _chain(points, is_cyclic):
     """The cubics of a Bezier spline: a span is 1 long, so tangents are three times the handles."""
     tangents = np.stack([3 * (points[:, 1] - points[:, 0]), 3 * (points[:, 2] - points[:, 1])], axis=1)
-    places = points[:, 1]
+    positions = points[:, 1]
     if is_cyclic:
-        places, tangents = np.concatenate([places, places[:1]]), np.concatenate([tangents, tangents[:1]])
-    return sc.HermiteCurve(places, tangents)
+        positions, tangents = np.concatenate([positions, positions[:1]]), np.concatenate([tangents, tangents[:1]])
+    return sc.HermiteCurve(positions, tangents)
 
 
 def _polygon(points, is_cyclic):

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..infinity import foot_of
-from .net import Spline
+from .exact_net import Spline
 from .net_vertices import Vertices
 
 

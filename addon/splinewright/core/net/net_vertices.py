@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .net import Net
+from .exact_net import Net
 
 
 class Vertices:

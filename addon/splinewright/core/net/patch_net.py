@@ -76,11 +76,11 @@ def _arrows(vertices, pieces, nets):
     """An arrow for each direction at infinity."""
     pool, known = vertices.pool, set()
     for piece, net in zip(pieces, nets):
-        for place in np.argwhere(pool[net, 3] == 0):
-            row = net[tuple(place)]
+        for at in np.argwhere(pool[net, 3] == 0):
+            row = net[tuple(at)]
             if row not in known:
                 known.add(row)
-                vertices.arrow(row, foot_of(pool, net, place, piece.periodic))
+                vertices.arrow(row, foot_of(pool, net, at, piece.periodic))
 
 
 class _Handles:

@@ -2,8 +2,9 @@
 
 import math
 
+from ..failures import Refusal
 from ..library import sc
-from .recipe import Made, Parameter, Recipe
+from .recipe import Result, Parameter, Recipe
 
 _FORM = Parameter("form", "Form", "Which of the usual NURBS forms", "square", choices=(
     ("square", "Square", "Four quarters with their outer points on a square"),
@@ -13,7 +14,7 @@ _FORM = Parameter("form", "Form", "Which of the usual NURBS forms", "square", ch
 
 
 def _by_weight(points, weight):
-    return Made(sc.conics.conic_arc(*points, weight))
+    return Result(sc.conics.conic_arc(*points, weight))
 
 
 def _five_points(points):
@@ -22,12 +23,12 @@ def _five_points(points):
 
 def _ellipse(points, form):
     centre, end_a, end_b = points
-    return Made(sc.conics.ellipse(centre, end_a - centre, end_b - centre, form))
+    return Result(sc.conics.ellipse(centre, end_a - centre, end_b - centre, form))
 
 
 def _hyperbola(points):
     centre, vertex, end_b = points
-    return Made(sc.conics.hyperbola(centre, vertex - centre, end_b - centre))
+    return Result(sc.conics.hyperbola(centre, vertex - centre, end_b - centre))
 
 
 def _foci(points, distance):
@@ -44,11 +45,11 @@ def _equation(points, **coefficients):
 
 
 def _circle(points, radius, form):
-    return Made(sc.conics.circle((0, 0, 0), radius, form=form))
+    return Result(sc.conics.circle((0, 0, 0), radius, form=form))
 
 
 def _arc(points, radius, start, sweep):
-    return Made(sc.conics.arc((0, 0, 0), (radius, 0, 0), (0, radius, 0), start, sweep))
+    return Result(sc.conics.arc((0, 0, 0), (radius, 0, 0), (0, radius, 0), start, sweep))
 
 
 _NOTHING = {'empty': "no real point", 'point': "one point only"}
@@ -57,8 +58,8 @@ _NOTHING = {'empty': "no real point", 'point': "one point only"}
 def _whole(conic):
     curves = sc.conics.from_implicit(conic)
     if not curves:
-        raise ValueError(f"no curve: the equation has {_NOTHING.get(conic.type, conic.type)}")
-    return Made(curves if len(curves) > 1 else curves[0])
+        raise Refusal(f"no curve: the equation has {_NOTHING.get(conic.type, conic.type)}")
+    return Result(curves if len(curves) > 1 else curves[0])
 
 
 RECIPES = (

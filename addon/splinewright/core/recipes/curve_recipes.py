@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from ..failures import Refusal
 from ..library import sc
-from .recipe import Made, Parameter, Recipe
+from .recipe import Result, Parameter, Recipe
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from the formulas", 1e-6, 1e-12, unit='LENGTH')
 _PARAMETERS = Parameter("parametrisation", "Parameters", "How the parameters of the points are spaced", "centripetal", choices=(
@@ -24,11 +25,11 @@ _ZIGZAG = ((-1, 0, 0), (-0.5, 2, 0), (0, 0, 0), (0.5, -2, 0), (1, 0, 0), (1.5, 2
 
 
 def _catmull_rom(points, parametrisation, tension, closed, ends):
-    return Made(sc.build.catmull_rom(points, parametrisation, tension, closed, ends))
+    return Result(sc.build.catmull_rom(points, parametrisation, tension, closed, ends))
 
 
 def _kochanek_bartels(points, tension, continuity, bias, parametrisation, closed, ends):
-    return Made(sc.build.kochanek_bartels(points, tension, continuity, bias, parametrisation, closed, ends))
+    return Result(sc.build.kochanek_bartels(points, tension, continuity, bias, parametrisation, closed, ends))
 
 
 #: A polynomial that misses its points by more than this part of their extent is none of use.
@@ -40,19 +41,19 @@ def _polynomial(points, parametrisation, spline):
     curve = sc.build.polynomial_through(points, parameters)
     missed = float(np.linalg.norm(curve.evaluate(parameters) - points, axis=1).max())
     if not missed <= _MOST_MISSED * np.ptp(points, axis=0).max():
-        raise ValueError(f"{len(points)} points are too many for one polynomial: in double precision it would miss them "
+        raise Refusal(f"{len(points)} points are too many for one polynomial: in double precision it would miss them "
                          f"by {missed:.2g}")
     beside = [sc.build.catmull_rom(points, parameters)] if spline else []
-    return Made([curve, *beside] if beside else curve, missed if missed > _SEEN * np.abs(points).max() else 0.0)
+    return Result([curve, *beside] if beside else curve, missed if missed > _SEEN * np.abs(points).max() else 0.0)
 
 
 def _osculating(points, derivatives):
     size = 1 + derivatives
     if len(points) % size or len(points) < 2 * size:
-        raise ValueError(f"{len(points)} points are not two or more groups of {size}: a point and the heads of its derivatives")
+        raise Refusal(f"{len(points)} points are not two or more groups of {size}: a point and the heads of its derivatives")
     groups = points.reshape(-1, size, 3).copy()
     groups[:, 1:] -= groups[:, :1]
-    return Made(sc.build.osculating_polynomial(list(groups), np.linspace(0.0, 1.0, len(groups))))
+    return Result(sc.build.osculating_polynomial(list(groups), np.linspace(0.0, 1.0, len(groups))))
 
 
 #: An error below this part of the size is rounding.
@@ -60,11 +61,11 @@ _SEEN = 1e-12
 
 
 def _spacing(points, parametrisation):
-    """Parameters in [0, 1]. Raises ValueError where two points in a row are one."""
+    """Parameters in [0, 1]. Raises Refusal where two points in a row are one."""
     power = {'uniform': 0.0, 'centripetal': 0.5, 'chordal': 1.0}[parametrisation]
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1) ** power
     if not steps.all():
-        raise ValueError(f"points {np.argmin(steps) + 1} and {np.argmin(steps) + 2} are one: choose uniform parameters")
+        raise Refusal(f"points {np.argmin(steps) + 1} and {np.argmin(steps) + 2} are one: choose uniform parameters")
     knots = np.concatenate([[0.0], np.cumsum(steps)])
     return knots / knots[-1]
 
@@ -72,26 +73,26 @@ def _spacing(points, parametrisation):
 def _helix(points, radius, end_radius, height, turns, tolerance):
     sweep = 2 * np.pi * turns
     if sweep == 0.0:
-        raise ValueError("a helix needs some turns")
+        raise Refusal("a helix needs some turns")
     constants = {'r': radius, 'd': end_radius - radius, 'h': height, 'q': sweep}
-    return Made(*sc.build.curve_from_formulas(
+    return Result(*sc.build.curve_from_formulas(
         ["(r + d*t)*cos(q*t)", "(r + d*t)*sin(q*t)", "h*t"], (0.0, 1.0), tolerance=tolerance, constants=constants))
 
 
 def _formula(points, x, y, z, start, end, constants, tolerance):
     known = constants_of(constants)
     if not start < end:
-        raise ValueError("the last t is not above the first")
+        raise Refusal("the last t is not above the first")
     formulas = [formula_of(name, text, ("t",), known) for name, text in (("x", x), ("y", y), ("z", z))]
-    return Made(*sc.build.curve_from_formulas(formulas, (start, end), tolerance=tolerance))
+    return Result(*sc.build.curve_from_formulas(formulas, (start, end), tolerance=tolerance))
 
 
 def formula_of(name, text, variables, constants):
-    """A Formula. Raises ValueError that begins with the name, such as x(t)."""
+    """A Formula. Raises Refusal that begins with the name, such as x(t)."""
     try:
         return sc.Formula(text, variables, constants)
     except sc.FormulaError as error:
-        raise ValueError(f"{name}({', '.join(variables)}): {error}") from error
+        raise Refusal(f"{name}({', '.join(variables)}): {error}") from error
 
 
 def _at_commas(text):
@@ -109,16 +110,16 @@ def _at_commas(text):
 def constants_of(text):
     """The numbers by name in a text such as "a = 2, b = pi/3"; a number may use those before it.
 
-    Raises ValueError where one has no name or no value.
+    Raises Refusal where one has no name or no value.
     """
     found = {}
     for part in filter(str.strip, _at_commas(text)):
         name, equals, value = part.partition("=")
         if not equals:
-            raise ValueError(f"'{part.strip()}' is no constant: write a name, = and a number")
+            raise Refusal(f"'{part.strip()}' is no constant: write a name, = and a number")
         number = float(sc.Formula(value, ("_",), found).evaluate(0.0, at_undefined="nan"))
         if not np.isfinite(number):
-            raise ValueError(f"the constant {name.strip()} has no finite value")
+            raise Refusal(f"the constant {name.strip()} has no finite value")
         found[name.strip()] = number
     return found
 

@@ -1,7 +1,7 @@
 """What is made from other objects, live."""
 
 from .. import teaching
-from .recipe import Made, Parameter, Recipe
+from .recipe import Result, Parameter, Recipe
 
 _PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
 _SCHEME = Parameter("scheme", "Scheme", "Which points are shown", "de_boor", choices=(
@@ -12,15 +12,15 @@ _SCHEME = Parameter("scheme", "Scheme", "Which points are shown", "de_boor", cho
 
 
 def _follow(inputs):
-    return Made(inputs[0])
+    return Result(inputs[0])
 
 
 def _basis(inputs, piece, width, height):
-    return Made(teaching.basis_graphs(teaching.nurbs_of(inputs[0], piece).knot_vector, width, height))
+    return Result(teaching.basis_graphs(teaching.nurbs_of(inputs[0], piece).knot_vector, width, height))
 
 
 def _construction(inputs, piece, position, scheme, marker):
-    return Made(teaching.construction(teaching.nurbs_of(inputs[0], piece), position, scheme, marker))
+    return Result(teaching.construction(teaching.nurbs_of(inputs[0], piece), position, scheme, marker))
 
 
 RECIPES = (

@@ -22,7 +22,7 @@ class Parameter:
     choices: tuple = ()                 # of texts: (value, label, description)
 
 
-class Made(NamedTuple):
+class Result(NamedTuple):
     """What a recipe made, and how far that may lie from what was asked for: 0 where it is exact."""
 
     value: object                       # a splinecore value or a Definition
@@ -40,7 +40,7 @@ class Recipe:
     label: str
     description: str
     parameters: tuple                   # of Parameter
-    make: Callable                      # (points or inputs, **parameters) -> Made; raises ValueError or ArithmeticError
+    make: Callable                      # (points or inputs, **parameters) -> Result; raises Refusal or an error of the library
     points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters say all
     has_any_count: bool = False         # of points
     resolution: int = 32

@@ -5,9 +5,10 @@ import math
 import numpy as np
 
 from .. import definition as definitions
+from ..failures import Refusal
 from ..library import sc
 from .curve_recipes import constants_of, formula_of
-from .recipe import Made, Parameter, Recipe
+from .recipe import Result, Parameter, Recipe
 
 _RADIUS = Parameter("radius", "Radius", "Distance from the axis or the middle", 1.0, 1e-6, unit='LENGTH')
 _HEIGHT = Parameter("height", "Height", "Along the axis", 2.0, 1e-6, unit='LENGTH')
@@ -30,7 +31,7 @@ def _turn(sweep):
 
 
 def _plane(points, width, depth):
-    return Made(sc.build.plane((-width / 2, -depth / 2, 0.0), (width, 0.0, 0.0), (0.0, depth, 0.0)))
+    return Result(sc.build.plane((-width / 2, -depth / 2, 0.0), (width, 0.0, 0.0), (0.0, depth, 0.0)))
 
 
 def _cylinder(points, radius, height, start, sweep, caps):
@@ -52,30 +53,30 @@ def _cone(points, radius, top_radius, height, start, sweep, caps):
 
 
 def _sphere(points, radius, start, sweep):
-    return Made(sc.build.sphere(_ORIGIN, radius, _UP, start, _turn(sweep)))
+    return Result(sc.build.sphere(_ORIGIN, radius, _UP, start, _turn(sweep)))
 
 
 def _torus(points, radius, tube_radius, start, sweep):
-    return Made(sc.build.torus(_ORIGIN, _UP, radius, tube_radius, start, _turn(sweep)))
+    return Result(sc.build.torus(_ORIGIN, _UP, radius, tube_radius, start, _turn(sweep)))
 
 
 def _formula(points, x, y, z, start_u, end_u, start_v, end_v, constants, tolerance):
     if not (start_u < end_u and start_v < end_v):
-        raise ValueError("the last u or v is not above the first")
+        raise Refusal("the last u or v is not above the first")
     known = constants_of(constants)
     formulas = [formula_of(name, text, ("u", "v"), known) for name, text in (("x", x), ("y", y), ("z", z))]
-    return Made(*sc.build.patch_from_formulas(formulas, (start_u, end_u), (start_v, end_v), tolerance=tolerance))
+    return Result(*sc.build.patch_from_formulas(formulas, (start_u, end_u), (start_v, end_v), tolerance=tolerance))
 
 
 def _curves(definition):
     if not definition.has_curves:
-        raise ValueError("it is made of patches: a curve is needed")
+        raise Refusal("it is made of patches: a curve is needed")
     value = definitions.to_value(definition)
     return value if isinstance(value, list) else [value]
 
 
 def _patches(patches):
-    return Made(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
 
 
 def _revolve(inputs, axis, start, sweep):
@@ -90,7 +91,7 @@ def _extrude(inputs, x, y, z):
 def _ruled(inputs, turned):
     first, second = map(_curves, inputs)
     if len(first) != len(second):
-        raise ValueError(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
+        raise Refusal(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
     return _patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
 
 

@@ -4,6 +4,7 @@ import bpy
 from bpy.props import BoolProperty
 
 from ...core import starters
+from . import new_shapes
 from .adding import AddShape, count_property, degree_property, enough_points, knots_property, resolution_property
 
 
@@ -21,7 +22,7 @@ class SPLINEWRIGHT_OT_add_bezier_curve(AddShape, bpy.types.Operator):
 
     def draw_shape(self, layout):
         layout.prop(self, "degree")
-        layout.prop(self, "resolution_u", text="Resolution")
+        new_shapes.draw(self, layout)
 
 
 class SPLINEWRIGHT_OT_add_hermite_curve(AddShape, bpy.types.Operator):
@@ -42,7 +43,7 @@ class SPLINEWRIGHT_OT_add_hermite_curve(AddShape, bpy.types.Operator):
     def draw_shape(self, layout):
         layout.prop(self, "count")
         layout.prop(self, "closed")
-        layout.prop(self, "resolution_u", text="Resolution")
+        new_shapes.draw(self, layout)
 
 
 class SPLINEWRIGHT_OT_add_nurbs_curve(AddShape, bpy.types.Operator):
@@ -64,7 +65,7 @@ class SPLINEWRIGHT_OT_add_nurbs_curve(AddShape, bpy.types.Operator):
         layout.prop(self, "degree")
         layout.prop(self, "count")
         layout.prop(self, "knots")
-        layout.prop(self, "resolution_u", text="Resolution")
+        new_shapes.draw(self, layout)
 
 
 CLASSES = (SPLINEWRIGHT_OT_add_bezier_curve, SPLINEWRIGHT_OT_add_hermite_curve,

@@ -3,6 +3,7 @@
 import bpy
 
 from ...core import starters
+from . import new_shapes
 from .adding import AddShape, count_property, degree_property, enough_points, knots_property, resolution_property
 
 
@@ -14,12 +15,7 @@ def draw_pairs(operator, layout, *names):
         column.prop(operator, f"{name}_v", text="V")
 
 
-class AddPatch(AddShape):
-    def resolution(self):
-        return self.resolution_u, self.resolution_v
-
-
-class SPLINEWRIGHT_OT_add_bezier_patch(AddPatch, bpy.types.Operator):
+class SPLINEWRIGHT_OT_add_bezier_patch(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_bezier_patch"
     bl_label = "Add Bezier Patch"
     bl_description = "Add one Bezier patch of any degrees"
@@ -34,10 +30,11 @@ class SPLINEWRIGHT_OT_add_bezier_patch(AddPatch, bpy.types.Operator):
         return starters.bezier_patch(self.degree_u, self.degree_v)
 
     def draw_shape(self, layout):
-        draw_pairs(self, layout, "degree", "resolution")
+        draw_pairs(self, layout, "degree")
+        new_shapes.draw(self, layout)
 
 
-class SPLINEWRIGHT_OT_add_hermite_patch(AddPatch, bpy.types.Operator):
+class SPLINEWRIGHT_OT_add_hermite_patch(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_hermite_patch"
     bl_label = "Add Hermite Patch"
     bl_description = "Add a bicubic Ferguson patch: corners, tangents, and twists of zero"
@@ -52,10 +49,11 @@ class SPLINEWRIGHT_OT_add_hermite_patch(AddPatch, bpy.types.Operator):
         return starters.hermite_patch(self.count_u, self.count_v)
 
     def draw_shape(self, layout):
-        draw_pairs(self, layout, "count", "resolution")
+        draw_pairs(self, layout, "count")
+        new_shapes.draw(self, layout)
 
 
-class SPLINEWRIGHT_OT_add_nurbs_patch(AddPatch, bpy.types.Operator):
+class SPLINEWRIGHT_OT_add_nurbs_patch(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_nurbs_patch"
     bl_label = "Add NURBS Patch"
     bl_description = "Add a NURBS patch: a sheet, a tube where one direction is periodic, a torus where both are"
@@ -77,10 +75,11 @@ class SPLINEWRIGHT_OT_add_nurbs_patch(AddPatch, bpy.types.Operator):
                                     (self.knots_u, self.knots_v))
 
     def draw_shape(self, layout):
-        draw_pairs(self, layout, "degree", "count", "knots", "resolution")
+        draw_pairs(self, layout, "degree", "count", "knots")
+        new_shapes.draw(self, layout)
 
 
-class SPLINEWRIGHT_OT_add_teapot(AddPatch, bpy.types.Operator):
+class SPLINEWRIGHT_OT_add_teapot(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_teapot"
     bl_label = "Add Newell's Teapot"
     bl_description = "Add the Utah teapot: 32 Bezier patches on one pool of points"
@@ -93,7 +92,7 @@ class SPLINEWRIGHT_OT_add_teapot(AddPatch, bpy.types.Operator):
         return starters.teapot()
 
     def draw_shape(self, layout):
-        draw_pairs(self, layout, "resolution")
+        new_shapes.draw(self, layout)
 
 
 CLASSES = (SPLINEWRIGHT_OT_add_bezier_patch, SPLINEWRIGHT_OT_add_hermite_patch,

@@ -3,10 +3,11 @@
 import bpy
 from bpy.props import IntProperty
 
-from ...bridge import made
+from ...bridge import remaking
 from ...core import starters
 from ...core.recipes.table import STARTING
 from .. import recipe_props
+from . import new_shapes
 from .adding import AddShape, resolution_property
 
 
@@ -21,14 +22,14 @@ class _AddRecipe(AddShape):
         points = recipe.start_for(values) * self.size
         if recipe.has_any_count:
             points = _spread(points, self.count)
-        return made.new_data(recipe.label, recipe, values, points, self.resolution())
+        return remaking.new_data(recipe.label, recipe, values, points, new_shapes.start(self))
 
     def draw_shape(self, layout):
         for parameter in self.recipe.parameters:
             layout.prop(self, parameter.name)
         if self.recipe.has_any_count:
             layout.prop(self, "count")
-        layout.prop(self, "resolution_u", text="Resolution")
+        new_shapes.draw(self, layout)
 
     def draw_size(self, layout):
         if self.recipe.points:
@@ -42,6 +43,12 @@ def _spread(points, count):
     return starters.runge(count) * abs(points).max()
 
 
+def _label(recipe):
+    """Those from formulas do not say what they are."""
+    noun = "Surface " if recipe.is_surface else "Curve "
+    return f"Add {noun if recipe.label.startswith('From ') else ''}{recipe.label}"
+
+
 def _class_for(recipe):
     annotations = {parameter.name: recipe_props.property_of(parameter) for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
@@ -50,8 +57,9 @@ def _class_for(recipe):
             name="Points", description="How many; other than at first they lie on Runge's curve, 1 / (1 + 25 x²)",
             default=len(recipe.points), min=3, max=200, soft_max=32)
     name = f"SPLINEWRIGHT_OT_add_{recipe.kind}"
-    return type(name, (_AddRecipe, bpy.types.Operator), {
-        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': f"Add {recipe.label}",
+    faces = (new_shapes.Faces,) if recipe.is_surface else ()
+    return type(name, (*faces, _AddRecipe, bpy.types.Operator), {
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe),
         'bl_description': recipe.description, 'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
 
 

@@ -1,13 +1,14 @@
 """What all Add operators have in common."""
 
 import bpy
-from bpy.props import FloatProperty, IntProperty
+from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
 from ...core import starters
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from .. import progress
+from . import new_shapes, reports
 
 
 def can_add(cls, context):
@@ -17,16 +18,17 @@ def can_add(cls, context):
         return False
     try:
         require_place(context)
-    except ValueError as error:
+    except Refusal as error:
         cls.poll_message_set(sentence(error))
         return False
     return True
 
 
 def require_place(context):
-    """Raises ValueError where no object can be added."""
-    if context.scene.library or (context.collection and context.collection.library):
-        raise ValueError("the active collection is linked from another file")
+    """Raises Refusal where no object can be added."""
+    collection = context.collection
+    if context.scene.library or (collection and (collection.library or collection.override_library)):
+        raise Refusal("the active collection is linked from another file")
 
 
 def add_in_front(context, ob, sources):
@@ -48,6 +50,9 @@ class AddShape(AddObjectHelper):
     size: FloatProperty(
         name="Radius", description="Distance from the middle to the sides",
         default=1.0, min=0.0001, soft_max=100.0, unit='LENGTH')
+    # In place of those of Blender's helper, which presets would hold.
+    location: FloatVectorProperty(name="Location", subtype='TRANSLATION', options={'SKIP_SAVE'})
+    rotation: FloatVectorProperty(name="Rotation", subtype='EULER', options={'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):
@@ -58,18 +63,15 @@ class AddShape(AddObjectHelper):
 
     def new_data(self, step):
         """The Mesh or Curve of what is added."""
-        return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), self.resolution(), step)
-
-    def resolution(self):
-        return self.resolution_u, self.resolution_u
+        return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), new_shapes.start(self), step)
 
     def execute(self, context):
+        new_shapes.settle(self)
         try:
             with progress.shown(context, shape.STEPS) as step:
                 data = self.new_data(step)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
         self._align(context)
         object_data_add(context, data, operator=self)
         return {'FINISHED'}

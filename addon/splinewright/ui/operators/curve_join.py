@@ -5,8 +5,10 @@ from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing, store
 from ...core import joints
-from ...core.failures import FAILURES, sentence
-from . import polls
+from ...core.failures import FAILURES
+from .. import hand
+from . import polls, reports
+from .pick_piece import draw_number
 from .pieces import tolerance_property, told
 from .selected import OnSelected
 
@@ -19,7 +21,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     bl_label = "Join Ends"
     bl_description = ("Make two curves one where their nearest ends meet, and say how far they moved: "
                       "two pieces of the active shape, or one of each of two selected shapes")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the curves share where they meet",
                              items=[(name, name, _WORDS[name]) for name in joints.SMOOTHNESS])
@@ -32,15 +34,20 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     def poll(cls, context):
         return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
 
+    def invoke(self, context, event):
+        hand.begin_pair(self, context)
+        return self.execute(context)
+
     def execute(self, context):
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
+        parted = hand.count_of(ob.data) if others else None
         try:
             outcome = self._joined(ob, others)
         except FAILURES as error:
-            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"Joined ends of {ob.name}" + told([outcome]))
-        return {'FINISHED'}
+            return reports.failed(self, error, ob.name)
+        hand.keep(ob.data, outcome[1].parents)
+        hand.note_pair(self, ob, outcome[1].parents, parted)
+        return reports.finished(self, reports.Said(f"Joined ends of {ob.name}" + told([outcome])))
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
@@ -56,8 +63,8 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
         layout = self.layout
         layout.use_property_split = True
         layout.row().prop(self, "continuity", expand=True)
-        layout.prop(self, "first")
-        layout.prop(self, "second")
+        draw_number(layout, self, "first")
+        draw_number(layout, self, "second")
 
 
 class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
@@ -65,6 +72,7 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     bl_label = "Join Pieces"
     bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
                       "The way back from To Bezier Chain")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
 
@@ -75,10 +83,11 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
         before = store.read(ob.data)
         changed = joints.chained(before, self.tolerance)
         replacing.put(ob.data, before, changed)
+        hand.keep(ob.data, changed.parents)
         return before, changed
 
-    def report_done(self, outcomes):
-        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+    def said(self, outcomes):
+        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
 
 CLASSES = (SPLINEWRIGHT_OT_join_ends, SPLINEWRIGHT_OT_join_pieces)

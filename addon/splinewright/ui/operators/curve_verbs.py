@@ -165,9 +165,10 @@ class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.project_curve"
-    bl_label = "Perspective Image"
+    bl_label = "Take Perspective Image"
     bl_description = ("Project curves from a point onto their object's plane z = 0: a rational curve with other weights, "
                       "exact. Called from a menu, the point is the active camera")
+    bl_options = {'REGISTER', 'UNDO'}
     done = "Projected {}"
 
     eye: FloatVectorProperty(name="Eye", description="Where it is seen from, in the active object's space",
@@ -178,18 +179,18 @@ class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
         eye = self.eye
         if ob != context.object:
             eye = ob.matrix_world.inverted_safe() @ context.object.matrix_world @ eye
-        return replacing.do(ob.data, self.piece, verbs.project(eye), self.already)
+        return self.do(ob, verbs.project(eye))
 
     def invoke(self, context, event):
         camera, ob = context.scene.camera, context.object
         if camera and ob and not self.properties.is_property_set('eye'):
             self.eye = ob.matrix_world.inverted_safe() @ camera.matrix_world.translation
-        return self.execute(context)
+        return super().invoke(context, event)
 
 
 class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.to_hermite"
-    bl_label = "To Hermite"
+    bl_label = "Convert To Hermite"
     bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
                       "conics within a tolerance, and say how far they moved")
     done, already = "Made {} Hermite", "it is Hermite already"
@@ -203,7 +204,8 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
 _PLAIN = tuple(pieces.plain(OnCurves, *row) for row in (
     ('reverse', "Reverse", "Let curves run the other way over the same domain",
      "Reversed {}", "it is the same in both directions", verbs.reverse),
-    ('standard_form', "Standard Form", "Change the parameter so that both end weights are 1; the curve stays the same",
+    ('standard_form', "Bring To Standard Form",
+     "Change the parameter so that both end weights are 1; the curve stays the same",
      "Brought {} to standard form", "the end weights are 1 already", verbs.standard_form),
     ('clamp', "Clamp", "Let the curve begin and end in its outer control points; it stays the same. "
      "A periodic one is cut at its seam",
@@ -211,9 +213,10 @@ _PLAIN = tuple(pieces.plain(OnCurves, *row) for row in (
     ('unclamp', "Unclamp", "Spread the knots at the ends, so that the curve touches no end point; it stays the same. "
      "A periodic one is opened",
      "Unclamped {}", "its knots go on outside the domain already", verbs.unclamp),
-    ('to_bezier_chain', "To Bezier Chain", "Make every span a Bezier curve of its own, a piece of the same shape",
+    ('to_bezier_chain', "Convert To Bezier Chain",
+     "Make every span a Bezier curve of its own, a piece of the same shape",
      "Made {} Bezier curves", "its pieces are Bezier curves already", verbs.to_bezier_chain),
-    ('to_nurbs', "To NURBS", "Make Bezier curves and Hermite chains NURBS curves; they stay the same",
+    ('to_nurbs', "Convert To NURBS", "Make Bezier curves and Hermite chains NURBS curves; they stay the same",
      "Made {} NURBS", "it is NURBS already", verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,

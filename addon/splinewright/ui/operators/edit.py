@@ -2,9 +2,11 @@
 
 import bpy
 
-from ...core.failures import FAILURES, sentence
-from .. import editing, progress
-from . import polls
+from ...bridge import shape
+from ...bridge.net import net_object
+from ...core.failures import FAILURES
+from .. import editing, messages, progress, texts
+from . import polls, reports
 
 
 class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
@@ -17,7 +19,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def poll(cls, context):
         if not polls.in_object_mode(cls, context):
             return False
-        reason = editing.why_not(context.object)
+        reason = editing.why_not(_shape_in_hand(context))
         if reason:
             cls.poll_message_set(reason)
         return not reason
@@ -25,17 +27,21 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def execute(self, context):
         try:
             with progress.shown(context, len(context.selected_objects)) as step:
-                editing.enter(context, context.object, step)
+                editing.enter(context, _shape_in_hand(context), step)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
         return {'FINISHED'}
 
 
-class SPLINEWRIGHT_OT_leave_net(bpy.types.Operator):
-    bl_idname = "splinewright.leave_net"
-    bl_label = "Leave Net"
-    bl_description = "Put the control net away; the shape keeps every digit"
+def _shape_in_hand(context):
+    """The active shape, or the one whose net was kept and is active."""
+    ob = context.object
+    return net_object.shape_of(ob) if net_object.is_net(ob) else ob
+
+
+class _OnNets:
+    """Works on the nets in Edit Mode."""
+
     bl_options = {'REGISTER', 'UNDO'}
 
     @classmethod
@@ -45,13 +51,54 @@ class SPLINEWRIGHT_OT_leave_net(bpy.types.Operator):
             return False
         return True
 
+
+class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
+    bl_idname = "splinewright.leave_net"
+    bl_label = "Leave Net"
+    bl_description = "Put the control net away; the shape keeps every digit"
+
+    def invoke(self, context, event):
+        """What would be lost is asked for; scripts are not asked."""
+        self._lost = editing.unread(editing.nets_in_edit_mode(context))
+        if not self._lost:
+            return self.execute(context)
+        return context.window_manager.invoke_props_dialog(self, width=460, **_names("Leave Net", "Leave"))
+
+    def draw(self, context):
+        texts.draw_problem(self.layout, f"The net cannot be read: {self._lost}", width=70)
+        self.layout.label(text="Leave without the last changes?")
+
     def execute(self, context):
         nets = editing.nets_in_edit_mode(context)
         with progress.shown(context, len(nets)) as step:
-            problem = editing.leave(context, step)
-        if problem:
-            self.report({'WARNING'}, f"The last state of the net was not taken: {problem}")
-        return {'FINISHED'}
+            lost = editing.leave(context, step)
+        messages.refresh()
+        is_news = lost and not getattr(self, '_lost', "")
+        warnings = (f"The last state of the net was not taken: {lost}",) if is_news else ()
+        return reports.finished(self, reports.Said(warnings=warnings))
 
 
-CLASSES = (SPLINEWRIGHT_OT_edit_net, SPLINEWRIGHT_OT_leave_net)
+def _names(title, button):
+    """For a dialog, where Blender takes names for it; 3.4 has those of the operator."""
+    known = bpy.types.WindowManager.bl_rna.functions['invoke_props_dialog'].parameters.keys()
+    return {name: text for name, text in (('title', title), ('confirm_text', button)) if name in known}
+
+
+class SPLINEWRIGHT_OT_renew_net(_OnNets, bpy.types.Operator):
+    bl_idname = "splinewright.renew_net"
+    bl_label = "Renew Net"
+    bl_description = "Put the net out again from the shape as it is: points that were lost come back, others go"
+
+    def execute(self, context):
+        nets = editing.nets_in_edit_mode(context)
+        try:
+            for owner in filter(None, map(net_object.shape_of, nets)):
+                shape.require_untouched(owner.data)
+        except FAILURES as error:
+            return reports.failed(self, error)
+        warnings = tuple(editing.anew(context, nets))
+        messages.refresh()
+        return reports.finished(self, reports.Said(warnings=warnings))
+
+
+CLASSES = (SPLINEWRIGHT_OT_edit_net, SPLINEWRIGHT_OT_leave_net, SPLINEWRIGHT_OT_renew_net)

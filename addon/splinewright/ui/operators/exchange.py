@@ -3,23 +3,27 @@
 from pathlib import Path
 
 import bpy
-from bpy.props import BoolProperty, StringProperty
+from bpy.props import BoolProperty, CollectionProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from ...bridge import blocks, shape
+from ...bridge import blocks, shape, versions
 from ...core import bpt
 from ...core.definition import ANY_CURVES
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from ...core.library import sc
 from .. import progress
-from .adding import can_add
-
-#: Steps in every span of what is imported.
-_RESOLUTION = (10, 10)
+from . import new_shapes, reports
+from .adding import can_add, resolution_property
 
 
 def _path(operator):
     return Path(bpy.path.abspath(operator.filepath))
+
+
+def _path_property():
+    """In place of those of Blender's helpers, which presets would hold: its file browser shows again what is hidden."""
+    return StringProperty(name="File Path", maxlen=1024, subtype='FILE_PATH',
+                          options={'HIDDEN', 'SKIP_PRESET' if versions.has_skip_preset else 'SKIP_SAVE'})
 
 
 def _printable(text):
@@ -27,10 +31,24 @@ def _printable(text):
     return str(text).encode('utf-8', 'replace').decode('utf-8')
 
 
-class _Import(ImportHelper):
-    """Adds the shapes of a file where their coordinates say, at the origin of the world."""
+def _text_of(path):
+    """What a file says. Raises Refusal where it is no text, OSError where it cannot be read."""
+    try:
+        return path.read_text(encoding='utf-8-sig')
+    except UnicodeDecodeError as error:
+        raise Refusal("it is no text file") from error
 
-    bl_options = {'REGISTER', 'UNDO'}
+
+class _Import(ImportHelper):
+    """Adds the shapes of files where their coordinates say, at the origin of the world."""
+
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    filepath: _path_property()
+    directory: StringProperty(subtype='DIR_PATH', options={'HIDDEN', 'SKIP_SAVE'})
+    files: CollectionProperty(type=bpy.types.OperatorFileListElement, options={'HIDDEN', 'SKIP_SAVE'})
+    resolution_u: resolution_property("U", default=10)
+    resolution_v: resolution_property("V", default=10)
 
     @classmethod
     def poll(cls, context):
@@ -40,38 +58,64 @@ class _Import(ImportHelper):
         """The value of each object that the text of a file makes."""
         raise NotImplementedError
 
-    def execute(self, context):
-        path = _path(self)
-        name = _printable(path.stem)
-        made = []
-        try:
-            values = self.values(path.read_text(encoding='utf-8-sig'))
-            with progress.shown(context, len(values)) as step:
-                for value in values:
-                    made.append(shape.new_data(name, value, _RESOLUTION))
-                    step(len(made))
-        except FAILURES as error:
-            for data in made:
-                blocks.remove(data)
-            self.report({'ERROR'}, f"{_printable(path.name)}: {_printable(sentence(error))}")
-            return {'CANCELLED'}
-        self._link(context, name, made)
-        self.report({'INFO'}, f"Imported {name}")
-        return {'FINISHED'}
+    def invoke(self, context, event):
+        """Files that were dropped need no file browser."""
+        if self.properties.is_property_set("files"):
+            return self.execute(context)
+        return super().invoke(context, event)
 
-    @staticmethod
-    def _link(context, name, made):
-        for ob in context.selected_objects:
-            ob.select_set(False)
-        for data in made:
-            ob = bpy.data.objects.new(name, data)
-            context.collection.objects.link(ob)
-            ob.select_set(True)
-            context.view_layer.objects.active = ob
+    def execute(self, context):
+        paths, made, failed = self._paths(), [], {}
+        with progress.shown(context, len(paths)) as step:
+            for i, path in enumerate(paths):
+                try:
+                    made += self._read(path, lambda part, i=i: step(i + part))
+                except FAILURES as error:
+                    failed[_printable(path.name)] = _printable(sentence(error))
+        reasons = reports.by_name(failed)
+        if not made:
+            return reports.cancelled(self, *reasons)
+        _link(context, made)
+        done = len(paths) - len(failed)
+        what = made[0][0] if len(made) == 1 else f"{len(made)} objects" + (f" of {done} files" if done > 1 else "")
+        return reports.finished(self, reports.Said(f"Imported {what}", warnings=reasons))
+
+    def _paths(self):
+        """The files that were chosen or dropped, or the one that a script names."""
+        folder = Path(bpy.path.abspath(self.directory))
+        return [folder / element.name for element in self.files if element.name] or [_path(self)]
+
+    def _read(self, path, progress):
+        """Pairs of a name and a new data-block for what a file holds. progress is called with the part that is done."""
+        name, made = _printable(path.stem), []
+        try:
+            values = self.values(_text_of(path))
+            for value in values:
+                start = new_shapes.start_of_any(self, is_surface=not isinstance(value, (*ANY_CURVES, list)))
+                made.append((name, shape.new_data(name, value, start)))
+                progress(len(made) / len(values))
+        except Exception:
+            for _, data in made:
+                blocks.remove(data)
+            raise
+        return made
+
+
+def _link(context, made):
+    """New objects of pairs of a name and a data-block, selected in place of what was; the last one is active."""
+    for ob in context.selected_objects:
+        ob.select_set(False)
+    for name, data in made:
+        ob = bpy.data.objects.new(name, data)
+        context.collection.objects.link(ob)
+        ob.select_set(True)
+        context.view_layer.objects.active = ob
 
 
 class _Export(ExportHelper):
     bl_options = {'REGISTER'}
+
+    filepath: _path_property()
 
     @classmethod
     def poll(cls, context):
@@ -87,8 +131,7 @@ class _Export(ExportHelper):
     def execute(self, context):
         path = _path(self)
         if not self.filepath or path.is_dir():
-            self.report({'ERROR'}, "Name a file to write to")
-            return {'CANCELLED'}
+            return reports.cancelled(self, "Name a file to write to")
         # A file that is there stays whole until the new one is.
         partial = path.with_name(path.name + ".part")
         try:
@@ -97,10 +140,8 @@ class _Export(ExportHelper):
         except FAILURES as error:
             if partial.is_file():
                 partial.unlink()
-            self.report({'ERROR'}, f"{context.object.name}: {_printable(sentence(error))}")
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"Exported {_printable(path.name)}")
-        return {'FINISHED'}
+            return reports.cancelled(self, f"{context.object.name}: {_printable(sentence(error))}")
+        return reports.finished(self, reports.Said(f"Exported {_printable(path.name)}"))
 
 
 class _Bpt:
@@ -127,10 +168,11 @@ class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
     bl_idname = "splinewright.export_bpt"
     bl_label = "Export BPT"
     bl_description = "Export the patches of the active shape as Bezier patches, exactly"
+    bl_options = {'REGISTER', 'PRESET'}
 
     def text(self, value):
         if isinstance(value, (*ANY_CURVES, list)):
-            raise TypeError("BPT holds patches, this is a curve")
+            raise Refusal("BPT holds patches, this is a curve")
         if self.flip:
             value = value.flipped() if isinstance(value, sc.PatchSet) else value.swapped()
         return bpt.dumps(value)
@@ -148,7 +190,7 @@ class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
         curves = [item for item in value if isinstance(item, ANY_CURVES)]
         patches = [item for item in value if not isinstance(item, ANY_CURVES)]
         if not value:
-            raise ValueError("the file holds an empty list")
+            raise Refusal("the file holds an empty list")
         return ([curves] if curves else []) + patches
 
 
@@ -164,16 +206,24 @@ class SPLINEWRIGHT_OT_export_json(_Json, _Export, bpy.types.Operator):
 CLASSES = (SPLINEWRIGHT_OT_import_bpt, SPLINEWRIGHT_OT_export_bpt,
            SPLINEWRIGHT_OT_import_json, SPLINEWRIGHT_OT_export_json)
 
-if hasattr(bpy.types, 'FileHandler'):
-    class SPLINEWRIGHT_FH_bpt(bpy.types.FileHandler):
-        bl_idname = "SPLINEWRIGHT_FH_bpt"
-        bl_label = "Bezier Patches"
-        bl_import_operator = "splinewright.import_bpt"
-        bl_export_operator = "splinewright.export_bpt"
-        bl_file_extensions = ".bpt"
+if versions.drops_files:
+    class _Dropped:
+        """Files that are dropped into a 3D view."""
 
         @classmethod
         def poll_drop(cls, context):
             return context.area and context.area.type == 'VIEW_3D'
 
-    CLASSES += (SPLINEWRIGHT_FH_bpt,)
+    class SPLINEWRIGHT_FH_bpt(_Dropped, bpy.types.FileHandler):
+        bl_idname = "SPLINEWRIGHT_FH_bpt"
+        bl_label = "Bezier Patches"
+        bl_import_operator = "splinewright.import_bpt"
+        bl_file_extensions = ".bpt"
+
+    class SPLINEWRIGHT_FH_json(_Dropped, bpy.types.FileHandler):
+        bl_idname = "SPLINEWRIGHT_FH_json"
+        bl_label = "Splinewright Exact Curves and Patches"
+        bl_import_operator = "splinewright.import_json"
+        bl_file_extensions = ".json"
+
+    CLASSES += (SPLINEWRIGHT_FH_bpt, SPLINEWRIGHT_FH_json)

@@ -5,6 +5,7 @@ from bpy.props import EnumProperty
 
 from ...bridge import extracting
 from ...core import patch_curves
+from . import reports
 from .adding import can_add
 from .patch_verbs import AtParameters, OnPatches, direction_property
 
@@ -37,9 +38,9 @@ class _Extract(OnPatches):
         context.collection.objects.link(ob)
         self.added.append(ob)
 
-    def report_done(self, outcomes):
+    def said(self, outcomes):
         left_out = [text for texts in outcomes.values() for text in texts]
-        self.report({'INFO'}, self.summary(outcomes) + (f"; left out: {', '.join(left_out)}" if left_out else ""))
+        return reports.Said(self.summary(outcomes), (f"left out: {', '.join(left_out)}",) if left_out else ())
 
 
 class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):

@@ -3,7 +3,11 @@
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ...bridge import fineness, mesh_looks, replacing, shape
+from ...bridge import fineness, mesh_looks, problems, replacing, settings, shape
+from ...core.failures import Refusal
+from .. import hand
+from . import reports
+from .pick_piece import draw_number
 from .selected import OnSelected
 
 
@@ -14,9 +18,10 @@ class _OnPatches(OnSelected):
 
 class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.tolerance_from_render"
-    bl_label = "Tolerance From Render"
+    bl_label = "Set Tolerance From Render"
     bl_description = ("Show the surface as finely as the scene's camera needs it: where it is nearest, the mesh lies "
                       "within a part of a pixel")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     pixels: FloatProperty(name="Pixels", description="How far the mesh may lie from the surface in the picture",
                           default=0.25, min=0.001, soft_max=4.0)
@@ -25,24 +30,24 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         depsgraph = context.evaluated_depsgraph_get()
         tolerance = self.pixels * fineness.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
         shape.require_writable(ob.data)
-        before, settings = len(ob.data.polygons), ob.data.splinewright
-        least = settings.bl_rna.properties['tolerance'].hard_min
+        before, chosen = len(ob.data.polygons), settings.of(ob.data)
+        least = chosen.bl_rna.properties['tolerance'].hard_min
         if tolerance < least:
-            raise ValueError(f"it would take a tolerance of {tolerance:.2g}, less than the least, {least:.0e}")
-        was = settings.mode, settings.tolerance
-        settings.set_tolerance(tolerance)
-        if settings.problem:
-            problem = settings.problem
-            settings.take_back(*was)
-            raise ValueError(problem)
+            raise Refusal(f"it would take a tolerance of {tolerance:.2g}, less than the least, {least:.0e}")
+        was = chosen.mode, chosen.tolerance
+        settings.set_tolerance(ob.data, tolerance)
+        problem = problems.of(ob.data, problems.SETTING)
+        if problem:
+            settings.put_back(ob.data, *was)
+            problems.tell(ob.data, problems.SETTING, "")
+            raise Refusal(problem)
         return tolerance, before, len(ob.data.polygons)
 
-    def report_done(self, outcomes):
+    def said(self, outcomes):
         if len(outcomes) > 1:
-            self.report({'INFO'}, f"{len(outcomes)} objects are shown as the render needs")
-            return
+            return reports.Said(f"{len(outcomes)} objects are shown as the render needs")
         (name, (tolerance, before, now)), = outcomes.items()
-        self.report({'INFO'}, f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
+        return reports.Said(f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
 
 
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
@@ -57,10 +62,25 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     slot: IntProperty(name="Slot", description="Which material slot, counted from 1; 0 for the active one",
                       default=0, min=0, options={'SKIP_SAVE'})
 
+    def invoke(self, context, event):
+        hand.begin(self, self.chosen(context))
+        return self.execute(context)
+
+    def execute(self, context):
+        hand.forget_asked()
+        for ob in self.chosen(context):
+            hand.note(self, 'piece', ob)
+        return super().execute(context)
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        draw_number(self.layout, self, 'piece')
+        self.layout.prop(self, 'slot')
+
     def work(self, context, ob):
         slot = self.slot or ob.active_material_index + 1
         if slot > len(ob.material_slots):
-            raise ValueError(f"it has {len(ob.material_slots)} material slots, there is none of number {slot}")
+            raise Refusal(f"it has {len(ob.material_slots)} material slots, there is none of number {slot}")
         shape.require_writable(ob.data)
         mesh_looks.set_material(ob.data, self.piece, slot - 1)
 

@@ -4,9 +4,9 @@ import bpy
 from bpy.props import StringProperty
 
 from ...bridge import derived, follow, shape
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal
 from ...core.recipes.table import FOLLOW
-from . import polls
+from . import polls, reports
 from .adding import add_in_front, require_place, resolution_property
 
 
@@ -15,9 +15,10 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
     bl_label = "Follow Object"
     bl_description = ("Add a shape that follows the active curve, surface or shape live; "
                       "with a shape active and another object selected, make that shape follow the other")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    source: StringProperty(name="Object", description="Name of the object to follow; empty: what is selected")
+    source: StringProperty(name="Object", description="Name of the object to follow; empty: what is selected",
+                           options={'SKIP_SAVE'})
     resolution_u: resolution_property("U")
     resolution_v: resolution_property("V")
 
@@ -44,17 +45,15 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
             else:
                 follow.attach(target, source, depsgraph)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"{target.name} follows {source.name}")
-        return {'FINISHED'}
+            return reports.failed(self, error)
+        return reports.finished(self, reports.Said(f"{target.name} follows {source.name}"))
 
     def _chosen(self, context):
         """(the shape that will follow or None for a new one, the object it follows)."""
         if self.source:
             source = context.scene.objects.get(self.source)
             if source is None:
-                raise ValueError(f"there is no object named {self.source} in this scene")
+                raise Refusal(f"there is no object named {self.source} in this scene")
             is_target = shape.has_shape(context.object) and source != context.object
             return (context.object if is_target else None), source
         others = [ob for ob in context.selected_objects if ob != context.object and derived.is_possible(ob)]

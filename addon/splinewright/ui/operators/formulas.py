@@ -4,8 +4,11 @@ import bpy
 from bpy.props import FloatProperty, IntProperty
 
 from ...bridge import replacing, store
-from ...core import formulas, teaching
-from ...core.failures import FAILURES, sentence
+from ...core import decimals, formulas, teaching
+from ...core.failures import FAILURES
+from .. import hand
+from . import reports
+from .pick_piece import draw_number
 
 #: On a text that we wrote: the object it is about.
 _OWNER = "splinewright_formulas_of"
@@ -13,12 +16,13 @@ _OWNER = "splinewright_formulas_of"
 
 class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
     bl_idname = "splinewright.write_formulas"
-    bl_label = "Formulas as Text"
+    bl_label = "Write Formulas as Text"
     bl_description = ("Write the points, the power basis, the conic's equation, and the triangles of basis functions "
                       "and of de Casteljau at a point into a text of the Text Editor")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1", default=1, min=1)
+    piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1", default=1, min=1,
+                       options={'SKIP_SAVE'})
     position: FloatProperty(name="Position", description="Of the triangles: 0 is the start of the curve, 1 its end",
                             default=0.5, min=0.0, max=1.0, precision=5)
 
@@ -29,18 +33,27 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
             return False
         return True
 
+    def invoke(self, context, event):
+        hand.begin(self, [context.object])
+        return self.execute(context)
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        draw_number(self.layout, self, 'piece')
+        self.layout.prop(self, 'position')
+
     def execute(self, context):
         ob = context.object
+        hand.forget_asked()
+        hand.note(self, 'piece', ob)
         try:
             curve = teaching.nurbs_of(store.read(ob.data), self.piece)
-            written = formulas.text(curve, float(str(round(self.position, 7))))
+            written = formulas.text(curve, decimals.typed(self.position))
         except FAILURES as error:
-            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
-            return {'CANCELLED'}
+            return reports.failed(self, error, ob.name)
         text = _text_for(ob)
         text.from_string(written)
-        self.report({'INFO'}, f"{text.name} is in the Text Editor")
-        return {'FINISHED'}
+        return reports.finished(self, reports.Said(f"{text.name} is in the Text Editor"))
 
 
 def _text_for(ob):

@@ -5,16 +5,23 @@ import numpy as np
 from mathutils import Matrix
 
 from ...bridge import derived, follow, shape
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES
 from ...core.recipes.table import DERIVED, FOLLOW
-from .. import recipe_props
+from .. import hand, recipe_props
+from . import new_shapes, reports
 from .adding import add_in_front, can_add, resolution_property
+from .pick_piece import draw_number
+
+#: Kinds of recipes that are called by what they do.
+_VERBS = ('revolve', 'extrude')
+#: Of parameters that mean something for one object only.
+_MORE = {'piece': {'options': {'SKIP_SAVE'}}}
 
 
 class _FromObjects:
     """`recipe` is what it makes, from the selected objects, the active one first."""
 
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     recipe = None
 
     @classmethod
@@ -27,14 +34,22 @@ class _FromObjects:
             return False
         return True
 
+    def invoke(self, context, event):
+        if 'piece' in self.recipe.defaults:
+            hand.begin(self, _sources(context))
+        return self.execute(context)
+
     def execute(self, context):
         sources, recipe = _sources(context), self.recipe
-        values, resolution = recipe_props.typed(recipe, self), (self.resolution_u, self.resolution_u)
+        hand.forget_asked()
+        if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
+            hand.note(self, 'piece', sources[0])
+        new_shapes.settle(self)
+        values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
         except FAILURES as error:
-            self.report({'ERROR'}, f"{sources[0].name}: {sentence(error)}")
-            return {'CANCELLED'}
+            return reports.failed(self, error, sources[0].name)
         if recipe.is_beside:
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)
@@ -44,8 +59,11 @@ class _FromObjects:
         layout = self.layout
         layout.use_property_split = True
         for parameter in self.recipe.parameters:
-            layout.prop(self, parameter.name)
-        layout.prop(self, "resolution_u", text="Resolution")
+            if parameter.name == 'piece':
+                draw_number(layout, self, parameter.name)
+            else:
+                layout.prop(self, parameter.name)
+        new_shapes.draw(self, layout)
 
 
 def _sources(context):
@@ -67,11 +85,18 @@ def _corners(ob):
     return shape.points_of(ob.data) if shape.has_shape(ob) else np.array(ob.bound_box)
 
 
+def _label(recipe):
+    """What Undo History shows: a verb."""
+    return recipe.label if recipe.kind in _VERBS else f"Add {recipe.label}"
+
+
 def _class_for(recipe):
-    annotations = {parameter.name: recipe_props.property_of(parameter) for parameter in recipe.parameters}
+    annotations = {parameter.name: recipe_props.property_of(parameter, **_MORE.get(parameter.name, {}))
+                   for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
-    return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (_FromObjects, bpy.types.Operator), {
-        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': recipe.label, 'bl_description': recipe.description,
+    faces = (new_shapes.Faces,) if recipe.is_surface else ()
+    return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (*faces, _FromObjects, bpy.types.Operator), {
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'bl_description': recipe.description,
         'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
 
 

@@ -3,14 +3,15 @@
 import bpy
 
 from ...bridge import recipes, shape, store
-from ...bridge.net import live, net
+from ...bridge.net import live, net_object
 from ...core import infinity
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES, Refusal, sentence
 from .. import editing, net_props
+from . import reports
 
 
 class _OnSelectedPoints:
-    """Changes the rows of the pool behind the selected points of the nets in Edit Mode."""
+    """Changes the rows of the pool behind the selected points of the nets in Edit Mode: of all shapes, or of none."""
 
     bl_options = {'REGISTER', 'UNDO'}
 
@@ -27,30 +28,41 @@ class _OnSelectedPoints:
 
     def execute(self, context):
         nets = editing.nets_in_edit_mode(context)
-        try:
-            changes = [change for change in map(self._change, nets) if change]
-            if not changes:
-                raise ValueError("select points of the net")
-            for data, definition in changes:
-                shape.set_definition(data, definition)
-        except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
-        editing.anew(context, nets)
-        return {'FINISHED'}
+        chosen = {ob: rows for ob in nets if (rows := _selected_rows(ob))}
+        if not chosen:
+            return reports.cancelled(self, "select points of the net")
+        plans, failed = [], {}
+        for ob, rows in chosen.items():
+            try:
+                plans.append(self._planned(ob, rows))
+            except FAILURES as error:
+                failed[_name(ob)] = sentence(error)
+        if failed:
+            return reports.cancelled(self, *(reports.by_name(failed) if len(nets) > 1 else failed.values()))
+        for plan in plans:
+            shape.carry_out(plan)
+        return reports.finished(self, reports.Said(warnings=editing.anew(context, nets)))
 
-    def _change(self, ob):
-        """(data-block, definition) of a net's shape, or None where nothing is selected."""
-        _, vertices = net_props.chosen(ob.data)
-        rows = sorted({int(row) for row in live.session(ob.data).net.rows[vertices] if row >= 0})
-        if not rows:
-            return None
+    def _planned(self, ob, rows):
+        """The shape.Plan for the shape of a net."""
+        owner = net_object.shape_of(ob)
+        if owner is None:
+            raise Refusal("the shape of this net was deleted, or is in no scene")
         live.pull(ob)
         if live.problem(ob):
-            raise ValueError(live.problem(ob))
-        data = net.shape_of(ob).data
-        recipes.require_free(data)
-        return data, self.changed(store.read(data), rows)
+            raise Refusal(live.problem(ob))
+        recipes.require_free(owner.data)
+        return shape.planned(owner.data, self.changed(store.read(owner.data), rows))
+
+
+def _selected_rows(ob):
+    _, vertices = net_props.chosen(ob.data)
+    return sorted({int(row) for row in live.session(ob.data).net.rows[vertices] if row >= 0})
+
+
+def _name(ob):
+    owner = net_object.shape_of(ob)
+    return owner.name if owner else ob.name
 
 
 class SPLINEWRIGHT_OT_point_to_infinity(_OnSelectedPoints, bpy.types.Operator):

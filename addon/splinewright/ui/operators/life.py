@@ -1,11 +1,10 @@
-"""Restore, Detach, Apply Transform, Join: what becomes of a shape as a whole."""
+"""Restore, Detach, Apply Transform: what becomes of a shape as a whole."""
 
 import bpy
 from bpy.props import BoolProperty
 
-from ...bridge import joining, recipes, shape, transforming
-from ...core.failures import FAILURES, sentence
-from . import polls
+from ...bridge import recipes, shape, transforming
+from ...core.failures import Refusal
 from .selected import OnSelected
 
 
@@ -42,7 +41,7 @@ class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
 
     def work(self, context, ob):
         if not recipes.has(ob.data):
-            raise ValueError("it follows nothing, has no recipe and is editable already")
+            raise Refusal("it follows nothing, has no recipe and is editable already")
         shape.require_writable(ob.data)
         recipes.remove(ob.data)
 
@@ -51,6 +50,7 @@ class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.apply_transform"
     bl_label = "Apply Transform"
     bl_description = "Move location, rotation and scale of the object into the definition; nothing moves on the screen"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     done = "Applied the transform of {}"
 
     location: BoolProperty(name="Location", default=True, description="Apply the location")
@@ -71,34 +71,5 @@ class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
         transforming.adopt(ob.data)
 
 
-class SPLINEWRIGHT_OT_join(bpy.types.Operator):
-    bl_idname = "splinewright.join"
-    bl_label = "Join Shapes"
-    bl_description = "Make the selected shapes one shape of all their pieces, in the place of the active one"
-    bl_options = {'REGISTER', 'UNDO'}
-
-    @classmethod
-    def poll(cls, context):
-        chosen = context.selected_objects
-        if not polls.in_object_mode(cls, context):
-            return False
-        if not shape.has_shape(context.object) or not context.object.select_get():
-            cls.poll_message_set("Select shapes, the one to keep last")
-            return False
-        if len(chosen) < 2 or not all(shape.has_shape(ob) and ob.type == context.object.type for ob in chosen):
-            cls.poll_message_set("Select two or more shapes, all of curves or all of patches")
-            return False
-        return True
-
-    def execute(self, context):
-        others = [ob for ob in context.selected_objects if ob != context.object]
-        try:
-            joining.join(context.object, others)
-        except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
-        return {'FINISHED'}
-
-
 CLASSES = (SPLINEWRIGHT_OT_restore, SPLINEWRIGHT_OT_detach, SPLINEWRIGHT_OT_make_editable,
-           SPLINEWRIGHT_OT_apply_transform, SPLINEWRIGHT_OT_adopt_transform, SPLINEWRIGHT_OT_join)
+           SPLINEWRIGHT_OT_apply_transform, SPLINEWRIGHT_OT_adopt_transform)

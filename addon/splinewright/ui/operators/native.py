@@ -4,7 +4,9 @@ import bpy
 
 from ...bridge import shape, store
 from ...bridge.native import make_exact, to_native
+from . import reports
 from .selected import OnSelected
+
 
 def _is_native(ob):
     return ob.type in ('CURVE', 'SURFACE') and not store.has_definition(ob.data)
@@ -13,15 +15,13 @@ def _is_native(ob):
 class _Conversion(OnSelected):
     """work() gives an Outcome and sentences."""
 
-    def report_done(self, outcomes):
-        for name, (outcome, notes) in outcomes.items():
-            if outcome.dropped:
-                self.report({'WARNING'}, f"{name}: without {', '.join(outcome.dropped)}")
-            for note in notes:
-                self.report({'INFO'}, f"{name}: {note}")
+    def said(self, outcomes):
         measured = [outcome.deviation for outcome, _ in outcomes.values() if outcome.deviation is not None]
         distance = f": Blender's points lie within {max(measured):.1e} of the exact ones" if measured else ""
-        self.report({'INFO'}, f"{self.summary(outcomes)}{distance}")
+        notes = {name: "; ".join(notes) for name, (_, notes) in outcomes.items() if notes}
+        dropped = {name: f"without {', '.join(outcome.dropped)}" for name, (outcome, _) in outcomes.items()
+                   if outcome.dropped}
+        return reports.Said(self.summary(outcomes) + distance, reports.by_name(notes), reports.by_name(dropped))
 
 
 class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
@@ -39,7 +39,7 @@ class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_to_native(_Conversion, bpy.types.Operator):
     bl_idname = "splinewright.to_native"
-    bl_label = "To Blender's Own"
+    bl_label = "Convert To Blender's Own"
     bl_description = ("Turn selected Splinewright shapes into Blender's own curves and surfaces of the same geometry, "
                       "in their place; meshes of patches become surfaces")
     needs = "Select a Splinewright shape"

@@ -7,9 +7,11 @@ from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing
 from ...core import patch_joints
-from ...core.failures import FAILURES, sentence
+from ...core.failures import FAILURES
 from ...core.patch_curves import SIDES
-from . import polls
+from .. import hand
+from . import polls, reports
+from .pick_piece import draw_number
 
 _WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
@@ -35,7 +37,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     bl_label = "Join Patches"
     bl_description = ("Let two patches go on as one another where their nearest sides meet, and say what was achieved "
                       "and how far they moved: two of the active shape, or one of each of two selected shapes")
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
                              items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS])
@@ -49,20 +51,23 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     def poll(cls, context):
         return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
 
+    def invoke(self, context, event):
+        hand.begin_pair(self, context)
+        return self.execute(context)
+
     def execute(self, context):
         ob = context.object
         other = next((other for other in context.selected_objects if other != ob), None)
+        parted = hand.count_of(ob.data) if other else None
         try:
             found = joining.join_patches(ob, other, self._choice('first'), self._choice('second'), self.continuity,
                                          self.moves)
         except FAILURES as error:
-            self.report({'ERROR'}, f"{ob.name}: {sentence(error)}")
-            return {'CANCELLED'}
-        self.report({'INFO'}, f"{ob.name}: {told(found)}")
-        if found.came_apart:
-            seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
-            self.report({'WARNING'}, f"{ob.name}: {seams} with other patches came apart")
-        return {'FINISHED'}
+            return reports.failed(self, error, ob.name)
+        hand.note_pair(self, ob, found.changed.parents, parted)
+        seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
+        lost = (f"{seams} with other patches came apart",) if found.came_apart else ()
+        return reports.finished(self, reports.Said(f"{ob.name}: {told(found)}", warnings=lost))
 
     def _choice(self, which):
         side = getattr(self, f"{which}_side")
@@ -75,7 +80,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
         layout.row().prop(self, "moves", expand=True)
         for name in ("first", "second"):
             column = layout.column(align=True)
-            column.prop(self, name)
+            draw_number(column, self, name)
             column.prop(self, f"{name}_side")
 
 

@@ -6,7 +6,7 @@ They are those of curves, done along u, along v, or along both, one after the ot
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import replacing
+from ...bridge import replacing, settings
 from ...core import parameters, patch_verbs, verbs
 from . import pieces
 from .pieces import parameter_property, times_property, tolerance_property
@@ -185,6 +185,7 @@ class SPLINEWRIGHT_OT_patch_swap(OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.patch_swap"
     bl_label = "Swap U and V"
     bl_description = "Exchange both directions of patches, which turns their normals; the shape stays the same"
+    bl_options = {'REGISTER', 'UNDO'}
     done, already = "Swapped u and v of {}", "u and v are the same"
 
     def verb(self):
@@ -192,9 +193,9 @@ class SPLINEWRIGHT_OT_patch_swap(OnPatches, bpy.types.Operator):
 
     def work(self, context, ob):
         """The resolutions are exchanged with the directions, where all are."""
-        outcome, settings = super().work(context, ob), ob.data.splinewright
+        outcome, chosen = super().work(context, ob), settings.of(ob.data)
         if self.piece == 0 or len(outcome[0].pieces) == 1:
-            settings.set_resolution(settings.resolution_v, settings.resolution_u)
+            settings.set_resolution(ob.data, chosen.resolution_v, chosen.resolution_u)
         return outcome
 
 
@@ -247,13 +248,13 @@ class SPLINEWRIGHT_OT_patch_make_periodic(_Along, bpy.types.Operator):
 
 
 _PLAIN = tuple(pieces.plain(OnPatches, *row) for row in (
-    ('patch_to_bezier', "To Bezier Patches", "Make every span a Bezier patch of its own, a piece of the same shape; "
-     "neighbours share their points",
+    ('patch_to_bezier', "Convert To Bezier Patches",
+     "Make every span a Bezier patch of its own, a piece of the same shape; neighbours share their points",
      "Made {} Bezier patches", "its pieces are Bezier patches already", patch_verbs.to_bezier),
-    ('patch_to_hermite', "To Hermite", "Make patches of degree 3 or less without weights Hermite patches; "
-     "they stay the same",
+    ('patch_to_hermite', "Convert To Hermite",
+     "Make patches of degree 3 or less without weights Hermite patches; they stay the same",
      "Made {} Hermite", "it is Hermite already", patch_verbs.to_hermite),
-    ('patch_to_nurbs', "To NURBS", "Make Bezier and Hermite patches NURBS patches; they stay the same",
+    ('patch_to_nurbs', "Convert To NURBS", "Make Bezier and Hermite patches NURBS patches; they stay the same",
      "Made {} NURBS", "it is NURBS already", patch_verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_patch_insert_knot, SPLINEWRIGHT_OT_patch_remove_knot, SPLINEWRIGHT_OT_patch_remove_knots,

@@ -9,8 +9,11 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ...bridge import replacing, store
-from ...core import parameters, verbs
+from ...core import decimals, verbs
 from ...core.failures import FAILURES
+from .. import hand
+from . import reports
+from .pick_piece import draw_number
 from .selected import OnSelected
 
 
@@ -32,6 +35,7 @@ def tolerance_property(what, default, least=0.0):
 class OnPieces(OnSelected):
     """Does verb() with pieces of every selected shape that fits; `already` is said where that changes nothing."""
 
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     already = "nothing changes"
     #: Names of settings whose choices are shown side by side.
     expanded = ()
@@ -46,25 +50,43 @@ class OnPieces(OnSelected):
     @property
     def length(self):
         """The tolerance, as it was typed."""
-        return parameters.exact(self.tolerance)
+        return decimals.typed(self.tolerance)
 
     def settings(self):
         """Names of the properties in the redo panel above the piece."""
         return [name for name in type(self).__annotations__ if name != 'piece']
 
-    def work(self, context, ob):
-        return replacing.do(ob.data, self.piece, self.verb(), self.already)
+    def invoke(self, context, event):
+        hand.begin(self, self.chosen(context))
+        return self.execute(context)
 
-    def report_done(self, outcomes):
-        self.report({'INFO'}, self.summary(outcomes) + told(outcomes.values()))
+    def execute(self, context):
+        hand.forget_asked()
+        for ob in self.chosen(context):
+            hand.note(self, 'piece', ob)
+        return super().execute(context)
+
+    def work(self, context, ob):
+        return self.do(ob, self.verb())
+
+    def do(self, ob, verb):
+        """Do a verb with the piece of a shape, or with all; the definition before and the verbs.Changed."""
+        outcome = replacing.do(ob.data, self.piece, verb, self.already)
+        hand.keep(ob.data, outcome[1].parents)
+        hand.note(self, 'piece', ob, [parent + 1 for parent in outcome[1].parents])
+        return outcome
+
+    def said(self, outcomes):
+        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
     def draw(self, context):
         self.layout.use_property_split = True
-        for name in (*self.settings(), 'piece'):
+        for name in self.settings():
             if name in self.expanded:
                 self.layout.row().prop(self, name, expand=True)
             else:
                 self.layout.prop(self, name)
+        draw_number(self.layout, self, 'piece')
 
 
 def told(outcomes):
@@ -103,6 +125,7 @@ class FromActive:
     def invoke(self, context, event):
         """With one piece, where no value fits all."""
         is_given = self.properties.is_property_set
+        hand.begin(self, self.chosen(context))
         try:
             found = verbs.pieces_of(store.read(self._a_shape(context).data))
             if self.piece == 0 and not is_given('piece') and len({piece.domain for piece in found}) > 1:
@@ -157,5 +180,5 @@ class Reparametrises:
 def plain(base, name, label, description, done, already, verb):
     """The operator of a verb without settings."""
     members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
-               'already': already, 'verb': lambda self: verb(), '__annotations__': {}}
+               'already': already, 'verb': lambda self: verb(), 'bl_options': OnSelected.bl_options, '__annotations__': {}}
     return type(f"SPLINEWRIGHT_OT_{name}", (base, bpy.types.Operator), members)

@@ -2,7 +2,7 @@
 
 from ...core.failures import FAILURES, sentence
 from .. import progress
-from . import polls
+from . import polls, reports
 
 
 class OnSelected:
@@ -30,6 +30,15 @@ class OnSelected:
         return True
 
     def execute(self, context):
+        outcomes, failed = self._work_on_all(context)
+        reasons = reports.by_name(failed)
+        if not outcomes:
+            return reports.cancelled(self, *reasons)
+        said = self.said(outcomes)
+        return reports.finished(self, said._replace(warnings=(*said.warnings, *reasons)))
+
+    def _work_on_all(self, context):
+        """What work() gave, and why it failed, by name. Should it break, Blender makes an undo step of what was done."""
         chosen = self.chosen(context)
         names, outcomes, failed = [ob.name for ob in chosen], {}, {}
         with progress.shown(context, len(chosen)) as step:
@@ -39,17 +48,11 @@ class OnSelected:
                 except FAILURES as error:
                     failed[names[i]] = sentence(error)
                 step(i + 1)
-        for name, reason in failed.items():
-            is_named = reason.startswith(name)
-            self.report({'WARNING' if outcomes else 'ERROR'}, reason if is_named else f"{name}: {reason}")
-        if not outcomes:
-            return {'CANCELLED'}
-        self.report_done(outcomes)
-        return {'FINISHED'}
+        return outcomes, failed
 
-    def report_done(self, outcomes):
-        """Say what was done. outcomes: what work() gave for each name."""
-        self.report({'INFO'}, self.summary(outcomes))
+    def said(self, outcomes):
+        """The reports.Said of what was done. outcomes: what work() gave for each name."""
+        return reports.Said(self.summary(outcomes))
 
     def summary(self, outcomes):
         return self.done.format(list(outcomes)[0] if len(outcomes) == 1 else f"{len(outcomes)} objects")

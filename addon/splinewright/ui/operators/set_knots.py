@@ -1,13 +1,18 @@
 """Edit the knots of a shape as text, also while its net is edited."""
 
+from contextlib import suppress
+
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
 from ...bridge import recipes, shape, store
-from ...bridge.net import live, net
+from ...bridge.file_state import state
+from ...bridge.net import live, net_object
 from ...core import knots
 from ...core.failures import FAILURES, sentence
-from .. import editing
+from .. import editing, hand, texts
+from . import reports
+from .pick_piece import draw_number
 
 
 class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
@@ -16,12 +21,15 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
     bl_description = "Give a piece of the shape other knots; of a Hermite piece, other parameters"
     bl_options = {'REGISTER', 'UNDO'}
 
-    piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1)
-    axis: EnumProperty(name="Axis", description="Direction of a patch", items=(
+    piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1,
+                       options={'SKIP_SAVE'})
+    axis: EnumProperty(name="Axis", description="Direction of a patch", options={'SKIP_SAVE'}, items=(
         ('U', "U", "The knots along u, or of a curve"), ('V', "V", "The knots along v")))
     knots: StringProperty(
         name="Knots", description="Numbers with spaces between, none smaller than the one before; "
-        "the parameters of a Hermite piece grow from each to the next")
+        "the parameters of a Hermite piece grow from each to the next", options={'SKIP_SAVE'})
+    #: The piece and axis whose knots the text was read from; "" where a script gave it.
+    shown: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):
@@ -31,56 +39,76 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
         return True
 
     def invoke(self, context, event):
+        owner = _shape_in_hand(context)
+        hand.forget_asked()
+        hand.begin(self, [owner])
         try:
-            self._show_knots(context)
+            self._show_knots(owner.data)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
+            return reports.failed(self, error)
+        state.asking.add(self.bl_idname)
         return context.window_manager.invoke_props_dialog(self, width=700)
 
+    def cancel(self, context):
+        state.asking.discard(self.bl_idname)
+
     def check(self, context):
-        """The dialog was changed: with another piece or axis it shows the knots of that."""
-        if self._shown == (self.piece, self.axis):
+        """A setting was changed: with another piece or axis the text becomes the knots of that."""
+        owner = _shape_in_hand(context)
+        if owner is None or not self._is_of_another():
             return False
-        try:
-            self._show_knots(context)
-        except FAILURES as error:
-            self.knots, self._shown = sentence(error), (self.piece, self.axis)
+        with suppress(*FAILURES):       # draw() tells of it
+            self._show_knots(owner.data)
         return True
 
-    def _show_knots(self, context):
-        definition = store.read(_shape_in_hand(context).data)
-        self.knots = knots.text_of(definition, self.piece - 1, self._axis())
-        self._shown = self.piece, self.axis
+    def _place(self):
+        return f"{self.piece} {self.axis}"
+
+    def _is_of_another(self):
+        """Whether the text was read for another piece or axis than is set now."""
+        return self.shown not in ("", self._place())
+
+    def _show_knots(self, data):
+        self.knots = knots.text_of(store.read(data), self.piece - 1, self._axis())
+        self.shown = self._place()
 
     def draw(self, context):
-        definition = store.read(_shape_in_hand(context).data)
+        owner = _shape_in_hand(context)
+        if owner is None:
+            return
+        definition = store.read(owner.data)
         row = self.layout.row()
         if len(definition.pieces) > 1:
-            row.prop(self, "piece")
+            draw_number(row, self, "piece")
         if not definition.has_curves:
             row.row().prop(self, "axis", expand=True)
-        self.layout.prop(self, "knots", text="")
+        if not self._is_of_another():
+            self.layout.prop(self, "knots", text="")
+            return
+        try:
+            knots.text_of(definition, self.piece - 1, self._axis())
+        except FAILURES as error:
+            texts.draw_problem(self.layout, sentence(error), width=100)
 
     def execute(self, context):
+        self.cancel(context)            # the dialog is closed
         owner = _shape_in_hand(context)
+        hand.forget_asked()
+        hand.note(self, 'piece', owner)
         editing_nets = editing.nets_in_edit_mode(context)
         for ob in editing_nets:
             live.pull(ob)
             if live.problem(ob):
-                self.report({'ERROR'}, live.problem(ob))
-                return {'CANCELLED'}
+                return reports.cancelled(self, live.problem(ob))
         try:
             recipes.require_free(owner.data)
-            shape.require_untouched(owner.data)
+            if self._is_of_another():   # the redo panel calls no check() before
+                self._show_knots(owner.data)
             changed = knots.replaced(store.read(owner.data), self.piece - 1, self._axis(), self.knots)
             shape.set_definition(owner.data, changed)
         except FAILURES as error:
-            self.report({'ERROR'}, sentence(error))
-            return {'CANCELLED'}
-        if editing_nets:
-            editing.anew(context, editing_nets)
-        return {'FINISHED'}
+            return reports.failed(self, error)
+        return reports.finished(self, reports.Said(warnings=editing.anew(context, editing_nets) if editing_nets else ()))
 
     def _axis(self):
         return 'UV'.index(self.axis)
@@ -89,8 +117,8 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 def _shape_in_hand(context):
     """The active shape, or the one whose net is active in Edit Mode."""
     ob = context.object
-    if net.is_net(ob) and ob.mode == 'EDIT':
-        return net.shape_of(ob)
+    if net_object.is_net(ob) and ob.mode == 'EDIT':
+        return net_object.shape_of(ob)
     return ob if shape.has_shape(ob) and ob.mode == 'OBJECT' and not editing.why_not(ob) else None
 
 

@@ -1,0 +1,142 @@
+"""Shapes that move, as plain meshes and curves that move the same where Splinewright is missing.
+
+Each frame is a shape key, of which one F-curve picks those to show. The baked data-block points to the one that it stands
+for, which so stays in the file: that is the way back.
+"""
+
+from dataclasses import dataclass, field
+
+import bpy
+import numpy as np
+
+from ..core.failures import Refusal
+from . import animation, blocks, follow, recipes, shape, stamp, store, write_mesh
+from .native import native_links
+
+KEY = "splinewright_baked"
+_VERSION = 1
+#: The largest number of bytes that a data-block may take.
+_MOST = 4 * 10 ** 9
+
+
+@dataclass
+class Take:
+    """The points of a data-block in some frames."""
+
+    frames: list
+    points: list = field(default_factory=list)      # of (n, 3) float32, one for each frame
+
+    @property
+    def moves(self):
+        return any(not np.array_equal(points, self.points[0]) for points in self.points)
+
+
+def record(scene, shapes, frames):
+    """Steps, one for each frame, that end with {data-block: Take} for those Meshes and Curves. The scene is at the frame
+    where it was afterwards, also where they are not gone to the end.
+
+    Raises Refusal where a shape cannot be baked: now, or at the step of the frame that shows it.
+    """
+    if not frames:
+        raise Refusal("the last frame lies before the first")
+    _require_no_other_followers(shapes)
+    for data in shapes:
+        _require_bakeable(data, len(frames))
+    return _recorded(scene, shapes, frames)
+
+
+def _recorded(scene, shapes, frames):
+    takes, stamps = {data: Take(list(frames)) for data in shapes}, {}
+    was, within = scene.frame_current, scene.frame_subframe
+    try:
+        for frame in frames:
+            scene.frame_set(frame)
+            for data, take in takes.items():
+                now = stamp.of(data)
+                if not stamp.same_topology(stamps.setdefault(data, now), now):
+                    raise Refusal(_OTHER_TOPOLOGY.format(data.name, frame, frames[0]))
+                take.points.append(shape.points_of(data).astype(np.float32))
+            yield
+    finally:
+        scene.frame_set(was, subframe=within)
+    return takes
+
+
+_OTHER_TOPOLOGY = ("{0} has other faces, or points, at frame {1} than at frame {2}, and shape keys only move them: "
+                   "choose Faces By Count and a resolution that is not keyed")
+
+
+def _require_bakeable(data, count):
+    shape.require_writable(data)
+    shape.require_untouched(data)
+    for user in native_links.users_of(data):
+        if user.library or user.override_library:
+            raise Refusal(f"{user.name} is linked from another file and cannot be changed here")
+    size = 12 * count * len(shape.points_of(data))
+    if size > _MOST:
+        raise Refusal(f"{data.name} would take {size / 1e9:.1f} GB for {count} frames: bake fewer, or show it by fewer faces")
+
+
+def _require_no_other_followers(shapes):
+    for follower, source in follow.links():
+        if source.data in shapes and follower not in shapes:
+            raise Refusal(f"{follower.name} follows {source.name}: bake both together")
+
+
+def bake(data, take):
+    """Put a Mesh or Curve that moves by itself in the place of a shape's; that new data-block."""
+    baked = data.copy()
+    baked.name = f"{data.name} Baked"
+    store.remove(baked)
+    recipes.remove(baked)
+    if isinstance(baked, bpy.types.Mesh):
+        write_mesh.let_normals_turn(baked)
+    _add_keys(baked, take)
+    baked[KEY] = {'version': _VERSION, 'original': data, 'first': take.frames[0], 'last': take.frames[-1]}
+    for user in native_links.users_of(data):
+        user.data = baked
+    return baked
+
+
+def _add_keys(data, take):
+    """A shape key for each frame, and the F-curve that goes through them, straight from one to the next."""
+    holder = bpy.data.objects.new(data.name, data)
+    for frame, points in zip(take.frames, take.points):
+        block = holder.shape_key_add(name=f"Frame {frame}", from_mix=False)
+        block.data.foreach_set('co', points.ravel())
+    bpy.data.objects.remove(holder)
+    keys = data.shape_keys
+    keys.use_relative = False
+    for frame, block in zip(take.frames, keys.key_blocks):
+        keys.eval_time = block.frame
+        keys.keyframe_insert('eval_time', frame=frame)
+    for curves in animation.curve_lists(keys.animation_data):
+        for curve in curves:
+            for point in curve.keyframe_points:
+                point.interpolation = 'LINEAR'
+
+
+def is_baked(data):
+    return data is not None and KEY in data.keys() and store.is_group(data[KEY])
+
+
+def frames(data):
+    """The first and last frame of what is baked, as words."""
+    return f"{data[KEY].get('first')} to {data[KEY].get('last')}"
+
+
+def unbake(data):
+    """Put the shape that a baked data-block stands for back in its place. Raises Refusal where that is no more."""
+    original = data[KEY].get('original') if is_baked(data) else None
+    if type(original) is not type(data) or not store.has_definition(original):
+        raise Refusal(f"the shape that {data.name} was baked from is not there any more")
+    if native_links.users_of(original):
+        original = original.copy()      # this one is a copy of a baked shape that is live again
+    for user in native_links.users_of(data):
+        user.data = original
+    keys = data.shape_keys
+    action = keys.animation_data.action if keys and keys.animation_data else None
+    blocks.remove(data)
+    if action is not None and not action.users:
+        bpy.data.actions.remove(action)
+    return original

@@ -1,0 +1,83 @@
+"""What Splinewright remembers of the open file beside what the file says itself.
+
+All of it is worked out anew where it is missing, and forgotten when another file is opened: it holds no truth.
+"""
+
+from dataclasses import dataclass, field, fields
+
+import bpy
+
+
+@dataclass
+class FileState:
+    """Data-blocks and objects stand here by their keys: references die with undo."""
+
+    is_scanned: bool = False                            # whether the file was looked through since it was opened
+    followers: set = field(default_factory=set)         # data-blocks that are made from objects; a hint
+    owners: dict = field(default_factory=dict)          # of a follower the key of the object in whose space it lies, or None
+    nets: set = field(default_factory=set)              # objects that are nets; a hint
+    kept: set = field(default_factory=set)              # nets that were left by other ways and hold what no shape took
+    sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session, or why there is none
+    problems: dict = field(default_factory=dict)        # of a data-block its problems, by what they are about
+    selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
+    drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
+    handed: int = 0                                     # the last operator whose copies ui.editing looked at
+    status: str = ""                                    # what ui.messages says in the status bar
+    quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
+    shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
+    definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
+    touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
+    surveys: dict = field(default_factory=dict)         # of bridge.surveys
+    suspended: list = field(default_factory=list)       # of ui.saving
+    asking: set = field(default_factory=set)            # names of open dialogs that ask for a piece
+    asked: dict = field(default_factory=dict)           # of ui.hand: what the last operator asked for pieces of
+    picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
+    hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
+    selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
+    last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
+    errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
+    looks_left: int = 0
+    is_deaf: bool = False                               # whether the main thread left another one waiting
+    served: tuple = None                                # the frame, and the part of it, that it was not
+    missed: int = 0                                     # frames that were rendered without shapes brought up to date
+
+
+state = FileState()
+
+
+def forget():
+    """Another file is open."""
+    fresh = FileState()
+    for each in fields(FileState):
+        setattr(state, each.name, getattr(fresh, each.name))
+
+
+def look_again(block):
+    """A data-block changed in whatever way: what was worked out for showing it may not be so any more."""
+    name = key(block)
+    state.selected.pop(name, None)
+    state.drawn.pop(name, None)
+
+
+def key(block):
+    """(the name of its kind, its name, the file it is linked from or ""): what tells it from all others of the file."""
+    kind = 'curves' if isinstance(block, bpy.types.Curve) else block.bl_rna.identifier
+    return kind, block.name, block.library.filepath if block.library else ""
+
+
+_COLLECTIONS = {'curves': 'curves', 'Mesh': 'meshes', 'Object': 'objects'}
+
+
+def block_of(key):
+    """The data-block that has a key, or None."""
+    kind, name, library = key
+    return getattr(bpy.data, _COLLECTIONS[kind]).get((name, library or None))
+
+
+def remember(known, key, value, most):
+    """Keep a value in a dictionary of at most so many; the oldest go."""
+    known.pop(key, None)
+    while len(known) >= most:
+        del known[next(iter(known))]
+    known[key] = value
+    return value

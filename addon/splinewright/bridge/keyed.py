@@ -1,0 +1,74 @@
+"""What keys and drivers change: the parameters of recipes, and the settings of how finely a shape is shown.
+
+Blender sets them while it evaluates, when no geometry may be written. They are shown by the handlers that it calls when it
+has done so.
+"""
+
+import bpy
+
+from ..core.failures import told
+from . import animation, follow, parameters, problems, recipes, remaking, settings, shape, store
+from .file_state import key, state
+
+
+def set_parameters(data, changes, depsgraph=None):
+    """Change parameters of a recipe by name. Raises, and changes nothing, where nothing comes of it."""
+    if recipes.follows(data):
+        follow.set_parameters(data, changes, depsgraph or bpy.context.evaluated_depsgraph_get())
+    else:
+        remaking.set_parameters(data, changes)
+
+
+def is_shape(block):
+    """Whether it is a shape whose parameters or settings have keys or drivers."""
+    return isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and not block.library and bool(_paths(block))
+
+
+def _paths(data):
+    """The data paths of a shape's parameters and settings that have keys or drivers."""
+    if data.animation_data is None or not store.has_definition(data):
+        return set()
+    return {path for path in animation.paths(data) if path.startswith((_OF_SETTINGS, _OF_PARAMETERS))}
+
+
+#: Beginnings of data paths.
+_OF_SETTINGS, _OF_PARAMETERS = "splinewright.", "splinewright_parameters."
+
+
+def show(changed, depsgraph):
+    """Show what changed data-blocks were given; those that were written. In a render the originals are given nothing."""
+    return {data for data in changed if is_shape(data) and _show(data, data.evaluated_get(depsgraph), depsgraph)}
+
+
+def _show(data, evaluated, depsgraph):
+    """Whether the shape changed. Whatever goes wrong is kept in words: others are to be shown, too."""
+    try:
+        paths = _paths(data)
+        is_other = any(path.startswith(_OF_SETTINGS) for path in paths) and _take_settings(data, evaluated)
+        changes = _changes(data, evaluated, {path.removeprefix(_OF_PARAMETERS) for path in paths})
+        if changes:
+            set_parameters(data, changes, depsgraph)
+        elif is_other:
+            shape.rewrite(data)
+        problems.tell(data, problems.KEYED, "")
+        return is_other or bool(changes)
+    except Exception as error:
+        problems.tell(data, problems.KEYED, told(error))
+        return False
+
+
+def _take_settings(data, evaluated):
+    """Whether a shape was written by other settings than it has now."""
+    given = settings.values(evaluated)
+    settings.take(data, given)
+    return state.shown.get(key(data)) != given
+
+
+def _changes(data, evaluated, names):
+    """{name: value} of those parameters that are other than the recipe's. names: of properties."""
+    stored = recipes.read(data)
+    if stored is None:
+        return {}
+    given = parameters.changes(stored.recipe, stored.values, parameters.of(evaluated))
+    return {parameter.name: given[parameter.name] for parameter in stored.recipe.parameters
+            if parameter.name in given and parameters.name_of(stored.recipe, parameter) in names}

@@ -1,0 +1,170 @@
+"""The net of curves as a Curve. Points are numbered by their tilt and marked by their radius, which show nothing here.
+
+What can be selected has a place: each point, and of a Bezier point its left handle, itself and its right handle, spline
+by spline.
+"""
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+from ...core.net import strays
+from ...core.net.reading import Present
+
+_HANDLES = ('handle_left', 'co', 'handle_right')
+_FLAGS = ('select_left_handle', 'select_control_point', 'select_right_handle')
+
+
+def make(name, net):
+    """A new Curve that shows the net of curves."""
+    curve = bpy.data.curves.new(f"{name} Net", 'CURVE')
+    curve.dimensions = '3D'
+    first = number = 0
+    marks = strays.marks(len(net.spline_points[0]))
+    for part in net.splines:
+        spline = curve.splines.new(part.kind)
+        if part.kind == 'BEZIER':
+            last = first + 3 * part.count
+            _fill_bezier(spline, part, net.single[first:last].reshape(-1, 3, 3))
+        else:
+            last = first + part.count
+            spline.points.add(part.count - 1)
+            rows = np.column_stack([net.single[first:last], net.single_weights[first:last]])
+            spline.points.foreach_set('co', rows.ravel())
+        spline.use_cyclic_u = part.closed
+        numbers = np.arange(number, number + part.count)
+        _points_of(spline).foreach_set('tilt', numbers.astype(np.float32))
+        _points_of(spline).foreach_set('radius', marks[numbers])
+        first, number = last, number + part.count
+    curve.update_tag()
+    return curve
+
+
+def _fill_bezier(spline, part, triples):
+    spline.bezier_points.add(part.count - 1)
+    for point, smooth in zip(spline.bezier_points, part.smooth):
+        point.handle_left_type = point.handle_right_type = 'ALIGNED' if smooth else 'FREE'
+    for i, name in enumerate(_HANDLES):
+        spline.bezier_points.foreach_set(name, np.ascontiguousarray(triples[:, i]).ravel())
+
+
+def _points_of(spline):
+    return spline.bezier_points if spline.type == 'BEZIER' else spline.points
+
+
+def present(curve, net):
+    """The Present points and handles of a Curve that was made of a net."""
+    marks = strays.marks(len(net.spline_points[0]))
+    vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net, marks) for spline in curve.splines)])
+    rows = np.concatenate([np.empty((0, 4), np.float32), *map(_rows, curve.splines)])
+    return Present(vertices, lambda: rows[:, :3], lambda: rows[:, 3], lambda: _links(curve), _void(curve, vertices))
+
+
+def _void(curve, vertices):
+    """(m,) bool: handles that lead to points that are new, by which Blender shortened them; None where there are none."""
+    void, first = np.zeros(len(vertices), bool), 0
+    for spline in curve.splines:
+        last = first + (3 if spline.type == 'BEZIER' else 1) * len(_points_of(spline))
+        if spline.type == 'BEZIER':
+            is_new = vertices[first + 1:last:3] < 0
+            before, after = np.roll(is_new, 1), np.roll(is_new, -1)
+            if not spline.use_cyclic_u:
+                before[:1] = after[-1:] = False
+            void[first:last:3], void[first + 2:last:3] = before, after
+        first = last
+    return void if void.any() else None
+
+
+def _numbered(spline, net, marks):
+    """The vertices of the net that the points and handles of a spline carry, -1 for none."""
+    is_bezier = spline.type == 'BEZIER'
+    first, are_bezier = net.spline_points
+    tilts, radii = (_values(_points_of(spline), name, 1)[:, 0] for name in ('tilt', 'radius'))
+    whole = np.isfinite(tilts) & (tilts == np.rint(tilts))
+    numbers = strays.of_net(np.where(whole, np.abs(tilts), -1).astype(np.int64), radii, marks)
+    known = numbers >= 0
+    known[known] = are_bezier[numbers[known]] == is_bezier      # otherwise the spline is of another type now
+    vertices = np.full((len(tilts), 3 if is_bezier else 1), -1)
+    vertices[known] = first[numbers[known], None]
+    if is_bezier:                       # switching the direction turns tilts over, and exchanges the handles
+        vertices[known] += np.where(np.signbit(tilts[known])[:, None], (2, 1, 0), (0, 1, 2))
+    return vertices.ravel()
+
+
+def _rows(spline):
+    """(k, 4) float32: the places of a spline and their weights."""
+    if spline.type != 'BEZIER':
+        return _values(spline.points, 'co', 4)
+    triples = np.stack([_values(spline.bezier_points, name, 3) for name in _HANDLES], 1)
+    return np.column_stack([triples.reshape(-1, 3), np.ones(3 * len(triples), np.float32)])
+
+
+def _values(points, name, width):
+    flat = np.empty(width * len(points), np.float32)
+    points.foreach_get(name, flat)
+    return flat.reshape(-1, width)
+
+
+def _links(curve):
+    pairs, first = [np.empty((0, 2), np.int64)], 0
+    for spline in curve.splines:
+        step = 3 if spline.type == 'BEZIER' else 1
+        last = first + step * len(_points_of(spline))
+        before = np.arange(first, last)
+        after = before + step
+        if spline.use_cyclic_u and last > first:
+            after = first + (after - first) % (last - first)
+        pairs.append(np.stack([before, after], -1)[after < last])
+        first = last
+    return np.concatenate(pairs)
+
+
+def flags(curve):
+    """(m,) bool: what is selected, by its place."""
+    found = [np.empty(0, bool)]
+    for spline in curve.splines:
+        columns = []
+        for name in _FLAGS if spline.type == 'BEZIER' else ('select',):
+            columns.append(np.empty(len(_points_of(spline)), bool))
+            _points_of(spline).foreach_get(name, columns[-1])
+        found.append(np.stack(columns, -1).ravel())
+    return np.concatenate(found)
+
+
+def set_flags(curve, chosen):
+    """Select what has a place where chosen (m,) is True."""
+    first = 0
+    for spline in curve.splines:
+        names = _FLAGS if spline.type == 'BEZIER' else ('select',)
+        last = first + len(names) * len(_points_of(spline))
+        for name, column in zip(names, chosen[first:last].reshape(-1, len(names)).T):
+            _points_of(spline).foreach_set(name, np.ascontiguousarray(column))
+        first = last
+    curve.update_tag()
+
+
+def place(curve, rows):
+    """Give points and handles positions and weights. rows: x, y, z, w by the place of each."""
+    first = 0
+    for spline in curve.splines:
+        is_bezier = spline.type == 'BEZIER'
+        step = 3 if is_bezier else 1
+        count = len(_points_of(spline))
+        own = [divmod(place - first, step) + (row,) for place, row in rows.items() if first <= place < first + step * count]
+        for i, handle, row in sorted(own, key=lambda one: one[1] != 1):         # points take their handles along
+            _place(_points_of(spline)[i], handle if is_bezier else None, *row)
+        first += step * count
+    curve.update_tag()
+
+
+def _place(point, handle, x, y, z, weight):
+    """handle: 0 left, 1 the point itself, 2 right; None for a point without handles."""
+    if handle is None:
+        point.co = (x, y, z, weight)
+    elif handle == 1:
+        moved = Vector((x, y, z)) - point.co
+        ends = point.handle_left + moved, point.handle_right + moved
+        point.co = (x, y, z)
+        point.handle_left, point.handle_right = ends
+    else:
+        setattr(point, _HANDLES[handle], (x, y, z))

@@ -1,0 +1,100 @@
+"""Single vertices of a net in Edit Mode: which are selected, and how one is moved by a number."""
+
+import bpy
+import numpy as np
+
+from ...core.net import reading
+from ...core.net.reading import ChangedNet
+from ..file_state import key, state
+from . import cage, free_net, net_object, net_splines
+
+
+def selected(ob, net):
+    """Numbers of the selected vertices, ascending. The feet of arrows and idle handles are left out."""
+    chosen = every_selected(ob, net)
+    return chosen[net.rows[chosen] >= 0].tolist()
+
+
+def every_selected(ob, net):
+    """(k,): selected(), with feet and idle handles. Kept until Blender tells of a change, or select() makes one."""
+    name = key(ob.data)
+    if name not in state.selected:
+        state.selected[name] = _selected(ob, net)
+    return state.selected[name]
+
+
+def _selected(ob, net):
+    try:
+        places = _places(ob, net)
+    except ChangedNet:
+        return np.empty(0, np.int64)    # live.problem() says it
+    flags = _flags(ob)
+    there = np.flatnonzero((places >= 0) & (places < len(flags)))
+    return there[flags[places[there]]]
+
+
+def select(ob, net, vertices):
+    """Make these the selected vertices."""
+    places = _places(ob, net)[list(vertices)]
+    flags = np.zeros(len(_flags(ob)), bool)
+    flags[places[(places >= 0) & (places < len(flags))]] = True
+    _set_flags(ob, flags)
+
+
+def place(ob, net, vertices, rows):
+    """Give vertices positions and weights, rows (k, 4); they are kept in float64 beside the net.
+
+    Raises Refusal where the net cannot be read, or a vertex is not there.
+    """
+    net_object.require_whole(ob)
+    places = _places(ob, net)[vertices]
+    if (places < 0).any():
+        raise ChangedNet("a point of the net is not there any more")
+    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else vertices
+    net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
+    by_place = dict(zip(places.tolist(), rows.tolist()))
+    if _is_curve(ob):
+        net_splines.place(ob.data, by_place)
+    else:
+        cage.place(ob, by_place)
+
+
+def hand_over(ob, net):
+    """Select points in place of their copies, where these are where the points are: what was called off is moved as if
+    it had not been. Safe at any time: nothing is added and nothing removed. In edge and face select mode, where a
+    vertex cannot be selected alone, all stays."""
+    if not _is_curve(ob) and not cage.selects_vertices(ob):
+        return
+    present = net_object.present(ob, net)
+    places, flags = reading.places(net, present), _flags(ob)
+    copies = np.flatnonzero((present.numbers >= 0) & flags)
+    points = places[present.numbers[copies]]
+    positions = present.positions()
+    is_copy = (points != copies) & (positions[points] == positions[copies]).all(1)
+    if is_copy.any():
+        flags[copies[is_copy]] = False
+        flags[points[is_copy]] = True
+        _set_flags(ob, flags)
+
+
+def _places(ob, net):
+    """(n,) of each vertex its place among those that Blender holds, or -1. Raises ChangedNet."""
+    if free_net.is_free(ob.data):
+        return np.arange(len(net.rows))
+    return reading.places(net, net_object.present(ob, net))
+
+
+def _is_curve(ob):
+    return isinstance(ob.data, bpy.types.Curve)
+
+
+def _flags(ob):
+    return net_splines.flags(ob.data) if _is_curve(ob) else cage.flags(ob)
+
+
+def _set_flags(ob, flags):
+    state.selected.pop(key(ob.data), None)
+    if _is_curve(ob):
+        net_splines.set_flags(ob.data, flags)
+    else:
+        cage.set_flags(ob, flags)

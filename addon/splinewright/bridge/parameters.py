@@ -1,0 +1,56 @@
+"""The parameters of recipes as Blender's properties show them, in float32. What counts is the recipe beside them.
+
+They keep their numbers themselves, without functions of ours to get and set them: what is keyed Blender sets in threads of
+its own, where it must not call Python.
+"""
+
+import numpy as np
+
+from ..core import decimals
+from . import settings
+
+
+def of(data):
+    """The PropertyGroup of a data-block."""
+    return data.splinewright_parameters
+
+
+def name_of(recipe, parameter):
+    """The attribute of a parameter among those of all recipes."""
+    return f"{recipe.kind}_{parameter.name}"
+
+
+def as_typed(parameter, value):
+    """The value as the user typed it: of a float32 the shortest decimal that is it."""
+    if not isinstance(parameter.default, float):
+        return value
+    if np.float32(value) == np.float32(parameter.default):
+        return parameter.default
+    angle = decimals.typed_angle(value)
+    return angle if parameter.unit == 'ROTATION' and np.float32(angle) == np.float32(value) else decimals.typed(value)
+
+
+def changes(recipe, values, group):
+    """{name: value} of the parameters that a group of properties shows other than these values."""
+    given = {parameter.name: getattr(group, name_of(recipe, parameter)) for parameter in recipe.parameters}
+    return {parameter.name: as_typed(parameter, given[parameter.name]) for parameter in recipe.parameters
+            if not _are_one(values[parameter.name], given[parameter.name])}
+
+
+def _are_one(value, shown):
+    return np.float32(value) == np.float32(shown) if isinstance(value, float) else value == shown
+
+
+def show(data, recipe, values):
+    """Let the properties of a data-block show these values."""
+    group = of(data)
+    with settings.quiet(data):
+        for parameter in recipe.parameters:
+            name, value = name_of(recipe, parameter), values[parameter.name]
+            if not group.is_property_set(name) or not _are_one(value, getattr(group, name)):
+                setattr(group, name, value)
+
+
+def are_shown(data, recipe):
+    """Whether show() ever was called for a data-block. It was not in older files."""
+    return all(of(data).is_property_set(name_of(recipe, parameter)) for parameter in recipe.parameters)

@@ -1,0 +1,158 @@
+"""How finely a shape is shown: the settings of its Mesh or Curve. Blender's properties are made of them in ui/props."""
+
+import math
+from contextlib import contextmanager
+
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+
+from .file_state import key, state
+
+#: The ways to choose faces.
+COUNT, TOLERANCE, ANGLE, BOTH = 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
+#: Settings of which the geometry depends.
+_SHOWING = ('mode', 'tolerance', 'angle', 'resolution_u', 'resolution_v', 'sharp_angle', 'reach')
+
+
+def of(data):
+    """The Settings of a data-block."""
+    return data.splinewright
+
+
+@contextmanager
+def quiet(data):
+    """While the settings of a data-block change, nothing is evaluated."""
+    name = key(data)
+    was_quiet = name in state.quiet
+    state.quiet.add(name)
+    try:
+        yield
+    finally:
+        if not was_quiet:
+            state.quiet.discard(name)
+
+
+def set_resolution(data, resolution_u, resolution_v):
+    """Both at once, with one evaluation at most. Raises TypeError, and changes nothing, for what is no whole number."""
+    settings = of(data)
+    was = settings.resolution_u
+    with quiet(data):
+        settings.resolution_u = resolution_u
+    try:
+        settings.resolution_v = resolution_v
+    except TypeError:
+        with quiet(data):
+            settings.resolution_u = was
+        raise
+
+
+def start(data, resolution_u, resolution_v, mode=COUNT, tolerance=None, angle=None):
+    """Give a new data-block, which shows nothing yet, its first settings."""
+    set_resolution(data, resolution_u, resolution_v)
+    wanted = {'mode': mode, 'tolerance': tolerance, 'angle': angle}
+    with quiet(data):
+        for name, value in wanted.items():
+            if value is not None:
+                setattr(of(data), name, value)
+
+
+def set_tolerance(data, tolerance):
+    """Show the surface by tolerance, with one evaluation at most."""
+    with quiet(data):
+        of(data).mode = TOLERANCE
+    of(data).tolerance = tolerance
+
+
+def put_back(data, mode, tolerance):
+    """Have these again, without an evaluation, after others showed nothing new."""
+    with quiet(data):
+        of(data).mode, of(data).tolerance = mode, tolerance
+
+
+def values(data):
+    """What of the settings tells how a data-block is shown, by name."""
+    settings = of(data)
+    return {name: getattr(settings, name) for name in _SHOWING}
+
+
+def take(data, values):
+    """Have these values() without an evaluation."""
+    settings = of(data)
+    with quiet(data):
+        for name, value in values.items():
+            if getattr(settings, name) != value:
+                setattr(settings, name, value)
+
+
+def exchange_resolutions(data):
+    """u and v of the patches were exchanged; nothing is evaluated."""
+    settings = of(data)
+    with quiet(data):
+        settings.resolution_u, settings.resolution_v = settings.resolution_v, settings.resolution_u
+
+
+def is_quiet(data):
+    """Whether the settings of a data-block change without an evaluation now."""
+    return key(data) in state.quiet
+
+
+def _changed(self, context):
+    if not is_quiet(self.id_data):
+        self.changed(context)
+
+
+def mode_property(**more):
+    return EnumProperty(
+        name="Faces", description="How many faces show the surface",
+        items=((COUNT, "By Count", "So many in every span"),
+               (TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
+               (ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
+               (BOTH, "By Both", "As many as tolerance and angle take together")),
+        default=COUNT, **more)
+
+
+def tolerance_property(**more):
+    return FloatProperty(
+        name="Tolerance", description="No point of the surface lies farther from the mesh, in units of the object",
+        default=0.01, min=1e-9, soft_min=1e-5, soft_max=10.0, precision=4, step=0.1, unit='LENGTH', **more)
+
+
+def angle_property(**more):
+    return FloatProperty(
+        name="Angle", description="Normals turn by no more on a face",
+        default=math.radians(15.0), min=math.radians(0.25), soft_min=math.radians(1.0), max=math.pi, subtype='ANGLE',
+        **more)
+
+
+class Settings:
+    """Numbers of a PropertyGroup whose changed() is called when a user changes one."""
+
+    mode: mode_property(update=_changed)
+    tolerance: tolerance_property(update=_changed)
+    angle: angle_property(update=_changed)
+    resolution_u: IntProperty(
+        name="Resolution U", description="Steps in every span along u",
+        default=12, min=1, max=4096, soft_max=64, update=_changed)
+    resolution_v: IntProperty(
+        name="Resolution V", description="Steps in every span along v",
+        default=12, min=1, max=4096, soft_max=64, update=_changed)
+    sharp_angle: FloatProperty(
+        name="Sharp Angle", description="Edges across which the exact normals differ by more are marked sharp",
+        default=math.radians(1.0), min=0.0, max=math.pi, subtype='ANGLE', update=_changed)
+    reach: FloatProperty(
+        name="Reach", description="How far beyond its points a curve that runs to infinity is shown",
+        default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_changed)
+    show_seams: BoolProperty(
+        name="Show on the Surface", description="Colour the seams of the patches along them by how smoothly they go on",
+        default=False, options=set())
+    show_numbers: BoolProperty(
+        name="Show Numbers", description="Show the numbers of the pieces in the 3D view, which operators ask for",
+        default=False, options=set())
+    piece: IntProperty(
+        name="Piece in Hand", description="The piece, counted from 1, with which operators begin that ask for one; "
+        "0 for none", default=0, min=0, options=set())
+    other_piece: IntProperty(
+        name="Other Piece", description="The piece, counted from 1, with which operators begin that ask for a second one; "
+        "0 for none", default=0, min=0, options=set())
+    faces_before: IntProperty(
+        name="Faces Before", description="How many there were before a setting was changed last",
+        options={'HIDDEN', 'SKIP_SAVE'})

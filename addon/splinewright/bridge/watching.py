@@ -1,0 +1,35 @@
+"""That Blender evaluates what a shape is made from wherever it evaluates the shape, also where that is hidden.
+
+Of a hidden object pointers bring nothing but shape keys: no transform, no hooks. A driver that reads its dimensions, which
+depend on all of that, brings the rest. It always gives 0 to a property that means nothing.
+"""
+
+
+def start(data, path, sources):
+    """Drive the property of a path with the objects; they may have changed since the last time."""
+    driver = _driver(data, path)
+    if driver is None:
+        driver = data.driver_add(path)
+    elif [variable.targets[0].id for variable in driver.driver.variables] == list(sources):
+        return
+    variables = driver.driver.variables
+    for variable in list(variables):
+        variables.remove(variable)
+    for source in sources:
+        target = variables.new().targets[0]
+        target.id, target.data_path = source, 'dimensions[0]'
+    driver.driver.expression = "0"
+
+
+def stop(data, path):
+    """Take the driver away, and what else there is of animation if there is nothing else."""
+    if _driver(data, path) is None:
+        return
+    animation = data.animation_data
+    animation.drivers.remove(_driver(data, path))
+    if animation.action is None and not animation.drivers and not animation.nla_tracks:
+        data.animation_data_clear()
+
+
+def _driver(data, path):
+    return data.animation_data.drivers.find(path) if data.animation_data else None

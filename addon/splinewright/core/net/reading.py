@@ -1,0 +1,103 @@
+"""What a net says in one moment: its points, where they are, and what of it cannot be taken.
+
+Points that were there count whatever else befell the net: those that are gone, or say nothing that can be shown, stay
+as the shape has them, and strays are passed over. Both is said.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Callable, NamedTuple
+
+import numpy as np
+
+from ..failures import Refusal
+from . import exact_net, strays
+from .exact_net import Exact
+
+
+class ChangedNet(Refusal):
+    """The net does not tell any more which of its points is which."""
+
+
+@dataclass(frozen=True, eq=False)
+class Present:
+    """All m points that Blender holds of a net, strays among them. A handle is a point."""
+
+    numbers: np.ndarray                 # (m,) vertices of the net, as they are written on the points; -1 for none
+    positions: Callable                 # gives (m, 3) float32
+    weights: Callable                   # gives (m,) float32, or None where they were lost
+    links: Callable                     # gives pairs (k, 2) of points that are connected
+    void: np.ndarray = None             # (m,) bool: says nothing, as a handle that leads to a new point
+
+
+class Reading(NamedTuple):
+    """The state of a net's vertices, and in words what the shape does not take, and what is passed over."""
+
+    state: Exact
+    places: np.ndarray                  # (n,) of each vertex the place among those present, or -1
+    problem: str
+    note: str
+
+
+def places(net, present):
+    """(n,) of each vertex of a net the place of its point among those present, or -1."""
+    return strays.chosen(present.numbers, len(net.rows), present.links, net.neighbours)
+
+
+def read(net, present, typed, last):
+    """The Reading of what is present. typed: as of exact_net.exact(); last: a function that gives a Net of the points
+    as the shape has them, asked only where some cannot be read."""
+    found = places(net, present)
+    there = found >= 0
+    positions, weights = net.single.copy(), net.single_weights.copy()
+    positions[there] = present.positions()[found[there]]
+    weights_now = present.weights()
+    if weights_now is not None:
+        weights[there] = weights_now[found[there]]
+    is_zero = net.are_points & (weights == 0) & (net.weights != 0)
+    is_wild = ~np.isfinite(positions).all(1) | ~np.isfinite(weights)
+    lost = ~there | is_wild
+    if present.void is not None:
+        lost[there] |= present.void[found[there]]
+    lost_weight = lost | is_zero | (weights_now is None)
+    positions[lost], weights[lost_weight] = net.single[lost], net.single_weights[lost_weight]
+    state = exact_net.exact(net, positions, weights, typed)
+    if lost_weight.any():
+        state = _as_last(state, net, last(), lost, lost_weight)
+    problem = _problem(len(found), int((~there).sum()), len(present.numbers) >= len(found), is_wild.any(),
+                       is_zero.any(), weights_now is None)
+    return Reading(state, found, problem, note(len(present.numbers) - int(there.sum()), present.void is not None))
+
+
+def _as_last(state, net, last, lost, lost_weight):
+    """A state with what was lost as the shape has it."""
+    positions = np.where(lost[:, None], last.positions, state.positions)
+    weights = np.where(lost_weight, last.weights, state.weights)
+    return replace(state, positions=positions, weights=weights,
+                   kept=np.where(lost, (positions == net.positions).all(1), state.kept),
+                   kept_weights=np.where(lost_weight, weights == net.weights, state.kept_weights))
+
+
+def _problem(count, gone, are_others_there, is_wild, is_zero, has_no_weights):
+    if gone and are_others_there:
+        return f"{gone} of {count} points of the net were replaced, or given another tilt or radius: the shape has them where they were"
+    if gone:
+        return f"the net has lost points ({gone} of {count}): the shape has them where they were"
+    if has_no_weights:
+        return "the net has lost the weights of its points: the shape keeps them as they were"
+    if is_wild:
+        return "a point of the net is not finite: the shape has it where it was"
+    if is_zero:
+        return "a weight of 0 would take the point out of the shape: weights are above or below 0"
+    return ""
+
+
+def note(extra, is_void=False):
+    """What is said of so many strays, and of handles that lead to them."""
+    if not extra:
+        return ""
+    beside = ", nor does it take handles that lead to new ones" if is_void else ""
+    return f"{_points(extra)} not of this net: the shape does not take {'it' if extra == 1 else 'them'}{beside}"
+
+
+def _points(count):
+    return "1 point is" if count == 1 else f"{count} points are"

@@ -1,0 +1,42 @@
+"""The colours of what is drawn over the 3D view, as the preferences have them."""
+
+import bpy
+
+from . import preferences
+
+#: Of a seam whose continuity is not known.
+_UNKNOWN = (0.5, 0.5, 0.5, 1.0)
+#: By the classes of core.seams, from a gap to curvatures that agree: the preference and what it is called.
+SEAMS = {-1: ("color_gap", "Gap"), 0: ("color_edge", "Edge"), 1: ("color_g1", "G1"), 2: ("color_g2", "G2")}
+
+
+def of_net():
+    """RGBA of the rows along u and of those along v."""
+    if preferences.get().use_theme:
+        theme = bpy.context.preferences.themes[0].view_3d
+        return _opaque(theme.nurb_sel_uline), _opaque(theme.nurb_sel_vline)
+    return _opaque(preferences.get().color_u), _opaque(preferences.get().color_v)
+
+
+def of_arrows():
+    """RGBA of the directions at infinity."""
+    return _opaque(preferences.get().color_arrow)
+
+
+def of_seams():
+    """RGBA by the classes of core.seams."""
+    wanted = preferences.get()
+    return {-2: _UNKNOWN, **{number: _opaque(getattr(wanted, name)) for number, (name, _) in SEAMS.items()}}
+
+
+def draw_legend(layout):
+    """The colours of seams and what they mean, where Blender has preferences of ours."""
+    wanted = preferences.get()
+    if isinstance(wanted, bpy.types.AddonPreferences):
+        grid = layout.grid_flow(columns=2, even_columns=True, align=True)
+        for name, text in SEAMS.values():
+            grid.prop(wanted, name, text=text)
+
+
+def _opaque(color):
+    return (*color[:3], 1.0)

@@ -1,0 +1,85 @@
+"""The pieces in hand: the numbers with which operators begin that ask for pieces of a shape."""
+
+from ..bridge import settings, shape, store
+from ..bridge.file_state import state
+
+_NAMES = ('piece', 'other_piece')
+
+
+def of(data):
+    """(piece, other piece) of a data-block, counted from 1; 0 for none."""
+    count = count_of(data)
+    return tuple(number if number <= count else 0 for number in (getattr(settings.of(data), name) for name in _NAMES))
+
+
+def count_of(data):
+    """How many pieces a shape has; 0 where it cannot be read."""
+    try:
+        definition = store.read(data)
+    except store.UnreadableDefinition:
+        return 0
+    return len(definition.pieces) if definition else 0
+
+
+def counted(data):
+    """The numbers of the pieces of a shape."""
+    return tuple(range(1, count_of(data) + 1))
+
+
+def take(data, number, is_other=False):
+    """Take a piece in hand. One piece is not both."""
+    mine, others = _NAMES[::-1] if is_other else _NAMES
+    setattr(settings.of(data), mine, number)
+    if getattr(settings.of(data), others) == number:
+        setattr(settings.of(data), others, 0)
+
+
+def keep(data, parents):
+    """After a verb, in hand is the first piece of those that came from it. parents: as of core.verbs.Changed."""
+    chosen = settings.of(data)
+    for name in _NAMES:
+        number = getattr(chosen, name)
+        if number:
+            setattr(chosen, name, parents.index(number - 1) + 1 if number - 1 in parents else 0)
+
+
+def begin(operator, obs):
+    """Set an operator's `piece`, where it was not given, to the piece in hand: of one shape, as several have several."""
+    shapes = [ob for ob in obs if shape.has_shape(ob)]
+    if len(shapes) == 1 and not operator.properties.is_property_set('piece'):
+        operator.piece = of(shapes[0].data)[0] or operator.piece
+
+
+def begin_pair(operator, context):
+    """Set an operator's `first` and `second`, where neither was given: two pieces of a shape, or one of each of two."""
+    given = operator.properties.is_property_set
+    if given('first') or given('second'):
+        return
+    other = next((ob for ob in context.selected_objects if ob != context.object), None)
+    operator.first, second = of(context.object.data)
+    operator.second = of(other.data)[0] if other else second
+
+
+def forget_asked():
+    """An operator that asks for pieces begins."""
+    state.asked.clear()
+
+
+def note(operator, setting, ob, numbers=None):
+    """A setting of an operator names a piece of an object. numbers: by which it means the pieces that are there now, 0
+    for one that it does not mean; as they are counted if none are given."""
+    numbers = counted(ob.data) if numbers is None else tuple(numbers)
+    state.asked.setdefault((type(operator).__name__, setting), {})[ob.name] = numbers
+
+
+def note_pair(operator, ob, parents, parted):
+    """note() the `first` and `second` piece of an operator that made one shape of two, of which the former had `parted`
+    pieces; of one shape where that is None."""
+    forget_asked()
+    note(operator, 'first', ob, [parent + 1 if parted is None or parent < parted else 0 for parent in parents])
+    note(operator, 'second', ob, [max(parent + 1 - (parted or 0), 0) for parent in parents])
+
+
+def asked(operator):
+    """{setting: {name of an object: numbers of its pieces}} that were noted for the last operator; {} for another one."""
+    return {setting: found for (name, setting), found in state.asked.items() if name == operator.bl_idname}

@@ -1,0 +1,56 @@
+"""Says that definitions ended where Blender's own Join, from its menu or the search, took shapes in.
+
+Blender tells no add-on of a join before it is done: what was selected at the last change is compared with what is left.
+"""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..bridge import shape
+from ..bridge.file_state import state
+from . import texts
+
+_WIDTH = 60
+_WORDS = ("Blender's Join made plain faces or points of them. Undo brings the definitions back; Ctrl+J, or Join Shapes in "
+          "Object > Splinewright, makes shapes one shape.")
+
+
+@persistent
+def updated(scene, depsgraph):
+    """Compare, and look at what is selected now."""
+    if bpy.app.background or bpy.context.mode != 'OBJECT' or not depsgraph.id_type_updated('SCENE'):
+        return
+    if _is_new_join():
+        lost = sorted(name for name in state.selected_shapes if name not in bpy.data.objects)
+        if lost:
+            bpy.app.timers.register(lambda: _say(lost), first_interval=0.0)
+    state.selected_shapes = {ob.name for ob in bpy.context.view_layer.objects.selected if shape.has_shape(ob)}
+
+
+def _is_new_join():
+    """Undo and redo leave the last one among what was done."""
+    done = bpy.context.window_manager.operators
+    if not len(done) or done[-1].bl_idname != 'OBJECT_OT_join' or done[-1].as_pointer() == state.last_join:
+        return False
+    state.last_join = done[-1].as_pointer()
+    return True
+
+
+def _say(names):
+    """A popup, outside the handler."""
+    manager = bpy.context.window_manager
+    count = len(names)
+    title = f"The definition of {names[0]} ended" if count == 1 else f"The definitions of {count} shapes ended"
+    with bpy.context.temp_override(window=manager.windows[0]):
+        manager.popup_menu(lambda menu, context: texts.draw_note(menu.layout, _WORDS, _WIDTH), title=title, icon='ERROR')
+
+
+CLASSES = ()
+
+
+def register():
+    bpy.app.handlers.depsgraph_update_post.append(updated)
+
+
+def unregister():
+    bpy.app.handlers.depsgraph_update_post.remove(updated)

@@ -1,0 +1,144 @@
+"""What has to be known while nets are out, over the 3D views and in the status bar: with the sidebar closed, too."""
+
+import bpy
+import blf
+import gpu
+from gpu_extras.batch import batch_for_shader
+
+from ..bridge import problems
+from ..bridge.file_state import state
+from ..bridge.net import live, net_object
+from . import editing
+
+#: What is in the way, and what is good to know.
+WARNING, NOTE = (1.0, 0.45, 0.2, 1.0), (0.9, 0.9, 0.9, 1.0)
+_BEHIND = (0.0, 0.0, 0.0, 0.7)
+#: In pixels of an interface that is not scaled.
+_SIZE, _LINE, _MARGIN = 13, 19, 12
+
+_handle = None
+
+
+def said(layer):
+    """[(sentence, colour)] for a view layer."""
+    found = []
+    for ob in editing.nets() if state.nets else ():
+        if layer.objects.get(ob.name) == ob:
+            found += _of_edited(ob) if ob.mode == 'EDIT' else _of_kept(ob)
+    return found
+
+
+def _of_edited(ob):
+    owner = net_object.shape_of(ob)
+    name = owner.name if owner else ob.name
+    problem, note, place = live.problem(ob), live.note(ob), problems.of(ob.data, problems.SAVED)
+    if problem:
+        yield f"{name}: {problem}", WARNING
+        yield f"{undo_key()} takes it back, Renew Net puts the net out again from the shape as it is", NOTE
+    elif note:
+        yield f"{name}: {note}", NOTE
+    if problem and place:
+        yield f"Saved: {place}", NOTE
+
+
+def _of_kept(ob):
+    problem = live.problem(ob)
+    if problem and net_object.shape_of(ob):
+        yield f"{ob.name} holds changes that {net_object.shape_of(ob).name} has not taken: {problem}", WARNING
+        yield f"Tab on {ob.name} goes on with it, who deletes it drops them", NOTE
+
+
+def undo_key():
+    """What to press to take something back, as the user has it."""
+    keymap = bpy.context.window_manager.keyconfigs.user.keymaps.get('Screen')
+    item = next((item for item in keymap.keymap_items if item.idname == 'ed.undo' and item.active), None) if keymap else None
+    return item.to_string() if item else "Undo"
+
+
+def refresh():
+    """Say in the status bar what is in the way; draw() says it in the views."""
+    windows = bpy.context.window_manager.windows
+    texts = ["   ".join(text for text, color in said(window.view_layer) if color == WARNING) for window in windows]
+    if any(texts) or state.status:      # what others wrote there meanwhile is gone either way
+        for window, text in zip(windows, texts):
+            window.workspace.status_text_set(text or None)
+    state.status = next(filter(None, texts), "")
+
+
+def take_back():
+    """Nothing is said in the status bar any more."""
+    if state.status:
+        for window in bpy.context.window_manager.windows:
+            window.workspace.status_text_set(None)
+    state.status = ""
+
+
+def draw():
+    """Called by Blender for each 3D view."""
+    lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
+    if not lines:
+        return
+    scale, (left, right) = _scale(), _free_space()
+    widths = [blf.dimensions(0, line)[0] for line, _ in lines]
+    middle, bottom, margin = (left + right) / 2, 3 * _LINE * scale, _MARGIN * scale
+    top = bottom + len(lines) * _LINE * scale
+    gpu.state.blend_set('ALPHA')
+    _draw_box(middle - max(widths) / 2 - margin, bottom - margin, middle + max(widths) / 2 + margin, top + margin / 2)
+    for i, ((line, color), width) in enumerate(zip(lines, widths), 1):
+        blf.color(0, *color)
+        blf.position(0, middle - width / 2, top - (i - 0.25) * _LINE * scale, 0)
+        blf.draw(0, line)
+    gpu.state.blend_set('NONE')
+
+
+def _scale():
+    return bpy.context.preferences.system.ui_scale
+
+
+def _free_space():
+    """The left and right end of what toolbar and sidebar leave of the view."""
+    left, right = 0, bpy.context.region.width
+    if bpy.context.preferences.system.use_region_overlap:
+        for region in bpy.context.area.regions:
+            if region.type == 'TOOLS' and region.width > 1:
+                left += region.width
+            if region.type == 'UI' and region.width > 1:
+                right -= region.width
+    return (left, right) if right - left > 200 else (0, bpy.context.region.width)
+
+
+def _wrapped(sentence):
+    """The sentence in lines that fit the view."""
+    blf.size(0, _SIZE * _scale())
+    left, right = _free_space()
+    lines = [""]
+    for word in sentence.split():
+        longer = f"{lines[-1]} {word}".strip()
+        if lines[-1] and blf.dimensions(0, longer)[0] > right - left - 4 * _MARGIN * _scale():
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return lines
+
+
+def _draw_box(left, bottom, right, top):
+    shader = gpu.shader.from_builtin('UNIFORM_COLOR')
+    shader.uniform_float('color', _BEHIND)
+    corners = [(left, bottom, 0), (right, bottom, 0), (right, top, 0), (left, top, 0)]
+    batch_for_shader(shader, 'TRIS', {'pos': corners}, indices=[(0, 1, 2), (0, 2, 3)]).draw(shader)
+
+
+CLASSES = ()
+
+
+def register():
+    global _handle
+    if not bpy.app.background:
+        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_PIXEL')
+
+
+def unregister():
+    global _handle
+    if _handle is not None:
+        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
+        _handle = None

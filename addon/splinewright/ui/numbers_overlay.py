@@ -1,0 +1,157 @@
+"""Over the 3D view: the numbers of the pieces of a shape, where they are asked for; and the piece that is picked."""
+
+from typing import NamedTuple
+
+import blf
+import bpy
+import gpu
+import numpy as np
+
+from ..bridge import shape, surveys
+from ..bridge.file_state import state
+from ..bridge.net import net_object
+from . import hand, picking, strokes
+
+#: Of other pieces, of those in hand, of the one at the mouse.
+COLORS = ((1.0, 1.0, 1.0, 1.0), (1.0, 0.75, 0.2, 1.0), (0.35, 1.0, 0.5, 1.0))
+#: Of numbers that the surface hides this part is seen.
+_HIDDEN = 0.3
+#: Shapes of more pieces show no numbers; those of meshes of more faces are never hidden.
+_MOST_PIECES, _MOST_FACES = 500, 200_000
+_SIZE = 15.0
+#: A number is hidden by what lies nearer to the eye by this part of the size of the shape.
+_LIFT = 0.01
+
+_handles = ()
+
+
+class Numbered(NamedTuple):
+    """An object whose pieces show numbers."""
+
+    ob: bpy.types.Object
+    numbers: tuple                      # of its pieces; 0 for none
+    marked: tuple                       # those that are in hand
+
+
+def shown(context):
+    """The Numbered objects."""
+    if state.picking:
+        found = state.picking
+    else:
+        ob = context.object
+        owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
+        is_shown = shape.has_shape(owner) and (state.asking or owner.data.splinewright.show_numbers)
+        found = {**({owner.name: hand.counted(owner.data)} if is_shown else {}), **_asked(context)}
+    obs = {name: context.view_layer.objects.get(name) for name in found}
+    marked = _settings(context) if found is state.picking or _asked(context) else None
+    return [Numbered(ob, found[name], hand.of(ob.data) if marked is None else marked) for name, ob in obs.items()
+            if shape.has_shape(ob) and ob.visible_get() and len(found[name]) == hand.count_of(ob.data)]
+
+
+def _asked(context):
+    """The numbers by names of objects that the last operator asks for, if its panel is open."""
+    operator, found = context.active_operator, {}
+    if operator is None or not _is_open(context.area):
+        return {}
+    for numbers in hand.asked(operator).values():
+        for name, those in numbers.items():
+            found[name] = tuple(one or other for one, other in zip(found.get(name, those), those))
+    return found
+
+
+def _settings(context):
+    """The numbers that the last operator was given."""
+    operator = context.active_operator
+    return tuple(getattr(operator.properties, setting) for setting in hand.asked(operator)) if operator else ()
+
+
+def _is_open(area):
+    """Whether the panel of the last operator shows its settings: it is higher than its header."""
+    least = 2.0 * 25.0 * bpy.context.preferences.system.ui_scale
+    return any(region.type == 'HUD' and region.height > least and region.x > 0 for region in area.regions)
+
+
+def draw_outline():
+    """Called by Blender for each 3D view: the lines around the piece at the mouse."""
+    ob = bpy.context.view_layer.objects.get(state.hovered[0]) if state.hovered else None
+    if not shape.has_shape(ob):
+        return
+    with gpu.matrix.push_pop():
+        gpu.matrix.multiply_matrix(ob.matrix_world)
+        strokes.draw(strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: COLORS[2], 3.0)
+                     for line in surveys.outlines_of(ob.data)[state.hovered[1] - 1])
+
+
+def draw():
+    """Called by Blender for each 3D view, in pixels."""
+    context = bpy.context
+    if not context.space_data.overlay.show_overlays:
+        return
+    for numbered in shown(context):
+        if 1 < len(numbered.numbers) <= _MOST_PIECES:
+            _draw_numbers(context, numbered, surveys.middles_of(numbered.ob.data))
+
+
+def _draw_numbers(context, numbered, points):
+    region, ob = context.region, numbered.ob
+    scale = context.preferences.system.ui_scale
+    places = picking.on_screen(region, context.region_data, ob.matrix_world, points)
+    hidden = hidden_ones(context, ob, points)
+    blf.enable(0, blf.SHADOW)
+    blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
+    for i in np.argsort(~hidden):       # those that are seen last
+        number, (x, y) = numbered.numbers[i], places[i]
+        if not (number and 0 <= x < region.width and 0 <= y < region.height):
+            continue
+        is_hovered = state.hovered == (ob.name, i + 1)
+        color = COLORS[2 if is_hovered else number in numbered.marked]
+        blf.size(0, (1.5 if is_hovered else 1.0) * _SIZE * scale)
+        blf.color(0, *color[:3], _HIDDEN if hidden[i] and not is_hovered else 1.0)
+        width, height = blf.dimensions(0, str(number))
+        blf.position(0, x - width / 2, y - height / 2, 0)
+        blf.draw(0, str(number))
+    blf.disable(0, blf.SHADOW)
+
+
+def hidden_ones(context, ob, points):
+    """(n,) bool: which points lie behind the surface itself, seen in the view at hand."""
+    space, none = context.space_data, np.zeros(len(points), bool)
+    if ob.type != 'MESH' or len(ob.data.polygons) > _MOST_FACES or ob.mode != 'OBJECT':
+        return none
+    if space.shading.show_xray or space.shading.type == 'WIREFRAME' or ob.display_type in ('WIRE', 'BOUNDS'):
+        return none
+    drawn = ob.evaluated_get(context.evaluated_depsgraph_get())
+    if not abs(drawn.matrix_world.determinant()) > 0.0:
+        return none
+    into = drawn.matrix_world.inverted()
+    view = context.region_data
+    eye = into @ view.view_matrix.inverted().translation
+    back = (into.to_3x3() @ view.view_matrix.inverted().col[2].xyz).normalized()
+    size = max(drawn.dimensions) / max(map(abs, drawn.matrix_world.to_scale()))
+    return np.array([_is_hidden(drawn, point, eye, back, _LIFT * size, view.is_perspective) for point in points])
+
+
+def _is_hidden(drawn, point, eye, back, lift, is_perspective):
+    if not np.isfinite(point).all():
+        return False
+    to = np.array(eye) - point if is_perspective else np.array(back)
+    to /= np.linalg.norm(to) or 1.0
+    return drawn.ray_cast(point + lift * to, to)[0]
+
+
+CLASSES = ()
+
+
+def register():
+    global _handles
+    if not bpy.app.background:
+        view = bpy.types.SpaceView3D
+        _handles = (view.draw_handler_add(draw_outline, (), 'WINDOW', 'POST_VIEW'),
+                    view.draw_handler_add(draw, (), 'WINDOW', 'POST_PIXEL'))
+
+
+def unregister():
+    global _handles
+    for handle in _handles:
+        bpy.types.SpaceView3D.draw_handler_remove(handle, 'WINDOW')
+    _handles = ()

@@ -1,0 +1,141 @@
+"""Bake Animation, and its way back."""
+
+import bpy
+from bpy.props import IntProperty
+
+from ...bridge import baking, shape
+from ...core.failures import FAILURES
+from .. import progress
+from . import polls, reports
+from .selected import OnSelected
+
+
+class SPLINEWRIGHT_OT_bake_animation(bpy.types.Operator):
+    bl_idname = "splinewright.bake_animation"
+    bl_label = "Bake Animation"
+    bl_description = ("Let the selected shapes move by shape keys, a key for each frame, as they do now: so they move where "
+                      "Splinewright is missing, on a render farm or linked into another file. Make Live Again is the way back")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    frame_start: IntProperty(name="First Frame", description="Where it begins; of the scene if it is not given",
+                             options={'SKIP_SAVE'})
+    frame_end: IntProperty(name="Last Frame", description="Where it ends; of the scene if it is not given",
+                           options={'SKIP_SAVE'})
+    frame_step: IntProperty(name="Step", description="A key for each so many frames, straight between them", default=1, min=1)
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        if not any(map(shape.has_shape, context.selected_objects)):
+            cls.poll_message_set("Select Splinewright shapes that move")
+            return False
+        return True
+
+    def execute(self, context):
+        """All at once: for scripts, and when a number was changed afterwards."""
+        try:
+            steps, count = self._begin(context)
+            with progress.shown(context, count) as step:
+                takes = _gone_through(steps, step)
+            return self._finish(takes)
+        except FAILURES as error:
+            return reports.failed(self, error)
+
+    def invoke(self, context, event):
+        """A frame at a time, while Esc is listened to."""
+        try:
+            self._steps, count = self._begin(context)
+        except FAILURES as error:
+            return reports.failed(self, error)
+        self._done = 0
+        manager = context.window_manager
+        manager.progress_begin(0, count)
+        manager.modal_handler_add(self)
+        self._timer = manager.event_timer_add(0.001, window=context.window)
+        context.workspace.status_text_set(f"Baking {count} frames: Esc stops it")
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type == 'ESC':
+            self.cancel(context)
+            return reports.stopped(self, "Baking was stopped: nothing has changed")
+        if event.type != 'TIMER':
+            return {'RUNNING_MODAL'}
+        try:
+            next(self._steps)
+            self._done += 1
+            context.window_manager.progress_update(self._done)
+            return {'RUNNING_MODAL'}
+        except StopIteration as end:
+            self.cancel(context)
+            return self._finish(end.value)
+        except FAILURES as error:
+            self.cancel(context)
+            return reports.failed(self, error)
+
+    def cancel(self, context):
+        self._steps.close()             # the frame is what it was
+        manager = context.window_manager
+        manager.event_timer_remove(self._timer)
+        manager.progress_end()
+        context.workspace.status_text_set(None)
+
+    def _begin(self, context):
+        """(steps of baking.record(), how many)."""
+        scene, given = context.scene, self.properties.is_property_set
+        is_preview = scene.use_preview_range
+        if not given("frame_start"):
+            self.frame_start = scene.frame_preview_start if is_preview else scene.frame_start
+        if not given("frame_end"):
+            self.frame_end = scene.frame_preview_end if is_preview else scene.frame_end
+        frames = range(self.frame_start, self.frame_end + 1, self.frame_step)
+        shapes = {ob.data: ob for ob in context.selected_objects if shape.has_shape(ob)}
+        return baking.record(scene, list(shapes), frames), len(frames)
+
+    def _finish(self, takes):
+        """Bake what moves."""
+        baked = [data.name for data, take in takes.items() if take.moves]
+        for data, take in takes.items():
+            if take.moves:
+                baking.bake(data, take)
+        still = [data.name for data, take in takes.items() if not take.moves]
+        words = (f"{_listed(still)} {'does' if len(still) == 1 else 'do'} not change",) if still else ()
+        if not baked:
+            return reports.cancelled(self, *words)
+        done = f"Baked {_listed(baked)} from frame {self.frame_start} to {self.frame_end}"
+        return reports.finished(self, reports.Said(done, words))
+
+
+def _listed(names):
+    return names[0] if len(names) == 1 else f"{len(names)} shapes"
+
+
+def _gone_through(steps, step):
+    """What steps end with; step() is told of each."""
+    done = 0
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            return end.value
+        done += 1
+        step(done)
+
+
+class SPLINEWRIGHT_OT_unbake(OnSelected, bpy.types.Operator):
+    bl_idname = "splinewright.unbake"
+    bl_label = "Make Live Again"
+    bl_description = "Put the shapes back that were baked: they follow again, and can be edited"
+    needs = "Select a shape that was baked"
+    done = "{} is live again"
+
+    @staticmethod
+    def fits(ob):
+        return baking.is_baked(ob.data)
+
+    def work(self, context, ob):
+        baking.unbake(ob.data)
+
+
+CLASSES = (SPLINEWRIGHT_OT_bake_animation, SPLINEWRIGHT_OT_unbake)

@@ -1,0 +1,75 @@
+"""Ctrl+J: shapes become one shape; joined with what is none, their definitions end, which is asked first."""
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+
+from ...bridge import joining, shape
+from ...core.failures import FAILURES, Refusal
+from .. import texts
+from . import polls, reports
+
+_WIDTH = 420
+
+
+class SPLINEWRIGHT_OT_join(bpy.types.Operator):
+    bl_idname = "splinewright.join"
+    bl_label = "Join Shapes"
+    bl_description = ("Make the selected shapes one shape of all their pieces, in the place of the active one. With "
+                      "objects that are no shapes among them it asks first: nothing but a plain mesh or curve can hold both")
+    bl_options = {'REGISTER', 'UNDO'}
+
+    end_definitions: BoolProperty(
+        name="End the Definitions", options={'SKIP_SAVE'},
+        description="Join shapes with objects that are none, as Blender does: what they show stays, as plain faces or points")
+    question: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        """Ctrl+J passes to Blender's own Join where that meets no shape."""
+        if not polls.in_object_mode(cls, context):
+            return False
+        chosen, active = _joinable(context), context.object
+        if active is None or not active.select_get() or not any(map(shape.has_shape, chosen)):
+            cls.poll_message_set("Select shapes, the one to keep last")
+            return False
+        if len(chosen) < 2:
+            cls.poll_message_set("Select two or more shapes, all of curves or all of patches")
+            return False
+        return True
+
+    def invoke(self, context, event):
+        chosen = _joinable(context)
+        if all(map(shape.has_shape, chosen)):
+            return self.execute(context)
+        self.question = joining.ending_in_words(chosen) + "."
+        self.end_definitions = True
+        return context.window_manager.invoke_props_dialog(self, width=_WIDTH)
+
+    def draw(self, context):
+        if self.question:
+            texts.draw_note(self.layout, self.question, _WIDTH // 7)
+        else:
+            self.layout.prop(self, "end_definitions")
+
+    def execute(self, context):
+        active, chosen = context.object, _joinable(context)
+        self.question = ""                          # the redo panel asks nothing
+        try:
+            if all(map(shape.has_shape, chosen)):
+                joining.join(active, [ob for ob in chosen if ob != active])
+            elif not self.end_definitions:
+                raise Refusal(f"{joining.ending_in_words(chosen)}. Nothing was joined: set End the Definitions for that")
+            else:
+                return reports.finished(self, reports.Said(joining.join_plainly(active, chosen)))
+        except FAILURES as error:
+            return reports.failed(self, error)
+        return {'FINISHED'}
+
+
+def _joinable(context):
+    """The selected objects that Blender's Join would make one with the active one."""
+    active = context.object
+    return [ob for ob in context.selected_objects if active is not None and ob.type == active.type]
+
+
+CLASSES = (SPLINEWRIGHT_OT_join,)

@@ -1,0 +1,66 @@
+"""How finely new shapes are shown: as the user says, or else as the preferences do."""
+
+from ...bridge import settings
+from .. import preferences
+
+_RESOLUTIONS = ('resolution_u', 'resolution_v')
+_FACES = ('faces_mode', 'faces_tolerance', 'faces_angle')
+
+
+class Faces:
+    """Properties of operators that add surfaces, beside their resolutions."""
+
+    faces_mode: settings.mode_property()
+    faces_tolerance: settings.tolerance_property()
+    faces_angle: settings.angle_property()
+
+
+def settle(operator):
+    """Take from the preferences what an operator was not given. What Blender remembers of its last call is not given."""
+    names = [name for name in (*_RESOLUTIONS, *_FACES) if hasattr(operator, name)]
+    given = {name for name in names if operator.properties.is_property_set(name)}
+    wanted = _wanted(is_surface=isinstance(operator, Faces))
+    if given.intersection(_RESOLUTIONS) and 'faces_mode' in wanted:
+        wanted['faces_mode'] = settings.COUNT
+    for name in set(names).intersection(wanted) - given:
+        setattr(operator, name, wanted[name])
+
+
+def _wanted(is_surface):
+    """What the preferences say, by names of properties; no resolutions where they are to suit each kind of shape."""
+    chosen = preferences.get()
+    resolution = chosen.surface_resolution if is_surface else chosen.curve_resolution
+    faces = {name: getattr(chosen, name.replace('faces', 'surface')) for name in _FACES} if is_surface else {}
+    return {**faces, **(dict.fromkeys(_RESOLUTIONS, resolution) if resolution else {})}
+
+
+def start(operator):
+    """What settings.start() takes, of a settled operator."""
+    faces = [getattr(operator, name) for name in _FACES] if isinstance(operator, Faces) else []
+    return (operator.resolution_u, getattr(operator, 'resolution_v', operator.resolution_u), *faces)
+
+
+def start_of_any(operator, is_surface):
+    """What settings.start() takes, of an operator that adds curves and surfaces and knows of resolutions only."""
+    given = {name: getattr(operator, name) for name in _RESOLUTIONS}
+    if not any(map(operator.properties.is_property_set, _RESOLUTIONS)):
+        given.update(_wanted(is_surface))
+    return tuple(given[name] for name in (*_RESOLUTIONS, *_FACES) if name in given)
+
+
+def draw(operator, layout):
+    """The settings of an operator that adds a shape."""
+    if not isinstance(operator, Faces):
+        layout.prop(operator, "resolution_u", text="Resolution")
+        return
+    column = layout.column(align=True)
+    column.prop(operator, "faces_mode")
+    if operator.faces_mode == settings.COUNT:
+        has_v = hasattr(operator, 'resolution_v')
+        column.prop(operator, "resolution_u", text="Resolution U" if has_v else "Resolution")
+        if has_v:
+            column.prop(operator, "resolution_v", text="V")
+    if operator.faces_mode in (settings.TOLERANCE, settings.BOTH):
+        column.prop(operator, "faces_tolerance")
+    if operator.faces_mode in (settings.ANGLE, settings.BOTH):
+        column.prop(operator, "faces_angle")

@@ -1,0 +1,147 @@
+"""Pick a piece of a shape by a click: the piece in hand, or a number in the panel of the last operator."""
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+
+from ...bridge import shape
+from ...bridge.file_state import state
+from .. import hand, picking
+from . import polls, reports
+
+#: What goes on meanwhile: the view may be turned.
+_PASSED = {'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'WHEELINMOUSE', 'WHEELOUTMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM',
+           'MOUSEROTATE', 'MOUSESMARTZOOM', 'NDOF_MOTION', 'HOME', *(f"NUMPAD_{key}" for key in "0 1 2 3 4 5 6 7 8 9".split()),
+           'NUMPAD_PERIOD', 'NUMPAD_PLUS', 'NUMPAD_MINUS'}
+
+
+def draw_number(layout, operator, setting):
+    """A setting of an operator that is the number of a piece, with a button to pick it in the view."""
+    row = layout.row(align=True)
+    row.prop(operator, setting)
+    shapes = state.asked.get((type(operator).__name__, setting), {})
+    if any(len(numbers) > 1 for numbers in shapes.values()):
+        row.operator("splinewright.pick_for_operator", text="", icon='EYEDROPPER').setting = setting
+
+
+class _Picks:
+    """Modal: the piece at the mouse is shown, and picked() called with its object and number when it is clicked."""
+
+    def candidates(self, context):
+        """The numbers of pieces by names of objects."""
+        raise NotImplementedError
+
+    def picked(self, context, ob, number):
+        """Returns what modal() does."""
+        raise NotImplementedError
+
+    def invoke(self, context, event):
+        state.picking = {name: numbers for name, numbers in self.candidates(context).items()
+                         if (ob := context.view_layer.objects.get(name)) and ob.visible_get()}
+        if not state.picking:
+            return reports.cancelled(self, "no shape whose pieces could be picked is to be seen")
+        context.window_manager.modal_handler_add(self)
+        context.window.cursor_modal_set('EYEDROPPER')
+        context.workspace.status_text_set("Click a piece to take its number   |   Esc, Right Mouse: Cancel")
+        self._look(context, event)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type in _PASSED:
+            return {'PASS_THROUGH'}
+        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        if event.type in ('MOUSEMOVE', 'LEFTMOUSE'):
+            self._look(context, event)
+        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or not state.hovered:
+            return {'RUNNING_MODAL'}
+        name, number = state.hovered
+        number, ob = state.picking[name][number - 1], context.view_layer.objects.get(name)
+        self.cancel(context)
+        return self.picked(context, ob, number)
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        state.picking, state.hovered = {}, ()
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        _redraw()
+
+    def _look(self, context, event):
+        """Find the piece below the mouse."""
+        view = picking.view_at(event.mouse_x, event.mouse_y)
+        obs = [ob for ob in map(context.view_layer.objects.get, state.picking) if shape.has_shape(ob)]
+        found = None
+        if view:
+            region, view = view
+            place = event.mouse_x - region.x, event.mouse_y - region.y
+            found = picking.piece_at(region, view, place, obs, context.evaluated_depsgraph_get())
+        hovered = (found[0].name, found[1]) if found and state.picking[found[0].name][found[1] - 1] else ()
+        if hovered != state.hovered:
+            state.hovered = hovered
+            _redraw()
+
+
+def _redraw():
+    for area, _, _ in picking.views():
+        area.tag_redraw()
+
+
+class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):
+    bl_idname = "splinewright.pick_piece"
+    bl_label = "Pick Piece"
+    bl_description = "Click a piece in the 3D view: operators that ask for one begin with it"
+    bl_options = {'UNDO'}
+
+    other: BoolProperty(name="Other", description="Take the piece for the second one that operators ask for",
+                        options={'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        if not shape.has_shape(context.object):
+            cls.poll_message_set("Select a Splinewright shape")
+            return False
+        if context.object.data.library:
+            cls.poll_message_set("The shape is linked from another file: make it local first")
+            return False
+        return True
+
+    def candidates(self, context):
+        obs = [context.object, *context.selected_objects]
+        return {ob.name: hand.counted(ob.data) for ob in obs if shape.has_shape(ob) and not ob.data.library}
+
+    def picked(self, context, ob, number):
+        hand.take(ob.data, number, self.other)
+        return reports.finished(self, reports.Said(f"Piece {number} of {ob.name} is in hand"))
+
+
+class SPLINEWRIGHT_OT_pick_for_operator(_Picks, bpy.types.Operator):
+    bl_idname = "splinewright.pick_for_operator"
+    bl_label = "Pick Number"
+    bl_description = "Click a piece in the 3D view to have its number here"
+    bl_options = {'INTERNAL'}
+
+    setting: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        operator = context.active_operator
+        return context.mode == 'OBJECT' and operator is not None and operator.bl_idname.startswith("SPLINEWRIGHT_OT_")
+
+    def candidates(self, context):
+        return hand.asked(context.active_operator).get(self.setting, {})
+
+    def picked(self, context, ob, number):
+        """As if the number was typed: the last operator is undone and done again with it."""
+        operator = context.active_operator
+        setattr(operator.properties, self.setting, number)
+        area, region, _ = picking.views()[0]
+        with context.temp_override(area=area, region=region):
+            if bpy.ops.ed.undo_redo() == {'FINISHED'}:
+                bpy.ops.ed.undo_push(message=getattr(bpy.types, operator.bl_idname).bl_label)
+        return {'CANCELLED'}            # Blender 5.2 hides the panel when another operator finishes
+
+
+CLASSES = (SPLINEWRIGHT_OT_pick_piece, SPLINEWRIGHT_OT_pick_for_operator)

@@ -1,0 +1,69 @@
+"""One report a call: Blender's status bar shows only the last one, which must tell of everything, the worst last."""
+
+from typing import NamedTuple
+
+from ...core.failures import sentence
+
+#: Texts of one kind that are said; of others only how many there are.
+_MOST = 3
+
+
+class Said(NamedTuple):
+    """What is to be told of a work that was done."""
+
+    done: str = ""
+    notes: tuple = ()                   # what else is good to know
+    warnings: tuple = ()                # what was not done, or was lost
+
+
+def finished(operator, said):
+    """Report what was done, if there is anything to tell. Returns what the operator's execute() returns."""
+    _report(operator, 'WARNING' if said.warnings else 'INFO', [said.done, *_few(said.notes), *_few(said.warnings)])
+    return {'FINISHED'}
+
+
+def cancelled(operator, *reasons):
+    """Report why nothing was done and nothing changed. Returns what the operator's execute() returns."""
+    _report(operator, 'ERROR', _few(reasons))
+    return {'CANCELLED'}
+
+
+def stopped(operator, text):
+    """Report that a user stopped it and nothing changed. Returns what the operator's modal() returns."""
+    _report(operator, 'INFO', [text])
+    return {'CANCELLED'}
+
+
+def failed(operator, error, name=""):
+    """cancelled() for an exception, of the object of this name if it is one object's."""
+    return cancelled(operator, named(name, sentence(error)) if name else sentence(error))
+
+
+def named(name, text):
+    """A sentence about an object that names it."""
+    return text if text.startswith(name) else f"{name}: {text}"
+
+
+def by_name(texts):
+    """Sentences of {name: text}, each said once for all whom it concerns."""
+    names = {}
+    for name, text in texts.items():
+        names.setdefault(text, []).append(name)
+    return tuple(named(_listed(of_text), text) for text, of_text in names.items())
+
+
+def _listed(names):
+    """A, B, C and 4 more."""
+    shown, more = names[:_MOST], len(names) - _MOST
+    return ", ".join(shown) + (f" and {more} more" if more > 0 else "")
+
+
+def _few(texts):
+    shown, more = list(texts[:_MOST]), len(texts) - _MOST
+    return shown + ([f"and {more} more"] if more > 0 else [])
+
+
+def _report(operator, kind, texts):
+    text = "; ".join(filter(None, texts))
+    if text:
+        operator.report({kind}, text)

@@ -1,0 +1,55 @@
+"""How finely a shape is shown, in panels."""
+
+import contextlib
+
+from ..bridge import fineness, problems, recipes, store
+from . import texts
+
+
+def draw(layout, data, definition, has_buttons=True):
+    """For the data-block of a shape and its definition. has_buttons: those of operators, which take the active object."""
+    settings = data.splinewright
+    column = layout.column(align=True)
+    if definition.has_curves:
+        column.prop(settings, "resolution_u", text="Resolution")
+        if definition.runs_to_infinity or _is_endless(data):
+            column.prop(settings, "reach")
+    else:
+        _draw_fineness(column, settings, has_buttons)
+        layout.prop(settings, "sharp_angle")
+        column = layout.column(align=True)
+        column.label(text=f"{len(data.vertices):,} vertices")
+        column.label(text=_faces(data))
+        if has_buttons and len(definition.pieces) > 1 and len(data.materials) > 1:
+            layout.operator("splinewright.set_patch_material", icon='MATERIAL')
+    for about in (problems.SETTING, problems.KEYED):
+        problem = problems.of(data, about)
+        if problem:
+            texts.draw_problem(layout, problem)
+
+
+def _is_endless(data):
+    """Whether the recipe of a shape, if it can be read, makes curves that may run far."""
+    with contextlib.suppress(store.UnreadableDefinition):
+        return recipes.around(data) is not None
+    return False
+
+
+def _draw_fineness(column, settings, has_buttons):
+    column.prop(settings, "mode")
+    if settings.mode == fineness.COUNT:
+        column.prop(settings, "resolution_u")
+        column.prop(settings, "resolution_v")
+    if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
+        row = column.row(align=True)
+        row.prop(settings, "tolerance")
+        if has_buttons:
+            row.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
+    if settings.mode in (fineness.ANGLE, fineness.BOTH):
+        column.prop(settings, "angle")
+
+
+def _faces(data):
+    """Of a Mesh, and how many there were before."""
+    before, now = data.splinewright.faces_before, len(data.polygons)
+    return f"{before:,} → {now:,} faces" if before not in (0, now) else f"{now:,} faces"

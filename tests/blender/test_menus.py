@@ -1,0 +1,101 @@
+"""Menus of objects hold entries on what is selected, and no others."""
+
+from types import SimpleNamespace
+
+import bpy
+import pytest
+
+import patches
+from curves import value_of
+from natives import native_curve
+from shapes import activate, add
+from support import part
+
+menus = part('ui.menus')
+
+
+class Drawn(list):
+    """Stands for a UILayout: the names of what is put into it."""
+
+    def operator(self, name, **_):
+        self.append(name.split(".")[1])
+        assert getattr(bpy.ops.splinewright, self[-1]).get_rna_type()
+
+    def menu(self, name, **_):
+        self.append(name)
+        menu = getattr(bpy.types, name)
+        menu.draw(SimpleNamespace(layout=self), bpy.context)
+
+    def separator(self, **_):
+        """Nothing is named."""
+
+
+def drawn(menu):
+    """What we add to one of Blender's menus, with what lies below."""
+    layout = Drawn()
+    for name, draw in menus._PLACES:
+        if name == menu:
+            draw(SimpleNamespace(layout=layout), bpy.context)
+    return layout
+
+
+CONTEXT, APPLY, CONVERT = "VIEW3D_MT_object_context_menu", "VIEW3D_MT_object_apply", "VIEW3D_MT_object_convert"
+
+
+def cube():
+    bpy.ops.mesh.primitive_cube_add()
+    return bpy.context.object
+
+
+@pytest.mark.parametrize('make', (cube, lambda: bpy.ops.object.text_add(), lambda: bpy.ops.object.empty_add(),
+                                  lambda: bpy.ops.object.camera_add()))
+def test_what_is_not_ours_to_change_has_no_entries(make):
+    make()
+    assert bpy.context.selected_objects
+    assert [drawn(menu) for menu in (CONTEXT, APPLY, CONVERT)] == [[], [], []]
+
+
+def test_nothing_selected_has_no_entries():
+    activate(add(value_of('cubic')))
+    bpy.context.object.select_set(False)
+    assert [drawn(menu) for menu in (CONTEXT, APPLY, CONVERT)] == [[], [], []]
+
+
+def test_a_curve_of_blender_is_made_exact_or_followed():
+    native_curve()
+    assert drawn(CONTEXT)[:3] == ["SPLINEWRIGHT_MT_object_context", "make_exact", "follow_object"]
+    assert {"add_revolve", "add_extrude", "add_ruled"} <= set(drawn(CONTEXT))
+    assert not {"edit_net", "to_native", "restore", "join", "raise_degree"} & set(drawn(CONTEXT))
+    assert drawn(APPLY) == [] and drawn(CONVERT) == ["make_exact"]
+
+
+@pytest.mark.parametrize('value, own, others', (
+    (lambda: value_of('cubic'), {"SPLINEWRIGHT_MT_curve", "raise_degree", "add_revolve"},
+     {"SPLINEWRIGHT_MT_patch", "patch_split"}),
+    (lambda: patches.value_of('bicubic'), {"SPLINEWRIGHT_MT_patch", "patch_split"},
+     {"SPLINEWRIGHT_MT_curve", "raise_degree", "add_revolve"})))
+def test_a_shape_has_its_verbs(value, own, others):
+    add(value())
+    found = set(drawn(CONTEXT))
+    assert own | {"edit_net", "set_knots", "pick_piece", "to_native", "follow_object", "restore"} <= found
+    assert not (others | {"make_exact"}) & found
+    assert drawn(APPLY) == ["apply_transform"] and drawn(CONVERT) == ["to_native"]
+
+
+def test_a_shape_and_a_cube_have_what_concerns_the_shape():
+    shape, box = add(value_of('cubic')), cube()
+    activate(box, shape)
+    assert "raise_degree" in drawn(CONTEXT)
+
+
+def test_the_object_menu_holds_everything():
+    cube()
+    found = set(drawn("VIEW3D_MT_object"))
+    assert {"edit_net", "make_exact", "raise_degree", "patch_split", "add_ruled", "detach"} <= found
+
+
+def test_no_operator_stands_twice_in_a_menu():
+    add(value_of('cubic'))
+    for name, _ in menus._PLACES:
+        found = drawn(name)
+        assert len(found) == len(set(found)), name

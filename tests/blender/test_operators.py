@@ -1,0 +1,84 @@
+"""What all operators have in common: names that say the verb, presets where there is something to keep."""
+
+import ctypes
+
+import bpy
+import pytest
+
+from curves import run, value_of
+from shapes import activate, add, op
+from support import part
+
+OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
+VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Clamp', 'Convert', 'Detach', 'Edit', 'Export', 'Extract',
+         'Extrude', 'Follow', 'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Raise', 'Remove', 'Renew',
+         'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp', 'Write'}
+
+
+def kind_of(name):
+    return getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}")
+
+
+def kept(name):
+    """The settings that Blender would keep in a preset."""
+    properties = getattr(bpy.ops.splinewright, name).get_rna_type().properties
+    return {p.identifier for p in properties
+            if not (p.is_hidden or p.is_skip_save or getattr(p, 'is_skip_preset', False) or p.identifier == 'rna_type')}
+
+
+@pytest.mark.parametrize('name', [name for name in OPERATORS if 'UNDO' in kind_of(name).bl_options])
+def test_undo_history_shows_a_verb(name):
+    assert kind_of(name).bl_label.split()[0] in VERBS, kind_of(name).bl_label
+
+
+@pytest.mark.parametrize('name', OPERATORS)
+def test_an_operator_offers_presets_where_it_has_settings(name):
+    assert ('PRESET' in kind_of(name).bl_options) == bool(kept(name))
+
+
+@pytest.mark.parametrize('name', OPERATORS)
+def test_no_preset_holds_a_place_a_name_or_a_number_of_a_piece(name):
+    properties = getattr(bpy.ops.splinewright, name).get_rna_type().properties
+    numbers = {key for key in kept(name) if properties[key].type in ('INT', 'FLOAT', 'STRING', 'COLLECTION')}
+    assert not numbers & {'filepath', 'directory', 'files', 'location', 'rotation', 'source', 'piece', 'first', 'second',
+                          'parameter', 'parameter_u', 'parameter_v', 'knots', 'eye', 'slot'}
+
+
+@pytest.mark.parametrize('name', ('import_bpt', 'export_bpt', 'import_json'))
+def test_presets_of_files_hold_no_path_though_the_file_browser_shows_it_again(name):
+    known = getattr(bpy.ops.splinewright, name).get_rna_type().properties['filepath']
+    assert known.is_skip_preset if part('bridge.versions').has_skip_preset else known.is_skip_save
+
+
+def test_what_is_done_is_an_undo_step_of_its_name(capfd):
+    add(value_of('nurbs'))
+    for name in ('insert_knot', 'split_curve', 'to_bezier_chain', 'edit_net', 'leave_net', 'add_basis'):
+        op(getattr(bpy.ops.splinewright, name)) if name in ('edit_net', 'leave_net') else run(name)
+    capfd.readouterr()
+    bpy.context.window_manager.print_undo_steps()
+    ctypes.CDLL(None).fflush(None)      # Blender's own buffer
+    said = capfd.readouterr().out
+    for label in ("Insert Knot", "Split", "Convert To Bezier Chain", "Edit Net", "Leave Net", "Add Basis Functions"):
+        assert f"name='{label}'" in said
+
+
+def test_buttons_leave_out_what_menus_say_already():
+    text_of = part('ui.tools').text_of
+    assert [text_of(name) for name in ('to_nurbs', 'patch_to_bezier', 'standard_form', 'project_curve', 'make_periodic')] == [
+        "To NURBS", "To Bezier Patches", "Standard Form", "Perspective Image", "Make Periodic"]
+
+
+@pytest.mark.parametrize('name, settings', (('write_formulas', {'piece': 4}), ('add_basis', {'piece': 4})))
+def test_the_piece_of_the_last_call_is_forgotten(name, settings):
+    add(value_of('many curves'), "many")
+    op(getattr(bpy.ops.splinewright, name), **settings)
+    activate(add(value_of('nurbs'), "one"))
+    assert op(getattr(bpy.ops.splinewright, name)) == {'FINISHED'}
+
+
+def test_the_object_that_was_followed_last_is_forgotten():
+    first, second = add(value_of('cubic'), "first"), add(value_of('nurbs'), "second")
+    op(bpy.ops.splinewright.follow_object, source="first")
+    activate(second)
+    op(bpy.ops.splinewright.follow_object)
+    assert part('bridge.recipes').read_inputs(bpy.context.object.data) == [second] != [first]

@@ -1,0 +1,123 @@
+"""The manual is made of the README and of its own pages, and reads without a network; the zip has the addresses that are known."""
+
+import html.parser
+import io
+import re
+import sys
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+PROJECT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "addon"))
+import make_manual
+import make_zip
+
+
+@pytest.fixture(scope='module')
+def files():
+    return dict(make_manual.content())
+
+
+class Page(html.parser.HTMLParser):
+    """Anchors, addresses and text of a page; every tag is closed."""
+
+    VOID = {'meta', 'link', 'img', 'br', 'hr'}
+
+    def __init__(self, text):
+        super().__init__()
+        self.anchors, self.addresses, self.texts, self.open = [], [], [], []
+        self.feed(text)
+        assert not self.open, self.open
+
+    def handle_starttag(self, tag, attributes):
+        known = dict(attributes)
+        self.anchors += [known['id']] if 'id' in known else []
+        self.addresses += [known[name] for name in ('href', 'src') if name in known]
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.texts.append(data)
+
+
+def test_every_page_is_whole_and_leads_to_all_others(files):
+    for name in make_manual.PAGES:
+        page = Page(files[f"{name}.html"].decode())
+        assert {f"{other}.html" for other in make_manual.PAGES} <= set(page.addresses)
+        assert len(set(page.anchors)) == len(page.anchors), f"{name} has an anchor twice"
+        assert len("".join(page.texts)) > 600, f"{name} is empty"
+
+
+def test_nothing_of_the_manual_lies_elsewhere(files):
+    brought = {"../LICENSE", "../CHANGELOG.md"}
+    for name in make_manual.PAGES:
+        for address in Page(files[f"{name}.html"].decode()).addresses:
+            path = address.partition("#")[0]
+            assert not path or path in files or path in brought, f"{name} asks for {address}"
+    assert "url(" not in files["style.css"].decode() and "@import" not in files["style.css"].decode()
+    assert not any(path.endswith(".js") for path in files)
+
+
+def test_pictures_are_those_of_the_readme_and_small(files):
+    pictures = {path: data for path, data in files.items() if path.startswith("pictures/")}
+    assert len(pictures) >= 12 and sum(map(len, pictures.values())) < 900_000
+    for path, data in pictures.items():
+        with Image.open(io.BytesIO(data)) as picture:
+            assert picture.format == 'WEBP' and 300 < picture.width <= 960, path
+
+
+def test_sections_of_the_readme_are_there_word_for_word(files):
+    def words(text):
+        return " ".join(re.findall(r"\w+", text))
+    readme = (PROJECT / "README.md").read_text()
+    section = re.search(r"^## Five minutes\n(.*?)^## ", readme, re.S | re.M)[1]
+    plain = re.sub(r"!\[(.*?)\]\(.*?\)|```python|```|^\d+\. ", "", section, flags=re.M)
+    assert words(plain) in words("".join(Page(files["five-minutes.html"].decode()).texts))
+
+
+def test_the_same_sources_give_the_same_bytes(files):
+    assert dict(make_manual.content()) == files
+
+
+@pytest.mark.parametrize('text, what', (
+    ("# A\n[b](nets.md#nowhere)\n", "nowhere"),
+    ("# A\n![b](nowhere.png)\n", "nowhere.png"),
+    ("# A\n<!-- README: Nowhere -->\n", "Nowhere"),
+    ("# A\n<b>x</b>\n\n<div>\n</div>\n", "div"),
+))
+def test_what_leads_nowhere_is_refused(text, what, monkeypatch):
+    source = make_manual._source
+    monkeypatch.setattr(make_manual, '_source', lambda name: text if name == "files" else source(name))
+    with pytest.raises(make_manual.Broken, match=what):
+        make_manual.content()
+
+
+def test_addresses_on_the_web_stand_in_one_file_only():
+    for path in (PROJECT / "addon").rglob("*"):
+        if path.suffix in ('.py', '.toml', '.md', '.css') and path.name != "addresses.py":
+            assert not re.search(r"https?://", path.read_text()), path
+
+
+def test_the_zip_has_the_addresses_that_are_known():
+    known = make_zip.addresses((PROJECT / "addon/splinewright/ui/addresses.py").read_text())
+    assert known == {}
+    init, manifest = ((PROJECT / "addon/splinewright" / name).read_text() for name in ("__init__.py", "blender_manifest.toml"))
+    for name, text in (("__init__.py", init), ("blender_manifest.toml", manifest)):
+        made = make_zip.completed(name, text, "1.2.3", {})
+        assert "url" not in made and "website" not in made and "1.2.3" in made
+    known = make_zip.addresses('"""Text."""\nWEBSITE = "https://a.example"\nISSUES = "https://b.example"\nNONE = ""\n')
+    made = make_zip.completed("__init__.py", init, "1.2.3", known)
+    info = {}
+    exec(made.partition("def register")[0], info)
+    assert info["bl_info"]["doc_url"] == "https://a.example" and info["bl_info"]["tracker_url"] == "https://b.example"
+    assert info["bl_info"]["version"] == (1, 2, 3) and info["__version__"] == "1.2.3"
+    made = make_zip.completed("blender_manifest.toml", manifest, "1.2.3", known)
+    assert 'version = "1.2.3"\nwebsite = "https://a.example"\n' in made
