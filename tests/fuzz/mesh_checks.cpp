@@ -49,17 +49,25 @@ void check_mesh(const Tessellation& mesh, const PatchSet& set) {
   }
 }
 
-void check_small_meshes(const PatchSet& set, bool is_adaptive) {
-  attempt([&] { check_mesh(Tessellation::make(set, 2, 3), set); });
-  if (!is_adaptive) return;
+std::optional<Tessellation> adaptive_if_small(const PatchSet& set, const Fineness& fineness) {
   int pauses = 0;
   const Pause pause = [&] {
     if (++pauses > kMostPauses) throw EnoughWork();
   };
   try {
-    attempt([&] { check_mesh(Tessellation::adaptive(set, {0.5, std::numbers::pi / 6}, pause), set); });
+    return Tessellation::adaptive(set, fineness, pause);
   } catch (const EnoughWork&) {
+    return std::nullopt;
   }
+}
+
+void check_small_meshes(const PatchSet& set, bool is_adaptive) {
+  attempt([&] { check_mesh(Tessellation::make(set, 2, 3), set); });
+  if (!is_adaptive) return;
+  attempt([&] {
+    const auto mesh = adaptive_if_small(set, {0.5, std::numbers::pi / 6});
+    if (mesh) check_mesh(*mesh, set);
+  });
 }
 
 }  // namespace splinecore::fuzz

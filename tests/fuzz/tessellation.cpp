@@ -12,11 +12,6 @@ namespace splinecore::fuzz {
 
 namespace {
 
-/// A pause comes every 2^14 cells.
-constexpr int kMostPauses = 1;
-
-struct EnoughWork {};
-
 /// A patch; its parts before and after a parameter, which have a side in common; a surface of revolution.
 void add_some(Bytes& bytes, std::vector<AnyPatch>& patches) {
   const int kind = bytes.integer(0, 3);
@@ -64,22 +59,16 @@ void tessellation(Input data) {
   const int resolution_v = bytes.integer(0, 12);
   const double distance = bytes.tolerance() * 10.0;
   const double angle = bytes.within({0.0, std::numbers::pi / 2});
-  int pauses = 0;
-  const Pause pause = [&] {
-    if (++pauses > kMostPauses) throw EnoughWork();
-  };
-  try {
-    attempt([&] {
-      const PatchSet set = set_of(bytes);
-      check_edges(set);
-      const Tessellation mesh = is_adaptive ? Tessellation::adaptive(set, {distance, angle}, pause)
-                                            : Tessellation::make(set, resolution_u, resolution_v);
-      check_mesh(mesh, set);
-      const PatchSet moved = set.with_points(points(bytes, set.points().size()));
-      if (mesh.fits(moved)) check_mesh(mesh, moved);
-    });
-  } catch (const EnoughWork&) {
-  }
+  attempt([&] {
+    const PatchSet set = set_of(bytes);
+    check_edges(set);
+    const auto mesh = is_adaptive ? adaptive_if_small(set, {distance, angle})
+                                  : std::optional(Tessellation::make(set, resolution_u, resolution_v));
+    if (!mesh) return;
+    check_mesh(*mesh, set);
+    const PatchSet moved = set.with_points(points(bytes, set.points().size()));
+    if (mesh->fits(moved)) check_mesh(*mesh, moved);
+  });
 }
 
 }  // namespace splinecore::fuzz

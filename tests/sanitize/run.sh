@@ -2,11 +2,11 @@
 # Builds everything under sanitizers and runs it: GoogleTest and pytest under address and undefined behaviour,
 # shared values under the thread sanitizer, and the fuzz targets.
 #   run.sh BUILD CACHE               what finds most in some minutes
-#   run.sh BUILD CACHE full          every test, and the fuzz targets for a minute each
+#   run.sh BUILD CACHE full          every test, and the fuzz targets for ten minutes each
 #   run.sh BUILD CACHE fuzz SECONDS [TARGET...]
 # CACHE keeps compiled files, and what the fuzz targets found worth keeping, from one run to the next.
 set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(cd "$(dirname "$0")" && pwd -P)
 project=$(realpath "$here/../..")
 build=$1; cache=$2; part=${3:-quick}; shift 2
 asan=$build/asan
@@ -17,30 +17,32 @@ targets=(json formula curve patch tessellation definition build)
 export CCACHE_DIR=$cache/ccache CCACHE_BASEDIR=$project CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=1G
 export UBSAN_OPTIONS=print_stacktrace=1
 cd "$project"
+source tests/sharing/share.sh
 
 # Of the tests that take a quarter of an hour under the sanitizers those that are slow and tell nothing new.
 slow_native=-PatchVerbs.AlongOneAxisAreThoseAlongTheOtherOfTheSwappedPatch:PatchFromFormulas.RefusesWhatItCannotFollow
 slow_native+=:Area.OfASetIsTheSumOfItsPatches:PatchRemoval.*:SecondJudge.*:Reduced.ByOneHasExactlyTheErrorThatItSays
-quick_python=(test_bad_input test_bad_verbs test_arrays test_values test_json test_formula test_damaged_definitions
-              test_shared_values test_extremes)
-# These build and install, or read sources: nothing of theirs runs in this process.
-not_here=(test_architecture test_packaging test_readme test_stubs)
+quick_python=(tests/python/test_{bad_input,bad_verbs,arrays,values,json,formula,damaged_definitions}.py
+              tests/python/test_{shared_values,extremes}.py)
+# These build, install or read sources: nothing of theirs runs in this process.
+not_here=(test_architecture test_contributing test_manual test_matrix test_packaging test_readme test_sharing
+          test_stubs)
 
 fail() { echo "$*" >&2; exit 1; }
 
 heading() { printf '\n== %s\n' "$*"; }
 
 # The file of a runtime of clang's.
-runtime() {
-  local file
-  file=$("$clang" -print-file-name="libclang_rt.$1-$(uname -m).$2" 2>/dev/null) || true
-  [ -f "$file" ] || fail "There is no $1 runtime of $clang: install the package libclang-rt-19-dev"
-  echo "$file"
-}
+runtime() { "$clang" -print-file-name="libclang_rt.$1-$(uname -m).$2"; }
 
-require_clang() {
-  command -v "$clang" >/dev/null || fail "There is no $clang: install the package clang-19"
-  runtime asan so >/dev/null; runtime tsan so >/dev/null; runtime fuzzer a >/dev/null
+# What no test of this kind can do without, where it is not there.
+missing() {
+  command -v "$clang" >/dev/null || { echo "$clang (package clang-19)"; return; }
+  command -v ccache >/dev/null || { echo "ccache (package ccache)"; return; }
+  local file
+  for file in "$(runtime asan so)" "$(runtime tsan so)" "$(runtime fuzzer a)"; do
+    [ -f "$file" ] || { echo "$clang's $(basename "$file") (package libclang-rt-19-dev)"; return; }
+  done
 }
 
 # Names instead of addresses in what a sanitizer prints.
@@ -53,40 +55,69 @@ done
 
 # build_with address|thread FOLDER TARGET...
 build_with() {
-  local sanitizer=$1 folder=$2 fuzz=OFF; shift 2
+  local sanitizer=$1 folder=$2 fuzz=OFF start=$SECONDS; shift 2
   [ "$sanitizer" = thread ] || fuzz=ON
   mkdir -p "$folder"
   /usr/bin/cmake -S . -B "$folder" -G Ninja -DPython_EXECUTABLE="$python" -DCMAKE_CXX_COMPILER="$clang" \
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DSPLINEWRIGHT_SANITIZE="$sanitizer" -DSPLINEWRIGHT_FUZZ=$fuzz \
+    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O0 -g1" -DSPLINEWRIGHT_SANITIZE="$sanitizer" -DSPLINEWRIGHT_FUZZ=$fuzz \
     >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log" >&2; exit 1; }
-  /usr/bin/cmake --build "$folder" --target "$@" >"$folder/build.log" 2>&1 || { tail -n 60 "$folder/build.log" >&2; exit 1; }
+  /usr/bin/cmake --build "$folder" -j 2 --target "$@" >"$folder/build.log" 2>&1 || {
+    grep -A 20 -m 3 -E 'error: |FAILED: ' "$folder/build.log" >&2
+    exit 1
+  }
+  echo "Built for the $sanitizer sanitizer in $((SECONDS - start)) s"
+}
+
+# Two processes share the tests of a program.
+google_tests() {
+  local start=$SECONDS log=$build/${1##*/} side sides=() code=0
+  for side in 0 1; do
+    GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=$side "$@" --gtest_brief=1 >"$log-$side.log" 2>&1 </dev/null &
+    sides+=($!)
+  done
+  for side in 0 1; do
+    wait "${sides[$side]}" || { code=1; tail -n 100 "$log-$side.log" >&2; }
+  done
+  awk -v seconds=$((SECONDS - start)) '
+    /^\[  PASSED  \]/ { passed += $4 }
+    /^\[  FAILED  \].*listed below/ { failed += $4 }
+    END { printf "%d passed, %d failed in %d s\n", passed, failed, seconds }' "$log"-?.log
+  return $code
 }
 
 native_tests() {
   heading "GoogleTest under address and undefined behaviour"
-  "$asan"/tests/native/splinecore_tests --gtest_brief=1 --gtest_filter="$1"
-  "$asan"/tests/fuzz/splinewright_replay --gtest_brief=1
+  google_tests "$asan"/tests/native/splinecore_tests --gtest_filter="$1"
+  heading "Inputs that are kept, through the fuzz targets"
+  google_tests "$asan"/tests/fuzz/splinewright_replay
 }
 
-# python_under RUNTIME FOLDER TEST...      the module of FOLDER, in a Python that has the runtime
-python_under() {
-  local preload=$1 folder=$2; shift 2
-  LD_PRELOAD=$preload PYTHONMALLOC=malloc PYTHONPATH=$folder/python \
-    "$python" -m pytest -q -p no:cacheprovider "$@"
-}
-
+# The module of the address sanitizer, in a Python that has its runtime.
 python_tests() {
   heading "pytest on the module under address and undefined behaviour"
-  ASAN_OPTIONS=detect_leaks=1:malloc_context_size=2:allocator_may_return_null=1 \
-    LSAN_OPTIONS=suppressions=$here/leaks.txt:print_suppressions=0 \
-    python_under "$(runtime asan so)" "$asan" "$@"
+  share "$asan/python-logs" env LD_PRELOAD="$(runtime asan so)" PYTHONMALLOC=malloc \
+    PYTHONPATH="$asan/python:$project/tests/sharing" \
+    ASAN_OPTIONS=detect_leaks=1:malloc_context_size=2:allocator_may_return_null=1 \
+    LSAN_OPTIONS="suppressions=$here/leaks.txt:print_suppressions=0" \
+    "$python" -m pytest -q -p no:cacheprovider -p sharing "$@"
+}
+
+all_python() {
+  local ignored=() file
+  for file in "${not_here[@]}"; do ignored+=(--ignore="tests/python/$file.py"); done
+  python_tests tests/python "${ignored[@]}"
 }
 
 thread_tests() {
   heading "Shared values under the thread sanitizer"
-  "$tsan"/tests/sanitize/splinewright_shared_values --gtest_brief=1
-  python_under "$(runtime tsan so)" "$tsan" tests/python/test_shared_values.py
+  google_tests "$tsan"/tests/sanitize/splinewright_shared_values
+}
+
+thread_python() {
+  heading "pytest on shared values under the thread sanitizer"
+  LD_PRELOAD=$(runtime tsan so) PYTHONMALLOC=malloc PYTHONPATH=$tsan/python \
+    "$python" -m pytest -q -p no:cacheprovider tests/python/test_shared_values.py
 }
 
 # fuzz_one SECONDS TARGET      For long it goes on behind what it finds, from what earlier runs kept, too; in a short
@@ -120,25 +151,26 @@ fuzz() {
       grep -aE -A 40 -m 1 'ERROR: |runtime error: |terminate called' "$folder/log" >&2
       fail "$target found something. What shows it lies in $folder"
     fi
-    grep -qaE 'Done [0-9]+ runs|fuzzed for|timeout after' "$folder/log" || { tail -n 20 "$folder/log" >&2; fail "$target did not run"; }
+    grep -qaE 'Done [0-9]+ runs|fuzzed for|timeout after' "$folder/log" || {
+      tail -n 20 "$folder/log" >&2
+      fail "$target did not run"
+    }
   done
 }
 
-all_python() {
-  local ignored=()
-  for file in "${not_here[@]}"; do ignored+=(--ignore="tests/python/$file.py"); done
-  python_tests tests/python "${ignored[@]}"
-}
-
-require_clang
+lacks=$(missing)
+if [ -n "$lacks" ]; then
+  echo "Sanitizers and fuzz targets are skipped: there is no $lacks"
+  exit 0
+fi
 case "$part" in
   quick)
     build_with address "$asan" splinecore_tests splinewright_replay _splinecore fuzzers
-    build_with thread "$tsan" splinewright_shared_values _splinecore
+    build_with thread "$tsan" splinewright_shared_values
     native_tests "$slow_native"
-    python_tests $(printf 'tests/python/%s.py ' "${quick_python[@]}")
+    python_tests "${quick_python[@]}"
     thread_tests
-    fuzz 20 "${targets[@]}"
+    fuzz 15 "${targets[@]}"
     ;;
   full)
     build_with address "$asan" splinecore_tests splinewright_replay _splinecore fuzzers
@@ -146,7 +178,8 @@ case "$part" in
     native_tests '*'
     all_python
     thread_tests
-    fuzz 60 "${targets[@]}"
+    thread_python
+    fuzz 600 "${targets[@]}"
     ;;
   fuzz)
     seconds=${2:-}; shift $(($# < 2 ? $# : 2))
