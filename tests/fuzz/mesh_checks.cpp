@@ -8,11 +8,6 @@ namespace splinecore::fuzz {
 
 namespace {
 
-/// A pause comes every 2^14 cells.
-constexpr int kMostPauses = 1;
-
-struct EnoughWork {};
-
 void check_indices(const Tessellation& mesh, const PatchSet& set) {
   const auto starts = mesh.face_starts();
   const auto corners = mesh.corner_vertices();
@@ -49,25 +44,9 @@ void check_mesh(const Tessellation& mesh, const PatchSet& set) {
   }
 }
 
-std::optional<Tessellation> adaptive_if_small(const PatchSet& set, const Fineness& fineness) {
-  int pauses = 0;
-  const Pause pause = [&] {
-    if (++pauses > kMostPauses) throw EnoughWork();
-  };
-  try {
-    return Tessellation::adaptive(set, fineness, pause);
-  } catch (const EnoughWork&) {
-    return std::nullopt;
-  }
-}
-
 void check_small_meshes(const PatchSet& set, bool is_adaptive) {
   attempt([&] { check_mesh(Tessellation::make(set, 2, 3), set); });
-  if (!is_adaptive) return;
-  attempt([&] {
-    const auto mesh = adaptive_if_small(set, {0.5, std::numbers::pi / 6});
-    if (mesh) check_mesh(*mesh, set);
-  });
+  if (is_adaptive) attempt([&] { check_mesh(Tessellation::adaptive(set, {0.5, std::numbers::pi / 6}), set); });
 }
 
 }  // namespace splinecore::fuzz

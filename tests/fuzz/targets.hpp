@@ -28,6 +28,9 @@ void definition(Input data);
 /// Points and numbers, and whatever makes shapes of them: build and conic.
 void build(Input data);
 
+/// Runs a target, and ends it where it takes long: what is slow is no finding, and hides others.
+void run_for_a_while(void (*target)(Input data), Input data);
+
 struct Target {
   const char* name;
   void (*run)(Input data);

@@ -62,12 +62,11 @@ void tessellation(Input data) {
   attempt([&] {
     const PatchSet set = set_of(bytes);
     check_edges(set);
-    const auto mesh = is_adaptive ? adaptive_if_small(set, {distance, angle})
-                                  : std::optional(Tessellation::make(set, resolution_u, resolution_v));
-    if (!mesh) return;
-    check_mesh(*mesh, set);
+    const Tessellation mesh = is_adaptive ? Tessellation::adaptive(set, {distance, angle})
+                                          : Tessellation::make(set, resolution_u, resolution_v);
+    check_mesh(mesh, set);
     const PatchSet moved = set.with_points(points(bytes, set.points().size()));
-    if (mesh->fits(moved)) check_mesh(*mesh, moved);
+    if (mesh.fits(moved)) check_mesh(mesh, moved);
   });
 }
 
