@@ -290,7 +290,8 @@ py::array homogeneous_array(std::span<const glm::dvec4> given, const Shape& shap
   Shape rows = shape;
   rows.push_back(4);
   py::array_t<double> array(rows);
-  const std::vector<glm::dvec4> points = splinecore::homogeneous(given);
+  const std::size_t row_length = shape.size() == 2 ? static_cast<std::size_t>(shape[1]) : 0;
+  const std::vector<glm::dvec4> points = splinecore::finite_homogeneous(given, row_length);
   if (!points.empty()) std::copy_n(&points.data()->x, 4 * points.size(), array.mutable_data());
   return read_only(array);
 }

@@ -61,13 +61,6 @@ void require_net(const py::array& array, const char* name, const Shape& net);
 /// An argument with one part for u and one for v. @throws py::type_error if it is no pair.
 std::pair<py::object, py::object> pair_argument(const py::object& value, const char* name);
 
-/// The result of work that needs no interpreter, done without its lock.
-template <class Work>
-auto unlocked(Work work) {
-  const py::gil_scoped_release lock;
-  return work();
-}
-
 /// Points of two or three columns and their weights (or None: all 1), as (x, y, z, w).
 /// @param dimensions  1 for a row of points, 2 for a net
 std::vector<glm::dvec4> weighted_points(const Doubles& points, const py::object& weights, int dimensions);

@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "basis_matrices.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/functions.hpp"
@@ -25,14 +26,16 @@ py::array functions_at(const KnotVector& knots, const py::object& u, const py::o
   py::array_t<double> out(shape);
   const Side which = side_of(side, "side");
   require_inside(knots, at, which, "u");
-  const Samples samples = Samples::make(knots, {at.data(), static_cast<std::size_t>(at.size())}, 0, which);
-  double* row = out.mutable_data();
-  std::fill_n(row, out.size(), 0.0);
-  for (std::size_t i = 0; i < samples.size(); ++i, row += knots.count()) {
-    for (int j = 0; j <= knots.degree(); ++j) {
-      row[(samples.first(i) + j) % knots.count()] += samples.weights(i)[j];
+  double* const values = out.mutable_data();
+  unlocked([&] {
+    std::fill_n(values, out.size(), 0.0);
+    double* row = values;
+    splinecore::Stencil stencil(knots, 0);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(at.size()); ++i, row += knots.count()) {
+      stencil.move_to(knots.admit(at.data()[i], which, i), which);
+      for (int j = 0; j <= knots.degree(); ++j) row[(stencil.first() + j) % knots.count()] += stencil.weights(0)[j];
     }
-  }
+  });
   return out;
 }
 
@@ -49,9 +52,10 @@ py::array function_at(const KnotVector& knots, const py::object& i, const py::ob
   const int function = integer(i, "i");
   py::array_t<double> out(Shape(at.shape(), at.shape() + at.ndim()));
   require_finite(at, "u");
-  for (py::ssize_t k = 0; k < at.size(); ++k) {
-    out.mutable_data()[k] = splinecore::function_value(knots, function, at.data()[k]);
-  }
+  double* const values = out.mutable_data();
+  unlocked([&] {
+    for (py::ssize_t k = 0; k < at.size(); ++k) values[k] = splinecore::function_value(knots, function, at.data()[k]);
+  });
   return out;
 }
 
@@ -66,16 +70,20 @@ py::array function_derivatives_at(const KnotVector& knots, const py::object& i, 
   shape.push_back(highest + 1);
   py::array_t<double> out(shape);
   const std::size_t width = highest + 1;
-  for (py::ssize_t k = 0; k < at.size(); ++k) {
-    splinecore::function_derivatives(knots, function, at.data()[k], {out.mutable_data() + k * width, width});
-  }
+  double* const rows = out.mutable_data();
+  unlocked([&] {
+    for (py::ssize_t k = 0; k < at.size(); ++k) {
+      splinecore::function_derivatives(knots, function, at.data()[k], {rows + k * width, width});
+    }
+  });
   return out;
 }
 
 /// [(indices, values, rising, falling), …] of the functions' numbers, folded where periodic.
 py::list triangle_at(const KnotVector& knots, const py::object& u) {
   py::list rows;
-  for (const splinecore::TriangleRow& row : splinecore::function_triangle(knots, real(u, "u"))) {
+  const double at = real(u, "u");
+  for (const splinecore::TriangleRow& row : unlocked([&] { return splinecore::function_triangle(knots, at); })) {
     auto indices = new_numbers<std::int64_t>(row.values.size());
     for (py::ssize_t j = 0; j < indices.size(); ++j) {
       indices.mutable_data()[j] = knots.periodic() ? (row.first + j) % knots.count() : row.first + j;
@@ -197,12 +205,14 @@ void bind_basis(py::module_& module) {
         return py::hash(py::make_tuple(self.degree(), self.periodic(), py::tuple(py::cast(std::vector<double>(
             self.knots().begin(), self.knots().end())))));
       })
-      .def(py::pickle([](const KnotVector& self) {
+      .def(py::pickle([](const KnotVector& self) -> py::object {
              return py::make_tuple(self.degree(), std::vector<double>(self.knots().begin(), self.knots().end()),
                                    self.periodic());
            },
-           [](const py::tuple& state) {
-             return KnotVector::make(state[0].cast<int>(), state[1].cast<std::vector<double>>(), state[2].cast<bool>());
+           [](const py::object& state) {
+             const py::tuple parts = state_of_size(state, 3);
+             return KnotVector::make(integer(parts[0], "degree"), numbers(parts[1], "knots"),
+                                     boolean(parts[2], "periodic"));
            }))
       .def("__repr__", [](const KnotVector& self) {
         return "KnotVector(degree=" + std::to_string(self.degree()) + ", " + std::to_string(self.knots().size()) +
@@ -223,7 +233,9 @@ void bind_basis(py::module_& module) {
              const std::vector<double> at = numbers(u, "u");
              const int highest = integer(order, "order");
              splinecore::require_order(highest);
-             return BoundSamples{Samples::make(vector, at, highest, side_of(side, "side")), vector.count(), vector.degree()};
+             const Side which = side_of(side, "side");
+             return BoundSamples{unlocked([&] { return Samples::make(vector, at, highest, which); }), vector.count(),
+                                 vector.degree()};
            }),
            py::arg("knots"), py::arg("u"), py::arg("order") = 0, py::kw_only(), py::arg("side") = "right")
       .def("__len__", [](const BoundSamples& self) { return self.samples.size(); })

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/basis/hermite.hpp"
 #include "splinecore/build/cardinal.hpp"
@@ -190,22 +191,26 @@ void bind_cardinal(py::module_& build) {
 
 void bind_chains(py::module_& build) {
   build.def("chain_from_polygon", [](const py::object& points, const py::object& parameters) {
-              return splinecore::chain_from_polygon(points_of(points), optional_numbers(parameters, "parameters"));
+              const std::vector<glm::dvec3> rows = points_of(points);
+              const std::vector<double> at = optional_numbers(parameters, "parameters");
+              return unlocked([&] { return splinecore::chain_from_polygon(rows, at); });
             }, py::arg("points"), py::arg("parameters") = py::none(),
             "The m cubic BezierCurves of the C2 chain of a polygon (m + 3, 2 or 3) on increasing parameters (m + 1,),\n"
             "by default 0, 1, 2, …: the cubic B-spline with fourfold ends. Lecture row S8.");
   build.def("polygon_of_chain", [](const py::object& chain, const py::object& lengths, const py::object& tolerance) {
-              std::optional<double> allowed;
-              if (!tolerance.is_none()) allowed = real(tolerance, "tolerance");
-              return array_of_vectors(splinecore::polygon_of_chain(beziers_of(chain, "chain"),
-                                                                   optional_numbers(lengths, "lengths"), allowed));
+              const std::optional<double> allowed = optional_real(tolerance, "tolerance");
+              const std::vector<BezierCurve> curves = beziers_of(chain, "chain");
+              const std::vector<double> steps = optional_numbers(lengths, "lengths");
+              return array_of_vectors(unlocked([&] { return splinecore::polygon_of_chain(curves, steps, allowed); }));
             }, py::arg("chain"), py::arg("lengths") = py::none(), py::arg("tolerance") = py::none(),
             "The polygon (m + 3, 3) of m cubic BezierCurves on intervals of these lengths (m,), by default 1.\n\n"
             "Raises InvalidShape with the number of a joint that is not C2 within the tolerance, by default that of\n"
             "rounding. Lecture row S8.");
   build.def("join_beziers", [](const py::object& curves, const py::object& parameters, const py::object& tolerance) {
-              return splinecore::join_beziers(beziers_of(curves, "curves"), optional_numbers(parameters, "parameters"),
-                                              real(tolerance, "tolerance"));
+              const std::vector<BezierCurve> chain = beziers_of(curves, "curves");
+              const std::vector<double> at = optional_numbers(parameters, "parameters");
+              const double most = real(tolerance, "tolerance");
+              return unlocked([&] { return splinecore::join_beziers(chain, at, most); });
             }, py::arg("curves"), py::arg("parameters") = py::none(), py::arg("tolerance") = 0.0,
             "BezierCurves of any degrees one after the other as one NurbsCurve on increasing parameters, one more\n"
             "than curves, by default 0, 1, 2, …\n\n"

@@ -1,5 +1,6 @@
 #include "approximation.hpp"
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/conic/conic_arc.hpp"
 #include "splinecore/conic/ellipse.hpp"
@@ -98,12 +99,14 @@ BezierCurve single_arc(const py::object& curve) {
 AnyApproximation as_hermite(const py::object& curve, const py::object& tolerance) {
   const double most = real(tolerance, "tolerance");
   if (py::isinstance<BezierCurve>(curve)) {
-    return wrap(splinecore::conic_as_hermite(py::cast<const BezierCurve&>(curve).nurbs(), most));
+    const NurbsCurve& form = py::cast<const BezierCurve&>(curve).nurbs();
+    return wrap(unlocked([&] { return splinecore::conic_as_hermite(form, most); }));
   }
   if (!py::isinstance<NurbsCurve>(curve)) {
     throw py::type_error("curve must be a BezierCurve or a NurbsCurve, not " + type_name(curve));
   }
-  return wrap(splinecore::conic_as_hermite(py::cast<const NurbsCurve&>(curve), most));
+  const auto& nurbs = py::cast<const NurbsCurve&>(curve);
+  return wrap(unlocked([&] { return splinecore::conic_as_hermite(nurbs, most); }));
 }
 
 ImplicitConic through_points(const py::object& points, const py::object& tolerance) {
@@ -180,8 +183,10 @@ void bind_implicit_conic(py::module_& conics) {
           "axis; of a hyperbola t of (along cosh t, across sinh t).");
   cls.def("__eq__", [](const ImplicitConic& self, const ImplicitConic& other) { return self == other; }, py::is_operator());
   cls.def("__hash__", [](const ImplicitConic& self) { return py::hash(state_of(self)); });
-  cls.def(py::pickle(&state_of, [](const py::tuple& state) {
-    return make_conic(state[0], state[1], state[2], state[3]);
+  cls.def(py::pickle([](const ImplicitConic& self) -> py::object { return state_of(self); },
+                     [](const py::object& state) {
+    const py::tuple parts = state_of_size(state, 4);
+    return make_conic(parts[0], parts[1], parts[2], parts[3]);
   }));
   cls.def("__repr__", [](const ImplicitConic& self) { return "ImplicitConic(" + std::string(name_of(self.type())) + ")"; });
 }

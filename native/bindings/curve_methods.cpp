@@ -13,7 +13,10 @@ using splinecore::NurbsCurve;
 
 namespace {
 
-constexpr std::size_t kPart = 1 << 16;
+/// Parameters of a part of a long call: as many as take some hundredths of a second.
+std::size_t part_size(const NurbsCurve& curve) {
+  return (std::size_t{1} << 22) / static_cast<std::size_t>(std::max(64, curve.degree() + 1));
+}
 
 EvaluateOptions options_of(const py::object& side, const py::object& at_infinity) {
   return {side_of(side, "side"), at_infinity_of(at_infinity)};
@@ -24,7 +27,7 @@ template <class Work>
 void in_parts_of(const Doubles& parameters, const NurbsCurve& curve, const EvaluateOptions& options,
                  const py::object& cancel, Work work) {
   try {
-    in_parts(parameters.size(), kPart, cancel, work);
+    in_parts(parameters.size(), part_size(curve), cancel, work);
   } catch (const InvalidShape&) {
     require_inside(curve.knot_vector(), parameters, options.side, "u");
     throw;
@@ -86,7 +89,7 @@ py::list polylines(const NurbsCurve& curve, const py::object& resolution, const 
 
 py::list finite_pieces(const NurbsCurve& curve) {
   py::list intervals;
-  for (const auto& piece : splinecore::pieces(curve)) intervals.append(pair_of(piece));
+  for (const auto& piece : unlocked([&] { return splinecore::pieces(curve); })) intervals.append(pair_of(piece));
   return intervals;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/convert/to_hermite.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
@@ -65,7 +66,7 @@ void bind_common(py::class_<Curve>& cls) {
           "With points (n, 3) to be around, their box stands for it, and any curve ends there.");
   cls.def("to_bezier", [](const Curve& self) { return unlocked([&] { return splinecore::to_bezier(form(self)); }); },
           "One BezierCurve for each span, in order. The NURBS Book, A5.6.");
-  cls.def("to_hermite", [](const Curve& self) { return splinecore::to_hermite(form(self)); },
+  cls.def("to_hermite", [](const Curve& self) { return unlocked([&] { return splinecore::to_hermite(form(self)); }); },
           "The same curve as a HermiteCurve; InvalidShape if it is rational, has a gap or degree above 3.");
 }
 

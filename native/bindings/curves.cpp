@@ -1,6 +1,7 @@
 #include "approximation.hpp"
 #include "arrays.hpp"
 #include "curve_methods.hpp"
+#include "long_calls.hpp"
 #include "rational.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
@@ -37,7 +38,7 @@ void bind_points(py::class_<Curve>& cls) {
   }, "(n,) float64, read-only. A point of weight 0 is a direction: a point at infinity.");
   cls.def_property_readonly("homogeneous_points", [count](const Curve& self) {
     return homogeneous_array(self.points(), count(self));
-  }, "(n, 4): wx, wy, wz, w; a direction keeps its coordinates.");
+  }, "(n, 4): wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large for a number.");
   cls.def("with_points", [](const Curve& self, const py::object& points) {
             const Doubles given = real_array(points, "points");
             std::vector<glm::dvec4> rows = weighted_points(given, py::none(), 1);
@@ -122,7 +123,9 @@ void bind_nurbs(py::module_& module) {
   cls.def_property_readonly("knot_vector", [](const NurbsCurve& self) { return self.knot_vector(); },
                             "The basis.KnotVector, shared.");
   cls.def("insert_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times) {
-            return splinecore::insert_knot(self, parameter(u, self.knot_vector()), integer(times, "times"));
+            const double at = parameter(u, self.knot_vector());
+            const int count = integer(times, "times");
+            return unlocked([&] { return splinecore::insert_knot(self, at, count); });
           }, py::arg("u"), py::arg("times") = 1,
           "The same curve with u added to the knots. Untouched points keep every digit (Boehm 1980).");
   cls.def("refine", [](const NurbsCurve& self, const py::object& knots) {
@@ -131,8 +134,8 @@ void bind_nurbs(py::module_& module) {
           }, py::arg("knots"), "The same curve with all these parameters added to the knots.");
   cls.def("split", [](const NurbsCurve& self, const py::object& u) -> py::tuple {
             const double at = real(u, "u");
-            if (self.periodic()) return py::make_tuple(splinecore::opened(self, at));
-            auto [before, after] = splinecore::split(self, at);
+            if (self.periodic()) return py::make_tuple(unlocked([&] { return splinecore::opened(self, at); }));
+            auto [before, after] = unlocked([&] { return splinecore::split(self, at); });
             return py::make_tuple(std::move(before), std::move(after));
           }, py::arg("u"),
           "(before, after), each on its part of the domain; of a periodic curve (opened,), one plain curve from u\n"
@@ -157,13 +160,15 @@ py::tuple flattened(const BezierCurve& curve, const py::object& tolerance) {
 
 AnyApproximation reduced(const BezierCurve& curve, const py::object& times, const py::object& tolerance) {
   const int steps = integer(times, "times");
-  return wrap(tolerance.is_none() ? splinecore::reduced(curve, steps)
-                                  : splinecore::reduced(curve, steps, real(tolerance, "tolerance")));
+  const std::optional<double> most = optional_real(tolerance, "tolerance");
+  return wrap(unlocked(
+      [&] { return most ? splinecore::reduced(curve, steps, *most) : splinecore::reduced(curve, steps); }));
 }
 
 void bind_degrees(py::class_<BezierCurve>& cls) {
   cls.def("elevate", [](const BezierCurve& self, const py::object& times) {
-            return splinecore::elevated(self, integer(times, "times"));
+            const int count = integer(times, "times");
+            return unlocked([&] { return splinecore::elevated(self, count); });
           }, py::arg("times") = 1,
           "The same curve with a degree higher by times. The NURBS Book, eq. 5.36; lecture row S6.\n\n"
           "InvalidShape unless times is 1 or more and the degree at most 255.");
@@ -195,7 +200,10 @@ void bind_bezier(py::module_& module) {
   bind_points(cls);
   bind_rational_verbs(cls);
   bind_value(cls);
-  cls.def("split", [](const BezierCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
+  cls.def("split", [](const BezierCurve& self, const py::object& u) {
+            const double at = real(u, "u");
+            return unlocked([&] { return splinecore::split(self, at); });
+          },
           py::arg("u"), "(before, after), each over [0, 1] (de Casteljau).");
   bind_degrees(cls);
   cls.def("reversed", [](const BezierCurve& self) { return splinecore::reversed(self); },

@@ -1,4 +1,5 @@
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/exchange/json.hpp"
 #include "values.hpp"

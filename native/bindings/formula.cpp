@@ -241,9 +241,10 @@ void bind_formula(py::module_& module) {
     const py::tuple constants(py::cast(self.constants()).attr("items")());
     return py::hash(py::make_tuple(self.text(), names_tuple(self), constants));
   });
-  cls.def("__copy__", [](const Formula& self) { return self; });
-  cls.def("__deepcopy__", [](const Formula& self, const py::object&) { return self; });
-  cls.def(py::pickle(&parts_of, [](const py::tuple& parts) { return formula_of(parts[0], parts[1], parts[2]); }));
+  cls.def(py::pickle([](const Formula& self) -> py::object { return parts_of(self); }, [](const py::object& state) {
+    const py::tuple parts = state_of_size(state, 3);
+    return formula_of(parts[0], parts[1], parts[2]);
+  }));
   cls.def("__repr__", &text_of);
 }
 

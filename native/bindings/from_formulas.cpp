@@ -4,6 +4,7 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "formulas.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/build/curve_from_formulas.hpp"
 #include "splinecore/build/patch_from_formulas.hpp"

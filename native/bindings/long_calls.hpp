@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "splinecore/base/pause.hpp"
+
 namespace bindings {
 
 namespace py = pybind11;
@@ -35,16 +37,27 @@ inline void heed(const py::object& cancel) {
   if (!cancel.is_none() && is_true(cancel())) throw Cancelled();
 }
 
-/// Calls work(begin, end) on consecutive parts of [0, total) without the interpreter's lock, and heed() between them.
+/// The result of work that needs no interpreter, done without its lock; it heeds Ctrl-C and `cancel` where it is long.
+/// @throws py::type_error if cancel is neither None nor callable.
+template <class Work>
+auto unlocked(Work work, const py::object& cancel = py::none()) {
+  require_callable(cancel);
+  const splinecore::Pause pause = [&cancel] {
+    const py::gil_scoped_acquire locked;
+    heed(cancel);
+  };
+  const py::gil_scoped_release without_lock;
+  const splinecore::Pausing pausing(pause);
+  return work();
+}
+
+/// Calls work(begin, end) on consecutive parts of [0, total) as unlocked() does, and heed() between them.
 /// @throws py::type_error if cancel is neither None nor callable.
 template <class Work>
 void in_parts(std::size_t total, std::size_t part, const py::object& cancel, Work work) {
   require_callable(cancel);
   for (std::size_t begin = 0; begin < total; begin += part) {
-    {
-      const py::gil_scoped_release unlocked;
-      work(begin, std::min(total, begin + part));
-    }
+    unlocked([&] { work(begin, std::min(total, begin + part)); }, cancel);
     heed(cancel);
   }
 }

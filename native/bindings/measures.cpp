@@ -1,5 +1,6 @@
 #include "arrays.hpp"
 #include "curve_methods.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/curve/power_curve.hpp"
 #include "splinecore/measure/area.hpp"
@@ -96,7 +97,7 @@ void bind_curve(py::class_<Curve> cls) {
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
           "|C' x C''| / |C'|³ at parameters (...,) -> (...,).\n\n"
           "Where C' falls to zero it is the limit, inf at a sharp cusp; nan where the curve stands still.\n"
-          "Rows S15, S16.");
+          "InvalidShape if it is too large for a number. Rows S15, S16.");
   cls.def("torsion", [](const Curve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::torsion);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
@@ -191,13 +192,15 @@ void bind_patch(py::class_<Patch> cls) {
           }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
           "(first, second) at pairs of parameters: u and v broadcast, (...,) -> two arrays (..., 2, 2).\n\n"
           "[[E, F], [F, G]] and [[L, M], [M, N]], with the unit normal along S_u x S_v. At a pole the normal is its\n"
-          "limit; the second form is nan where it has none. Rows S19, S20.");
+          "limit; the second form is nan where it has none. InvalidShape if a form is too large for a number.\n"
+          "Rows S19, S20.");
   cls.def("curvatures", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side) {
             return curvatures(patch_form(self), u, v, side);
           }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
           "Curvatures at pairs of parameters, which broadcast: positive where the patch bends towards its normal.\n\n"
           "At a pole they are those of the one form that all lines through it agree on; nan where they do not, as\n"
-          "at the tip of a cone, and where S_u and S_v are parallel. Rows S19, S20.");
+          "at the tip of a cone, and where S_u and S_v are parallel. InvalidShape if one is too large for a number.\n"
+          "Rows S19, S20.");
   cls.def("area", [](const Patch& self, const py::object& tolerance) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::area(patch_form(self), most).value; });

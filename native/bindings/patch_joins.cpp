@@ -3,6 +3,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/measure/seam.hpp"
 #include "splinecore/patch/join.hpp"

@@ -145,11 +145,12 @@ PatchSet patch_set(const py::object& points, const py::object& patches, const py
       throw py::type_error("patches" + splinecore::index_text(all.size()) + ": " + error.what());
     }
   }
-  return PatchSet::make(weighted_points(real_array(points, "points"), weights, 1), std::move(all));
+  std::vector<glm::dvec4> pool = weighted_points(real_array(points, "points"), weights, 1);
+  return unlocked([&] { return PatchSet::make(std::move(pool), std::move(all)); });
 }
 
 py::dict edge_counts(const PatchSet& set) {
-  const std::vector<splinecore::Panel> panels = splinecore::panels_of(set);
+  const std::vector<splinecore::Panel> panels = unlocked([&] { return splinecore::panels_of(set); });
   const std::vector<int> sides = splinecore::side_counts(panels);
   int poles = 0;
   for (const splinecore::Panel& panel : panels) {
@@ -169,7 +170,7 @@ py::list seams(const PatchSet& set) {
     return py::make_tuple(patch, kNames[static_cast<std::size_t>(border)]);
   };
   py::list found;
-  for (const splinecore::SharedEdge& edge : splinecore::shared_edges(set)) {
+  for (const splinecore::SharedEdge& edge : unlocked([&] { return splinecore::shared_edges(set); })) {
     found.append(py::make_tuple(side(edge.first_patch, edge.first), side(edge.second_patch, edge.second)));
   }
   return found;
@@ -195,7 +196,8 @@ void bind_set(py::module_& module) {
                      all.push_back(*patch);
                    }
                    if (all.empty()) throw InvalidShape("patches is empty: a set has one or more");
-                   return PatchSet::of(all, boolean(merge, "merge"));
+                   const bool is_merged = boolean(merge, "merge");
+                   return unlocked([&] { return PatchSet::of(all, is_merged); });
                  },
                  py::arg("patches"), py::arg("merge") = true,
                  "A set with the patches' own points as its pool; points equal in every bit become one.");
@@ -227,10 +229,10 @@ void bind_set(py::module_& module) {
               require_net(given, "points", {static_cast<py::ssize_t>(self.points().size())});
               for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
             }
-            return self.with_points(std::move(rows));
+            return unlocked([&] { return self.with_points(std::move(rows)); });
           }, py::arg("points"), py::arg("weights") = py::none(),
           "The same patches on another pool. Weights are kept unless given; a pool of another size needs them.");
-  cls.def("flipped", [](const PatchSet& self) { return splinecore::flipped(self); },
+  cls.def("flipped", [](const PatchSet& self) { return unlocked([&] { return splinecore::flipped(self); }); },
           "All patches seen from the other side: u and v exchanged.");
   cls.def("edge_counts", &edge_counts,
           "{'shared', 'free', 'pole'}: how the sides of the patches meet. An edge counts once, however many sides lie\n"
@@ -286,11 +288,7 @@ void bind_tessellation(py::module_& module) {
                      return value.is_none() ? HUGE_VAL : real(value, name);
                    };
                    const splinecore::Fineness fineness{allowed(tolerance, "tolerance"), allowed(angle, "angle")};
-                   const auto pause = [&] {
-                     const py::gil_scoped_acquire locked;
-                     heed(cancel);
-                   };
-                   return unlocked([&] { return Tessellation::adaptive(set, fineness, pause); });
+                   return unlocked([&] { return Tessellation::adaptive(set, fineness); }, cancel);
                  }, py::arg("patch_set"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = py::none(),
                  py::arg("cancel") = py::none(),
                  "As many faces as the shape asks for: no point of the surface farther from the mesh than tolerance (a\n"
@@ -315,7 +313,10 @@ void bind_tessellation(py::module_& module) {
     const auto uvs = py::cast<const Tessellation&>(self).corner_uvs();
     return view_of_numbers(uvs, {static_cast<py::ssize_t>(uvs.size() / 2), 2}, self);
   }, "(c, 2) float32: u, v of each corner, scaled to [0, 1], read-only.");
-  cls.def("fits", [](const Tessellation& self, const py::object& patch_set) { return self.fits(set_of(patch_set)); },
+  cls.def("fits", [](const Tessellation& self, const py::object& patch_set) {
+            const PatchSet& set = set_of(patch_set);
+            return unlocked([&] { return self.fits(set); });
+          },
           py::arg("patch_set"),
           "Whether evaluate() takes the set: it has the same patches, and the same of its points are equal.");
   cls.def("evaluate", [](const Tessellation& self, const py::object& patch_set) {
@@ -341,8 +342,9 @@ void bind_tessellation(py::module_& module) {
               throw InvalidShape("normals has shape " + shape_text(given) + ", (" +
                                  std::to_string(corners) + ", 3) is expected: one row for each corner");
             }
-            const std::vector<std::int32_t> pairs =
-                self.sharp_edges({given.data(), static_cast<std::size_t>(given.size())}, real(angle, "angle"));
+            const std::span rows(given.data(), static_cast<std::size_t>(given.size()));
+            const double most = real(angle, "angle");
+            const std::vector<std::int32_t> pairs = unlocked([&] { return self.sharp_edges(rows, most); });
             py::array_t<std::int32_t> edges({static_cast<py::ssize_t>(pairs.size() / 2), py::ssize_t{2}});
             std::ranges::copy(pairs, edges.mutable_data());
             return edges;

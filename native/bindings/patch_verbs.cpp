@@ -3,6 +3,7 @@
 #include "approximation.hpp"
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/distance.hpp"
 #include "splinecore/patch/ends.hpp"
@@ -39,14 +40,16 @@ void bind_curves_of(py::class_<Patch>& cls) {
   cls.def("isocurve", [](const Patch& self, const py::object& axis, const py::object& at) {
             const Axis direction = axis_of(axis);
             const auto& patch = carrier(self);
-            return splinecore::isocurve(patch, direction, parameter_of(at, "at", form(patch), direction));
+            const double place = parameter_of(at, "at", form(patch), direction);
+            return unlocked([&] { return splinecore::isocurve(patch, direction, place); });
           }, py::arg("axis"), py::arg("at"),
           "The curve on the patch along which the parameter of axis 'u' or 'v' is at: a NurbsCurve, of a\n"
           "BezierPatch a BezierCurve. Exact, on the knots of the other axis, periodic where that is; at a knot the\n"
           "patch's value from there on. InvalidShape if at is outside the domain or the curve lies at infinity\n"
           "altogether. The NURBS Book, 3.4; rows S18, S20.");
   cls.def("boundary", [](const Patch& self, const py::object& side) {
-            return splinecore::boundary(carrier(self), border_of(side, "side"));
+            const auto border = border_of(side, "side");
+            return unlocked([&] { return splinecore::boundary(carrier(self), border); });
           }, py::arg("side"),
           "The curve of a side, 'u_start', 'u_end', 'v_start' or 'v_end', as of isocurve(); of a periodic axis its\n"
           "seam. InvalidShape if the side lies at infinity altogether. Rows S20, S21.");
@@ -106,12 +109,14 @@ void bind_ends(py::class_<NurbsPatch>& cls) {
           "The same patch over another domain (start, end) of an axis: the knots are mapped, the points stay.\n"
           "InvalidShape unless start < end. Row S20.");
   cls.def("clamped", [](const NurbsPatch& self, const py::object& axis) {
-            return splinecore::clamped(self, axis_of(axis));
+            const Axis direction = axis_of(axis);
+            return unlocked([&] { return splinecore::clamped(self, direction); });
           }, py::arg("axis"),
           "The same patch with both ends of an axis in its outer control points; a periodic axis is cut at its seam.\n"
           "Row S20.");
   cls.def("unclamped", [](const NurbsPatch& self, const py::object& axis) {
-            return splinecore::unclamped(self, axis_of(axis));
+            const Axis direction = axis_of(axis);
+            return unlocked([&] { return splinecore::unclamped(self, direction); });
           }, py::arg("axis"),
           "The same patch on knots of an axis that go on outside the domain; a periodic axis is unrolled.\n"
           "The NURBS Book, A12.1; row S20.");
@@ -142,7 +147,9 @@ void bind_patch_verbs(py::class_<NurbsPatch>& cls) {
   bind_removal(cls);
   bind_ends(cls);
   cls.def("moebius", [](const NurbsPatch& self, const py::object& axis, const py::object& rho) {
-            return splinecore::moebius(self, axis_of(axis), real(rho, "rho"));
+            const Axis direction = axis_of(axis);
+            const double ratio = real(rho, "rho");
+            return unlocked([&] { return splinecore::moebius(self, direction, ratio); });
           }, py::arg("axis"), py::arg("rho"),
           "The same surface under the parameter t = rho u / ((1 - u) + rho u) of an axis over its domain, which\n"
           "stays: knots and weights change. A periodic axis comes out plain. InvalidShape unless rho > 0.\n"

@@ -25,11 +25,15 @@ using splinecore::PatchOptions;
 
 namespace {
 
-constexpr std::size_t kPart = 1 << 15;
-
 const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
 const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
 const NurbsPatch& form(const HermitePatch& patch) { return patch.nurbs(); }
+
+/// Pairs of parameters of a part of a long call: as many as take some hundredths of a second.
+std::size_t part_size(const NurbsPatch& patch) {
+  const auto order = [&](Axis axis) { return static_cast<std::size_t>(patch.knot_vector(axis).degree() + 1); };
+  return (std::size_t{1} << 24) / std::max<std::size_t>(512, order(Axis::u) * order(Axis::v));
+}
 
 /// One side for both directions, or a pair.
 PatchOptions options_of(const py::object& side, const py::object& at_infinity) {
@@ -94,7 +98,7 @@ py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::objec
       splinecore::evaluate(patch, pairs.us(begin, end), pairs.vs(begin, end), output.doubles(first, count), options);
     }
   };
-  in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, work);
+  in_parts_of(pairs.u.size(), part_size(patch), patch, pairs.given_u, pairs.given_v, options, cancel, work);
   return output.array();
 }
 
@@ -112,7 +116,7 @@ py::array derivatives(const NurbsPatch& patch, const py::object& u, const py::ob
     splinecore::derivatives(patch, pairs.us(begin, end), pairs.vs(begin, end), highest,
                             output.doubles(row * begin, row * (end - begin)), options);
   };
-  in_parts_of(pairs.u.size(), kPart, patch, pairs.given_u, pairs.given_v, options, cancel, work);
+  in_parts_of(pairs.u.size(), part_size(patch), patch, pairs.given_u, pairs.given_v, options, cancel, work);
   return output.array();
 }
 
@@ -123,7 +127,9 @@ Doubles axis_parameters(const py::object& value, const char* name) {
 }
 
 /// Rows of a grid that make up one part of a long call.
-std::size_t rows_per_part(const Doubles& v) { return std::max<std::size_t>(1, kPart / std::max<py::ssize_t>(1, v.size())); }
+std::size_t rows_per_part(const NurbsPatch& patch, const Doubles& v) {
+  return std::max<std::size_t>(1, part_size(patch) / std::max<py::ssize_t>(1, v.size()));
+}
 
 py::array evaluate_grid(const NurbsPatch& patch, const py::object& at_u, const py::object& at_v,
                         const py::object& side, const py::object& at_infinity, const py::object& dtype,
@@ -134,7 +140,7 @@ py::array evaluate_grid(const NurbsPatch& patch, const py::object& at_u, const p
   const PatchOptions options = options_of(side, at_infinity);
   const std::size_t row = 3 * v.size();
   const std::span columns(v.data(), v.size());
-  in_parts_of(u.size(), rows_per_part(v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(u.size(), rows_per_part(patch, v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
     const std::span rows(u.data() + begin, end - begin);
     if (output.single()) {
       splinecore::evaluate_grid(patch, rows, columns, output.floats(row * begin, row * rows.size()), options);
@@ -156,7 +162,7 @@ py::tuple evaluate_grid_with_normals(const NurbsPatch& patch, const py::object& 
   const PatchOptions options = options_of(side, at_infinity);
   const std::size_t row = 3 * v.size();
   const std::span columns(v.data(), v.size());
-  in_parts_of(u.size(), rows_per_part(v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
+  in_parts_of(u.size(), rows_per_part(patch, v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
     const std::span rows(u.data() + begin, end - begin);
     const std::size_t first = row * begin;
     const std::size_t count = row * rows.size();
@@ -235,10 +241,10 @@ void bind_common(py::class_<Patch>& cls) {
             const double at = real(u, "u");
             if constexpr (std::is_same_v<Patch, NurbsPatch>) {
               if (self.knot_vector(direction).periodic()) {
-                return py::make_tuple(splinecore::opened(self, direction, at));
+                return py::make_tuple(unlocked([&] { return splinecore::opened(self, direction, at); }));
               }
             }
-            auto [before, after] = splinecore::split(self, direction, at);
+            auto [before, after] = unlocked([&] { return splinecore::split(self, direction, at); });
             return py::make_tuple(std::move(before), std::move(after));
           }, py::arg("axis"), py::arg("u"), "(before, after) a parameter of axis 'u' or 'v'.");
   cls.def("reversed", [](const Patch& self, const py::object& axis) { return splinecore::reversed(self, axis_of(axis)); },
@@ -247,7 +253,7 @@ void bind_common(py::class_<Patch>& cls) {
           "The same surface with u and v exchanged: normals turn over.");
   cls.def("to_bezier", [](const Patch& self) { return bezier_rows(form(self)); },
           "One BezierPatch for each pair of spans: rows along u of lists along v.");
-  cls.def("to_hermite", [](const Patch& self) { return splinecore::to_hermite(form(self)); },
+  cls.def("to_hermite", [](const Patch& self) { return unlocked([&] { return splinecore::to_hermite(form(self)); }); },
           "The same patch as a HermitePatch; InvalidShape if rational, of degree above 3 or not C1 inside.");
 }
 
@@ -263,7 +269,8 @@ void bind_points(py::class_<Patch>& cls) {
   }, "(nu, nv) float64, read-only.");
   cls.def_property_readonly("homogeneous_points", [](const Patch& self) {
     return homogeneous_array(form(self).points(), net_shape(form(self)));
-  }, "(nu, nv, 4): wx, wy, wz, w; a direction keeps its coordinates.");
+  }, "(nu, nv, 4): wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large for a\n"
+     "number.");
 }
 
 /// Other points with the weights of the patch.
@@ -360,8 +367,9 @@ void bind_nurbs(py::module_& module) {
   }, py::arg("weights"), "The patch with other weights and the same points and knots.");
   cls.def("insert_knot", [](const NurbsPatch& self, const py::object& axis, const py::object& u, const py::object& times) {
             const Axis direction = axis_of(axis);
-            return splinecore::insert_knot(self, direction, parameter(u, self.knot_vector(direction)),
-                                           integer(times, "times"));
+            const double at = parameter(u, self.knot_vector(direction));
+            const int count = integer(times, "times");
+            return unlocked([&] { return splinecore::insert_knot(self, direction, at, count); });
           }, py::arg("axis"), py::arg("u"), py::arg("times") = 1, "The same surface with u added to the knots of an axis.");
   cls.def("refine", [](const NurbsPatch& self, const py::object& axis, const py::object& knots) {
             const Axis direction = axis_of(axis);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/curve/bezier_curve.hpp"
 #include "splinecore/curve/hermite_curve.hpp"

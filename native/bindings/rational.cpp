@@ -1,6 +1,7 @@
 #include "rational.hpp"
 
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "splinecore/curve/casteljau.hpp"
 #include "splinecore/curve/finite_arcs.hpp"
 #include "splinecore/curve/moebius.hpp"
@@ -46,7 +47,8 @@ void bind_common(py::class_<Curve>& cls) {
           "each coordinate. Every arc is the curve itself on a part of its domain, with positive weights and\n"
           "no control point farther out than twice the length. Lecture rows S10, S11.");
   cls.def("moebius", [](const Curve& self, const py::object& rho) {
-            return splinecore::moebius(self, real(rho, "rho"));
+            const double ratio = real(rho, "rho");
+            return unlocked([&] { return splinecore::moebius(self, ratio); });
           }, py::arg("rho"),
           "The same curve under the parameter t = rho u / ((1 - u) + rho u): Bezier weights are multiplied by\n"
           "rho**i. Of a NURBS curve the domain and the points stay, knots and weights change (Lee and Lucian\n"
@@ -66,10 +68,10 @@ void bind_rational_verbs(py::class_<BezierCurve>& cls) {
             return arrays_of(splinecore::casteljau_triangle(self, real(u, "u")));
           }, py::arg("u"),
           "All rows of the homogeneous algorithm at u: degree + 1, degree, … 1 points (k, 4), each wx, wy, wz, w.\n"
-          "Defined at any weights. Lecture row S9.");
+          "Defined at any weights. InvalidShape if a product with a weight is too large for a number. Lecture row S9.");
   cls.def("rational_casteljau_triangle", &rational_rows, py::arg("u"),
           "(rows, breakdown): all rows of the rational algorithm at u, (k, 4) arrays of x, y, z, w, and None.\n"
-          "Where it would divide by zero: the rows before, and (row, index, reason). Farin 1983; row S9.");
+          "Where it would divide by zero, or overflow: the rows before, and (row, index, reason). Farin 1983; row S9.");
 }
 
 }  // namespace bindings

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "long_calls.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/exchange/json.hpp"
 
@@ -32,42 +33,37 @@ py::object wrap(const std::variant<Kinds...>& value) {
   return std::visit([](const auto& shape) { return py::cast(shape); }, value);
 }
 
-/// Only objects that a constructor of this very module made are taken for a Shape.
-///
-/// Refused are those that Shape.__new__ gave and no constructor filled, and those of another copy of
-/// the module, which may be of another version: pybind11 would hand them over by these attributes.
-template <class Shape>
-void seal(py::class_<Shape>& cls) {
-  auto* type = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(cls.ptr()));
-  type->operator_new = [](std::size_t) -> void* { throw py::type_error("the value was not made by its constructor"); };
-  for (const char* door : {PYBIND11_MODULE_LOCAL_ID, "_pybind11_conduit_v1_"}) {
-    if (py::hasattr(cls, door)) py::delattr(cls, door);
-  }
-}
+/// Closes a class: only objects that a constructor of this very module made are taken for its values, nothing can be
+/// derived from it, a copy is the value itself, and what has no state to pickle says so.
+void seal(const py::object& cls);
 
-/// Comparison, hash, pickle, copy and text of an immutable value.
+/// The members of a pickled state. @throws py::type_error unless it is a tuple of so many.
+py::tuple state_of_size(const py::object& state, std::size_t size);
+
+/// Comparison, hash, pickle and text of an immutable value.
 template <class Shape>
 void bind_value(py::class_<Shape>& cls) {
   using splinecore::Value;
   seal(cls);
+  const auto text_of = [](const Shape& self) { return unlocked([&] { return splinecore::to_json(Value(self)); }); };
   cls.def("__eq__", [](const Shape& self, const Shape& other) { return self == other; }, py::is_operator());
-  cls.def("__hash__", [](const Shape& self) {
+  cls.def("__hash__", [text_of](const Shape& self) {
     // Zeros of both signs are equal, so they must have one hash.
-    std::string text = splinecore::to_json(Value(self));
+    std::string text = text_of(self);
     for (std::size_t at = text.find("-0.0"); at != std::string::npos; at = text.find("-0.0", at + 1)) {
       const bool whole = at + 4 == text.size() || text[at + 4] == ',' || text[at + 4] == ']';
       if (whole) text.erase(at, 1);
     }
     return std::hash<std::string>()(text);
   });
-  cls.def("__copy__", [](const Shape& self) { return self; });
-  cls.def("__deepcopy__", [](const Shape& self, const py::object&) { return self; });
-  cls.def(py::pickle([](const Shape& self) { return splinecore::to_json(Value(self)); },
-                     [](const std::string& text) {
-                       return std::get<Shape>(std::get<Value>(splinecore::from_json(text)));
-                     }));
-  cls.def("dumps", [](const Shape& self) { return splinecore::to_json(Value(self)); },
-          "JSON text that loads() reads back equal in every bit.");
+  cls.def(py::pickle(text_of, [](const std::string& text) {
+    const auto document = unlocked([&] { return splinecore::from_json(text); });
+    const auto* value = std::get_if<Value>(&document);
+    const auto* shape = value == nullptr ? nullptr : std::get_if<Shape>(value);
+    if (shape == nullptr) throw splinecore::InvalidShape("the state is of another kind");
+    return *shape;
+  }));
+  cls.def("dumps", text_of, "JSON text that loads() reads back equal in every bit.");
 }
 
 }  // namespace bindings

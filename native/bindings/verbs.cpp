@@ -3,6 +3,7 @@
 #include "approximation.hpp"
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/distance.hpp"
@@ -71,9 +72,9 @@ void bind_end_verbs(py::class_<NurbsCurve>& cls) {
           }, py::arg("domain"),
           "The same curve over another domain (start, end): the knots are mapped, the points stay.\n"
           "InvalidShape unless start < end. Row S15.");
-  cls.def("clamped", [](const NurbsCurve& self) { return splinecore::clamped(self); },
+  cls.def("clamped", [](const NurbsCurve& self) { return unlocked([&] { return splinecore::clamped(self); }); },
           "The same curve with both ends in its outer control points; a periodic one is cut at its seam.\nRow S15.");
-  cls.def("unclamped", [](const NurbsCurve& self) { return splinecore::unclamped(self); },
+  cls.def("unclamped", [](const NurbsCurve& self) { return unlocked([&] { return splinecore::unclamped(self); }); },
           "The same curve on knots that go on outside the domain; a periodic one is unrolled.\n"
           "The NURBS Book, A12.1; row S15.");
   cls.def("to_periodic", [](const NurbsCurve& self, const py::object& tolerance) {
@@ -106,17 +107,21 @@ void bind_measures(py::class_<NurbsCurve>& cls) {
           "Where both run to infinity they are left out; where one does alone the distance is inf.\n"
           "InvalidShape if the domains differ.");
   cls.def("continuity", [](const NurbsCurve& self, const py::object& u, const py::object& tolerance) {
-            return splinecore::continuity_at(self, real(u, "u"), real(tolerance, "tolerance"));
+            const double at = real(u, "u");
+            const double most = real(tolerance, "tolerance");
+            return unlocked([&] { return splinecore::continuity_at(self, at, most); });
           }, py::arg("u"), py::arg("tolerance") = splinecore::kContinuityTolerance,
           "The Continuity at a parameter inside the domain.\n"
           "tolerance is relative: below it a difference is called none. Row S16.");
   cls.def("continuity_to", [](const NurbsCurve& self, const NurbsCurve& other, const py::object& tolerance) {
-            return splinecore::continuity_between(self, other, real(tolerance, "tolerance"));
+            const double most = real(tolerance, "tolerance");
+            return unlocked([&] { return splinecore::continuity_between(self, other, most); });
           }, py::arg("other"), py::arg("tolerance") = splinecore::kContinuityTolerance,
           "The Continuity between the end of this curve and the start of the other.\nRow S16.");
   cls.def("joints", [](const NurbsCurve& self, const py::object& tolerance) {
             py::list found;
-            for (const auto& joint : splinecore::joints(self, real(tolerance, "tolerance"))) {
+            const double most = real(tolerance, "tolerance");
+            for (const auto& joint : unlocked([&] { return splinecore::joints(self, most); })) {
               found.append(py::make_tuple(joint.u, joint.continuity));
             }
             return found;

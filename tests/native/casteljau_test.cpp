@@ -66,6 +66,25 @@ TEST(Casteljau, RationalAlgorithmSaysWhichControlPointIsADirection) {
   EXPECT_NEAR(std::hypot(h.x, h.y), h.w, 1e-16);
 }
 
+TEST(Casteljau, RefusesProductsThatOverflow) {
+  const BezierCurve curve = BezierCurve::make({{0, 0, 0, 1}, {1, 1e36, 0, 1e300}});
+  EXPECT_EQ(refusal([&] { casteljau_triangle(curve, 0.5); }),
+            "points[1].y = 1e+36 times weights[1] = 1e+300 is too large for a number");
+  const RationalTriangle rows = rational_casteljau_triangle(curve, 0.5);
+  ASSERT_FALSE(rows.breakdown.has_value());
+  EXPECT_NEAR(rows.rows.back()[0].y / 1e36, 1.0, 1e-15);
+}
+
+TEST(Casteljau, RationalAlgorithmSaysWhichPointOverflows) {
+  const BezierCurve near = BezierCurve::make({{1e290, 0, 0, 1}, {-1e290, 0, 0, -1 + 0x1p-48}});
+  EXPECT_FALSE(rational_casteljau_triangle(near, 0.5).breakdown.has_value());
+  const BezierCurve farther = BezierCurve::make({{1.7e308, 0, 0, 1}, {-1.7e308, 0, 0, -1 + 0x1p-48}});
+  const RationalTriangle overflown = rational_casteljau_triangle(farther, 0.5);
+  ASSERT_TRUE(overflown.breakdown.has_value());
+  EXPECT_EQ(overflown.breakdown->reason, "point 0 of row 1 is too large for a number");
+  EXPECT_EQ(overflown.rows.size(), 1u);
+}
+
 TEST(Casteljau, RefusesParametersOutside) {
   const BezierCurve line = BezierCurve::make({{0, 0, 0, 1}, {1, 1, 0, 1}});
   EXPECT_THROW(casteljau_triangle(line, 1.1), InvalidShape);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "splinecore/conic/ellipse.hpp"
+#include "splinecore/curve/rescale.hpp"
 #include "splinecore/curve/transform.hpp"
 #include "support.hpp"
 
@@ -121,6 +122,26 @@ TEST(CurveFrame, FramesAreOrthonormalAndTurnWithTheCurve) {
     const FrenetFrame there = frame_at(moved, u);
     EXPECT_LE(largest(there.tangent - glm::dvec3(turn * glm::dvec4(frame.tangent, 0)) / 3.0), 1e-9);
   }
+}
+
+TEST(CurveFrame, DoesNotDependOnTheScaleOfParametersAndWeights) {
+  Random random(3);
+  const NurbsCurve curve = random_curve(random, {5, 2, Ends::clamped, Weights::positive});
+  for (const auto& [parameters, weights] : {std::pair{700, 0}, std::pair{-700, 0}, std::pair{0, 900},
+                                            std::pair{0, -900}, std::pair{500, 500}}) {
+    const NurbsCurve other = divided(curve, {.coordinates = 0, .weights = weights, .parameters = parameters});
+    const double u = 0.3 * curve.domain().start + 0.7 * curve.domain().end;
+    const double there = std::scalbn(u, -parameters);
+    EXPECT_NEAR(curvature_at(other, there) / curvature_at(curve, u), 1.0, 1e-12) << parameters << " " << weights;
+    EXPECT_NEAR(torsion_at(other, there) / torsion_at(curve, u), 1.0, 1e-9) << parameters << " " << weights;
+    EXPECT_LE(largest(frame_at(other, there).normal - frame_at(curve, u).normal), 1e-12);
+  }
+}
+
+TEST(CurveFrame, RefusesACurvatureThatIsNoNumber) {
+  const NurbsCurve tiny = NurbsCurve::make(
+      KnotVector::bezier(2), {{0, 0, 0, 1}, {1e-310, 0, 0, 1}, {1e-310, 1e-310, 0, 1}});
+  EXPECT_EQ(refusal([&] { curvature_at(tiny, 0.0); }), "the curvature is too large for a number");
 }
 
 TEST(CurveFrame, SidesOfAKnotAreToldApart) {

@@ -1,7 +1,9 @@
 #include "splinecore/basis/knot_vector.hpp"
 
+#include <array>
 #include <limits>
 #include <numeric>
+#include <thread>
 
 #include "reference.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -156,6 +158,49 @@ TEST(KnotVectorBezierMatrix, OfTheUniformCubicIsTheOneOfTheLectures) {
   const auto matrix = knots.bezier_matrix(2);
   const double expected[] = {1, 4, 1, 0, 0, 4, 2, 0, 0, 2, 4, 0, 0, 1, 4, 1};
   for (int i = 0; i < 16; ++i) EXPECT_NEAR(6 * matrix[i], expected[i], 1e-15) << i;
+}
+
+TEST(KnotVectorBezierMatrix, IsOneForAllThatAskAtOnce) {
+  for (const auto& [degree, count] : {std::pair{3, 5000}, std::pair{40, 60}, std::pair{255, 257}}) {
+    const KnotVector knots = KnotVector::uniform(degree, count);
+    const int spans = static_cast<int>(knots.spans().size());
+    std::array<std::vector<const double*>, 4> seen;
+    std::vector<std::thread> threads;
+    for (auto& mine : seen) {
+      threads.emplace_back([&] {
+        for (int i = 0; i < spans; ++i) mine.push_back(knots.bezier_matrix(i).data());
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const auto& mine : seen) EXPECT_EQ(mine, seen[0]);
+    for (const int i : {0, spans / 2, spans - 1}) {
+      const auto matrix = knots.bezier_matrix(i);
+      for (int j = 0; j <= degree; ++j) {
+        const auto row = matrix.subspan(j * (degree + 1), degree + 1);
+        EXPECT_NEAR(std::accumulate(row.begin(), row.end(), 0.0), 1.0, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(KnotVectorBezierMatrix, OfABezierSpanIsTheIdentity) {
+  for (const int degree : {0, 1, 3, 254, 255}) {
+    const KnotVector knots = KnotVector::bezier(degree);
+    const auto matrix = knots.bezier_matrix(0);
+    for (int i = 0; i <= degree; ++i) {
+      for (int j = 0; j <= degree; ++j) ASSERT_EQ(matrix[i * (degree + 1) + j], i == j ? 1.0 : 0.0);
+    }
+  }
+}
+
+TEST(KnotVectorMultiplicity, CountsKnotsAndNothingElse) {
+  const KnotVector plain = KnotVector::make(2, {0, 0, 1, 2, 2, 2, 3, 3});
+  const KnotVector period = KnotVector::make(3, {0, 0, 1, 2, 2}, true);
+  EXPECT_EQ(multiplicity(plain, 2.0), 3);
+  EXPECT_EQ(multiplicity(plain, -0.0), 2);
+  for (const double u : {-1.0, 1.5, 4.0, std::nan("")}) EXPECT_EQ(multiplicity(plain, u), 0) << u;
+  EXPECT_EQ(multiplicity(period, 0.0), 3);
+  EXPECT_EQ(multiplicity(period, 2.0), 3);
 }
 
 TEST(KnotVectorEquality, ComparesDegreePeriodicityAndEveryKnot) {

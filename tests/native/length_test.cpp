@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "splinecore/basis/bernstein.hpp"
 #include "splinecore/conic/ellipse.hpp"
 #include "support.hpp"
 
@@ -94,6 +95,15 @@ TEST(Length, LiesBetweenTheChordAndThePolygon) {
     const double found = length(curve).value;
     EXPECT_LE(found, polygon * (1.0 + 1e-13));
     EXPECT_GE(found, glm::length(point_at(curve, 1.0) - point_at(curve, 0.0)) * (1.0 - 1e-13));
+  }
+}
+
+/// Products of two polynomials of degree 128 and more need binomials above row 255.
+TEST(Length, OfALineIsThatOfItsEndsAtAnyDegree) {
+  for (const int degree : {1, 127, 128, 129, 160, 161, 200, 254, kMaxDegree}) {
+    std::vector<glm::dvec4> points;
+    for (int i = 0; i <= degree; ++i) points.emplace_back(3.0 * i / degree, 4.0 * i / degree, 0.0, 1.0);
+    EXPECT_NEAR(length(bezier(std::move(points))).value, 5.0, 1e-12) << degree;
   }
 }
 

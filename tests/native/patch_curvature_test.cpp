@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "splinecore/build/primitives.hpp"
+#include "splinecore/patch/rescale.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -90,6 +91,32 @@ TEST(PatchCurvature, FormsOfAParaboloid) {
   EXPECT_NEAR(forms.l, 12.0 * z, 1e-13);
   EXPECT_NEAR(forms.m, 0.0, 1e-13);
   EXPECT_NEAR(forms.n, -8.0 * z, 1e-13);
+}
+
+TEST(PatchCurvature, DoesNotDependOnTheScaleOfParameters) {
+  Random random(7);
+  const NurbsPatch patch = random_patch(random, Weights::positive);
+  const Interval domain_u = patch.knot_vector(Axis::u).domain();
+  const Interval domain_v = patch.knot_vector(Axis::v).domain();
+  const double u = 0.3 * domain_u.start + 0.7 * domain_u.end;
+  const double v = 0.6 * domain_v.start + 0.4 * domain_v.end;
+  const SurfaceCurvature here = curvature_at(patch, u, v);
+  const FundamentalForms forms = forms_at(patch, u, v);
+  for (const auto& [by_u, by_v] : {std::pair{500, 500}, std::pair{-500, -500}, std::pair{700, 0}, std::pair{0, -600}}) {
+    const NurbsPatch other = divided(patch, {by_u, by_v});
+    const double there_u = std::scalbn(u, -by_u);
+    const double there_v = std::scalbn(v, -by_v);
+    const SurfaceCurvature there = curvature_at(other, there_u, there_v);
+    EXPECT_NEAR(there.gauss / here.gauss, 1.0, 1e-12) << by_u << " " << by_v;
+    EXPECT_NEAR(there.mean / here.mean, 1.0, 1e-12) << by_u << " " << by_v;
+    if (std::abs(by_u) + std::abs(by_v) == 1000) {
+      const FundamentalForms scaled = forms_at(other, there_u, there_v);
+      EXPECT_NEAR(scaled.f / std::scalbn(forms.f, by_u + by_v), 1.0, 1e-12);
+      EXPECT_NEAR(scaled.n / std::scalbn(forms.n, 2 * by_v), 1.0, 1e-12);
+    } else if (by_u > 0) {
+      EXPECT_EQ(refusal([&] { forms_at(other, there_u, there_v); }), "the first form is too large for a number");
+    }
+  }
 }
 
 TEST(PatchCurvature, ObeysTheWeingartenEquationsOfItsForms) {

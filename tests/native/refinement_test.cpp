@@ -135,6 +135,31 @@ TEST(Refine, OfPointsWithOneWeightKeepsThemInTheHull) {
   }
 }
 
+TEST(MissingInside, AreTheInnerKnotsThatAnotherVectorHasMoreOf) {
+  const KnotVector own = KnotVector::make(2, {0, 0, 0, 1, 1, 3, 5, 5, 5});
+  const KnotVector other = KnotVector::make(2, {-2, -1, 0, 1, 2, 2, 3, 3, 5, 6, 7});
+  EXPECT_EQ(missing_inside(own, other), (std::vector<double>{2, 2, 3}));
+  EXPECT_EQ(missing_inside(other, own), (std::vector<double>{1}));
+  EXPECT_TRUE(missing_inside(own, own).empty());
+}
+
+TEST(BezierPoints, AreThoseOfEverySpan) {
+  Random random(17);
+  for (const Kind& kind : all_kinds(Weights::any)) {
+    const NurbsCurve curve = random_curve(random, kind);
+    for (int i = 0; i < static_cast<int>(curve.knot_vector().spans().size()); ++i) {
+      const Interval span = curve.knot_vector().span_interval(i);
+      const std::vector<glm::dvec4> points = bezier_points(curve, i);
+      ASSERT_EQ(points.size(), static_cast<std::size_t>(kind.degree + 1));
+      std::vector<glm::dvec4> ends(2);
+      evaluate_homogeneous(curve, std::vector{span.start}, std::span(ends).first(1), Side::right);
+      evaluate_homogeneous(curve, std::vector{span.end}, std::span(ends).last(1), Side::left);
+      EXPECT_LE(largest(points.front() - ends[0]), 1e-13 * size_of(curve)) << text_of(kind);
+      EXPECT_LE(largest(points.back() - ends[1]), 1e-13 * size_of(curve)) << text_of(kind);
+    }
+  }
+}
+
 TEST(InsertKnot, NamesWhatCannotBeInserted) {
   const NurbsCurve curve = NurbsCurve::make(2, {0, 0, 0, 1, 2, 2, 2}, std::vector<glm::dvec4>(4, glm::dvec4(1)));
   EXPECT_EQ(refusal([&] { insert_knot(curve, 2.5); }), "knots[0] = 2.5 is outside the domain [0, 2]");

@@ -31,6 +31,19 @@ std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given) {
   return points;
 }
 
+std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, std::size_t row_length) {
+  std::vector<glm::dvec4> points = homogeneous(given);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::isfinite(points[i][axis])) continue;
+      const std::string place = index_text(i, row_length);
+      throw InvalidShape("points" + place + "." + kAxes[axis] + " = " + text_of(given[i][axis]) + " times weights" +
+                         place + " = " + text_of(given[i].w) + " is too large for a number");
+    }
+  }
+  return points;
+}
+
 std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points) {
   std::vector<glm::dvec4> given(points.size());
   std::ranges::transform(points, given.begin(), [](const auto& p) { return as_given(p); });

@@ -1,16 +1,22 @@
 #include "splinecore/basis/bernstein.hpp"
 
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace splinecore {
 
 namespace {
 
+/// The last row of the table: that of products of two polynomials. C(510, 255) is about 1e152.
+constexpr int kLastRow = 2 * kMaxDegree;
+
 /// Pascal's triangle, row after row.
 const double* binomial_row(int n) {
+  if (n < 0 || n > kLastRow) throw std::out_of_range("no row " + std::to_string(n) + " of binomials");
   static const std::vector<double> triangle = [] {
-    std::vector<double> rows((kMaxDegree + 1) * (kMaxDegree + 2) / 2, 1.0);
-    for (int i = 2, start = 3; i <= kMaxDegree; start += ++i) {
+    std::vector<double> rows((kLastRow + 1) * (kLastRow + 2) / 2, 1.0);
+    for (int i = 2, start = 3; i <= kLastRow; start += ++i) {
       for (int k = 1; k < i; ++k) rows[start + k] = rows[start - i + k - 1] + rows[start - i + k];
     }
     return rows;
@@ -20,7 +26,11 @@ const double* binomial_row(int n) {
 
 }  // namespace
 
-double binomial(int n, int k) { return binomial_row(n)[k]; }
+double binomial(int n, int k) {
+  const double* row = binomial_row(n);
+  if (k < 0 || k > n) throw std::out_of_range("no binomial " + std::to_string(k) + " in row " + std::to_string(n));
+  return row[k];
+}
 
 void bernstein(int degree, double t, double s, std::span<double> out) {
   const double* choose = binomial_row(degree);

@@ -6,7 +6,9 @@
 #include <glm/vec3.hpp>
 #include <queue>
 
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
+#include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
 
@@ -50,6 +52,7 @@ Net<Value> halve(Net<Value>& net, const Lines& lines) {
   for (std::size_t line = 0; line < lines.count; ++line) {
     Value* const row = second.values.data() + line * lines.next;
     Value* const first = net.values.data() + line * lines.next;
+    breathe(2 * lines.size * lines.size);
     for (std::size_t done = 1; done < lines.size; ++done) {
       for (std::size_t i = 0; i + done < lines.size; ++i) {
         row[i * lines.step] = 0.5 * row[i * lines.step] + 0.5 * row[(i + 1) * lines.step];
@@ -73,13 +76,7 @@ std::vector<double> product_shares(std::size_t count) {
   const int p = static_cast<int>(count) - 1;
   std::vector<double> shares;
   for (int i = 0; i <= p; ++i) {
-    for (int k = 0; k <= p; ++k) {
-      // i of the first half and k of the second, out of i + k of 2p.
-      double share = 1.0;
-      for (int j = 0; j < i; ++j) share *= static_cast<double>(p - j) / (2 * p - j) * (j + 1 + k) / (j + 1);
-      for (int j = 0; j < k; ++j) share *= static_cast<double>(p - j) / (2 * p - i - j);
-      shares.push_back(share);
-    }
+    for (int k = 0; k <= p; ++k) shares.push_back(binomial(p, i) * binomial(p, k) / binomial(2 * p, i + k));
   }
   return shares;
 }
@@ -116,6 +113,7 @@ Points rational_difference(const Points& a, const Points& b, double& size) {
   std::vector<double> sizes(result.values.size(), 0.0);
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     const glm::dvec4 on_a = seen(a.values[i]);
+    breathe(32 * b.values.size());
     const double size_a = length_of(a.values[i]);
     const std::size_t row = i / a.columns;
     const std::size_t column = i % a.columns;

@@ -5,6 +5,7 @@
 
 #include "old_knots.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/blossom.hpp"
 
@@ -127,6 +128,7 @@ void add_row(const Window& window, const std::vector<Run>& runs, const OldKnots&
     const Blossom blossom = blossom_without(window, i, runs);
     const long first = blossom.shared - 1 - static_cast<long>(blossom.arguments.size());
     std::vector<double> part(blossom.arguments.size() + 1);
+    breathe(static_cast<std::size_t>(degree) + 4 * part.size() * part.size());
     blossom_weights(old.at(first), degree, blossom.arguments, part.data());
     firsts.push_back(first);
     parts.push_back(std::move(part));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 
@@ -23,6 +24,7 @@ void require_function(const KnotVector& knots, int i) {
 double cox_de_boor(std::span<const double> knots, double u, bool closed_at_u) {
   const int degree = static_cast<int>(knots.size()) - 2;
   std::vector<double> values(degree + 1);
+  breathe(4 * values.size() * values.size());
   for (int j = 0; j <= degree; ++j) {
     values[j] = closed_at_u ? (knots[j] < u && u <= knots[j + 1])
                             : (knots[j] <= u && u < knots[j + 1]);

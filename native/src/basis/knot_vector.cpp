@@ -1,22 +1,49 @@
 #include "splinecore/basis/knot_vector.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <memory>
 #include <numeric>
 #include <string>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
 
-struct KnotVector::Matrices {
-  std::once_flag built;
-  std::vector<double> values;
+/// The matrices of all spans, in blocks that whoever asks first builds. No lock is held meanwhile, because long work
+/// may pause; of two that build one block at once the first to be done is taken.
+class KnotVector::Matrices {
+ public:
+  Matrices(std::size_t spans, std::size_t size) {
+    constexpr std::size_t kBlock = std::size_t{1} << 12;  // numbers
+    while ((size << shift_) < kBlock && (std::size_t{1} << shift_) < spans) ++shift_;
+    blocks_ = std::vector<std::atomic<double*>>((spans + (std::size_t{1} << shift_) - 1) >> shift_);
+  }
+  ~Matrices() {
+    for (std::atomic<double*>& block : blocks_) delete[] block.load();
+  }
+  Matrices(const Matrices&) = delete;
+  Matrices& operator=(const Matrices&) = delete;
+
+  std::span<const double> of(const State& state, std::size_t span) {
+    const std::size_t order = state.degree + 1;
+    std::atomic<double*>& block = blocks_[span >> shift_];
+    const double* values = block.load(std::memory_order_acquire);
+    if (values == nullptr) values = filled(block, state, span >> shift_ << shift_);
+    return {values + (span & ((std::size_t{1} << shift_) - 1)) * order * order, order * order};
+  }
+
+ private:
+  const double* filled(std::atomic<double*>& block, const State& state, std::size_t first) const;
+
+  int shift_ = 0;  ///< a block has 2^shift_ spans
+  std::vector<std::atomic<double*>> blocks_;
 };
 
 namespace {
@@ -42,8 +69,8 @@ void require_order(std::span<const double> knots, int degree) {
 }
 
 void require_period(std::span<const double> knots, int degree) {
-  const auto leading = std::ranges::count(knots, knots.front());
-  const auto trailing = std::ranges::count(knots, knots.back());
+  const auto leading = static_cast<long>(std::ranges::equal_range(knots, knots.front()).size());
+  const auto trailing = static_cast<long>(std::ranges::equal_range(knots, knots.back()).size());
   if (knots.front() == knots.back()) {
     throw InvalidShape("knots" + index_text(knots.size() - 1) + " = " + text_of(knots.back()) +
                        " equals knots[0]: the period has no length");
@@ -70,6 +97,23 @@ std::vector<int> positive_spans(std::span<const double> knots, int degree) {
     if (knots[k] < knots[k + 1]) spans.push_back(k);
   }
   return spans;
+}
+
+/// Writes the matrix of the span that begins at *start.
+void fill_matrix(const double* start, int degree, double* row) {
+  const std::size_t order = degree + 1;
+  const bool is_bezier = start[1 - degree] == start[0] && start[1] == start[degree];
+  if (degree > 0 && is_bezier) {
+    std::fill_n(row, order * order, 0.0);
+    for (std::size_t j = 0; j < order; ++j) row[j * order + j] = 1.0;
+    return;
+  }
+  std::vector<double> arguments(degree, start[0]);
+  for (std::size_t ends = 0; ends < order; ++ends, row += order) {
+    if (ends > 0) arguments[ends - 1] = start[1];
+    breathe(4 * order * order);
+    blossom_weights(start - degree, degree, arguments, row);
+  }
 }
 
 /// The matrices of all spans may take 1 GB.
@@ -121,7 +165,8 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
   state->knots = std::move(knots);
   state->spans = positive_spans(state->unrolled, degree);
   require_size(degree, state->spans.size());
-  state->matrices = std::make_shared<Matrices>();
+  const std::size_t order = degree + 1;
+  state->matrices = std::make_shared<Matrices>(state->spans.size(), order * order);
   return KnotVector(std::move(state));
 }
 
@@ -205,24 +250,19 @@ int KnotVector::span_of(double u, Side side) const noexcept {
   return static_cast<int>(next - spans.begin()) - 1;
 }
 
-std::span<const double> KnotVector::bezier_matrix(int i) const {
-  const int order = state_->degree + 1;
-  const std::size_t size = static_cast<std::size_t>(order) * order;
-  Matrices& matrices = *state_->matrices;
-  std::call_once(matrices.built, [&] {
-    matrices.values.resize(size * state_->spans.size());
-    double* row = matrices.values.data();
-    for (const int k : state_->spans) {
-      const double* knots = state_->unrolled.data() + k;
-      std::vector<double> arguments(order - 1, knots[0]);
-      for (int ends = 0; ends < order; ++ends, row += order) {
-        if (ends > 0) arguments[ends - 1] = knots[1];
-        blossom_weights(knots - (order - 1), order - 1, arguments, row);
-      }
-    }
-  });
-  return {matrices.values.data() + size * i, size};
+const double* KnotVector::Matrices::filled(std::atomic<double*>& block, const State& state, std::size_t first) const {
+  const std::size_t order = state.degree + 1;
+  const std::size_t count = std::min(std::size_t{1} << shift_, state.spans.size() - first);
+  auto values = std::make_unique<double[]>(count * order * order);
+  for (std::size_t i = 0; i < count; ++i) {
+    fill_matrix(state.unrolled.data() + state.spans[first + i], state.degree, values.get() + i * order * order);
+  }
+  double* known = nullptr;
+  if (block.compare_exchange_strong(known, values.get(), std::memory_order_acq_rel)) known = values.release();
+  return known;
 }
+
+std::span<const double> KnotVector::bezier_matrix(int i) const { return state_->matrices->of(*state_, i); }
 
 bool operator==(const KnotVector& a, const KnotVector& b) noexcept {
   return a.state_ == b.state_ || (a.degree() == b.degree() && a.periodic() == b.periodic() &&
@@ -248,10 +288,10 @@ double periodic_knot(std::span<const double> period, long i) noexcept {
 
 int multiplicity(const KnotVector& knots, double u) noexcept {
   const auto given = knots.knots();
-  const auto times = static_cast<int>(std::ranges::count(given, u));
-  if (!knots.periodic() || (u != given.front() && u != given.back())) return times;
-  return static_cast<int>(std::ranges::count(given, given.front()) +
-                          std::ranges::count(given, given.back())) - 1;
+  if (!(u >= given.front() && u <= given.back())) return 0;
+  const auto times = [&](double knot) { return static_cast<int>(std::ranges::equal_range(given, knot).size()); };
+  if (!knots.periodic() || (u != given.front() && u != given.back())) return times(u);
+  return times(given.front()) + times(given.back()) - 1;
 }
 
 }  // namespace splinecore

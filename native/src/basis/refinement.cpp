@@ -1,10 +1,12 @@
 #include "splinecore/basis/refinement.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "old_knots.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
@@ -78,6 +80,7 @@ void for_each_window(const std::vector<Merged>& merged, long start, int count, i
     for (const Merged& knot : std::span(merged.data() + start + j, degree)) {
       if (knot.inserted) arguments.push_back(knot.value);
     }
+    breathe(static_cast<std::size_t>(degree) + 4 * arguments.size() * arguments.size());
     visit(next_old - 1 - static_cast<long>(arguments.size()), arguments);
     if (is_old(merged[start + j])) next_old = merged[start + j].old_index + 1;
   }
@@ -108,6 +111,18 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
     rows.weights.insert(rows.weights.end(), row.begin(), row.end());
   });
   return {knots, std::move(refined), std::move(rows)};
+}
+
+std::vector<double> missing_inside(const KnotVector& knots, const KnotVector& other) {
+  const Interval domain = knots.domain();
+  const auto inside = [&](const KnotVector& vector) {
+    const auto all = vector.knots();
+    return std::ranges::subrange(std::ranges::upper_bound(all, domain.start),
+                                 std::ranges::lower_bound(all, domain.end));
+  };
+  std::vector<double> missing;
+  std::ranges::set_difference(inside(other), inside(knots), std::back_inserter(missing));
+  return missing;
 }
 
 std::vector<double> knot_copies(const KnotVector& knots, double u, int times) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/blossom.hpp"
 
@@ -35,6 +36,7 @@ Stencil::Stencil(const KnotVector& knots, int order)
       weights_(size_ * (order + 1)) {}
 
 void Stencil::move_to(double u, Side side) {
+  breathe((4 * static_cast<std::size_t>(order_) + 1) * size_ * size_);
   const int degree = static_cast<int>(size_) - 1;
   const int span = knots_.span_of(u, side);
   first_ = knots_.spans()[span] - degree;

@@ -33,24 +33,7 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
   const std::size_t columns = knots_v.degree() + 1;
   const auto matrix_u = knots_u.bezier_matrix(span_u);
   const auto matrix_v = knots_v.bezier_matrix(span_v);
-  const int width = knots_v.unrolled_count();
-  const glm::dvec4* corner = patch.homogeneous_points().data() +
-                             (knots_u.spans()[span_u] - knots_u.degree()) * width +
-                             (knots_v.spans()[span_v] - knots_v.degree());
-  std::vector<glm::dvec4> half(rows * columns);
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      half[i * columns + j] = weighted_sum(matrix_v.subspan(j * columns, columns), corner + i * width);
-    }
-  }
-  std::vector<glm::dvec4> net(rows * columns, glm::dvec4(0.0));
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t k = 0; k < rows; ++k) {
-      const double weight = matrix_u[i * rows + k];
-      if (weight == 0.0) continue;
-      for (std::size_t j = 0; j < columns; ++j) net[i * columns + j] += weight * half[k * columns + j];
-    }
-  }
+  std::vector<glm::dvec4> net = bezier_points(patch, span_u, span_v);
   net = patch.rational() ? as_given(net) : as_given_polynomial(net);
   for (std::size_t i = 0; i < rows; ++i) {
     const int row = copied_point(matrix_u.subspan(i * rows, rows));
@@ -70,15 +53,10 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
 
 std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
   const KnotVector& knots = curve.knot_vector();
-  const std::size_t order = knots.degree() + 1;
   std::vector<BezierCurve> beziers;
-  std::vector<glm::dvec4> points(order);
-  for (std::size_t span = 0; span < knots.spans().size(); ++span) {
-    const auto matrix = knots.bezier_matrix(static_cast<int>(span));
-    const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
-    for (std::size_t j = 0; j < order; ++j) points[j] = weighted_sum(matrix.subspan(j * order, order), first);
-    std::vector<glm::dvec4> given = as_given_from(curve, points);
-    keep_points(curve.points(), matrix, knots.spans()[span] - knots.degree(), knots.count(), given);
+  for (int span = 0; span < static_cast<int>(knots.spans().size()); ++span) {
+    std::vector<glm::dvec4> given = as_given_from(curve, bezier_points(curve, span));
+    keep_points(curve.points(), knots.bezier_matrix(span), knots.spans()[span] - knots.degree(), knots.count(), given);
     beziers.push_back(BezierCurve::make(std::move(given)));
   }
   return beziers;

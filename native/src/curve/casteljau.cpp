@@ -4,6 +4,9 @@
 #include <limits>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/base/quotient.hpp"
 
 namespace splinecore {
 
@@ -32,8 +35,7 @@ bool cancels(double a, double b) {
 
 Triangle casteljau_triangle(const BezierCurve& curve, double u) {
   const double t = admitted(curve, u);
-  const auto first = curve.nurbs().homogeneous_points();
-  Triangle rows{{first.begin(), first.end()}};
+  Triangle rows{finite_homogeneous(curve.points())};
   while (rows.back().size() > 1) {
     const auto& above = rows.back();
     std::vector<glm::dvec4> row(above.size() - 1);
@@ -62,6 +64,13 @@ RationalTriangle rational_casteljau_triangle(const BezierCurve& curve, double u)
       }
       const double s = after / (before + after);
       row[i] = {(1.0 - s) * glm::dvec3(above[i]) + s * glm::dvec3(above[i + 1]), before + after};
+      if (!is_finite(glm::dvec3(row[i]))) {
+        const int number = static_cast<int>(triangle.rows.size());
+        triangle.breakdown = Breakdown{number, static_cast<int>(i),
+                                       "point " + std::to_string(i) + " of row " + std::to_string(number) +
+                                           " is too large for a number"};
+        return triangle;
+      }
     }
     triangle.rows.push_back(std::move(row));
   }
@@ -72,6 +81,7 @@ std::pair<HomogeneousPoints, HomogeneousPoints> cut(std::span<const glm::dvec4> 
   HomogeneousPoints before(points.begin(), points.end());
   HomogeneousPoints after(points.size());
   const std::size_t last = points.size() - 1;
+  breathe(4 * points.size() * points.size());
   for (std::size_t level = 0; level <= last; ++level) {
     after[last - level] = before[last];
     for (std::size_t i = last; i > level; --i) before[i] = (1.0 - u) * before[i - 1] + u * before[i];

@@ -17,9 +17,12 @@ NurbsCurve with_common_knots(const NurbsCurve& curve, const KnotVector& others) 
   const Interval domain = others.domain();
   const double slack = kRounding * std::max(std::abs(domain.start), std::abs(domain.end));
   std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
+  const auto wanted = others.knots();
   for (double& knot : knots) {
-    for (const double other : others.knots()) {
-      if (std::abs(knot - other) <= slack) knot = other;
+    const double given = knot;
+    for (auto other = std::ranges::lower_bound(wanted, given - slack); other != wanted.end(); ++other) {
+      if (*other > given + slack) break;
+      knot = *other;
     }
   }
   return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()),

@@ -78,13 +78,18 @@ NurbsCurve reduced_once(const NurbsCurve& curve) {
 
 }  // namespace
 
-Approximation<NurbsCurve> reduced(const NurbsCurve& curve, int times, std::optional<double> tolerance) {
+NurbsCurve of_lower_degree(const NurbsCurve& curve, int times) {
   if (times < 1 || times >= curve.degree()) {
     throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " + std::to_string(curve.degree() - 1) +
                        "]: a curve needs degree 1 or more");
   }
   NurbsCurve lower = curve.periodic() ? with_whole_seam(curve) : clamped(curve);
   for (int i = 0; i < times; ++i) lower = reduced_once(lower);
+  return lower;
+}
+
+Approximation<NurbsCurve> reduced(const NurbsCurve& curve, int times, std::optional<double> tolerance) {
+  NurbsCurve lower = of_lower_degree(curve, times);
   const double error = largest_distance(curve, lower);
   if (tolerance && error > *tolerance) throw ToleranceNotReached("the degree cannot be lowered", *tolerance, error);
   return {std::move(lower), error};

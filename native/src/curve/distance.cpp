@@ -4,25 +4,16 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/difference.hpp"
+#include "splinecore/basis/refinement.hpp"
 #include "splinecore/curve/degree.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// The distinct knots of both curves in the domain, each as often as a curve of this degree lacks it.
-NurbsCurve chopped(const NurbsCurve& curve, const NurbsCurve& other) {
-  const auto own = curve.knot_vector().knots();
-  const Interval domain = curve.domain();
-  std::vector<double> knots;
-  std::ranges::merge(own, other.knot_vector().knots(), std::back_inserter(knots));
-  knots.erase(std::ranges::unique(knots).begin(), knots.end());
-  std::vector<double> missing;
-  for (const double u : knots) {
-    if (u < domain.start || u > domain.end) continue;
-    const auto copies = static_cast<long>(std::ranges::equal_range(own, u).size());
-    missing.insert(missing.end(), curve.degree() + 1 - copies, u);
-  }
+/// The curve with all inner knots of the other.
+NurbsCurve with_knots_of(const NurbsCurve& curve, const KnotVector& other) {
+  const std::vector<double> missing = missing_inside(curve.knot_vector(), other);
   return missing.empty() ? curve : refine(curve, missing);
 }
 
@@ -30,17 +21,17 @@ NurbsCurve chopped(const NurbsCurve& curve, const NurbsCurve& other) {
 std::vector<DifferencePiece> pieces_of(NurbsCurve a, NurbsCurve b) {
   if (a.degree() < b.degree()) a = elevated(a, b.degree() - a.degree());
   if (b.degree() < a.degree()) b = elevated(b, a.degree() - b.degree());
-  const NurbsCurve pieces_a = chopped(a, b);
-  const NurbsCurve pieces_b = chopped(b, a);
+  a = with_knots_of(a, b.knot_vector());
+  b = with_knots_of(b, a.knot_vector());
+  // Matrices of spans are built once for a knot vector and its copies.
+  if (a.knot_vector() == b.knot_vector()) {
+    b = NurbsCurve::make(a.knot_vector(), {b.points().begin(), b.points().end()});
+  }
   const std::size_t count = a.degree() + 1;
   std::vector<DifferencePiece> pieces;
-  for (std::size_t i = 0; i < pieces_a.knot_vector().spans().size(); ++i) {
-    const auto take = [&](const NurbsCurve& curve) {
-      const auto begin = curve.homogeneous_points().begin() + (curve.knot_vector().spans()[i] - curve.degree());
-      return Net<glm::dvec4>{count, 1, {begin, begin + static_cast<long>(count)}};
-    };
-    Net<glm::dvec4> on_a = take(pieces_a);
-    Net<glm::dvec4> on_b = take(pieces_b);
+  for (int i = 0; i < static_cast<int>(a.knot_vector().spans().size()); ++i) {
+    Net<glm::dvec4> on_a{count, 1, bezier_points(a, i)};
+    Net<glm::dvec4> on_b{count, 1, bezier_points(b, i)};
     if (on_a.values != on_b.values) pieces.push_back(difference(std::move(on_a), std::move(on_b)));
   }
   return pieces;

@@ -153,8 +153,7 @@ Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<d
   if (gap > 0.0) best.error = largest_distance(curve, best.value);
   if (best.error > slack) throw ToleranceNotReached("the ends do not meet", slack, best.error);
   const double seam = plain.domain().start;
-  while (auto next = removed_within(best.value, seam, curve, slack)) best = std::move(*next);
-  return best;
+  return without_copies(std::move(best), seam, curve, slack);
 }
 
 NurbsCurve with_whole_seam(const NurbsCurve& curve) {

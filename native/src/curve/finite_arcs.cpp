@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/casteljau.hpp"
 
 namespace splinecore {
@@ -171,16 +170,6 @@ void append_positive(Chain& chain, std::span<const glm::dvec4> points, Interval 
   append_positive(chain, after, {middle, range.end}, room, noise);
 }
 
-HomogeneousPoints span_points(const NurbsCurve& curve, int span) {
-  const KnotVector& knots = curve.knot_vector();
-  const std::size_t order = knots.degree() + 1;
-  const auto matrix = knots.bezier_matrix(span);
-  const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
-  HomogeneousPoints points(order);
-  for (std::size_t j = 0; j < order; ++j) points[j] = weighted_sum(matrix.subspan(j * order, order), first);
-  return points;
-}
-
 /// The part of a span between two of its parameters in [0, 1].
 HomogeneousPoints restricted(std::span<const glm::dvec4> points, Interval part) {
   HomogeneousPoints rest = cut(points, part.end).first;
@@ -191,7 +180,7 @@ std::vector<Chain> chains_of(const NurbsCurve& curve, const Room& room) {
   const KnotVector& knots = curve.knot_vector();
   std::vector<Chain> chains;
   for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
-    const HomogeneousPoints points = span_points(curve, i);
+    const HomogeneousPoints points = bezier_points(curve, i);
     const Interval span = knots.span_interval(i);
     const auto at = [&](double t) { return t == 1.0 ? span.end : span.start + t * span.length(); };
     const Search search(points, room);

@@ -7,6 +7,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/interval.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
 
@@ -22,6 +23,7 @@ constexpr int kMaxHalvings = 60;
 /// The midpoint scheme: the first half stays in `points`, the second is returned.
 Points halve(Points& points) {
   Points right(points.size());
+  breathe(4 * points.size() * points.size());
   for (std::size_t level = 0; level < points.size(); ++level) {
     right[points.size() - 1 - level] = points.back();
     for (std::size_t i = points.size() - 1; i > level; --i) points[i] = 0.5 * (points[i - 1] + points[i]);

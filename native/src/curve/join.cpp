@@ -212,9 +212,7 @@ NurbsCurve in_a_row(const NurbsCurve& a, const NurbsCurve& b) {
 Approximation<NurbsCurve> without_needless_copies(const NurbsCurve& curve, double joint) {
   constexpr double kRounding = 0x1p-42;
   const double tolerance = kRounding * largest_coordinate(curve.points());
-  Approximation<NurbsCurve> best{curve, 0.0};
-  while (auto next = removed_within(best.value, joint, curve, tolerance)) best = std::move(*next);
-  return best;
+  return without_copies({curve, 0.0}, joint, curve, tolerance);
 }
 
 Approximation<NurbsCurve> joined_near_one(NurbsCurve a, NurbsCurve b, Smoothness smoothness) {

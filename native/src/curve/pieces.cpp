@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -20,6 +21,7 @@ using Zeros = std::vector<Interval>;
 /// The first half of de Casteljau's triangle stays in `coefficients`, the second is returned.
 std::vector<double> halve(std::vector<double>& coefficients) {
   const std::size_t order = coefficients.size();
+  breathe(order * order);
   std::vector<double> right(order);
   for (std::size_t level = 0; level < order; ++level) {
     right[order - 1 - level] = coefficients[order - 1];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "splinecore/base/as_many.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/least_squares.hpp"
@@ -76,7 +77,7 @@ NurbsCurve removed(const NurbsCurve& curve, double u, int times) {
 
 }  // namespace
 
-Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int times, std::optional<double> tolerance) {
+NurbsCurve without_knot(const NurbsCurve& curve, double u, int times) {
   const NurbsCurve whole = curve.periodic() ? with_whole_seam(curve) : curve;
   const double at = whole.knot_vector().admit(u, Side::right);
   const int most = removable(whole, at);
@@ -84,24 +85,31 @@ Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int tim
     if (most < 1) throw InvalidShape("u = " + text_of(u) + " is no knot that can be removed");
     throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " + std::to_string(most) + "]");
   }
-  NurbsCurve result = removed(whole, at, times);
+  return removed(whole, at, times);
+}
+
+Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int times, std::optional<double> tolerance) {
+  NurbsCurve result = without_knot(curve, u, times);
   const double error = largest_distance(curve, result);
   if (tolerance && error > *tolerance) throw ToleranceNotReached("the knot cannot be removed", *tolerance, error);
   return {std::move(result), error};
 }
 
-std::optional<Approximation<NurbsCurve>> removed_within(const NurbsCurve& curve, double u, const NurbsCurve& original,
-                                                        double tolerance) {
-  try {
-    const NurbsCurve whole = curve.periodic() ? with_whole_seam(curve) : curve;
-    if (removable(whole, u) < 1) return std::nullopt;
-    Approximation<NurbsCurve> found{removed(whole, u, 1), 0.0};
-    found.error = largest_distance(original, found.value);
-    if (found.error <= tolerance) return found;
-  } catch (const InvalidShape&) {
-    // A weight that falls to nearly zero throws its point out of the range of numbers.
-  }
-  return std::nullopt;
+Approximation<NurbsCurve> without_copies(Approximation<NurbsCurve> best, double u, const NurbsCurve& original,
+                                         double tolerance) {
+  const auto without = [&](const NurbsCurve& curve, int times) -> std::optional<Approximation<NurbsCurve>> {
+    try {
+      const NurbsCurve whole = curve.periodic() ? with_whole_seam(curve) : curve;
+      if (removable(whole, u) < times) return std::nullopt;
+      Approximation<NurbsCurve> found{removed(whole, u, times), 0.0};
+      found.error = largest_distance(original, found.value);
+      if (found.error <= tolerance) return found;
+    } catch (const InvalidShape&) {
+      // A weight that falls to nearly zero throws its point out of the range of numbers.
+    }
+    return std::nullopt;
+  };
+  return removed_as_often_as_can_be(std::move(best), without);
 }
 
 Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance) {
@@ -109,9 +117,7 @@ Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance
   Approximation<NurbsCurve> best{curve.periodic() ? with_whole_seam(curve) : curve, 0.0};
   std::vector<double> distinct(best.value.knot_vector().knots().begin(), best.value.knot_vector().knots().end());
   distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
-  for (const double u : distinct) {
-    while (auto next = removed_within(best.value, u, curve, tolerance)) best = std::move(*next);
-  }
+  for (const double u : distinct) best = without_copies(std::move(best), u, curve, tolerance);
   return best;
 }
 

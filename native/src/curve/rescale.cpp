@@ -63,15 +63,26 @@ Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b) {
           knots.allowed(needed(lengths / 2))};
 }
 
+int scale_of(const KnotVector& knots) {
+  Exponents exponents;
+  for (const double knot : knots.knots()) exponents.add(knot);
+  return exponents.allowed(needed(std::ilogb(knots.domain().length())));
+}
+
+KnotVector divided(const KnotVector& knots, int exponent) {
+  if (exponent == 0) return knots;
+  std::vector<double> divided(knots.knots().begin(), knots.knots().end());
+  for (double& knot : divided) knot = std::scalbn(knot, -exponent);
+  return KnotVector::make(knots.degree(), std::move(divided), knots.periodic());
+}
+
 NurbsCurve divided(const NurbsCurve& curve, const Scales& scales) {
-  std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
-  for (double& knot : knots) knot = std::scalbn(knot, -scales.parameters);
   std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
   for (glm::dvec4& point : points) {
     for (int axis = 0; axis < 3; ++axis) point[axis] = std::scalbn(point[axis], -scales.coordinates);
     point.w = std::scalbn(point.w, -scales.weights);
   }
-  return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()), std::move(points));
+  return NurbsCurve::make(divided(curve.knot_vector(), scales.parameters), std::move(points));
 }
 
 }  // namespace splinecore

@@ -1,5 +1,6 @@
 #include "span_cursor.hpp"
 
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 #include "splinecore/basis/samples.hpp"
 
@@ -14,6 +15,7 @@ SpanCursor::SpanCursor(const NurbsCurve& curve, std::size_t batch)
 }
 
 void SpanCursor::compute(int span) {
+  breathe(4 * order_ * order_);
   const KnotVector& knots = curve_.knot_vector();
   const auto matrix = knots.bezier_matrix(span);
   const glm::dvec4* first = curve_.homogeneous_points().data() + knots.spans()[span] - knots.degree();

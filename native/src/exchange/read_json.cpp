@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/exchange/json.hpp"
 
 namespace splinecore {
@@ -221,7 +222,9 @@ Value value_of(const Json& object) {
 Json parsed(std::string_view text) {
   // No value is deeper; a text that is would exhaust the stack where it is copied or printed.
   constexpr int kMaxDepth = 16;
+  constexpr std::size_t kStepsOfValue = 200;
   const auto require_depth = [](int depth, Json::parse_event_t, const Json&) {
+    breathe(kStepsOfValue);
     if (depth > kMaxDepth) refuse("the text", "is nested more deeply than any shape");
     return true;
   };

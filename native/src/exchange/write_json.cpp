@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "splinecore/base/pause.hpp"
 #include "splinecore/exchange/json.hpp"
 
 namespace splinecore {
@@ -8,6 +9,7 @@ namespace splinecore {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr std::size_t kStepsOfRow = 500;
 
 Json numbers(std::span<const double> values) { return Json(std::vector<double>(values.begin(), values.end())); }
 
@@ -17,7 +19,10 @@ Json row(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 template <class Point>
 Json list(std::span<const Point> points) {
   Json rows = Json::array();
-  for (const Point& p : points) rows.push_back(row(p));
+  for (const Point& p : points) {
+    breathe(kStepsOfRow);
+    rows.push_back(row(p));
+  }
   return rows;
 }
 

@@ -10,6 +10,7 @@
 #include "placement.hpp"
 #include "quadrature.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/patch/panels.hpp"
@@ -57,6 +58,7 @@ void for_each_node(const NurbsPatch& patch, double reach, const Cell<2>& cell, V
   for (std::size_t i = 0; i < kGaussNodes; ++i) {
     std::ranges::fill(row, glm::dvec4(0.0));
     std::ranges::fill(slope, glm::dvec4(0.0));
+    breathe(8 * u.weights(i).size() * columns);
     for (std::size_t k = 0; k < u.weights(i).size(); ++k) {
       const glm::dvec4* points = patch.homogeneous_points().data() + (u.first(i) + k) * width + low;
       for (std::size_t j = 0; j < columns; ++j) {

@@ -8,6 +8,7 @@
 
 #include "placement.hpp"
 #include "splinecore/curve/evaluate.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -139,14 +140,19 @@ FrenetFrame frame_of(const Local& local, bool is_arriving) {
   return frame;
 }
 
-/// Calls visit(i, local, whether the curve arrives at u) for the curve in its place.
+/// Calls visit(i, local, whether the curve arrives at u) for the curve in its place, its weights and parameters
+/// brought near 1: they change no curvature, and their powers would leave the range of numbers.
 template <class Visit>
 Placement for_each_local(const NurbsCurve& curve, std::span<const double> parameters, Side side, Visit visit) {
   const Placement placement = placement_of(curve.points());
-  const NurbsCurve near = placed(curve, placement);
+  const Scales scales = scales_of(curve);
+  NurbsCurve near = placed(curve, placement);
+  if (scales.weights != 0 || scales.parameters != 0) {
+    near = divided(near, {.coordinates = 0, .weights = scales.weights, .parameters = scales.parameters});
+  }
   const KnotVector& knots = near.knot_vector();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const double u = knots.admit(parameters[i], side, i);
+    const double u = std::scalbn(curve.knot_vector().admit(parameters[i], side, i), -scales.parameters);
     const bool is_arriving = knots.span_interval(knots.span_of(u, side)).end == u;
     visit(i, local_at(near, u, side), is_arriving);
   }
@@ -155,20 +161,23 @@ Placement for_each_local(const NurbsCurve& curve, std::span<const double> parame
 
 /// One curvature, measured with the curve in its place, for each parameter.
 void bends(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side,
-           double (*measure)(const Local&)) {
+           double (*measure)(const Local&), const char* name) {
   const Placement placement = for_each_local(
       curve, parameters, side, [&](std::size_t i, const Local& local, bool) { out[i] = measure(local); });
-  for (double& value : out) value = given_size(value, -1, placement);
+  for (double& value : out) {
+    // At a cusp the limit itself is infinite.
+    if (std::isfinite(value)) value = finite_size(value, -1, placement, name);
+  }
 }
 
 }  // namespace
 
 void curvature(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side) {
-  bends(curve, parameters, out, side, &curvature_of);
+  bends(curve, parameters, out, side, &curvature_of, "curvature");
 }
 
 void torsion(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side) {
-  bends(curve, parameters, out, side, &torsion_of);
+  bends(curve, parameters, out, side, &torsion_of, "torsion");
 }
 
 void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<FrenetFrame> out, Side side) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
@@ -35,6 +36,7 @@ WeightNet net_on_spans(const NurbsPatch& patch, int span_u, int span_v) {
   std::vector<double> row(count_v);
   for (int i = 0; i < count_u; ++i) {
     std::ranges::fill(row, 0.0);
+    breathe(static_cast<std::size_t>(count_u) * count_v + static_cast<std::size_t>(count_v) * count_v);
     for (int k = 0; k < count_u; ++k) {
       for (int l = 0; l < count_v; ++l) row[l] += matrix_u[i * count_u + k] * first[k * width + l].w;
     }
@@ -48,6 +50,7 @@ WeightNet net_on_spans(const NurbsPatch& patch, int span_u, int span_v) {
 /// De Casteljau at the middle of `count` values, `step` apart.
 void halve(const double* values, double* first, double* second, int count, int step) {
   std::vector<double> row(count);
+  breathe(row.size() * row.size());
   for (int k = 0; k < count; ++k) row[k] = values[k * step];
   for (int n = 0; n < count; ++n) {
     first[n * step] = row[0];

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -81,7 +82,9 @@ void Flank::add(std::span<const SeamPlace> places, Side side, std::span<SeamJet>
   const bool is_u = axis_of(side_) == Axis::u;
   std::vector<double> there;
   for (const SeamPlace& place : places) {
-    if (place.side == side) there.push_back(parameter_at(place.share));
+    if (place.side != side) continue;
+    breathe(4 * along().spans().size());
+    there.push_back(parameter_at(place.share));
   }
   const std::size_t count = there.size();
   const std::vector<double> edges(count, edge());

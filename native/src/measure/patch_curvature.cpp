@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "placement.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
+#include "splinecore/patch/rescale.hpp"
 
 namespace splinecore {
 
@@ -41,14 +43,23 @@ struct Frame {
   glm::dvec3 normal;
 };
 
-/// A patch near the origin, of size 1 or so.
+/// A patch near the origin, of size 1 or so, on domains whose length is no number that a square takes out of range.
 class Surface {
  public:
   explicit Surface(const NurbsPatch& patch)
-      : placement_(placement_of(patch.points())), patch_(placed(patch, placement_)), size_(extent(patch_.points())),
-        lengths_{patch.knot_vector(Axis::u).domain().length(), patch.knot_vector(Axis::v).domain().length()} {}
+      : placement_(placement_of(patch.points())), scales_(parameter_scales(patch)),
+        patch_(divided(placed(patch, placement_), scales_)), size_(extent(patch_.points())),
+        lengths_{patch_.knot_vector(Axis::u).domain().length(), patch_.knot_vector(Axis::v).domain().length()} {}
 
   const Placement& placement() const { return placement_; }
+
+  /// The parameter here of one that was given.
+  double parameter(Axis axis, double given) const { return std::scalbn(given, -scales_[static_cast<int>(axis)]); }
+
+  /// A measure by the parameters that were given, `u` and `v` times derived by them.
+  double by_given(double value, int u, int v) const {
+    return std::isnan(value) ? value : std::scalbn(value, -u * scales_[0] - v * scales_[1]);
+  }
 
   Jet jet(double u, double v, PatchOptions options) const {
     Jet jet;
@@ -83,6 +94,7 @@ class Surface {
   std::optional<PlaneForm> form_at_pole(Axis along, double u, double v, const Frame& frame, PatchOptions options) const;
 
   Placement placement_;
+  std::array<int, 2> scales_;
   NurbsPatch patch_;
   double size_;
   std::array<double, 2> lengths_;
@@ -100,6 +112,7 @@ void Surface::add_derivatives(double u, double v, PatchOptions options, Jet& jet
   sums.fill(glm::dvec4(0.0));
   for (std::size_t i = 0; i < at_u.weights(0).size(); ++i) {
     const std::size_t row = (at_u.first(0) + i) % count_u * count_v;
+    breathe(40 * at_v.weights(0).size());
     for (std::size_t j = 0; j < at_v.weights(0).size(); ++j) {
       const glm::dvec4& p = patch_.points()[row + (at_v.first(0) + j) % count_v];
       const glm::dvec4 moved = p.w == 0.0 ? p : glm::dvec4(p.w * (glm::dvec3(p) - origin), p.w);
@@ -219,24 +232,33 @@ SurfaceCurvature Surface::curvature(double u, double v, PatchOptions options) co
   return form ? curvature_of(*form, frame) : nothing();
 }
 
+/// The parameters of one place, as the surface has them.
+std::array<double, 2> place_of(const Surface& surface, const NurbsPatch& patch, std::span<const double> u,
+                               std::span<const double> v, std::size_t i, PatchOptions options) {
+  return {surface.parameter(Axis::u, patch.knot_vector(Axis::u).admit(u[i], options.side_u, i, "u")),
+          surface.parameter(Axis::v, patch.knot_vector(Axis::v).admit(v[i], options.side_v, i, "v"))};
+}
+
 }  // namespace
 
 void fundamental_forms(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                        std::span<FundamentalForms> out, PatchOptions options) {
   const Surface surface(patch);
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const double at_u = patch.knot_vector(Axis::u).admit(u[i], options.side_u, i, "u");
-    const double at_v = patch.knot_vector(Axis::v).admit(v[i], options.side_v, i, "v");
+    const auto [at_u, at_v] = place_of(surface, patch, u, v, i, options);
     const Jet jet = surface.jet(at_u, at_v, options);
     const glm::dvec3 normal = is_finite(jet.at(0, 0)) ? surface.normal(at_u, at_v, jet, options) : glm::dvec3(kNan);
-    const auto square = [&](double value) { return given_size(value, 2, surface.placement()); };
-    const auto length = [&](double value) { return given_size(value, 1, surface.placement()); };
-    out[i] = {.e = square(glm::dot(jet.u(), jet.u())),
-              .f = square(glm::dot(jet.u(), jet.v())),
-              .g = square(glm::dot(jet.v(), jet.v())),
-              .l = length(glm::dot(jet.at(2, 0), normal)),
-              .m = length(glm::dot(jet.at(1, 1), normal)),
-              .n = length(glm::dot(jet.at(0, 2), normal))};
+    const auto form = [&](double value, int dimension, int by_u, int by_v, const char* name) {
+      return finite_size(surface.by_given(value, by_u, by_v), dimension, surface.placement(), name);
+    };
+    const auto first = [&](double value, int by_u, int by_v) { return form(value, 2, by_u, by_v, "first form"); };
+    const auto second = [&](double value, int by_u, int by_v) { return form(value, 1, by_u, by_v, "second form"); };
+    out[i] = {.e = first(glm::dot(jet.u(), jet.u()), 2, 0),
+              .f = first(glm::dot(jet.u(), jet.v()), 1, 1),
+              .g = first(glm::dot(jet.v(), jet.v()), 0, 2),
+              .l = second(glm::dot(jet.at(2, 0), normal), 2, 0),
+              .m = second(glm::dot(jet.at(1, 1), normal), 1, 1),
+              .n = second(glm::dot(jet.at(0, 2), normal), 0, 2)};
   }
 }
 
@@ -244,11 +266,10 @@ void curvatures(const NurbsPatch& patch, std::span<const double> u, std::span<co
                 std::span<SurfaceCurvature> out, PatchOptions options) {
   const Surface surface(patch);
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const double at_u = patch.knot_vector(Axis::u).admit(u[i], options.side_u, i, "u");
-    const double at_v = patch.knot_vector(Axis::v).admit(v[i], options.side_v, i, "v");
-    const auto bent = [&](double value) { return given_size(value, -1, surface.placement()); };
+    const auto [at_u, at_v] = place_of(surface, patch, u, v, i, options);
+    const auto bent = [&](double value) { return finite_size(value, -1, surface.placement(), "curvature"); };
     SurfaceCurvature found = surface.curvature(at_u, at_v, options);
-    found.gauss = given_size(found.gauss, -2, surface.placement());
+    found.gauss = finite_size(found.gauss, -2, surface.placement(), "Gaussian curvature");
     found.mean = bent(found.mean);
     found.principal = {bent(found.principal[0]), bent(found.principal[1])};
     out[i] = found;

@@ -52,10 +52,10 @@ inline double given_size(double value, int dimension, const Placement& placement
   return std::ldexp(value, dimension * placement.exponent);
 }
 
-/// The same. @throws InvalidShape if it is too large for a number.
+/// The same; NaN stays. @throws InvalidShape if it is too large for a number.
 inline double finite_size(double value, int dimension, const Placement& placement, const char* name) {
   const double size = given_size(value, dimension, placement);
-  if (std::isfinite(size)) return size;
+  if (!std::isinf(size)) return size;
   throw InvalidShape(std::string("the ") + name + " is too large for a number");
 }
 

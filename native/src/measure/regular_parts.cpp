@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
-#include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
 
@@ -14,16 +14,6 @@ namespace {
 
 /// Halvings before what is left is as short as rounding: a cusp's arms grow with the square of the parameter.
 constexpr int kDepth = 28;
-
-std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span) {
-  const KnotVector& knots = curve.knot_vector();
-  const int count = curve.degree() + 1;
-  const auto matrix = knots.bezier_matrix(span);
-  const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - curve.degree();
-  std::vector<glm::dvec4> points;
-  for (int j = 0; j < count; ++j) points.push_back(weighted_sum(matrix.subspan(j * count, count), first));
-  return points;
-}
 
 /// What decides on a part of a span: A' W - A W' of the homogeneous curve (A, W), in Bernstein's form.
 struct Slopes {
@@ -69,6 +59,7 @@ bool is_regular(const Slopes& slopes) {
 std::pair<Slopes, Slopes> halved(const Slopes& slopes) {
   std::pair<Slopes, Slopes> halves{{{}, slopes.rounding}, {{}, slopes.rounding}};
   std::vector<glm::dvec3> row = slopes.values;
+  breathe(2 * row.size() * row.size());
   while (!row.empty()) {
     halves.first.values.push_back(row.front());
     halves.second.values.push_back(row.back());

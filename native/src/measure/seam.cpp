@@ -6,11 +6,13 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "flank.hpp"
 #include "placement.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/patch/join.hpp"
+#include "splinecore/patch/rescale.hpp"
 
 namespace splinecore {
 
@@ -152,14 +154,29 @@ void require_side(const NurbsPatch& patch, Border side, const char* which) {
   }
 }
 
+/// Powers of two by which both patches' parameters are divided; those across the seam, whose derivatives are compared,
+/// by the same.
+std::pair<std::array<int, 2>, std::array<int, 2>> scales_along(const NurbsPatch& a, Border side_a, const NurbsPatch& b,
+                                                               Border side_b) {
+  std::array<int, 2> of_a = parameter_scales(a);
+  std::array<int, 2> of_b = parameter_scales(b);
+  int& across_a = of_a[static_cast<int>(axis_of(side_a))];
+  int& across_b = of_b[static_cast<int>(axis_of(side_b))];
+  across_a = across_b = (across_a + across_b) / 2;
+  return {of_a, of_b};
+}
+
 void bring_back(SeamContinuity& found, const Placement& placement) {
-  const auto in_units = [&](double value, int dimension) { return given_size(value, dimension, placement); };
-  found.gap = in_units(found.gap, 1);
-  found.curvature_difference = in_units(found.curvature_difference, -1);
-  for (double& gap : found.gaps) gap = in_units(gap, 1);
-  for (double& bend : found.curvature_differences) bend = in_units(bend, -1);
+  const auto length = [&](double value) { return finite_size(value, 1, placement, "gap"); };
+  const auto bend = [&](double value) { return finite_size(value, -1, placement, "difference of the curvatures"); };
+  found.gap = length(found.gap);
+  found.curvature_difference = bend(found.curvature_difference);
+  for (double& gap : found.gaps) gap = length(gap);
+  for (double& difference : found.curvature_differences) difference = bend(difference);
   for (glm::dvec3& point : found.points) {
-    for (int axis = 0; axis < 3; ++axis) point[axis] = in_units(point[axis], 1) + placement.origin[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] = given_size(point[axis], 1, placement) + placement.origin[axis];
+    }
   }
 }
 
@@ -173,8 +190,9 @@ SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPa
   std::vector<glm::dvec4> all(a.points().begin(), a.points().end());
   all.insert(all.end(), b.points().begin(), b.points().end());
   const Placement placement = placement_of(all);
-  const NurbsPatch first = placed(a, placement);
-  const NurbsPatch second = placed(b, placement);
+  const auto [scales_a, scales_b] = scales_along(a, side_a, b, side_b);
+  const NurbsPatch first = divided(placed(a, placement), scales_a);
+  const NurbsPatch second = divided(placed(b, placement), scales_b);
   SeamContinuity found;
   found.reversed = run_against(first, side_a, second, side_b);
   const Flank on_a(first, side_a, Flank::Role::first, false);

@@ -41,7 +41,7 @@ NurbsPatch elevated(const NurbsPatch& patch, Axis axis, int times) {
 Approximation<NurbsPatch> reduced(const NurbsPatch& patch, Axis axis, int times, std::optional<double> tolerance) {
   require_tolerance(tolerance);
   require_lower(times, patch.knot_vector(axis).degree());
-  NurbsPatch lower = along(patch, axis, [&](const NurbsCurve& line) { return reduced(line, times).value; });
+  NurbsPatch lower = along(patch, axis, [&](const NurbsCurve& line) { return of_lower_degree(line, times); });
   return within(tolerance, patch, std::move(lower), kRefusal);
 }
 

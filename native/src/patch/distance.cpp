@@ -5,6 +5,7 @@
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/difference.hpp"
+#include "splinecore/basis/refinement.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/ends.hpp"
 
@@ -12,40 +13,35 @@ namespace splinecore {
 
 namespace {
 
-/// The patch with every knot of either patch along an axis as often as it falls apart there.
-NurbsPatch chopped(const NurbsPatch& patch, const NurbsPatch& other, Axis axis) {
-  const KnotVector& own = patch.knot_vector(axis);
-  std::vector<double> knots;
-  std::ranges::merge(own.knots(), other.knot_vector(axis).knots(), std::back_inserter(knots));
-  knots.erase(std::ranges::unique(knots).begin(), knots.end());
-  std::vector<double> missing;
-  for (const double u : knots) missing.insert(missing.end(), missing_for_cut(own, u), u);
+/// The patch with all inner knots of another along an axis.
+NurbsPatch with_knots_of(const NurbsPatch& patch, const KnotVector& other, Axis axis) {
+  const std::vector<double> missing = missing_inside(patch.knot_vector(axis), other);
   return missing.empty() ? patch : refine(patch, axis, missing);
+}
+
+NurbsPatch plain(const NurbsPatch& patch, Axis axis) {
+  return patch.knot_vector(axis).periodic() ? clamped(patch, axis) : patch;
 }
 
 /// Brings both patches to one degree and one set of spans along an axis.
 void make_alike(NurbsPatch& a, NurbsPatch& b, Axis axis) {
-  a = clamped(a, axis);
-  b = clamped(b, axis);
+  a = plain(a, axis);
+  b = plain(b, axis);
   const int more = a.knot_vector(axis).degree() - b.knot_vector(axis).degree();
   if (more < 0) a = elevated(a, axis, -more);
   if (more > 0) b = elevated(b, axis, more);
-  NurbsPatch pieces = chopped(a, b, axis);
-  b = chopped(b, a, axis);
-  a = std::move(pieces);
+  a = with_knots_of(a, b.knot_vector(axis), axis);
+  b = with_knots_of(b, a.knot_vector(axis), axis);
+  // Matrices of spans are built once for a knot vector and its copies.
+  if (a.knot_vector(axis) == b.knot_vector(axis)) {
+    b = with_axis(b, axis, a.knot_vector(axis), {b.points().begin(), b.points().end()});
+  }
 }
 
-/// The homogeneous points of one piece of a patch that is chopped in both directions.
+/// The homogeneous points of one piece.
 Net<glm::dvec4> net_of(const NurbsPatch& patch, int span_u, int span_v) {
-  const KnotVector& u = patch.knot_vector(Axis::u);
-  const KnotVector& v = patch.knot_vector(Axis::v);
-  Net<glm::dvec4> net{static_cast<std::size_t>(u.degree()) + 1, static_cast<std::size_t>(v.degree()) + 1, {}};
-  for (int i = u.spans()[span_u] - u.degree(); i <= u.spans()[span_u]; ++i) {
-    for (int j = v.spans()[span_v] - v.degree(); j <= v.spans()[span_v]; ++j) {
-      net.values.push_back(patch.homogeneous_points()[i * v.count() + j]);
-    }
-  }
-  return net;
+  return {static_cast<std::size_t>(patch.knot_vector(Axis::u).degree()) + 1,
+          static_cast<std::size_t>(patch.knot_vector(Axis::v).degree()) + 1, bezier_points(patch, span_u, span_v)};
 }
 
 /// Where two patches differ, piece by piece; pieces that are equal bit for bit are left out.

@@ -71,8 +71,7 @@ Approximation<NurbsPatch> made_periodic(const NurbsPatch& patch, Axis axis, std:
   Approximation<NurbsPatch> best{closed_up(plain, axis), 0.0};
   if (!do_ends_meet(plain, axis)) best = within(slack, patch, std::move(best.value), "the ends do not meet");
   const double seam = plain.knot_vector(axis).domain().start;
-  while (auto next = removed_within(best.value, axis, seam, patch, slack)) best = std::move(*next);
-  return best;
+  return without_copies(std::move(best), axis, seam, patch, slack);
 }
 
 }  // namespace splinecore

@@ -5,6 +5,7 @@
 
 #include "normal.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 
@@ -30,6 +31,7 @@ void collapse_u(const NurbsPatch& patch, std::span<const double> weights, int fi
                 std::span<glm::dvec4> row) {
   const std::size_t width = row.size();
   const glm::dvec4* points = patch.homogeneous_points().data() + first * width;
+  breathe(4 * weights.size() * width);
   for (std::size_t j = 0; j < width; ++j) row[j] = weights[0] * points[j];
   for (std::size_t i = 1; i < weights.size(); ++i) {
     for (std::size_t j = 0; j < width; ++j) row[j] += weights[i] * points[i * width + j];
@@ -41,6 +43,7 @@ glm::dvec4 tensor_sum(const NurbsPatch& patch, std::span<const double> weights_u
                       std::span<const double> weights_v, int first_v) {
   const int width = patch.knot_vector(Axis::v).unrolled_count();
   const glm::dvec4* points = patch.homogeneous_points().data() + first_u * width + first_v;
+  breathe(4 * weights_u.size() * weights_v.size());
   glm::dvec4 sum = weights_u[0] * weighted_sum(weights_v, points);
   for (std::size_t i = 1; i < weights_u.size(); ++i) {
     sum += weights_u[i] * weighted_sum(weights_v, points + i * width);
@@ -99,6 +102,7 @@ void grid_points(const NurbsPatch& patch, const Samples& u, const Samples& v, st
   Real* next = out.data();
   for (std::size_t i = 0; i < u.size(); ++i) {
     collapse_u(patch, u.weights(i), u.first(i), row);
+    breathe(4 * v.size() * (v.weights(0).size() + 4));
     for (std::size_t j = 0; j < v.size(); ++j, next += 3) {
       const glm::dvec4 h = weighted_sum(v.weights(j), row.data() + v.first(j));
       const glm::dvec3 point = patch.rational() ? project(h) : glm::dvec3(h);
@@ -117,6 +121,7 @@ void grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples&
   for (std::size_t i = 0; i < u.size(); ++i) {
     collapse_u(patch, u.weights(i, 0), u.first(i), row);
     collapse_u(patch, u.weights(i, 1), u.first(i), slope);
+    breathe(12 * v.size() * (v.weights(0).size() + 4));
     for (std::size_t j = 0; j < v.size(); ++j, next += 3) {
       const int first = v.first(j);
       const glm::dvec4 h = weighted_sum(v.weights(j, 0), row.data() + first);

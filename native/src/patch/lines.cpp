@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 
 namespace splinecore {
@@ -47,6 +48,7 @@ void keep_given(std::span<const glm::dvec4> old, std::span<const glm::dvec4> old
                 std::span<const glm::dvec4> points, std::span<glm::dvec4> given) {
   std::size_t expected = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    breathe(old.size());
     for (std::size_t k = 0; k < old.size(); ++k) {
       const std::size_t j = (expected + k) % old.size();
       if (points[i] != old[j]) continue;
@@ -107,6 +109,7 @@ NurbsPatch along(const NurbsPatch& patch, Axis axis, const Verb& verb) {
   std::vector<glm::dvec4> points;
   for (std::size_t i = 0; i < old.count; ++i) {
     const std::vector<glm::dvec4> before = line_of(old_points, old, i);
+    breathe(100 * old.size);
     const Line after = changed(patch.knot_vector(axis), before, patch.rational(), verb);
     std::vector<glm::dvec4> given = as_given_from(patch, after.points);
     keep_given(before, line_of(patch.points(), old, i), after.points, given);

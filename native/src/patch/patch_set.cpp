@@ -7,6 +7,7 @@
 #include <string>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 
 namespace splinecore {
@@ -76,6 +77,7 @@ class Pool {
 
   int index_of(const glm::dvec4& point) {
     const auto next = static_cast<int>(points.size());
+    breathe(kStepsOfPoint);
     if (merged_) {
       Bits bits;
       std::memcpy(bits.data(), &point, sizeof(point));
@@ -89,6 +91,7 @@ class Pool {
   std::vector<glm::dvec4> points;
 
  private:
+  static constexpr std::size_t kStepsOfPoint = 200;
   using Bits = std::array<std::uint64_t, 4>;
   bool merged_;
   std::map<Bits, int> known_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lines.hpp"
+#include "splinecore/base/as_many.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/removal.hpp"
 #include "splinecore/patch/distance.hpp"
@@ -13,7 +14,7 @@ namespace splinecore {
 namespace {
 
 NurbsPatch removed(const NurbsPatch& patch, Axis axis, double u, int times) {
-  return along(patch, axis, [&](const NurbsCurve& line) { return remove_knot(line, u, times).value; });
+  return along(patch, axis, [&](const NurbsCurve& line) { return without_knot(line, u, times); });
 }
 
 }  // namespace
@@ -24,16 +25,19 @@ Approximation<NurbsPatch> remove_knot(const NurbsPatch& patch, Axis axis, double
   return within(tolerance, patch, removed(patch, axis, u, times), "the knot cannot be removed");
 }
 
-std::optional<Approximation<NurbsPatch>> removed_within(const NurbsPatch& patch, Axis axis, double u,
-                                                        const NurbsPatch& original, double tolerance) {
-  try {
-    Approximation<NurbsPatch> found{removed(patch, axis, u, 1), 0.0};
-    found.error = largest_distance(original, found.value);
-    if (found.error <= tolerance) return found;
-  } catch (const InvalidShape&) {
-    // No copy is left that may go, or a weight falls to nearly zero and throws its point out of the range of numbers.
-  }
-  return std::nullopt;
+Approximation<NurbsPatch> without_copies(Approximation<NurbsPatch> best, Axis axis, double u,
+                                         const NurbsPatch& original, double tolerance) {
+  const auto without = [&](const NurbsPatch& patch, int times) -> std::optional<Approximation<NurbsPatch>> {
+    try {
+      Approximation<NurbsPatch> found{removed(patch, axis, u, times), 0.0};
+      found.error = largest_distance(original, found.value);
+      if (found.error <= tolerance) return found;
+    } catch (const InvalidShape&) {
+      // No copies are left that may go, or a weight falls to nearly zero and throws its point out of the range.
+    }
+    return std::nullopt;
+  };
+  return removed_as_often_as_can_be(std::move(best), without);
 }
 
 Approximation<NurbsPatch> remove_knots(const NurbsPatch& patch, Axis axis, double tolerance) {
@@ -43,9 +47,7 @@ Approximation<NurbsPatch> remove_knots(const NurbsPatch& patch, Axis axis, doubl
   std::vector<double> distinct(knots.begin(), knots.end());
   distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
   if (patch.knot_vector(axis).periodic()) distinct.pop_back();
-  for (const double u : distinct) {
-    while (auto next = removed_within(best.value, axis, u, patch, tolerance)) best = std::move(*next);
-  }
+  for (const double u : distinct) best = without_copies(std::move(best), axis, u, patch, tolerance);
   return best;
 }
 

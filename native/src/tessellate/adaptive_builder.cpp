@@ -8,6 +8,7 @@
 #include "mesh_writer.hpp"
 #include "side_vertices.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 
 namespace splinecore {
@@ -15,7 +16,7 @@ namespace splinecore {
 /// Fits the cells of all panels to one another, numbers their vertices and lays faces.
 class AdaptiveBuilder {
  public:
-  AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, const Pause& pause, Tessellation& mesh);
+  AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, Tessellation& mesh);
   void add_faces();
 
  private:
@@ -46,7 +47,6 @@ class AdaptiveBuilder {
   void add_face(std::size_t panel, const Cell& cell, const std::vector<Spot>& spots);
 
   Tessellation& mesh_;
-  const Pause& pause_;
   std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
   std::vector<CellGrid> grids_;  // of each panel
   /// Of each edge: scaled places with a vertex, growing from 0 to 1.
@@ -58,9 +58,10 @@ class AdaptiveBuilder {
 
 namespace {
 
+/// What the faces of a cell cost, about, in steps of breathe().
+constexpr std::size_t kStepsOfFaces = 2000;
 /// Scaled places nearer than this are one: a 2^-30th of a span cannot tell them apart.
 constexpr double kOnePlace = 1e-8;
-constexpr std::size_t kCellsBetweenPauses = std::size_t{1} << 14;
 
 Cell whole_of(const Panel& panel, const std::vector<MeshSpan>& u, const std::vector<MeshSpan>& v) {
   return {place_of(u, panel.u.start), place_of(u, panel.u.end), place_of(v, panel.v.start), place_of(v, panel.v.end)};
@@ -78,15 +79,15 @@ Place line_of(const Cell& whole, int side) {
 
 }  // namespace
 
-AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, const Pause& pause, Tessellation& mesh)
-    : mesh_(mesh), pause_(pause), spans_(mesh_spans(set)), writer_(set, mesh) {
+AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, Tessellation& mesh)
+    : mesh_(mesh), spans_(mesh_spans(set)), writer_(set, mesh) {
   for (const Panel& panel : mesh.panels_) {
     const NurbsPatch& patch = nurbs_of(set.patch(panel.patch));
     const auto& spans = spans_[panel.patch];
     const Cell whole = whole_of(panel, spans[0], spans[1]);
     const bool closed_u = panel.sides[0].edge >= 0 && panel.sides[0].edge == panel.sides[1].edge;
     const bool closed_v = panel.sides[2].edge >= 0 && panel.sides[2].edge == panel.sides[3].edge;
-    grids_.emplace_back(whole, cells_of(patch, spans, whole, fineness, closed_u, closed_v, pause));
+    grids_.emplace_back(whole, cells_of(patch, spans, whole, fineness, closed_u, closed_v));
   }
   inner_vertices_.resize(mesh.panels_.size());
   fit();
@@ -169,10 +170,7 @@ bool AdaptiveBuilder::spread(const std::vector<std::vector<double>>& edges) {
 
 void AdaptiveBuilder::fit() {
   for (bool again = true; again;) {
-    for (CellGrid& grid : grids_) {
-      grid.balance();
-      if (pause_) pause_();
-    }
+    for (CellGrid& grid : grids_) grid.balance();
     std::vector<std::vector<double>> edges;
     collect(edges);
     again = spread(edges);
@@ -260,23 +258,22 @@ void AdaptiveBuilder::add_cell(std::size_t panel, const Cell& cell) {
 
 void AdaptiveBuilder::add_faces() {
   for (std::size_t panel = 0; panel < grids_.size(); ++panel) {
-    std::size_t count = 0;
     for (const Cell& cell : grids_[panel].cells()) {
+      breathe(kStepsOfFaces);
       add_cell(panel, cell);
-      if (pause_ && ++count % kCellsBetweenPauses == 0) pause_();
     }
   }
   writer_.finish();
 }
 
-Tessellation Tessellation::adaptive(const PatchSet& set, const Fineness& fineness, const Pause& pause) {
+Tessellation Tessellation::adaptive(const PatchSet& set, const Fineness& fineness) {
   if (!(fineness.distance > 0.0) || !(fineness.angle > 0.0)) {
     throw InvalidShape("a tolerance of a mesh is not above 0");
   }
   Tessellation mesh;
   mesh.patches_.assign(set.patches().begin(), set.patches().end());
   mesh.panels_ = panels_of(set);
-  AdaptiveBuilder(set, fineness, pause, mesh).add_faces();
+  AdaptiveBuilder(set, fineness, mesh).add_faces();
   return mesh;
 }
 

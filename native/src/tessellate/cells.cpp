@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/tessellate/flatness.hpp"
 
@@ -15,7 +16,8 @@ namespace splinecore {
 namespace {
 
 constexpr std::size_t kMaxCells = std::size_t{1} << 21;
-constexpr std::size_t kCellsBetweenPauses = std::size_t{1} << 14;
+/// What a cell costs, about, in steps of breathe().
+constexpr std::size_t kStepsOfCell = 1000;
 /// A cell is no longer than this many times its width.
 constexpr double kLongest = 16.0;
 /// A line along a cell bows by no more than this part of the width, so that faces neither fold nor become slivers.
@@ -39,9 +41,8 @@ struct Both {
 class Splitter {
  public:
   /// @param widest  no cell is wider
-  Splitter(const Fineness& fineness, Probe probe, const std::array<Place, 2>& widest, const Pause& pause,
-           std::vector<Cell>& cells)
-      : fineness_(fineness), probe_(std::move(probe)), widest_(widest), pause_(pause), cells_(cells) {}
+  Splitter(const Fineness& fineness, Probe probe, const std::array<Place, 2>& widest, std::vector<Cell>& cells)
+      : fineness_(fineness), probe_(std::move(probe)), widest_(widest), cells_(cells) {}
 
   /// Tiles the cell that a piece fills.
   void add_piece(const Net& net, const Cell& cell) {
@@ -51,11 +52,11 @@ class Splitter {
 
  private:
   void add(const Net& net, const Cell& cell) {
+    breathe(kStepsOfCell + net.points.size() * static_cast<std::size_t>(net.rows + net.columns));
     const auto axis = axis_to_split(net, cell);
     if (!axis) {
       require_room(cells_);
       cells_.push_back(cell);
-      if (pause_ && cells_.size() % kCellsBetweenPauses == 0) pause_();
       return;
     }
     const auto [before, after] = halved(net, *axis);
@@ -143,7 +144,6 @@ class Splitter {
   const Fineness& fineness_;
   Probe probe_;
   std::array<Place, 2> widest_;
-  const Pause& pause_;
   Cell piece_;
   std::vector<Cell>& cells_;
 };
@@ -151,13 +151,12 @@ class Splitter {
 }  // namespace
 
 std::vector<Cell> cells_of(const NurbsPatch& patch, const std::array<std::vector<MeshSpan>, 2>& spans,
-                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v,
-                           const Pause& pause) {
+                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v) {
   const BezierGrid grid = to_bezier(patch);
   std::vector<Cell> cells;
   const auto widest = [](Place length, bool closed) { return closed ? length / 3 : length; };
   Splitter splitter(fineness, Probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree()),
-                    {widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)}, pause, cells);
+                    {widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)}, cells);
   for (Place i = whole.u0 / kSpan; i < whole.u1 / kSpan; ++i) {
     for (Place j = whole.v0 / kSpan; j < whole.v1 / kSpan; ++j) {
       const int number = spans[0][i].number * grid.count_v + spans[1][j].number;
@@ -179,6 +178,8 @@ void CellGrid::add_corners(const Cell& cell) {
 }
 
 bool CellGrid::add(Axis axis, Place line, Place at) {
+  constexpr std::size_t kSteps = 200;
+  breathe(kSteps);
   const auto [u, v] = axis == Axis::u ? std::pair{at, line} : std::pair{line, at};
   along_v_.emplace(u, v);
   return along_u_.emplace(v, u).second;
@@ -205,6 +206,7 @@ int CellGrid::count_between(Axis axis, Place line, Place from, Place to) const {
 
 /// Splits a cell if it must be; whether it was.
 bool CellGrid::split(std::size_t i) {
+  breathe(kStepsOfCell);
   const Cell cell = cells_[i];
   const int low_v = count_between(Axis::u, cell.v0, cell.u0, cell.u1);
   const int high_v = count_between(Axis::u, cell.v1, cell.u0, cell.u1);

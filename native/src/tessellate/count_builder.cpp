@@ -8,6 +8,7 @@
 #include "mesh_writer.hpp"
 #include "side_vertices.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 #include "strip.hpp"
 
@@ -149,6 +150,8 @@ void CountBuilder::add(std::size_t patch, std::span<const FaceCorner> corners, s
 
 /// The face from a line of each direction to the next.
 void CountBuilder::add_cell(Block& block, int row, int column) {
+  constexpr std::size_t kSteps = 1000;
+  breathe(kSteps);
   const Grid& grid = grid_of(block);
   const int u0 = grid.u.last[row];
   const int u1 = grid.u.first[row + 1];

@@ -76,7 +76,7 @@ std::vector<double> sampled(const NurbsCurve& curve, Interval piece, int resolut
 /// Whether a curve in one piece returns to where it began.
 bool is_closed(const NurbsCurve& curve, const std::vector<double>& points) {
   const double start = curve.domain().start;
-  if (is_at_infinity(curve, start, Side::right)) return false;
+  if (points.empty() || is_at_infinity(curve, start, Side::right)) return false;
   if (curve.periodic()) return multiplicity(curve.knot_vector(), start) <= curve.degree();
   return points.size() > 6 && std::equal(points.begin(), points.begin() + 3, points.end() - 3);
 }

@@ -26,6 +26,10 @@ inline glm::dvec4 as_given(const glm::dvec4& point) noexcept {
 std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given);
 std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points);
 
+/// homogeneous() of all. @throws InvalidShape naming a point that its weight makes too large for a number.
+/// @param row_length  0 for a row of points, otherwise the length of a net's rows
+std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, std::size_t row_length = 0);
+
 /// The same of points whose w are 1 but for rounding: they come out 1.
 std::vector<glm::dvec4> as_given_polynomial(std::span<const glm::dvec4> points);
 

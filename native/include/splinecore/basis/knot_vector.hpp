@@ -15,7 +15,7 @@ namespace splinecore {
 /// Plain: n + degree + 1 knots for n control points; the domain is [u_degree, u_n].
 /// Periodic: n + 1 knots, one period, for n control points; the parameter is taken modulo
 /// the period, and control point i has the knots u_{i-degree+1} … u_i as its polar values.
-/// Immutable; copies share one state, with the matrices of the spans that it builds once.
+/// Immutable; copies share one state, with the matrices of spans, each built when it is first asked for.
 class KnotVector {
  public:
   /// @throws InvalidShape if the degree is outside [0, kMaxDegree], there are too few knots,
@@ -80,7 +80,7 @@ class KnotVector {
 
  private:
   struct State;
-  struct Matrices;
+  class Matrices;
   struct State {
     int degree = 0;
     bool periodic = false;

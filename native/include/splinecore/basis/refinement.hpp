@@ -17,4 +17,7 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
 /// @throws InvalidShape unless 1 <= times <= degree + 1.
 std::vector<double> knot_copies(const KnotVector& knots, double u, int times);
 
+/// The knots inside the domain that a vector on the same domain has and this one lacks, each as often as it lacks it.
+std::vector<double> missing_inside(const KnotVector& knots, const KnotVector& other);
+
 }  // namespace splinecore

@@ -83,6 +83,9 @@ NurbsCurve unrolled(const NurbsCurve& curve);
 /// The same points in the opposite direction, over the same domain.
 NurbsCurve reversed(const NurbsCurve& curve);
 
+/// The homogeneous Bezier points of the piece on one of the spans of the knot vector.
+std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span);
+
 /// The intervals of the domain, in order, on which the curve is finite and in one piece: it is
 /// cut where the weight is zero and at knots of multiplicity degree + 1. Ends may be at infinity.
 std::vector<Interval> pieces(const NurbsCurve& curve);

@@ -16,10 +16,14 @@ namespace splinecore {
 Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int times = 1,
                                       std::optional<double> tolerance = {});
 
-/// One copy of a knot fewer, with the distance from `original`, if that is within the tolerance and what is left
-/// is a valid curve at all.
-std::optional<Approximation<NurbsCurve>> removed_within(const NurbsCurve& curve, double u, const NurbsCurve& original,
-                                                        double tolerance);
+/// The curve of remove_knot(), whose error is not measured.
+NurbsCurve without_knot(const NurbsCurve& curve, double u, int times);
+
+/// The curve with as few copies of a knot as leave the distance from `original`, which is the error, within the
+/// tolerance, and a valid curve at all.
+/// @param best  the curve with its error
+Approximation<NurbsCurve> without_copies(Approximation<NurbsCurve> best, double u, const NurbsCurve& original,
+                                         double tolerance);
 
 /// The curve without every inner knot that can go while the error stays within the tolerance.
 /// @throws InvalidShape unless tolerance >= 0.

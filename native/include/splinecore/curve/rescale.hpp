@@ -21,4 +21,11 @@ Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b);
 /// size that products of a few numbers stay in range.
 NurbsCurve divided(const NurbsCurve& curve, const Scales& scales);
 
+/// The power of two near the length of the domain, 0 where products of a few numbers stay in range as it is; none that
+/// would take a knot out of the range of numbers.
+int scale_of(const KnotVector& knots);
+
+/// The knots divided by a power of two.
+KnotVector divided(const KnotVector& knots, int exponent);
+
 }  // namespace splinecore

@@ -65,6 +65,9 @@ NurbsPatch opened(const NurbsPatch& patch, Axis axis, double u);
 /// u and v exchanged: the same points, normals on the other side.
 NurbsPatch swapped(const NurbsPatch& patch);
 
+/// The homogeneous Bezier points, row after row, of the piece on one of the spans of each knot vector.
+std::vector<glm::dvec4> bezier_points(const NurbsPatch& patch, int span_u, int span_v);
+
 /// The same surface with plain knot vectors.
 NurbsPatch unrolled(const NurbsPatch& patch);
 

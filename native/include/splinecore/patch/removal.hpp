@@ -17,10 +17,11 @@ namespace splinecore {
 Approximation<NurbsPatch> remove_knot(const NurbsPatch& patch, Axis axis, double u, int times = 1,
                                       std::optional<double> tolerance = {});
 
-/// One copy of a knot fewer, with the distance from `original`, if there is a copy that may go and the distance
-/// is within the tolerance.
-std::optional<Approximation<NurbsPatch>> removed_within(const NurbsPatch& patch, Axis axis, double u,
-                                                        const NurbsPatch& original, double tolerance);
+/// The patch with as few copies of a knot as leave the distance from `original`, which is the error, within the
+/// tolerance.
+/// @param best  the patch with its error
+Approximation<NurbsPatch> without_copies(Approximation<NurbsPatch> best, Axis axis, double u,
+                                         const NurbsPatch& original, double tolerance);
 
 /// The patch without every inner knot of one direction that can go while the error stays within the tolerance.
 /// @throws InvalidShape unless tolerance >= 0.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -27,16 +26,12 @@ struct Fineness {
                     ///< infinite for any
 };
 
-/// Called now and then during long work; empty for none. What it throws ends the work.
-using Pause = std::function<void()>;
-
 /// Rectangles that tile a part of a patch, each fine enough, none across a knot and none more than 16 times as long
 /// as wide; in a closed direction none wider than a third, so that no two faces have the same corners.
 /// @param spans  of u and v
 /// @throws InvalidShape if that takes more than 2^21, or a weight is not above 0 however small they are.
 std::vector<Cell> cells_of(const NurbsPatch& patch, const std::array<std::vector<MeshSpan>, 2>& spans,
-                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v,
-                           const Pause& pause = {});
+                           const Cell& whole, const Fineness& fineness, bool closed_u, bool closed_v);
 
 /// Cells that tile a rectangle, and every place on their sides where a vertex is.
 class CellGrid {

@@ -29,10 +29,9 @@ class Tessellation {
   ///
   /// Crack-free across every side that two patches have in common (panels_of()), whatever their degrees, knots
   /// and numbers of faces. Quads, and triangles where cells of different sizes meet.
-  /// @param pause  called now and then; what it throws ends the work
   /// @throws InvalidShape if a number is not above 0, there would be more than 2^21 cells, or a patch runs to
   ///         infinity.
-  static Tessellation adaptive(const PatchSet& set, const Fineness& fineness, const Pause& pause = {});
+  static Tessellation adaptive(const PatchSet& set, const Fineness& fineness);
 
   /// Whether the set has the patches, on the same knots and with the same sides in common, that this was made for.
   bool fits(const PatchSet& set) const;

@@ -1,0 +1,394 @@
+"""Every public call of the library, with arguments for shapes of any degree, size and weight.
+
+METHODS has a function for each public method of each class, FUNCTIONS one for each public function of a module; what
+is no method is a property and is read. A name that the library gains and these lack fails test_every_call.py.
+"""
+
+import copy
+import math
+import pickle
+import types
+
+import numpy as np
+
+import splinecore as sc
+from splinecore import basis, build, conics
+
+MODULES = {"sc": sc, "basis": basis, "build": build, "conics": conics}
+SIDES = ("u_start", "u_end", "v_start", "v_end")
+
+
+def inside(domain, count=5):
+    """Places of a domain, its ends among them."""
+    start, end = domain
+    return np.clip(start + (end - start) * np.linspace(0, 1, count), start, end)
+
+
+def middle(domain):
+    return float(inside(domain, 3)[1])
+
+
+def inner_knot(knots, domain):
+    found = [float(u) for u in knots if domain[0] < u < domain[1]]
+    return found[len(found) // 2] if found else middle(domain)
+
+
+def matrix(shift=0.0):
+    turn = np.array([[0.8, -0.6, 0, shift], [0.6, 0.8, 0, 0], [0, 0, 1, 0]])
+    return turn
+
+
+CURVE = {
+    "evaluate": lambda one, at: [one.evaluate(inside(one.domain)), one.evaluate(inside(one.domain), side="left"),
+                                 one.evaluate(inside(one.domain), dtype=np.float32) if at.fits_single else None],
+    "derivatives": lambda one, at: one.derivatives(inside(one.domain), at.order),
+    "pieces": lambda one, at: one.pieces(),
+    "polylines": lambda one, at: [one.polylines(3), one.polylines(2, reach=at.size)],
+    "split": lambda one, at: one.split(middle(one.domain)),
+    "reversed": lambda one, at: one.reversed(),
+    "to_bezier": lambda one, at: one.to_bezier(),
+    "to_hermite": lambda one, at: one.to_hermite(),
+    "to_nurbs": lambda one, at: one.to_nurbs(),
+    "to_power": lambda one, at: one.to_power(),
+    "length": lambda one, at: [one.length(tolerance=1e-6), one.length(middle(one.domain), tolerance=1e-3)],
+    "curvature": lambda one, at: one.curvature(inside(one.domain)),
+    "torsion": lambda one, at: one.torsion(inside(one.domain)),
+    "frenet_frame": lambda one, at: one.frenet_frame(inside(one.domain)),
+}
+COPIES = {"__copy__": lambda one, at: copy.copy(one), "__deepcopy__": lambda one, at: copy.deepcopy(one)}
+EQUAL = COPIES | {"__eq__": lambda one, at: one == pickle.loads(pickle.dumps(one)),
+                  "__hash__": lambda one, at: hash(one)}
+VALUE = EQUAL | {"dumps": lambda one, at: sc.loads(one.dumps()) == one}
+RATIONAL = {
+    "with_points": lambda one, at: one.with_points(one.points),
+    "with_weights": lambda one, at: one.with_weights(one.weights),
+    "elevate": lambda one, at: one.elevate(),
+    "reduce": lambda one, at: one.reduce(),
+    "finite_arcs": lambda one, at: one.finite_arcs(at.size),
+    "moebius": lambda one, at: one.moebius(0.7),
+    "standard_form": lambda one, at: one.standard_form(),
+}
+NURBS_CURVE = {
+    "__init__": lambda one, at: sc.NurbsCurve(one.degree, one.knots, one.points, one.weights, one.periodic),
+    "from_homogeneous": lambda one, at: sc.NurbsCurve.from_homogeneous(
+        one.degree, one.knots, one.homogeneous_points, one.periodic),
+    "insert_knot": lambda one, at: one.insert_knot(middle(one.domain)),
+    "refine": lambda one, at: one.refine(inside(one.domain, 6)[1:-1]),
+    "unrolled": lambda one, at: one.unrolled(),
+    "remove_knot": lambda one, at: one.remove_knot(inner_knot(one.knots, one.domain)),
+    "remove_knots": lambda one, at: one.remove_knots(1e-3 * at.size),
+    "with_domain": lambda one, at: one.with_domain((2, 5)),
+    "clamped": lambda one, at: one.clamped(),
+    "unclamped": lambda one, at: one.unclamped(),
+    "to_periodic": lambda one, at: one.to_periodic(10 * at.size),
+    "join": lambda one, at: [one.unrolled().join(one.unrolled(), word) for word in ("C0", "G1", "C2")],
+    "transformed": lambda one, at: one.transformed(matrix(at.size)),
+    "largest_distance": lambda one, at: one.largest_distance(one.reversed() if one.periodic else one.elevate()),
+    "continuity": lambda one, at: one.continuity(inner_knot(one.knots, one.domain)),
+    "continuity_to": lambda one, at: one.continuity_to(one),
+    "joints": lambda one, at: one.joints(),
+}
+BEZIER_CURVE = {
+    "__init__": lambda one, at: sc.BezierCurve(one.points, one.weights),
+    "from_homogeneous": lambda one, at: sc.BezierCurve.from_homogeneous(one.homogeneous_points),
+    "flatten": lambda one, at: one.flatten(1e-3 * at.size),
+    "casteljau_triangle": lambda one, at: one.casteljau_triangle(0.3),
+    "rational_casteljau_triangle": lambda one, at: one.rational_casteljau_triangle(0.3),
+}
+HERMITE_CURVE = {"__init__": lambda one, at: sc.HermiteCurve(one.points, one.tangents, one.parameters)}
+POWER_CURVE = {
+    "__init__": lambda one, at: sc.PowerCurve(one.coefficients, one.origin, one.domain),
+    "from_homogeneous": lambda one, at: sc.PowerCurve.from_homogeneous(
+        one.homogeneous_coefficients, one.origin, one.domain),
+    "derivative": lambda one, at: one.derivative(),
+    "with_origin": lambda one, at: one.with_origin(0.5),
+    "with_domain": lambda one, at: one.with_domain((0.25, 0.75)),
+}
+
+
+def places_of(patch, count=3):
+    return [inside(domain, count) for domain in patch.domain]
+
+
+def pairs_of(patch):
+    u, v = places_of(patch, 4)
+    return u, v[::-1]
+
+
+PATCH = {
+    "evaluate": lambda one, at: [one.evaluate(*pairs_of(one)), one.evaluate(*pairs_of(one), side=("left", "right"))],
+    "evaluate_grid": lambda one, at: one.evaluate_grid(*places_of(one)),
+    "evaluate_grid_with_normals": lambda one, at: one.evaluate_grid_with_normals(*places_of(one)),
+    "derivatives": lambda one, at: one.derivatives(*pairs_of(one), at.order),
+    "split": lambda one, at: [one.split(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
+    "reversed": lambda one, at: [one.reversed(axis) for axis in "uv"],
+    "swapped": lambda one, at: one.swapped(),
+    "to_bezier": lambda one, at: one.to_bezier(),
+    "to_hermite": lambda one, at: one.to_hermite(),
+    "to_nurbs": lambda one, at: one.to_nurbs(),
+    "fundamental_forms": lambda one, at: one.fundamental_forms(*pairs_of(one)),
+    "curvatures": lambda one, at: one.curvatures(*pairs_of(one)),
+    "area": lambda one, at: one.area(tolerance=1e-2),
+    "isocurve": lambda one, at: [one.isocurve(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
+    "boundary": lambda one, at: [one.boundary(side) for side in SIDES],
+    "continuity_to": lambda one, at: one.continuity_to("v_end", one, "v_start"),
+}
+RATIONAL_PATCH = {
+    "with_points": lambda one, at: one.with_points(one.points),
+    "with_weights": lambda one, at: one.with_weights(one.weights),
+    "elevate": lambda one, at: [one.elevate(axis) for axis in "uv"],
+    "reduce": lambda one, at: [one.reduce(axis) for axis in "uv"],
+    "transformed": lambda one, at: one.transformed(matrix(at.size)),
+}
+NURBS_PATCH = {
+    "__init__": lambda one, at: sc.NurbsPatch(one.degree, one.knots, one.points, one.weights, one.periodic),
+    "from_homogeneous": lambda one, at: sc.NurbsPatch.from_homogeneous(
+        one.degree, one.knots, one.homogeneous_points, one.periodic),
+    "insert_knot": lambda one, at: [one.insert_knot(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
+    "refine": lambda one, at: [one.refine(axis, inside(domain, 5)[1:-1]) for axis, domain in zip("uv", one.domain)],
+    "unrolled": lambda one, at: one.unrolled(),
+    "remove_knot": lambda one, at: [one.remove_knot(axis, inner_knot(one.knots[k], one.domain[k]))
+                                    for k, axis in enumerate("uv")],
+    "remove_knots": lambda one, at: [one.remove_knots(axis, 1e-3 * at.size) for axis in "uv"],
+    "with_domain": lambda one, at: [one.with_domain(axis, (2, 5)) for axis in "uv"],
+    "clamped": lambda one, at: [one.clamped(axis) for axis in "uv"],
+    "unclamped": lambda one, at: [one.unclamped(axis) for axis in "uv"],
+    "to_periodic": lambda one, at: [one.to_periodic(axis, 100 * at.size) for axis in "uv"],
+    "moebius": lambda one, at: [one.moebius(axis, 0.7) for axis in "uv"],
+    "largest_distance": lambda one, at: one.largest_distance(one.elevate("v")),
+}
+BEZIER_PATCH = {"__init__": lambda one, at: sc.BezierPatch(one.points, one.weights)}
+HERMITE_PATCH = {
+    "__init__": lambda one, at: sc.HermitePatch(one.points, one.tangents_u, one.tangents_v, one.twists, one.parameters)}
+PATCH_SET = {
+    "__init__": lambda one, at: sc.PatchSet(one.points, one.patches, one.weights),
+    "from_patches": lambda one, at: sc.PatchSet.from_patches([one[0]]),
+    "with_points": lambda one, at: one.with_points(one.points, one.weights),
+    "flipped": lambda one, at: one.flipped(),
+    "edge_counts": lambda one, at: one.edge_counts(),
+    "seams": lambda one, at: one.seams(),
+    "__len__": lambda one, at: len(one),
+    "__getitem__": lambda one, at: one[0],
+    "area": lambda one, at: one.area(tolerance=1e-2),
+    "volume": lambda one, at: one.volume(tolerance=1e-1),
+}
+TESSELLATION = {
+    "__init__": lambda one, at: sc.Tessellation(at.patch_set, 2),
+    "adaptive": lambda one, at: [sc.Tessellation.adaptive(at.patch_set, tolerance=0.1 * at.size),
+                                 sc.Tessellation.adaptive(at.patch_set, angle=1.0)],
+    "fits": lambda one, at: one.fits(at.patch_set),
+    "evaluate": lambda one, at: one.evaluate(at.patch_set) if at.fits_single else None,
+    "evaluate_positions": lambda one, at: one.evaluate_positions(at.patch_set) if at.fits_single else None,
+    "sharp_edges": lambda one, at: one.sharp_edges(np.tile((0.0, 0.0, 1.0), (len(one.corner_vertices), 1)), 0.5),
+}
+FORMULA = {
+    "__init__": lambda one, at: sc.Formula(one.text, one.variables, one.constants),
+    "evaluate": lambda one, at: one.evaluate(np.linspace(0, 1, 5)),
+    "derivatives": lambda one, at: one.derivatives(0.5, at.order),
+    "gradient": lambda one, at: one.gradient(0.5),
+    "polynomial": lambda one, at: one.polynomial(),
+}
+KNOT_VECTOR = {
+    "__init__": lambda one, at: basis.KnotVector(one.degree, one.knots, one.periodic),
+    "span": lambda one, at: one.span(inside(one.domain)),
+    "functions": lambda one, at: one.functions(inside(one.domain)),
+    "function": lambda one, at: one.function(one.count // 2, inside(one.domain)),
+    "function_derivatives": lambda one, at: one.function_derivatives(one.count // 2, inside(one.domain), at.order),
+    "triangle": lambda one, at: one.triangle(middle(one.domain)),
+    "support": lambda one, at: one.support(one.count - 1),
+    "multiplicity": lambda one, at: one.multiplicity(one.domain[0]),
+}
+SAMPLES = {
+    "__init__": lambda one, at: basis.Samples(at.knots, inside(at.knots.domain), 1),
+    "__len__": lambda one, at: len(one),
+    "weights": lambda one, at: [one.weights(), one.weights(1)],
+    "apply": lambda one, at: [one.apply(np.ones((at.knots.count, 2))), one.apply(np.ones(at.knots.count), 1)],
+}
+CONIC = {
+    "__init__": lambda one, at: conics.ImplicitConic(one.coefficients, one.origin, one.x_axis, one.y_axis),
+    "arc": lambda one, at: one.arc(0.1, 1.2),
+}
+
+METHODS = {
+    "NurbsCurve": CURVE | RATIONAL | NURBS_CURVE | VALUE,
+    "BezierCurve": CURVE | RATIONAL | BEZIER_CURVE | VALUE,
+    "HermiteCurve": CURVE | HERMITE_CURVE | VALUE,
+    "PowerCurve": CURVE | POWER_CURVE | VALUE,
+    "NurbsPatch": PATCH | RATIONAL_PATCH | NURBS_PATCH | VALUE,
+    "BezierPatch": PATCH | RATIONAL_PATCH | BEZIER_PATCH | VALUE,
+    "HermitePatch": PATCH | HERMITE_PATCH | VALUE,
+    "PatchSet": PATCH_SET | VALUE,
+    "Tessellation": TESSELLATION | COPIES,
+    "Formula": FORMULA | EQUAL,
+    "KnotVector": KNOT_VECTOR | EQUAL,
+    "Samples": SAMPLES | COPIES,
+    "ImplicitConic": CONIC | EQUAL,
+    "Approximation": COPIES | {"__iter__": lambda one, at: list(one)},
+    "Continuity": COPIES,
+    "SeamContinuity": COPIES,
+    "Curvatures": COPIES,
+    "JoinedPatches": COPIES,
+}
+
+
+def xyz(at, x, y=0.0, z=0.0):
+    return at.size * np.array([x, y, z], dtype=float)
+
+
+FUNCTIONS = {
+    "sc.dumps": lambda at: sc.dumps([at.bezier, at.nurbs]),
+    "sc.loads": lambda at: sc.loads(at.bezier.dumps()),
+    "sc.seam_continuity": lambda at: sc.seam_continuity(at.patch, "u_end", at.patch, "u_start"),
+    "basis.bezier_matrix": lambda at: basis.bezier_matrix(at.degree),
+    "basis.uniform_matrix": lambda at: basis.uniform_matrix(at.degree),
+    "basis.uniform_to_bezier": lambda at: basis.uniform_to_bezier(at.degree),
+    "basis.hermite_matrix": lambda at: basis.hermite_matrix(),
+    "build.polynomial_through": lambda at: build.polynomial_through(at.points),
+    "build.osculating_polynomial": lambda at: build.osculating_polynomial([at.points[:2], at.points[:1]], [0, 1]),
+    "build.lagrange_evaluate": lambda at: build.lagrange_evaluate(at.points, np.linspace(0, 1, 7)),
+    "build.catmull_rom": lambda at: [build.catmull_rom(at.points, closed=closed)
+                                     for closed in (False, len(at.points) > 2)],
+    "build.kochanek_bartels": lambda at: build.kochanek_bartels(at.points, 0.1, 0.2, 0.3),
+    "build.chain_from_polygon": lambda at: build.chain_from_polygon(at.points),
+    "build.polygon_of_chain": lambda at: build.polygon_of_chain(build.chain_from_polygon(at.points)),
+    "build.join_beziers": lambda at: build.join_beziers(at.bezier.split(0.25)),
+    "build.c2_pair": lambda at: build.c2_pair(xyz(at, 0), xyz(at, 1), xyz(at, 2, 2), xyz(at, 3), xyz(at, 4)),
+    "build.curve_from_formulas": lambda at: build.curve_from_formulas(
+        [f"a*t^{at.degree}", "a*sin(3*t)"], (0, 1), tolerance=1e-3 * at.size, constants={"a": at.size}),
+    "build.patch_from_formulas": lambda at: build.patch_from_formulas(
+        [f"a*u^{at.degree}", "a*v", "a*sin(u+v)"], (0, 1), (0, 1), tolerance=1e-2 * at.size, constants={"a": at.size}),
+    "build.plane": lambda at: build.plane(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1)),
+    "build.cylinder": lambda at: build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size),
+    "build.cone": lambda at: build.cone(xyz(at, 1), (0, 0, 1), at.size, at.size),
+    "build.disc": lambda at: build.disc(xyz(at, 1), (0, 0, 1), at.size),
+    "build.sphere": lambda at: build.sphere(xyz(at, 1), at.size),
+    "build.torus": lambda at: build.torus(xyz(at, 1), (0, 0, 1), 2 * at.size, at.size),
+    "build.revolve": lambda at: build.revolve(at.nurbs, xyz(at, 9), (0, 1, 0)),
+    "build.extrude": lambda at: build.extrude(at.bezier, xyz(at, 0, 0, 1)),
+    "build.ruled": lambda at: build.ruled(at.bezier, at.nurbs),
+    "build.join_patches": lambda at: [build.join_patches(at.patch, "u_end", at.patch, "u_start", word)
+                                      for word in ("C0", "G1", "C2")],
+    "conics.arc": lambda at: conics.arc(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1), 0.1, 2.0),
+    "conics.as_hermite": lambda at: conics.as_hermite(conics.circle(xyz(at, 1), at.size), 1e-3 * at.size),
+    "conics.by_foci": lambda at: conics.by_foci(xyz(at, 0), xyz(at, 1), 2 * at.size),
+    "conics.circle": lambda at: [conics.circle(xyz(at, 1), at.size, form=form)
+                                 for form in ("square", "triangle", "halves", "single")],
+    "conics.class_of": lambda at: conics.class_of(conics.conic_arc(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1), 2.0)),
+    "conics.conic_arc": lambda at: conics.conic_arc(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1), -0.3),
+    "conics.ellipse": lambda at: conics.ellipse(xyz(at, 1), xyz(at, 2), xyz(at, 0, 1)),
+    "conics.from_implicit": lambda at: conics.from_implicit(conics.by_foci(xyz(at, 0), xyz(at, 1), 2 * at.size)),
+    "conics.hyperbola": lambda at: conics.hyperbola(xyz(at, 1), xyz(at, 2), xyz(at, 0, 1)),
+    "conics.implicit": lambda at: conics.implicit(conics.conic_arc(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1), 2.0)),
+    "conics.parabola": lambda at: conics.parabola(xyz(at, 0, 1), xyz(at, 0), (1, 0, 0)),
+    "conics.through_points": lambda at: conics.through_points(
+        at.size * np.array([(1, 0), (0, 2), (-1, 0), (0, -2), (0.6, 1.6)])),
+}
+
+
+def random_rows(count, *more, seed=1):
+    return np.random.default_rng(seed).uniform(-1, 1, (count, *more, 3))
+
+
+def random_weights(*shape, weight=1.0, seed=2):
+    return weight * np.random.default_rng(seed).uniform(0.5, 2, shape)
+
+
+def inner_knots(degree, count, spacing=1.0):
+    """Clamped knots of `count` points."""
+    return np.r_[[0.0] * degree, np.arange(count - degree + 1) * spacing, [spacing * (count - degree)] * degree]
+
+
+def surroundings(degree, size=1.0, weight=1.0, spacing=1.0):
+    """What the functions of modules take: shapes of a degree whose points are about `size` large."""
+    points = size * random_rows(degree + 1)
+    weights = random_weights(degree + 1, weight=weight)
+    nurbs = sc.NurbsCurve(degree, inner_knots(degree, degree + 3, spacing), size * random_rows(degree + 3),
+                          random_weights(degree + 3, weight=weight))
+    patch = sc.BezierPatch(size * random_rows(degree + 1, 3), random_weights(degree + 1, 3, weight=weight))
+    return types.SimpleNamespace(degree=degree, size=size, weight=weight, spacing=spacing, order=2, points=points,
+                           fits_single=1e-30 < size < 1e30, bezier=sc.BezierCurve(points, weights), nurbs=nurbs,
+                           patch=patch, patch_set=sc.PatchSet.from_patches([patch, patch.swapped()]),
+                           knots=nurbs.knot_vector)
+
+
+def curves(at):
+    d, size, spacing = at.degree, at.size, at.spacing
+    plain = sc.BezierCurve(at.points)
+    yield from (lambda: plain, lambda: at.bezier, lambda: at.nurbs)
+    yield lambda: sc.NurbsCurve(d, inner_knots(d, d + 3, spacing), size * random_rows(d + 3))
+    yield lambda: sc.NurbsCurve(d, spacing * np.arange(d + 4), size * random_rows(d + 3),
+                                random_weights(d + 3, weight=at.weight), periodic=True)
+    yield lambda: sc.HermiteCurve(at.points, size / spacing * random_rows(d + 1, seed=3), spacing * np.arange(d + 1))
+    rows = at.points / np.array([math.factorial(min(k, 20)) for k in range(d + 1)], dtype=float)[:, None]
+    yield lambda: sc.PowerCurve(rows)
+    yield lambda: sc.PowerCurve.from_homogeneous(at.weight * np.c_[rows, np.r_[1.0, rows[1:, 0] / (4 * size)]])
+
+
+def patches(at):
+    d, size, spacing = at.degree, at.size, at.spacing
+    yield from (lambda: sc.BezierPatch(size * random_rows(d + 1, 3)), lambda: at.patch)
+    yield lambda: sc.NurbsPatch((1, d), (inner_knots(1, 3, spacing), inner_knots(d, d + 3, spacing)),
+                                size * random_rows(3, d + 3), random_weights(3, d + 3, weight=at.weight))
+    yield lambda: sc.NurbsPatch((d, 2), (spacing * np.arange(d + 3), inner_knots(2, 4, spacing)),
+                                size * random_rows(d + 2, 4), periodic=(True, False))
+    yield lambda: sc.HermitePatch(size * random_rows(d + 1, 2), size * random_rows(d + 1, 2, seed=3),
+                                  size * random_rows(d + 1, 2, seed=4))
+    yield lambda: at.patch_set
+
+
+def others(at):
+    yield lambda: sc.Tessellation(at.patch_set, 2)
+    yield lambda: sc.Formula(f"a*t^{at.degree} + sin(t)", constants={"a": at.size})
+    yield lambda: at.knots
+    yield lambda: basis.KnotVector(at.degree, at.spacing * np.arange(at.degree + 4), periodic=True)
+    yield lambda: basis.Samples(at.knots, inside(at.knots.domain), 1)
+    yield lambda: conics.by_foci(xyz(at, 0), xyz(at, 1), 2 * at.size)
+    yield lambda: conics.by_foci(xyz(at, 0), xyz(at, 2), at.size)
+    yield lambda: sc.BezierPatch(at.size * random_rows(3, 3)).reduce("u")
+    yield lambda: at.nurbs.continuity(inner_knot(at.nurbs.knots, at.nurbs.domain))
+    flat = at.size * np.array([[(i, j, 0.0) for j in range(3)] for i in range(3)], dtype=float)
+    yield lambda: sc.BezierPatch(flat).continuity_to("u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
+    yield lambda: sc.BezierPatch(flat).curvatures(0.5, 0.5)
+    yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
+
+
+def subjects(at):
+    """Shapes of every public class, but those that are refused so large or small."""
+    for kinds in (curves, patches, others):
+        for make in kinds(at):
+            try:
+                one = make()
+            except sc.Error:
+                continue
+            yield one
+
+
+SPECIAL = {"__init__", "__len__", "__getitem__", "__iter__", "__eq__", "__hash__", "__copy__", "__deepcopy__"}
+
+
+def public_methods(kind):
+    """Names of what a class defines for its users, without its properties and without what Python fills in."""
+    return {name for name, value in vars(kind).items()
+            if (name in SPECIAL or not name.startswith("_")) and value is not None
+            and not isinstance(value, (property, types.WrapperDescriptorType))}
+
+
+def properties(kind):
+    return [name for name, value in vars(kind).items() if isinstance(value, property) and not name.startswith("_")]
+
+
+def calls_of(one, at):
+    """(name, call) for all that a shape's class offers."""
+    name = type(one).__name__
+    for key in properties(type(one)):
+        yield f"{name}.{key}", lambda key=key: getattr(one, key)
+    yield f"repr({name})", lambda: repr(one)
+    for key, call in METHODS[name].items():
+        yield f"{name}.{key}", lambda call=call: call(one, at)
+
+
+def all_calls(at):
+    for one in subjects(at):
+        yield from calls_of(one, at)
+    for name, call in FUNCTIONS.items():
+        yield name, lambda call=call: call(at)
