@@ -8,8 +8,8 @@ from layouts import drawn_by
 from shapes import VALUES, add, enter, first_point, leave, move, op, require_exact, select, shown
 from support import part, splinecore as sc
 
-editing, live, marks, panels, shape = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.marks', 'ui.panels', 'bridge.shape'))
+editing, live, settings_number, panels, shape = (part(name) for name in (
+    'ui.editing', 'bridge.net.live', 'bridge.net.settings_number', 'ui.panels', 'bridge.shape'))
 
 NAMES = ('nurbs patch', 'teapot', 'nurbs', 'cubic', 'hermite', 'many curves')
 
@@ -189,11 +189,11 @@ def test_more_settings_than_there_are_marks_forget_the_oldest():
     add(VALUES['nurbs patch']())
     held = enter()
     session = live.session(held.data)
-    numbers = [session.mark(('COUNT', i)) for i in range(marks.COUNT + 10)]
-    assert len(set(numbers)) == marks.COUNT and max(numbers) < 1024
-    assert session.mark(('COUNT', marks.COUNT + 9)) == numbers[-1]
-    assert session.settings(numbers[-1], None) == ('COUNT', marks.COUNT + 9)
-    for i in (100, marks.COUNT, marks.COUNT + 5):
+    numbers = [session.number_of(('COUNT', i)) for i in range(settings_number.COUNT + 10)]
+    assert len(set(numbers)) == settings_number.COUNT and max(numbers) < 1024
+    assert session.number_of(('COUNT', settings_number.COUNT + 9)) == numbers[-1]
+    assert session.settings(numbers[-1], None) == ('COUNT', settings_number.COUNT + 9)
+    for i in (100, settings_number.COUNT, settings_number.COUNT + 5):
         assert session.settings(numbers[i], None) == ('COUNT', i)
 
 

@@ -339,7 +339,7 @@ class Walk:
 
     def any_rename(self):
         ob = self.any(self.shapes() + list(editing.nets()))
-        if ob:
+        if ob and not ob.library and not ob.data.library:       # 4.2 keeps the names of what is linked
             ob.name, ob.data.name = f"name {self.random.integers(20)}", f"data {self.random.integers(20)}"
             self.push("rename")
 

@@ -78,7 +78,7 @@ def require_followed(held, before):
     """Every point moves the shape, and nothing keeps the shape from it. before: the pool."""
     numbers = numbers_of(held)
     present = net_object.present(held, numbers)
-    told = np.ones(len(numbers.rows), bool) if present.void is None else ~present.void[reading.places(numbers, present)]
+    told = np.ones(len(numbers.rows), bool) if present.void is None else ~present.void[reading.slots(numbers, present)]
     chosen = np.flatnonzero(numbers.are_points & told)
     for vertex in chosen[:: max(1, len(chosen) // 6)].tolist():
         deselect()

@@ -49,7 +49,7 @@ def move_by_hand(ob):
 
 def coordinates(held):
     numbers = numbers_of(held)
-    return net_object.present(held, numbers).positions()[part('core.net.reading').places(
+    return net_object.present(held, numbers).positions()[part('core.net.reading').slots(
         numbers, net_object.present(held, numbers))]
 
 

@@ -74,7 +74,8 @@ def _require_bakeable(data, count):
             raise Refusal(f"{user.name} is linked from another file and cannot be changed here")
     size = 12 * count * len(shape.points_of(data))
     if size > _MOST:
-        raise Refusal(f"{data.name} would take {size / 1e9:.1f} GB for {count} frames: bake fewer, or show it by fewer faces")
+        raise Refusal(f"{data.name} would take {size / 1e9:.1f} GB for {count} frames: bake fewer, or show it by fewer "
+                      "faces")
 
 
 def _require_no_other_followers(shapes):

@@ -15,19 +15,19 @@ KEY = "splinewright_layers"
 
 
 class Layers(NamedTuple):
-    """What lies along a spline, between any two places a mixture of both."""
+    """What lies along a spline, between any two points of it a mixture of both."""
 
     look: Look
     at: np.ndarray                      # (n,) growing: 0 where the spline begins, 1 where it ends or closes
     values: np.ndarray                  # (n, 3) float32: NAMES
 
     def there(self, at):
-        """(m, 3) float32: the values at other places."""
+        """(m, 3) float32: the values at other points."""
         return np.column_stack([np.interp(at, self.at, column) for column in self.values.T]).astype(np.float32)
 
-    def distance(self, place):
-        """How far a place lies outside of where these lie."""
-        return max(self.at[0] - place, place - self.at[-1], 0.0)
+    def distance(self, at):
+        """How far a point of the spline lies outside of where these lie."""
+        return max(self.at[0] - at, at - self.at[-1], 0.0)
 
 
 def of(spline):
@@ -42,7 +42,7 @@ def of(spline):
     return Layers(look, np.linspace(0.0, 1.0, len(values)), values)
 
 
-def places(count, closed):
+def fractions(count, closed):
     """Where so many points lie, for Layers.there(): evenly."""
     return np.linspace(0.0, 1.0, count + 1)[:-1] if closed else np.linspace(0.0, 1.0, count)
 

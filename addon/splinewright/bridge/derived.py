@@ -19,18 +19,18 @@ def result(recipe, values, sources, owner, depsgraph):
 
 def _moved(definition, source, owner, depsgraph):
     """A definition of one object in the space of another. Raises Refusal where that has no room for it."""
-    space, place = (np.array(_matrix(ob, depsgraph), dtype=np.float64) for ob in (owner, source))
+    space, source_space = (np.array(_matrix(ob, depsgraph), dtype=np.float64) for ob in (owner, source))
     if not abs(np.linalg.det(space[:3, :3])) > 0.0:
         raise Refusal(f"{owner.name} has a scale of 0: it cannot show what it follows")
-    if _are_one(space, place):
+    if _are_one(space, source_space):
         return definition
-    return transform.transformed(definition, np.linalg.inv(space) @ place)
+    return transform.transformed(definition, np.linalg.inv(space) @ source_space)
 
 
-def _are_one(space, place):
-    """Whether two places differ by less than Blender's single precision: going there and back would move every point
+def _are_one(space, source_space):
+    """Whether two spaces differ by less than Blender's single precision: going there and back would move every point
     by a rounding, and the end of a profile that is off its axis by a rounding is no pole."""
-    return np.abs(space - place).max() <= 4 * np.finfo(np.float32).eps * max(1.0, np.abs(place).max())
+    return np.abs(space - source_space).max() <= 4 * np.finfo(np.float32).eps * max(1.0, np.abs(source_space).max())
 
 
 def is_possible(ob):

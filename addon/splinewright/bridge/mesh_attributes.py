@@ -175,10 +175,10 @@ def _restore_on(mesh, owner, kept, corners, chosen):
 
 
 class _Found:
-    """Where places of new faces, of each domain, lie on the old ones, looked up once for each domain."""
+    """Where points of new faces, of each domain, lie on the old ones, looked up once for each domain."""
 
-    def __init__(self, kept, places):
-        self.kept, self.places, self._known = kept, places, {}
+    def __init__(self, kept, parameters):
+        self.kept, self.parameters, self._known = kept, parameters, {}
         self.tree = BVHTree.FromPolygons(_apart(kept.corners).tolist(), kept.triangles.tolist(), all_triangles=True)
 
     def values(self, layer):
@@ -197,18 +197,18 @@ class _Found:
         return np.einsum('nk,nkx->nx', weights, of_corners[self.kept.triangles[triangle]]).astype(np.float32)
 
     def _at(self, domain):
-        """(triangle, weights (n, 3) of its corners) of each place."""
+        """(triangle, weights (n, 3) of its corners) of each point."""
         if domain not in self._known:
-            where = _apart(self.places[domain])
-            triangle = np.array([self.tree.find_nearest(place)[2] for place in where.tolist()])
+            where = _apart(self.parameters[domain])
+            triangle = np.array([self.tree.find_nearest(point)[2] for point in where.tolist()])
             corners = self.kept.corners[self.kept.triangles[triangle], :2]
             self._known[domain] = triangle, _barycentric(corners, where[:, :2])
         return self._known[domain]
 
 
-def _apart(places):
+def _apart(parameters):
     """Parameters as points of space, each patch on a level of its own."""
-    return places * np.array([1, 1, 10], np.float32)
+    return parameters * np.array([1, 1, 10], np.float32)
 
 
 def _barycentric(corners, at):

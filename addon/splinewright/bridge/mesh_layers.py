@@ -46,7 +46,7 @@ class Layer(NamedTuple):
     name: str
     data_type: str                      # as Blender's attributes, or 'UV', 'PIN', 'FIELD', 'BMESH'
     domain: str
-    values: np.ndarray                  # (n, numbers)
+    values: np.ndarray                  # (n, width)
 
     @property
     def is_mixed(self):
@@ -69,13 +69,13 @@ def parameters(mesh):
     return read(attribute.data, 'vector', 3, np.float32)
 
 
-def read(data, field, numbers, dtype):
-    """(n, numbers) of the items of a layer."""
+def read(data, field, width, dtype):
+    """(n, width) of the items of a layer."""
     if dtype is object:
-        return np.array([getattr(item, field) for item in data], object).reshape(-1, numbers)
-    flat = np.empty(numbers * len(data), dtype)
+        return np.array([getattr(item, field) for item in data], object).reshape(-1, width)
+    flat = np.empty(width * len(data), dtype)
     data.foreach_get(field, flat)
-    return flat.reshape(-1, numbers)
+    return flat.reshape(-1, width)
 
 
 def column(mesh, collection, field, attribute, dtype):
@@ -177,7 +177,7 @@ def uv_of(layer):
 
 
 def write(mesh, layer, values):
-    """Give a mesh that has lost the Layer these values of it, (n, numbers)."""
+    """Give a mesh that has lost the Layer these values of it, (n, width)."""
     if layer.data_type == 'BMESH':
         _write_by_bmesh(mesh, layer, values)
         return
@@ -189,18 +189,18 @@ def write(mesh, layer, values):
         data.foreach_set(field, np.ascontiguousarray(values).ravel())
 
 
-def write_some(mesh, layer, values, numbers):
-    """Give these elements of a mesh, by their numbers, which grow, values of a Layer, (n, numbers); others keep theirs."""
+def write_some(mesh, layer, values, elements):
+    """Give these elements of a mesh, whose numbers grow, values of a Layer, (n, width); others keep theirs."""
     count = len(getattr(mesh, _COLLECTIONS[layer.domain]))
-    if len(numbers) < count:
+    if len(elements) < count:
         every = _present(mesh, layer, count)
-        every[numbers] = values
+        every[elements] = values
         values = every
     write(mesh, layer, values)
 
 
 def _present(mesh, layer, count):
-    """(count, numbers): what a mesh has of a Layer; zeros where it has none."""
+    """(count, width): what a mesh has of a Layer; zeros where it has none."""
     if layer.data_type == 'BMESH':
         there = list(getattr(mesh, layer.name))
         data, field = (there[0].data if there else None), 'value'
@@ -250,10 +250,11 @@ def hide_with_faces(mesh):
         return
     starts = read(mesh.polygons, 'loop_start', 1, np.int32)[:, 0]
     is_shown = ~np.repeat(of_faces, np.diff(np.append(starts, len(mesh.loops))))
-    for name, domain, numbers in (('.hide_vert', 'POINT', corner_vertices(mesh)), ('.hide_edge', 'EDGE', corner_edges(mesh))):
+    for name, domain, elements in (('.hide_vert', 'POINT', corner_vertices(mesh)),
+                                   ('.hide_edge', 'EDGE', corner_edges(mesh))):
         attribute = ours(mesh, name, 'BOOLEAN', domain) or mesh.attributes.new(name, 'BOOLEAN', domain)
         hide = np.ones(len(attribute.data), bool)
-        hide[numbers[is_shown]] = False
+        hide[elements[is_shown]] = False
         attribute.data.foreach_set('value', hide)
 
 

@@ -10,7 +10,7 @@ from . import mesh_layers
 
 #: Parameters that differ by less are one; they are float32, from 0 to 1.
 _NEAR = 1e-5
-#: So many lines that begin before a place may lie there over one another.
+#: So many lines that begin before a point of a side may lie there over one another.
 _DEEP = 4
 
 
@@ -52,19 +52,20 @@ def sides_of(mesh, corners):
     patches, ends = np.rint(corners[:, 2]), np.stack([corners[:, :2], corners[following, :2]], 1).astype(np.float64)
     vertices = mesh_layers.corner_vertices(mesh)
     for axis in (0, 1):
-        _straighten(ends, axis, _is_pole(vertices, patches, corners[:, axis])[np.stack([np.arange(len(corners)), following], 1)])
+        is_pole = _is_pole(vertices, patches, corners[:, axis])
+        _straighten(ends, axis, is_pole[np.stack([np.arange(len(corners)), following], 1)])
     return Sides(Lines(np.column_stack([patches, ends.reshape(-1, 4)])), mesh_layers.corner_edges(mesh), len(mesh.edges))
 
 
-def _is_pole(vertices, patches, places):
-    """(c,) whether the vertex of a corner is a whole side of its patch: corners there lie at several places along an
+def _is_pole(vertices, patches, along):
+    """(c,) whether the vertex of a corner is a whole side of its patch: corners there lie at several parameters along an
     axis, and not at both ends of it alone."""
     order = np.lexsort((vertices, patches))
     keys = np.stack([vertices[order], patches[order]])
     starts = np.flatnonzero(np.append(True, (np.diff(keys) != 0).any(axis=0)))
-    sorted_places = places[order]
-    is_inside = (sorted_places > _NEAR) & (sorted_places < 1 - _NEAR)
-    spread = np.maximum.reduceat(sorted_places, starts) - np.minimum.reduceat(sorted_places, starts)
+    sorted_along = along[order]
+    is_inside = (sorted_along > _NEAR) & (sorted_along < 1 - _NEAR)
+    spread = np.maximum.reduceat(sorted_along, starts) - np.minimum.reduceat(sorted_along, starts)
     is_pole = (spread > _NEAR) & np.logical_or.reduceat(is_inside, starts)
     found = np.empty(len(vertices), bool)
     found[order] = np.repeat(is_pole, np.diff(np.append(starts, len(vertices))))
@@ -104,12 +105,12 @@ def _under_along(axis, lines, others, found):
     order = np.lexsort((low, of_theirs))
     heights = _heights(lines, axis)[mine]
     rail = np.clip(np.searchsorted(rails, heights - _NEAR), 0, len(rails) - 1)
-    places = lines.middles[mine, axis]
-    at = np.searchsorted(_along_all(of_theirs, low)[order], _along_all(rail, places + _NEAR), side='right') - 1
+    middles = lines.middles[mine, axis]
+    at = np.searchsorted(_along_all(of_theirs, low)[order], _along_all(rail, middles + _NEAR), side='right') - 1
     for back in range(_DEEP):
         other = order[np.maximum(at - back, 0)]
         fits = (at >= back) & (of_theirs[other] == rail) & (np.abs(rails[rail] - heights) <= 2 * _NEAR)
-        fits &= (high[other] >= places - _NEAR) & (found[mine] < 0)
+        fits &= (high[other] >= middles - _NEAR) & (found[mine] < 0)
         found[mine[fits]] = theirs[other[fits]]
 
 
@@ -127,9 +128,9 @@ def _rails(heights):
     return heights[order][is_new], numbers
 
 
-def _along_all(rails, places):
+def _along_all(rails, at):
     """Places on all rails, one rail after the other."""
-    return 4.0 * rails + places
+    return 4.0 * rails + at
 
 
 def _under_slanted(lines, others, found):

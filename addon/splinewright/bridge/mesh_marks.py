@@ -23,10 +23,10 @@ class Marks(NamedTuple):
 
     layer: Layer                        # of which the values are left out
     lines: Lines
-    values: np.ndarray                  # (lines, numbers)
+    values: np.ndarray                  # (lines, width)
 
     def on(self, sides):
-        """(edges, numbers): what a mesh with these mesh_lines.Sides has of it."""
+        """(edges, width): what a mesh with these mesh_lines.Sides has of it."""
         nothing = self.values.dtype.type() if self.values.dtype != object else _blank(self.values)
         found = np.full((sides.edge_count, self.values.shape[1]), nothing, self.values.dtype)
         under = mesh_lines.under(sides.lines, self.lines)

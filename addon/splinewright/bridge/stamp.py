@@ -49,10 +49,10 @@ def _of_mesh(mesh):
 
 
 def _of_curve(curve):
-    kinds = places = 0
+    kinds = positions = 0
     for spline in curve.splines:
         kinds = zlib.crc32(f"{spline.type} {spline.use_cyclic_u} {len(spline.points)}".encode(), kinds)
         points = np.empty(4 * len(spline.points), np.float32)
         spline.points.foreach_get('co', points)
-        places = zlib.crc32(points, places)
-    return [len(curve.splines), kinds, places]
+        positions = zlib.crc32(points, positions)
+    return [len(curve.splines), kinds, positions]

@@ -48,10 +48,10 @@ def _require_still(ob, location, rotation, scale):
 
 def _rest(matrix, location, rotation, scale):
     """What is left of a transform when parts of it are taken out. Raises Refusal for a scale of 0."""
-    place, turn, size = matrix.decompose()
+    offset, turn, size = matrix.decompose()
     if min(map(abs, size)) == 0.0:
         raise Refusal("it has a scale of 0, which would flatten the shape for ever")
-    return Matrix.LocRotScale(None if location else place, None if rotation else turn, None if scale else size)
+    return Matrix.LocRotScale(None if location else offset, None if rotation else turn, None if scale else size)
 
 
 def _set_definition(data, definition, matrix):

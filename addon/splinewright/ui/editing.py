@@ -197,9 +197,9 @@ def anew(context, nets):
     except FAILURES as error:
         return (f"the net did not come out again: {sentence(error)}",)
     for ob in out:
-        numbers = live.session(ob.data).net
+        net = live.session(ob.data).net
         chosen = selections.get(net_object.shape_of(ob).name, ())
-        selection.select(ob, numbers, [vertex for vertex in chosen if vertex < len(numbers.rows)])
+        selection.select(ob, net, [vertex for vertex in chosen if vertex < len(net.rows)])
     return ()
 
 

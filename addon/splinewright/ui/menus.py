@@ -75,7 +75,7 @@ _ALL = {'curve', 'patch', 'native', 'baked'}
 
 
 def _kinds(context):
-    """What is selected of what entries concern: shapes of curves or patches, baked ones, Blender's own curves and surfaces."""
+    """What is selected of what entries concern: shapes of curves or patches, baked ones, Blender's own objects."""
     found = set()
     for ob in context.selected_objects:
         if shape.has_shape(ob):

@@ -31,14 +31,14 @@ def said(layer):
 def _of_edited(ob):
     owner = net_object.shape_of(ob)
     name = owner.name if owner else ob.name
-    problem, note, place = live.problem(ob), live.note(ob), problems.of(ob.data, problems.SAVED)
+    problem, note, saved = live.problem(ob), live.note(ob), problems.of(ob.data, problems.SAVED)
     if problem:
         yield f"{name}: {problem}", WARNING
         yield f"{undo_key()} takes it back, Renew Net puts the net out again from the shape as it is", NOTE
     elif note:
         yield f"{name}: {note}", NOTE
-    if problem and place:
-        yield f"Saved: {place}", NOTE
+    if problem and saved:
+        yield f"Saved: {saved}", NOTE
 
 
 def _of_kept(ob):

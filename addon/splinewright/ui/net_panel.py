@@ -60,41 +60,41 @@ def _draw_points(layout, ob, session, has_weights):
         box.label(text="Select points to edit them")
         return
     box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
-    numbers = data.splinewright_points
+    points = data.splinewright_points
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
         column.label(text=_name(session.net, vertex))
         axes = column.row(align=True) if len(vertices) > _IN_COLUMNS else column
         for axis in range(3):           # the text is what Undo History says
-            axes.prop(numbers, "numbers", index=4 * i + axis, text="XYZ"[axis])
+            axes.prop(points, "numbers", index=4 * i + axis, text="XYZ"[axis])
         if has_weights and session.net.weighted[vertex]:
-            column.prop(numbers, "numbers", index=4 * i + 3, text="Weight")
+            column.prop(points, "numbers", index=4 * i + 3, text="Weight")
     hidden = len(vertices) - net_props.SHOWN
     if hidden > 0:
         box.label(text=f"and {hidden} more")
     if not has_weights:
         return
     if len(vertices) > 1 and session.net.weighted[vertices].any():
-        box.prop(numbers, "weight", text="All Weights")
+        box.prop(points, "weight", text="All Weights")
     row = layout.row(align=True)
     row.operator("splinewright.point_to_infinity", text="To Infinity")
     row.operator("splinewright.point_from_infinity", text="Back")
 
 
-def _name(numbers, vertex):
-    if numbers.origins[vertex, 0] < 0:
+def _name(net, vertex):
+    if net.origins[vertex, 0] < 0:
         return f"Point {vertex}"
-    if any(head == vertex for _, head in numbers.arrows):
+    if any(head == vertex for _, head in net.arrows):
         return f"Direction at infinity {vertex}"
     return f"Handle {vertex}"
 
 
 def _pieces_in_hand(ob, session):
     """Numbers of the pieces that have a selected point or handle; of all where none is selected."""
-    numbers = session.net
+    net = session.net
     _, vertices = net_props.chosen(ob.data)
-    rows = numbers.rows[vertices]
-    pieces = numbers.definition.pieces
+    rows = net.rows[vertices]
+    pieces = net.definition.pieces
     return [i for i, piece in enumerate(pieces) if not len(rows) or np.isin(rows, piece.indices).any()]
 
 

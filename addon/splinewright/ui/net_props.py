@@ -63,13 +63,13 @@ def _set_numbers(self, numbers):
     rows[different] = [decimals.typed(value) for value in wanted[different]]
     changed = np.flatnonzero(different.any(1))
     if len(changed):
-        _place(ob, [vertices[i] for i in changed], rows[changed])
+        _move(ob, [vertices[i] for i in changed], rows[changed])
 
 
-def _place(ob, vertices, rows):
+def _move(ob, vertices, rows):
     """Nothing happens where the net has lost its points, of which the panel tells."""
     with suppress(Refusal):
-        selection.place(ob, live.session(ob.data).net, vertices, rows)
+        selection.move(ob, live.session(ob.data).net, vertices, rows)
 
 
 def _get_weight(self):
@@ -86,7 +86,7 @@ def _set_weight(self, weight):
     different = rows[:, 3].astype(np.float32) != np.float32(weight)
     if different.any():
         rows[:, 3] = decimals.typed(weight)
-        _place(ob, vertices[different].tolist(), rows[different])
+        _move(ob, vertices[different].tolist(), rows[different])
 
 
 def _with_weight(data, vertices):

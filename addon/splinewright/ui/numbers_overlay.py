@@ -95,12 +95,12 @@ def draw():
 def _draw_numbers(context, numbered, points):
     region, ob = context.region, numbered.ob
     scale = context.preferences.system.ui_scale
-    places = picking.on_screen(region, context.region_data, ob.matrix_world, points)
+    pixels = picking.on_screen(region, context.region_data, ob.matrix_world, points)
     hidden = hidden_ones(context, ob, points)
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
     for i in np.argsort(~hidden):       # those that are seen last
-        number, (x, y) = numbered.numbers[i], places[i]
+        number, (x, y) = numbered.numbers[i], pixels[i]
         if not (number and 0 <= x < region.width and 0 <= y < region.height):
             continue
         is_hovered = state.hovered == (ob.name, i + 1)

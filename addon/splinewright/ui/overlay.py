@@ -48,7 +48,7 @@ def _strokes(ob, current):
 
 def _of_selection(ob, current):
     """What Blender drew below our lines: vertices, and edges between selected ones."""
-    net, points, are_there = current.net, current.points, current.places >= 0
+    net, points, are_there = current.net, current.points, current.slots >= 0
     selected = np.zeros(len(points), bool)
     selected[selection.every_selected(ob, net)] = True
     for pairs in net.lines:

@@ -1,4 +1,4 @@
-"""From points of the world to places in a 3D view, and from a place to the piece that is seen there."""
+"""From points of the world to pixels of a 3D view, and from a pixel to the piece that is seen there."""
 
 import bpy
 import numpy as np
@@ -17,7 +17,7 @@ def views():
 
 
 def view_at(x, y):
-    """(region, its RegionView3D) of the 3D view at a place of the window, or None over anything else."""
+    """(region, its RegionView3D) of the 3D view at a pixel of the window, or None over anything else."""
     for _, region, view in views():
         if region.x <= x < region.x + region.width and region.y <= y < region.y + region.height:
             return region, view
@@ -29,53 +29,53 @@ def on_screen(region, view, matrix, points):
     clip = np.array(view.perspective_matrix, dtype=np.float64) @ np.array(matrix, dtype=np.float64)
     flat = np.column_stack([points, np.ones(len(points))]) @ clip.T
     with np.errstate(divide='ignore', invalid='ignore'):
-        places = 0.5 + 0.5 * flat[:, :2] / np.where(flat[:, 3:] > 0, flat[:, 3:], np.nan)
-    return places * (region.width, region.height)
+        pixels = 0.5 + 0.5 * flat[:, :2] / np.where(flat[:, 3:] > 0, flat[:, 3:], np.nan)
+    return pixels * (region.width, region.height)
 
 
-def piece_at(region, view, place, obs, depsgraph):
-    """(object, number of its piece) at a place of a region, in front of all others of these shapes; None where none is."""
-    hits = [hit for ob in obs if ob.type == 'MESH' for hit in [_face_at(region, view, place, ob, depsgraph)] if hit]
+def piece_at(region, view, pixel, obs, depsgraph):
+    """(object, number of its piece) at a pixel of a region, in front of all others of these shapes; None where none is."""
+    hits = [hit for ob in obs if ob.type == 'MESH' for hit in [_face_at(region, view, pixel, ob, depsgraph)] if hit]
     if hits:
         _, ob, number = min(hits, key=lambda hit: hit[0])
         return ob, number
-    near = [hit for ob in obs for hit in [_line_at(region, view, place, ob)] if hit]
+    near = [hit for ob in obs for hit in [_line_at(region, view, pixel, ob)] if hit]
     if not near:
         return None
     _, ob, number = min(near, key=lambda hit: hit[0])
     return ob, number
 
 
-def _face_at(region, view, place, ob, depsgraph):
+def _face_at(region, view, pixel, ob, depsgraph):
     """(distance, object, number of the patch) where a ray meets the mesh as it is drawn, or None."""
     shown = ob.evaluated_get(depsgraph)
     if not abs(shown.matrix_world.determinant()) > 0.0:
         return None
     into = shown.matrix_world.inverted()
-    origin = view3d_utils.region_2d_to_origin_3d(region, view, place)
-    along = view3d_utils.region_2d_to_vector_3d(region, view, place)
+    origin = view3d_utils.region_2d_to_origin_3d(region, view, pixel)
+    along = view3d_utils.region_2d_to_vector_3d(region, view, pixel)
     is_hit, point, _, face = shown.ray_cast(into @ origin, into.to_3x3() @ along)
     number = mesh_looks.patch_of_face(shown.data, face) if is_hit else 0
     return ((shown.matrix_world @ point - origin).dot(along), ob, number) if number else None
 
 
-def _line_at(region, view, place, ob):
+def _line_at(region, view, pixel, ob):
     """(distance in pixels, object, number) of the nearest curve, or number of a patch, near enough; or None."""
     try:
         shown = surveys.outlines_of(ob.data) if ob.type == 'CURVE' else surveys.middles_of(ob.data)[:, None, None]
     except store.UnreadableDefinition:
         return None
-    distances = [min([_distance(on_screen(region, view, ob.matrix_world, line), place) for line in lines], default=np.inf)
+    distances = [min([_distance(on_screen(region, view, ob.matrix_world, line), pixel) for line in lines], default=np.inf)
                  for lines in shown]
     nearest = int(np.argmin(distances))
     within = _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0)
     return (distances[nearest], ob, nearest + 1) if distances[nearest] <= within else None
 
 
-def _distance(line, place):
-    """From a place to a polyline (n, 2); a part with an end that is nan is none of it."""
+def _distance(line, pixel):
+    """From a pixel to a polyline (n, 2); a part with an end that is nan is none of it."""
     starts, ends = (line[:-1], line[1:]) if len(line) > 1 else (line, line)
-    along, to = ends - starts, np.asarray(place) - starts
+    along, to = ends - starts, np.asarray(pixel) - starts
     with np.errstate(divide='ignore', invalid='ignore'):
         part = np.nan_to_num(np.clip((to * along).sum(1) / (along * along).sum(1), 0.0, 1.0))
     distances = np.linalg.norm(to - part[:, None] * along, axis=1)

@@ -32,7 +32,7 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
                 self.faces_before = before
         except FAILURES as error:
             problems.tell(data, problems.SETTING, sentence(error))
-        live.mark(data)
+        live.note_settings(data)
 
     def set_resolution(self, resolution_u, resolution_v):
         """Both at once, with one evaluation at most. TypeError, and no change, for what is no whole number."""

@@ -29,4 +29,5 @@ def pop_up(text):
     windows = bpy.context.window_manager.windows
     if windows:
         with bpy.context.temp_override(window=windows[0]):
-            bpy.context.window_manager.popup_menu(lambda menu, context: draw_problem(menu.layout, text, 80), title="Splinewright")
+            bpy.context.window_manager.popup_menu(lambda menu, context: draw_problem(menu.layout, text, 80),
+                                                  title="Splinewright")

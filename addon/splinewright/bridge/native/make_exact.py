@@ -65,8 +65,8 @@ def _curve(context, ob, reading, users):
     settings.set_resolution(data, steps, steps)
     shape.set_value(data, reading.value)
     definition = store.read(data)
-    places = [np.concatenate([line.at for line in lines]) for lines in curve_pieces.shown_of(data, definition)]
-    curve_pieces.write(data, definition, [[of_spline(at)] for of_spline, at in zip(layers, places)])
+    fractions = [np.concatenate([line.at for line in lines]) for lines in curve_pieces.shown_of(data, definition)]
+    curve_pieces.write(data, definition, [[of_spline(at)] for of_spline, at in zip(layers, fractions)])
     if is_flat:
         data.dimensions = '2D'
     return lost

@@ -48,18 +48,18 @@ def give(data, planned, domains, pieces):
 
 def _give_one(spline, form, domain, layers):
     """give() of one spline; the nouns."""
-    at = native_along.places(form.spline)
+    at = native_along.parts(form.spline)
     mine = min(layers, key=lambda each: each.distance(_in_piece(form, domain, at[len(at) // 2:][:1])[0]))
     if (mine.values == mine.values[0]).all():
         curve_layers.write(spline, mine.look, np.tile(mine.values[0], (len(at), 1)))
         return set()
-    places = form.parts_at(domain[0] + mine.at * (domain[1] - domain[0]))
-    wanted = mine.there(_in_piece(form, domain, places)).astype(np.float64)
+    parts = form.parts_at(domain[0] + mine.at * (domain[1] - domain[0]))
+    wanted = mine.there(_in_piece(form, domain, parts)).astype(np.float64)
     first = mine.there(_in_piece(form, domain, at)).astype(np.float64)
-    values = native_along.fitted(form.spline, first, places, wanted)
+    values = native_along.fitted(form.spline, first, parts, wanted)
     values[:, 0] = np.maximum(values[:, 0], 0.0)
     curve_layers.write(spline, mine.look, values)
-    off = np.abs(native_along.values_at(form.spline, values, places) - wanted).max(axis=0)
+    off = np.abs(native_along.values_at(form.spline, values, parts) - wanted).max(axis=0)
     allowed = _NEAR * np.maximum(np.ptp(wanted, axis=0), 1e-6)
     return {noun for noun, is_off in zip(_NOUNS, off > allowed) if is_off}
 

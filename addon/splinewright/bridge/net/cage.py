@@ -11,7 +11,7 @@ from .. import mesh_edges
 WEIGHT = "weight"
 NUMBER = "splinewright_vertex"
 #: What copies of a vertex have, and what Blender makes between two has not.
-_MARK = "splinewright_vertex_mark"
+_SEAL = "splinewright_vertex_seal"
 
 
 def make(name, net):
@@ -23,7 +23,7 @@ def make(name, net):
     mesh.attributes.new(WEIGHT, 'FLOAT', 'POINT').data.foreach_set('value', net.single_weights)
     count = np.arange(len(net.rows), dtype=np.int32)
     mesh.attributes.new(NUMBER, 'INT', 'POINT').data.foreach_set('value', count)
-    mesh.attributes.new(_MARK, 'FLOAT', 'POINT').data.foreach_set('value', strays.marks(len(count)))
+    mesh.attributes.new(_SEAL, 'FLOAT', 'POINT').data.foreach_set('value', strays.seals(len(count)))
     mesh.vertices.foreach_set('select', np.zeros(len(count), bool))
     mesh.edges.foreach_set('select', np.zeros(len(mesh.edges), bool))
     mesh.polygons.foreach_set('select', np.zeros(len(mesh.polygons), bool))
@@ -49,8 +49,8 @@ def present(ob, count):
     if numbers is None:
         raise ChangedNet("the net has lost the numbers of its points, by which they are told apart: undo that")
     if not np.array_equal(np.sort(numbers), np.arange(count)):
-        marks = vertices.values('FLOAT', _MARK)
-        numbers = numbers if marks is None else strays.of_net(numbers, marks, strays.marks(count))
+        seals = vertices.values('FLOAT', _SEAL)
+        numbers = numbers if seals is None else strays.of_net(numbers, seals, strays.seals(count))
     return Present(numbers, vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
 
 
@@ -114,8 +114,8 @@ def set_flags(ob, chosen):
     bmesh.update_edit_mesh(ob.data)
 
 
-def place(ob, rows):
-    """Give vertices in Edit Mode positions and weights. rows: x, y, z, w by the place of a vertex."""
+def move(ob, rows):
+    """Give vertices in Edit Mode positions and weights. rows: x, y, z, w by the slot of a vertex."""
     mesh = bmesh.from_edit_mesh(ob.data)
     weights = mesh.verts.layers.float.get(WEIGHT)
     mesh.verts.ensure_lookup_table()

@@ -15,7 +15,7 @@ from ...core.library import sc
 from ...core.net import exact_net, reading
 from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import look_again, state
-from . import free_net, marks, net_object
+from . import free_net, net_object, settings_number
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
@@ -33,16 +33,16 @@ class Session:
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
-        self._settings = {}             # of the shape, their values by the mark that the net carries
+        self._settings = {}             # of the shape, their values by the number that the net carries for them
 
     def show(self, net):
         """Take this for the net, and its points for those that are there."""
         self.net = net                  # other than it was made with where that has gained or lost points
         self.take(exact_net.exact(net, net.single, net.single_weights), np.arange(len(net.rows)))
 
-    def take(self, exact, places):
-        """Take these for the numbers of the vertices, and for their places among what Blender holds, -1 for none."""
-        self.state, self.places = exact, places
+    def take(self, exact, slots):
+        """Take these for the numbers of the vertices, and for their slots among what Blender holds, -1 for none."""
+        self.state, self.slots = exact, slots
         with np.errstate(over='ignore'):
             self.points = exact.positions.astype(np.float32)    # for the overlay
 
@@ -63,16 +63,16 @@ class Session:
         """The shape has these faces now."""
         self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
 
-    def settings(self, mark, present):
-        """What a mark stands for: from now on the present values, where it is new or none of ours."""
-        return present if mark < marks.FIRST else self._settings.setdefault(mark, present)
+    def settings(self, number, present):
+        """What a number in the net stands for: from now on the present values, where it is new or none of ours."""
+        return present if number < settings_number.FIRST else self._settings.setdefault(number, present)
 
-    def mark(self, values):
-        """The mark that stands for values of the shape's settings."""
-        known = next((mark for mark, others in self._settings.items() if others == values), None)
+    def number_of(self, values):
+        """The number in the net that stands for values of the shape's settings."""
+        known = next((number for number, others in self._settings.items() if others == values), None)
         if known is None:
-            known = marks.FIRST + len(self._settings)
-            if known == marks.FIRST + marks.COUNT:
+            known = settings_number.FIRST + len(self._settings)
+            if known == settings_number.FIRST + settings_number.COUNT:
                 known = next(iter(self._settings))
                 del self._settings[known]
             self._settings[known] = values
@@ -138,7 +138,7 @@ def begin(data, net, shown_by=None):
         _drop_idle()
     state.sessions[net_object.token(data)] = started = Session(net)
     if shown_by is not None:
-        started.settings(marks.FIRST, shown_by)
+        started.settings(settings_number.FIRST, shown_by)
 
 
 def _drop_idle():
@@ -185,7 +185,7 @@ def _pulled(ob):
         return None, False, "this net is of an earlier time: its shape has changed since, and follows it no more"
     data, current = owner.data, session(ob.data)
     follow = _follow_points if free_net.is_free(ob.data) else _follow
-    is_shown_otherwise = _show_as_marked(data, ob, current)
+    is_shown_otherwise = _show_as_noted(data, ob, current)
     try:
         is_changed, problem = follow(data, ob, current)
     except Exception as error:
@@ -193,10 +193,10 @@ def _pulled(ob):
     return data, is_changed or is_shown_otherwise, problem
 
 
-def _show_as_marked(data, ob, current):
-    """Give a shape the settings that its net is marked with: undo may have brought others back. Whether it changed."""
+def _show_as_noted(data, ob, current):
+    """Give a shape the settings of which its net has the number: undo may have brought others back. Whether it changed."""
     present = settings.values(data)
-    wanted = current.settings(marks.read(ob), present)
+    wanted = current.settings(settings_number.read(ob), present)
     if wanted == present:
         return False
     settings.take(data, wanted)
@@ -208,7 +208,7 @@ def _show_as_marked(data, ob, current):
     return True
 
 
-def mark(data):
+def note_settings(data):
     """The settings of a shape were changed: let its net know, if it is out."""
     token = net_object.editor(data)
     if token is None:
@@ -216,14 +216,14 @@ def mark(data):
     nets = (ob for ob in bpy.data.objects if net_object.is_net(ob) and net_object.token(ob.data) == token)
     held = next((ob for ob in nets if ob.mode == 'EDIT'), None)
     if held is not None:
-        marks.write(held, session(held.data).mark(settings.values(data)))
+        settings_number.write(held, session(held.data).number_of(settings.values(data)))
 
 
 def _follow(data, ob, current):
     """Bring a shape up to date; whether it changed, and what it does not take."""
     found = reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data),
                          lambda: _last(data, current.net))
-    current.take(found.state, found.places)
+    current.take(found.state, found.slots)
     problems.tell(ob.data, problems.STRAYS, found.note)
     definition = exact_net.read(current.net, found.state)
     if recipes.has_points(data):

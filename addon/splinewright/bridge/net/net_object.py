@@ -13,7 +13,7 @@ import numpy as np
 from ...core.failures import Refusal
 from ...core.net import curve_net, patch_net
 from .. import blocks, problems, store
-from . import cage, marks, net_splines
+from . import cage, net_splines, settings_number
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
 KEY = "splinewright_net"
@@ -68,7 +68,7 @@ def make(shape, definition, net, scene):
         raise Refusal(f"a control point of {shape.name} lies farther away than Blender's Edit Mode reaches (3.4e38)")
     data = (net_splines if definition.has_curves else cage).make(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
-    marks.make(data)
+    settings_number.make(data)
     shape.data[EDITED_BY] = token(data)
     ob = bpy.data.objects.new(data.name, data)
     ob[SHAPE] = shape

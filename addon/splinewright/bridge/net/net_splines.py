@@ -1,6 +1,6 @@
 """The net of curves as a Curve. Points are numbered by their tilt and marked by their radius, which show nothing here.
 
-What can be selected has a place: each point, and of a Bezier point its left handle, itself and its right handle, spline
+What can be selected has a slot: each point, and of a Bezier point its left handle, itself and its right handle, spline
 by spline.
 """
 
@@ -20,7 +20,7 @@ def make(name, net):
     curve = bpy.data.curves.new(f"{name} Net", 'CURVE')
     curve.dimensions = '3D'
     first = number = 0
-    marks = strays.marks(len(net.spline_points[0]))
+    seals = strays.seals(len(net.spline_points[0]))
     for part in net.splines:
         spline = curve.splines.new(part.kind)
         if part.kind == 'BEZIER':
@@ -34,7 +34,7 @@ def make(name, net):
         spline.use_cyclic_u = part.closed
         numbers = np.arange(number, number + part.count)
         _points_of(spline).foreach_set('tilt', numbers.astype(np.float32))
-        _points_of(spline).foreach_set('radius', marks[numbers])
+        _points_of(spline).foreach_set('radius', seals[numbers])
         first, number = last, number + part.count
     curve.update_tag()
     return curve
@@ -54,8 +54,8 @@ def _points_of(spline):
 
 def present(curve, net):
     """The Present points and handles of a Curve that was made of a net."""
-    marks = strays.marks(len(net.spline_points[0]))
-    vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net, marks) for spline in curve.splines)])
+    seals = strays.seals(len(net.spline_points[0]))
+    vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net, seals) for spline in curve.splines)])
     rows = np.concatenate([np.empty((0, 4), np.float32), *map(_rows, curve.splines)])
     return Present(vertices, lambda: rows[:, :3], lambda: rows[:, 3], lambda: _links(curve), _void(curve, vertices))
 
@@ -75,13 +75,13 @@ def _void(curve, vertices):
     return void if void.any() else None
 
 
-def _numbered(spline, net, marks):
+def _numbered(spline, net, seals):
     """The vertices of the net that the points and handles of a spline carry, -1 for none."""
     is_bezier = spline.type == 'BEZIER'
     first, are_bezier = net.spline_points
     tilts, radii = (_values(_points_of(spline), name, 1)[:, 0] for name in ('tilt', 'radius'))
     whole = np.isfinite(tilts) & (tilts == np.rint(tilts))
-    numbers = strays.of_net(np.where(whole, np.abs(tilts), -1).astype(np.int64), radii, marks)
+    numbers = strays.of_net(np.where(whole, np.abs(tilts), -1).astype(np.int64), radii, seals)
     known = numbers >= 0
     known[known] = are_bezier[numbers[known]] == is_bezier      # otherwise the spline is of another type now
     vertices = np.full((len(tilts), 3 if is_bezier else 1), -1)
@@ -92,7 +92,7 @@ def _numbered(spline, net, marks):
 
 
 def _rows(spline):
-    """(k, 4) float32: the places of a spline and their weights."""
+    """(k, 4) float32: the positions of a spline and their weights."""
     if spline.type != 'BEZIER':
         return _values(spline.points, 'co', 4)
     triples = np.stack([_values(spline.bezier_points, name, 3) for name in _HANDLES], 1)
@@ -120,7 +120,7 @@ def _links(curve):
 
 
 def flags(curve):
-    """(m,) bool: what is selected, by its place."""
+    """(m,) bool: what is selected, by its slot."""
     found = [np.empty(0, bool)]
     for spline in curve.splines:
         columns = []
@@ -132,7 +132,7 @@ def flags(curve):
 
 
 def set_flags(curve, chosen):
-    """Select what has a place where chosen (m,) is True."""
+    """Select what has a slot where chosen (m,) is True."""
     first = 0
     for spline in curve.splines:
         names = _FLAGS if spline.type == 'BEZIER' else ('select',)
@@ -143,21 +143,21 @@ def set_flags(curve, chosen):
     curve.update_tag()
 
 
-def place(curve, rows):
-    """Give points and handles positions and weights. rows: x, y, z, w by the place of each."""
+def move(curve, rows):
+    """Give points and handles positions and weights. rows: x, y, z, w by the slot of each."""
     first = 0
     for spline in curve.splines:
         is_bezier = spline.type == 'BEZIER'
         step = 3 if is_bezier else 1
         count = len(_points_of(spline))
-        own = [divmod(place - first, step) + (row,) for place, row in rows.items() if first <= place < first + step * count]
+        own = [divmod(slot - first, step) + (row,) for slot, row in rows.items() if first <= slot < first + step * count]
         for i, handle, row in sorted(own, key=lambda one: one[1] != 1):         # points take their handles along
-            _place(_points_of(spline)[i], handle if is_bezier else None, *row)
+            _move(_points_of(spline)[i], handle if is_bezier else None, *row)
         first += step * count
     curve.update_tag()
 
 
-def _place(point, handle, x, y, z, weight):
+def _move(point, handle, x, y, z, weight):
     """handle: 0 left, 1 the point itself, 2 right; None for a point without handles."""
     if handle is None:
         point.co = (x, y, z, weight)

@@ -25,38 +25,38 @@ def every_selected(ob, net):
 
 def _selected(ob, net):
     try:
-        places = _places(ob, net)
+        slots = _slots(ob, net)
     except ChangedNet:
         return np.empty(0, np.int64)    # live.problem() says it
     flags = _flags(ob)
-    there = np.flatnonzero((places >= 0) & (places < len(flags)))
-    return there[flags[places[there]]]
+    there = np.flatnonzero((slots >= 0) & (slots < len(flags)))
+    return there[flags[slots[there]]]
 
 
 def select(ob, net, vertices):
     """Make these the selected vertices."""
-    places = _places(ob, net)[list(vertices)]
+    slots = _slots(ob, net)[list(vertices)]
     flags = np.zeros(len(_flags(ob)), bool)
-    flags[places[(places >= 0) & (places < len(flags))]] = True
+    flags[slots[(slots >= 0) & (slots < len(flags))]] = True
     _set_flags(ob, flags)
 
 
-def place(ob, net, vertices, rows):
+def move(ob, net, vertices, rows):
     """Give vertices positions and weights, rows (k, 4); they are kept in float64 beside the net.
 
     Raises Refusal where the net cannot be read, or a vertex is not there.
     """
     net_object.require_whole(ob)
-    places = _places(ob, net)[vertices]
-    if (places < 0).any():
+    slots = _slots(ob, net)[vertices]
+    if (slots < 0).any():
         raise ChangedNet("a point of the net is not there any more")
     numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else vertices
     net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
-    by_place = dict(zip(places.tolist(), rows.tolist()))
+    by_slot = dict(zip(slots.tolist(), rows.tolist()))
     if _is_curve(ob):
-        net_splines.place(ob.data, by_place)
+        net_splines.move(ob.data, by_slot)
     else:
-        cage.place(ob, by_place)
+        cage.move(ob, by_slot)
 
 
 def hand_over(ob, net):
@@ -66,9 +66,9 @@ def hand_over(ob, net):
     if not _is_curve(ob) and not cage.selects_vertices(ob):
         return
     present = net_object.present(ob, net)
-    places, flags = reading.places(net, present), _flags(ob)
+    slots, flags = reading.slots(net, present), _flags(ob)
     copies = np.flatnonzero((present.numbers >= 0) & flags)
-    points = places[present.numbers[copies]]
+    points = slots[present.numbers[copies]]
     positions = present.positions()
     is_copy = (points != copies) & (positions[points] == positions[copies]).all(1)
     if is_copy.any():
@@ -77,11 +77,11 @@ def hand_over(ob, net):
         _set_flags(ob, flags)
 
 
-def _places(ob, net):
-    """(n,) of each vertex its place among those that Blender holds, or -1. Raises ChangedNet."""
+def _slots(ob, net):
+    """(n,) of each vertex its slot among those that Blender holds, or -1. Raises ChangedNet."""
     if free_net.is_free(ob.data):
         return np.arange(len(net.rows))
-    return reading.places(net, net_object.present(ob, net))
+    return reading.slots(net, net_object.present(ob, net))
 
 
 def _is_curve(ob):

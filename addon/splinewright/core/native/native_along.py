@@ -71,7 +71,7 @@ def _b_spline(t):
 _WAYS = {'LINEAR': _linear, 'EASE': _ease, 'CARDINAL': _cardinal, 'BSPLINE': _b_spline}
 
 
-def places(spline):
+def parts(spline):
     """(n,): at which part of a NativeSpline each of its points counts most, or so."""
     direction, = spline.directions
     if spline.kind == 'BEZIER' or not native.is_valid_curve(direction):

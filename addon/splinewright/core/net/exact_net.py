@@ -129,10 +129,10 @@ def exact(net, positions, weights, typed=()):
     kept_weights = weights == net.single_weights
     now = np.where(kept[:, None], net.positions, positions)
     now_weights = np.where(kept_weights, net.weights, weights)
-    for number, *place, weight in typed:
+    for number, *position, weight in typed:
         vertex = int(number)
-        if (np.array(place, np.float32) == positions[vertex]).all():
-            now[vertex] = place
+        if (np.array(position, np.float32) == positions[vertex]).all():
+            now[vertex] = position
             kept[vertex] = (now[vertex] == net.positions[vertex]).all()
         if np.float32(weight) == weights[vertex]:
             now_weights[vertex] = weight

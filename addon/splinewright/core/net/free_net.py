@@ -14,8 +14,8 @@ def digits(net, typed, numbers, positions):
     """
     known = _known(net, typed)
     exact = positions.astype(np.float64)
-    for i, (number, place) in enumerate(zip(numbers.tolist(), map(tuple, positions.tolist()))):
-        exact[i] = known.get((number, place), known.get(place, exact[i]))
+    for i, (number, position) in enumerate(zip(numbers.tolist(), map(tuple, positions.tolist()))):
+        exact[i] = known.get((number, position), known.get(position, exact[i]))
     return exact
 
 
@@ -23,10 +23,10 @@ def _known(net, typed):
     """Digits by number and float32 position, and by position alone."""
     rows = np.concatenate([np.column_stack([np.arange(len(net.positions)), net.positions]), typed[:, :4]])
     with np.errstate(over='ignore'):
-        places = map(tuple, rows[:, 1:].astype(np.float32).tolist())
+        at = map(tuple, rows[:, 1:].astype(np.float32).tolist())
     known = {}
-    for (number, *row), place in zip(rows.tolist(), places):
-        known[number, place] = known[place] = row
+    for (number, *row), position in zip(rows.tolist(), at):
+        known[number, position] = known[position] = row
     return known
 
 

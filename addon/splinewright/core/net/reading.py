@@ -33,20 +33,20 @@ class Reading(NamedTuple):
     """The state of a net's vertices, and in words what the shape does not take, and what is passed over."""
 
     state: Exact
-    places: np.ndarray                  # (n,) of each vertex the place among those present, or -1
+    slots: np.ndarray                   # (n,) of each vertex the slot among those present, or -1
     problem: str
     note: str
 
 
-def places(net, present):
-    """(n,) of each vertex of a net the place of its point among those present, or -1."""
+def slots(net, present):
+    """(n,) of each vertex of a net the slot of its point among those present, or -1."""
     return strays.chosen(present.numbers, len(net.rows), present.links, net.neighbours)
 
 
 def read(net, present, typed, last):
     """The Reading of what is present. typed: as of exact_net.exact(); last: a function that gives a Net of the points
     as the shape has them, asked only where some cannot be read."""
-    found = places(net, present)
+    found = slots(net, present)
     there = found >= 0
     positions, weights = net.single.copy(), net.single_weights.copy()
     positions[there] = present.positions()[found[there]]
@@ -79,7 +79,8 @@ def _as_last(state, net, last, lost, lost_weight):
 
 def _problem(count, gone, are_others_there, is_wild, is_zero, has_no_weights):
     if gone and are_others_there:
-        return f"{gone} of {count} points of the net were replaced, or given another tilt or radius: the shape has them where they were"
+        return (f"{gone} of {count} points of the net were replaced, or given another tilt or radius: the shape has them "
+                "where they were")
     if gone:
         return f"the net has lost points ({gone} of {count}): the shape has them where they were"
     if has_no_weights:

@@ -6,41 +6,41 @@ What a gesture leaves beside the net's points is a stray: a copy, where the poin
 import numpy as np
 
 
-def marks(count):
+def seals(count):
     """(count,) float32 by which the points with a number and their copies are told from what Blender makes between two:
-    what lies between two marks is none, and 0 and 1, which new points have, are none."""
+    what lies between two seals is none, and 0 and 1, which new points have, are none."""
     numbers = np.arange(count, dtype=np.float64)
     return (1.25 + 0.5 * np.modf(numbers * numbers * 0.6180339887498949)[0]).astype(np.float32)
 
 
-def of_net(numbers, found, marks):
-    """The numbers (m,) of points that carry the mark of their number, -1 in place of others.
+def of_net(numbers, found, seals):
+    """The numbers (m,) of points that carry the seal of their number, -1 in place of others.
 
-    found: (m,), the marks that they carry; marks: those of all numbers.
+    found: (m,), the seals that they carry; seals: those of all numbers.
     """
-    known = (numbers >= 0) & (numbers < len(marks))
-    known[known] = found[known] == marks[numbers[known]]
+    known = (numbers >= 0) & (numbers < len(seals))
+    known[known] = found[known] == seals[numbers[known]]
     return np.where(known, numbers, -1)
 
 
 def chosen(numbers, count, links=None, neighbours=()):
-    """(count,): for each number of the net the place of its point in `numbers` (m,), or -1 where none has it.
+    """(count,): for each number of the net the slot of its point in `numbers` (m,), or -1 where none has it.
 
     Of several it is the one that is connected as the net was, else the first. links: a function that gives pairs of
-    places that are connected now, asked only where there are several; neighbours: pairs of numbers that were.
+    slots that are connected now, asked only where there are several; neighbours: pairs of numbers that were.
     """
     if len(numbers) == count and np.array_equal(numbers, np.arange(count)):
         return np.arange(count)
-    places = np.flatnonzero((numbers >= 0) & (numbers < count))
-    own = numbers[places]
+    slots = np.flatnonzero((numbers >= 0) & (numbers < count))
+    own = numbers[slots]
     if links is not None and len(np.unique(own)) < len(own):
         likeness = _likeness(numbers, count, np.asarray(links()).reshape(-1, 2), np.asarray(neighbours).reshape(-1, 2))
-        order = np.lexsort((places, -likeness[places], own))
+        order = np.lexsort((slots, -likeness[slots], own))
     else:
-        order = np.lexsort((places, own))
+        order = np.lexsort((slots, own))
     found, first = np.unique(own[order], return_index=True)
     result = np.full(count, -1)
-    result[found] = places[order[first]]
+    result[found] = slots[order[first]]
     return result
 
 

@@ -14,14 +14,15 @@ class SPLINEWRIGHT_OT_bake_animation(bpy.types.Operator):
     bl_idname = "splinewright.bake_animation"
     bl_label = "Bake Animation"
     bl_description = ("Let the selected shapes move by shape keys, a key for each frame, as they do now: so they move where "
-                      "Splinewright is missing, on a render farm or linked into another file. Make Live Again is the way back")
+                      "Splinewright is missing, on a render farm say. Make Live Again is the way back")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     frame_start: IntProperty(name="First Frame", description="Where it begins; of the scene if it is not given",
                              options={'SKIP_SAVE'})
     frame_end: IntProperty(name="Last Frame", description="Where it ends; of the scene if it is not given",
                            options={'SKIP_SAVE'})
-    frame_step: IntProperty(name="Step", description="A key for each so many frames, straight between them", default=1, min=1)
+    frame_step: IntProperty(name="Step", description="A key for each so many frames, straight between them", default=1,
+                            min=1)
 
     @classmethod
     def poll(cls, context):

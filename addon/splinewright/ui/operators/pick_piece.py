@@ -74,8 +74,8 @@ class _Picks:
         found = None
         if view:
             region, view = view
-            place = event.mouse_x - region.x, event.mouse_y - region.y
-            found = picking.piece_at(region, view, place, obs, context.evaluated_depsgraph_get())
+            pixel = event.mouse_x - region.x, event.mouse_y - region.y
+            found = picking.piece_at(region, view, pixel, obs, context.evaluated_depsgraph_get())
         hovered = (found[0].name, found[1]) if found and state.picking[found[0].name][found[1] - 1] else ()
         if hovered != state.hovered:
             state.hovered = hovered

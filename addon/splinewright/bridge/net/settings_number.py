@@ -4,7 +4,7 @@ import bmesh
 import numpy as np
 
 #: The vertices of a cage carry it under this name; curves in what is of no use to them, their resolution along v.
-_NAME = "splinewright_mark"
+_NAME = "splinewright_settings"
 #: The numbers there are; smaller ones are what Blender gives to splines of its own accord.
 FIRST, COUNT = 101, 900
 
