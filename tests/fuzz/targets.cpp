@@ -7,7 +7,7 @@ namespace splinecore::fuzz {
 namespace {
 
 /// A pause comes every 2^24 steps.
-constexpr int kMostPauses = 4;
+constexpr int kMostPauses = 2;
 
 struct EnoughWork {};
 
