@@ -169,7 +169,7 @@ TEST(ImplicitForm, IsRefusedWhereRoundingLeavesNothingOfIt) {
 }
 
 TEST(ImplicitForm, IsRefusedWherePointsTimesWeightsOverflow) {
-  const BezierCurve curve = BezierCurve::make({{0, 0, 0, 1}, {1e200, 0, 0, 1e200}, {1, 1, 0, 1}});
+  const BezierCurve curve = BezierCurve::make({{0, 0, 0, 1}, {1e200, 0, 0, 1e200}, {0, 1e200, 0, 1}});
   EXPECT_EQ(refusal([&] { implicit_conic(curve); }), "points reach beyond the range of numbers with their weights");
 }
 

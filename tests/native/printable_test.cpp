@@ -41,7 +41,7 @@ TEST(Printable, IsWhatMessagesAreMadeOf) {
   for (int i = 0; i < 60; ++i) name += "é";
   const std::string message = refusal([&] { Formula::make("1", {name}); });
   EXPECT_EQ(printable(message), message);
-  EXPECT_LT(message.size(), 120u);
+  EXPECT_LT(message.size(), 160u);
 }
 
 TEST(Printable, KeepsMessagesShort) {
