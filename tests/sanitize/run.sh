@@ -21,7 +21,8 @@ source tests/sharing/share.sh
 
 # Of the tests that take a quarter of an hour under the sanitizers those that are slow and tell nothing new.
 slow_native=-PatchVerbs.AlongOneAxisAreThoseAlongTheOtherOfTheSwappedPatch:PatchFromFormulas.RefusesWhatItCannotFollow
-slow_native+=:PatchFromFormulas.LiesWithinTheToleranceAtItsOwnParameters:CurveFromFormulas.RefusesPolesJumpsAndUndefinedValues
+slow_native+=:PatchFromFormulas.LiesWithinTheToleranceAtItsOwnParameters
+slow_native+=:CurveFromFormulas.RefusesPolesJumpsAndUndefinedValues
 slow_native+=:Area.OfASetIsTheSumOfItsPatches:PatchRemoval.*:SecondJudge.*:Reduced.ByOneHasExactlyTheErrorThatItSays
 quick_python=(tests/python/test_{bad_input,bad_verbs,arrays,values,json,formula,damaged_definitions}.py
               tests/python/test_{shared_values,extremes}.py)
