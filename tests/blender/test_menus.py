@@ -33,7 +33,7 @@ class Drawn(list):
 def drawn(menu):
     """What we add to one of Blender's menus, with what lies below."""
     layout = Drawn()
-    for name, draw in menus._PLACES:
+    for name, draw in (*menus._PLACES, *menus._TOPS):
         if name == menu:
             draw(SimpleNamespace(layout=layout), bpy.context)
     return layout

@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import replacing
-from . import tools
+from . import hand, tools
 from .sub_panel import SubPanel
 
 _GROUPS = (
@@ -25,16 +25,21 @@ class SPLINEWRIGHT_MT_curve(bpy.types.Menu):
         tools.draw_menu(self.layout, _GROUPS)
 
 
+def draw_verbs(layout):
+    """Those that work while a net is edited."""
+    tools.draw_menu(layout, [(label, [name for name in names if tools.works_on_nets(name)]) for label, names in _GROUPS])
+
+
 class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_curve_tools"
     bl_label = "Curve Tools"
 
     @classmethod
     def poll(cls, context):
-        return replacing.is_curve_shape(context.object)
+        return replacing.is_curve_shape(hand.shape_of(context.object))
 
     def draw(self, context):
-        tools.draw_hand(self.layout, context.object.data)
+        tools.draw_hand(self.layout, hand.shape_of(context.object).data)
         tools.draw_panel(self.layout, _GROUPS)
 
 

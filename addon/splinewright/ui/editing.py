@@ -178,7 +178,8 @@ def put_away(context, ob):
 
 
 def anew(context, nets):
-    """Put the nets away and out again, from what the shapes are now; points stay selected.
+    """Put the nets away and out again, from what the shapes are now; points stay selected, where there are others by
+    where they are.
 
     Returns warnings: why they did not come out again. The shapes are as they should be.
     """
@@ -186,7 +187,7 @@ def anew(context, nets):
     for ob in nets:
         owner, session = net_object.shape_of(ob), live.known_session(ob.data)
         if owner is not None and session is not None:
-            selections[owner.name] = selection.selected(ob, session.net)
+            selections[owner.name] = selection.selected(ob, session.net), session.points
     active = net_object.shape_of(context.object)
     leave(context)
     if active is None or context.view_layer.objects.get(active.name) != active:
@@ -197,10 +198,18 @@ def anew(context, nets):
     except FAILURES as error:
         return (f"the net did not come out again: {sentence(error)}",)
     for ob in out:
-        net = live.session(ob.data).net
-        chosen = selections.get(net_object.shape_of(ob).name, ())
-        selection.select(ob, net, [vertex for vertex in chosen if vertex < len(net.rows)])
+        session, owner = live.session(ob.data), net_object.shape_of(ob)
+        if owner.name in selections:
+            selection.select(ob, session.net, _same(session.points, *selections[owner.name]))
     return ()
+
+
+def _same(points, chosen, before):
+    """Of points (n, 3) those that were chosen among the ones before."""
+    if len(points) == len(before):
+        return chosen
+    positions = {tuple(point) for point in before[chosen].tolist()}
+    return [i for i, point in enumerate(points.tolist()) if tuple(point) in positions]
 
 
 def sweep():

@@ -3,9 +3,8 @@
 import bpy
 
 from ..bridge import baking, shape
-from ..bridge.net import net_object
 from ..core.recipes.table import DERIVED, FOLLOW, STARTING
-from . import curve_tools, patch_tools, tools
+from . import curve_tools, editing, patch_tools, tools
 
 #: Conics come before it, splines and formulas from it on.
 _FIRST_SPLINE = 'catmull_rom'
@@ -159,17 +158,41 @@ def _draw_object_context(self, context):
         self.layout.menu(SPLINEWRIGHT_MT_object_context.bl_idname, icon='SURFACE_DATA')
 
 
+class SPLINEWRIGHT_MT_net(bpy.types.Menu):
+    """While a net is edited: in the header, and on top of Blender's context menu."""
+
+    bl_idname = "SPLINEWRIGHT_MT_net"
+    bl_label = "Splinewright"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        layout.operator("splinewright.leave_net", icon='CHECKMARK')
+        layout.operator("splinewright.renew_net", icon='FILE_REFRESH')
+        layout.separator()
+        layout.operator("splinewright.set_knots")
+        layout.operator("splinewright.point_to_infinity")
+        layout.operator("splinewright.point_from_infinity")
+        layout.separator()
+        tools = curve_tools if isinstance(context.object.data, bpy.types.Curve) else patch_tools
+        tools.draw_verbs(layout)
+
+
 def _draw_net(self, context):
-    if any(net_object.is_net(ob) for ob in context.objects_in_mode):
-        self.layout.operator("splinewright.leave_net")
-        self.layout.operator("splinewright.point_to_infinity")
-        self.layout.operator("splinewright.point_from_infinity")
+    if editing.nets_in_edit_mode(context):
+        self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname, icon='SURFACE_DATA')
         self.layout.separator()
 
 
-CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object,
-           SPLINEWRIGHT_MT_object_context)
+def _draw_net_header(self, context):
+    if editing.nets_in_edit_mode(context):
+        self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname)
 
+
+CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object,
+           SPLINEWRIGHT_MT_object_context, SPLINEWRIGHT_MT_net)
+
+#: Blender's menus that ours are added to, at the end or before all else.
 _PLACES = (
     ("VIEW3D_MT_curve_add", _draw_curve_add),
     ("VIEW3D_MT_surface_add", _draw_surface_add),
@@ -177,18 +200,25 @@ _PLACES = (
     ("VIEW3D_MT_object_context_menu", _draw_object_context),
     ("VIEW3D_MT_object_apply", _draw_apply),
     ("VIEW3D_MT_object_convert", _draw_convert),
-    ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
-    ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
+    ("VIEW3D_MT_editor_menus", _draw_net_header),
     ("TOPBAR_MT_file_import", _draw_import),
     ("TOPBAR_MT_file_export", _draw_export),
+)
+
+
+_TOPS = (
+    ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
+    ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
 )
 
 
 def register():
     for menu, draw in _PLACES:
         getattr(bpy.types, menu).append(draw)
+    for menu, draw in _TOPS:
+        getattr(bpy.types, menu).prepend(draw)
 
 
 def unregister():
-    for menu, draw in _PLACES:
+    for menu, draw in (*_PLACES, *_TOPS):
         getattr(bpy.types, menu).remove(draw)

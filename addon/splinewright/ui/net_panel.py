@@ -1,11 +1,9 @@
 """What the panel shows while a net is edited."""
 
-import numpy as np
-
 from ..bridge import recipes, store
 from ..bridge.net import live, net_object
 from ..core import describe
-from . import net_props, recipe_props, settings_panel, texts
+from . import hand, net_props, recipe_props, settings_panel, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
@@ -29,7 +27,7 @@ def draw(layout, ob):
         if recipes.has(owner.data):
             recipe_props.draw(layout.box(), owner.data, is_net_out=True)
         else:
-            _draw_knots(layout, definition, _pieces_in_hand(ob, session))
+            _draw_knots(layout, definition, hand.pieces_of_points(ob))
         layout.separator()
         settings_panel.draw(layout, owner.data, definition, has_buttons=False)
     except store.UnreadableDefinition as error:
@@ -87,15 +85,6 @@ def _name(net, vertex):
     if any(head == vertex for _, head in net.arrows):
         return f"Direction at infinity {vertex}"
     return f"Handle {vertex}"
-
-
-def _pieces_in_hand(ob, session):
-    """Numbers of the pieces that have a selected point or handle; of all where none is selected."""
-    net = session.net
-    _, vertices = net_props.chosen(ob.data)
-    rows = net.rows[vertices]
-    pieces = net.definition.pieces
-    return [i for i, piece in enumerate(pieces) if not len(rows) or np.isin(rows, piece.indices).any()]
 
 
 def _draw_knots(layout, definition, pieces):

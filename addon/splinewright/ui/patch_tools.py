@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import replacing
-from . import tools
+from . import hand, tools
 from .sub_panel import SubPanel
 
 _GROUPS = (
@@ -26,16 +26,21 @@ class SPLINEWRIGHT_MT_patch(bpy.types.Menu):
         tools.draw_menu(self.layout, _GROUPS)
 
 
+def draw_verbs(layout):
+    """Those that work while a net is edited."""
+    tools.draw_menu(layout, [(label, [name for name in names if tools.works_on_nets(name)]) for label, names in _GROUPS])
+
+
 class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_patch_tools"
     bl_label = "Patch Tools"
 
     @classmethod
     def poll(cls, context):
-        return replacing.is_patch_shape(context.object)
+        return replacing.is_patch_shape(hand.shape_of(context.object))
 
     def draw(self, context):
-        tools.draw_hand(self.layout, context.object.data)
+        tools.draw_hand(self.layout, hand.shape_of(context.object).data)
         tools.draw_panel(self.layout, _GROUPS)
 
 

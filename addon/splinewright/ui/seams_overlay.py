@@ -7,9 +7,8 @@ from gpu_extras.batch import batch_for_shader
 from mathutils import Matrix
 
 from ..bridge import store, surveys
-from ..bridge.net import net_object
 from ..core import seams
-from . import colors
+from . import colors, hand
 
 #: Lines are drawn nearer by this part of their distance, so that the surface does not hide them.
 _NEARER = 2e-3
@@ -17,8 +16,8 @@ _NEARER = 2e-3
 
 def shape_in_hand(ob):
     """The patch shape that is active, or whose net is; None where there is none."""
-    owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
-    return owner if owner is not None and owner.type == 'MESH' and store.has_definition(owner.data) else None
+    owner = hand.shape_of(ob)
+    return owner if owner is not None and owner.type == 'MESH' else None
 
 
 def draw():

@@ -13,7 +13,7 @@ _LEFT_OUT = ("Add ", "Bring To ", "Convert ", "Take ")
 
 def draw_menu(layout, groups):
     layout.operator_context = 'INVOKE_REGION_WIN'
-    for i, (_, names) in enumerate(groups):
+    for i, names in enumerate(filter(None, (names for _, names in groups))):
         if i:
             layout.separator()
         for name in names:
@@ -40,6 +40,11 @@ def draw_panel(layout, groups):
         column = row.column(align=True)
         for name in names:
             column.operator(f"splinewright.{name}", text=text_of(name))
+
+
+def works_on_nets(name):
+    """Whether an operator of curves or patches also works while their nets are edited."""
+    return getattr(getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}"), 'works_on_nets', False)
 
 
 def text_of(name):

@@ -35,7 +35,11 @@ class OnSelected:
         if not outcomes:
             return reports.cancelled(self, *reasons)
         said = self.said(outcomes)
-        return reports.finished(self, said._replace(warnings=(*said.warnings, *reasons)))
+        return reports.finished(self, said._replace(warnings=(*said.warnings, *self.after(context), *reasons)))
+
+    def after(self, context):
+        """What is to be done when it was done with all. Returns warnings."""
+        return ()
 
     def _work_on_all(self, context):
         """What work() gave, and why it failed, by name. Should it break, Blender makes an undo step of what was done."""

@@ -117,8 +117,8 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 def _shape_in_hand(context):
     """The active shape, or the one whose net is active in Edit Mode."""
     ob = context.object
-    if net_object.is_net(ob) and ob.mode == 'EDIT':
-        return net_object.shape_of(ob)
+    if net_object.is_net(ob):
+        return hand.shape_of(ob) if ob.mode == 'EDIT' else None
     return ob if shape.has_shape(ob) and ob.mode == 'OBJECT' and not editing.why_not(ob) else None
 
 
