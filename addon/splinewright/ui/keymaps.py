@@ -1,4 +1,4 @@
-"""Tab and Ctrl+J on shapes. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J and Ctrl+R on shapes and nets. The operators' polls let the keys pass for everything else."""
 
 import bpy
 
@@ -7,6 +7,8 @@ _ITEMS = (
     ('Object Non-modal', "splinewright.edit_net", 'TAB', False),
     ('Object Non-modal', "splinewright.leave_net", 'TAB', False),
     ('Object Mode', "splinewright.join", 'J', True),
+    ('Mesh', "splinewright.insert_here", 'R', True),
+    ('Curve', "splinewright.insert_here", 'R', True),
 )
 
 _made = []

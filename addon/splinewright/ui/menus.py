@@ -104,7 +104,7 @@ def _draw_convert(self, context):
 
 #: Names of operators and menus, with what they concern, in groups.
 _ENTRIES = (
-    (('edit_net', _SHAPES), ('set_knots', _SHAPES), ('pick_piece', _SHAPES),
+    (('edit_net', _SHAPES), ('insert_here', _SHAPES), ('set_knots', _SHAPES), ('pick_piece', _SHAPES),
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', _SHAPES), ('follow_object', _SHAPES | {'native'}), ('make_editable', _SHAPES),
      ('bake_animation', _SHAPES), ('unbake', {'baked'})),
@@ -170,6 +170,7 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
         layout.operator("splinewright.leave_net", icon='CHECKMARK')
         layout.operator("splinewright.renew_net", icon='FILE_REFRESH')
         layout.separator()
+        layout.operator("splinewright.insert_here")
         layout.operator("splinewright.set_knots")
         layout.operator("splinewright.point_to_infinity")
         layout.operator("splinewright.point_from_infinity")
