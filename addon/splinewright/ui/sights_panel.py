@@ -1,0 +1,44 @@
+"""The part of the Overlays popover that is ours."""
+
+import bpy
+
+from ..bridge import shape, sights
+from ..bridge.net import net_object
+
+
+class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_sights"
+    bl_label = "Splinewright"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'HEADER'
+    bl_parent_id = "VIEW3D_PT_overlay"
+
+    @classmethod
+    def poll(cls, context):
+        ob = context.object
+        return shape.has_shape(ob) or net_object.is_net(ob)
+
+    def draw(self, context):
+        chosen = sights.of(context.scene)
+        space = context.space_data
+        column = self.layout.column()
+        column.active = space is None or space.overlay.show_overlays
+        row = column.row()
+        row.prop(chosen, "polygon")
+        row.prop(chosen, "points_behind")
+        row = column.row()
+        row.prop(chosen, "curve")
+        row.prop(chosen, "knots")
+        _draw_switch(column, chosen, "isocurves", "isocurve_count")
+
+
+def _draw_switch(layout, chosen, switch, number):
+    """A switch and what belongs to it, which is dim while it is off."""
+    row = layout.split(factor=0.5)
+    row.prop(chosen, switch)
+    field = row.row(align=True)
+    field.active = getattr(chosen, switch)
+    field.prop(chosen, number, text="")
+
+
+CLASSES = (SPLINEWRIGHT_PT_sights,)

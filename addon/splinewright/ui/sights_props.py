@@ -1,0 +1,40 @@
+"""What is drawn over shapes, as switches of the scene: each off until it is wanted, and kept with the file."""
+
+import bpy
+from bpy.props import BoolProperty, IntProperty, PointerProperty
+
+from . import editing
+
+
+def _switch(name, description, **more):
+    return BoolProperty(name=name, description=description, default=False, options=set(), **more)
+
+
+def _points_behind_changed(self, _context):
+    for held in editing.nets():
+        held.show_in_front = self.points_behind
+
+
+class SplinewrightSights(bpy.types.PropertyGroup):
+    """Of selected shapes, and of those whose nets are out."""
+
+    curve: _switch("Curve", "Draw the curve itself above its control polygon, finer than its resolution")
+    polygon: _switch("Control Net", "Draw control polygons of curves and control nets of surfaces in Object Mode")
+    points_behind: _switch("Points Behind", "Show the points and lines of nets that lie behind the shape, too",
+                           update=_points_behind_changed)
+    knots: _switch("Knots", "Mark the knots of curves, and draw the lines on surfaces where their spans meet")
+    isocurves: _switch("Isocurves", "Draw lines on surfaces along which u or v stays the same")
+    isocurve_count: IntProperty(
+        name="Isocurves per Span", description="How many lines there are in every span, each way",
+        default=3, min=1, max=64, soft_max=16, options=set())
+
+
+CLASSES = (SplinewrightSights,)
+
+
+def register():
+    bpy.types.Scene.splinewright_sights = PointerProperty(type=SplinewrightSights)
+
+
+def unregister():
+    del bpy.types.Scene.splinewright_sights

@@ -1,0 +1,208 @@
+"""What the switches in the Overlays popover show: lines and points against closed forms, kept until the shape changes."""
+
+import bpy
+import numpy as np
+import pytest
+
+from layouts import drawn_by
+from shapes import KINDS, VALUES, add, enter, leave, move, select
+from support import part, splinecore as sc
+
+definitions, lines, overlay, panel, polygon, seen, store = (part(name) for name in (
+    'core.definition', 'core.sights.lines', 'ui.sights_overlay', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
+    'bridge.store'))
+FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]), [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
+
+
+def polygon_of(value):
+    return polygon.of(definitions.from_value(value))
+
+
+def quarter():
+    """Of a circle of radius 2."""
+    return sc.BezierCurve([(2, 0), (2, 2), (0, 2)], [1, np.sqrt(0.5), 1])
+
+
+@pytest.fixture
+def chosen():
+    """The switches, all off again in the end."""
+    found = seen.of(bpy.context.scene)
+    yield found
+    for name in found.bl_rna.properties.keys():
+        if name not in ('rna_type', 'name'):
+            found.property_unset(name)
+
+
+def test_the_polygon_of_a_curve_leads_from_point_to_point():
+    points = np.array(VALUES['quintic']().points)
+    found = polygon_of(sc.BezierCurve(points))
+    assert np.array_equal(found.rows[0], np.stack([points[:-1], points[1:]], 1)) and not len(found.rows[1])
+    assert np.array_equal(found.points, points) and not found.arrows
+
+
+def test_that_of_a_plain_cubic_has_its_middle_leg_though_its_net_has_handles():
+    points = np.array(VALUES['cubic']().points)
+    found = polygon_of(sc.BezierCurve(points))
+    assert np.array_equal(found.rows[0], np.stack([points[:-1], points[1:]], 1))
+    assert np.array_equal(found.points, points)
+
+
+def test_that_of_a_periodic_curve_closes():
+    points = np.array(VALUES['periodic']().points)
+    found = polygon_of(VALUES['periodic']().with_points(points))
+    wanted = np.stack([points, np.roll(points, -1, 0)], 1)
+    assert np.array_equal(found.rows[0], wanted)
+
+
+def test_a_hermite_chain_has_its_handles_and_no_legs_between_them():
+    chain = sc.HermiteCurve([(0, 0), (3, 0)], [(3, 3), (3, -3)])
+    found = polygon_of(chain)
+    assert {tuple(map(tuple, pair[:, :2].round(12))) for pair in found.rows[0]} == {
+        ((0, 0), (1, 1)), ((2, 1), (3, 0)), ((-1, -1), (0, 0)), ((3, 0), (4, -1))}
+
+
+def test_a_point_at_infinity_is_an_arrow_and_no_point():
+    found = polygon_of(VALUES['semicircle']())
+    assert len(found.points) == 2 and np.allclose(found.rows[0], [[(1, 0, 0), (-1, 0, 0)]])
+    (foot, head), = found.arrows
+    assert np.allclose(foot, 0) and np.allclose(head, (0, 1, 0))
+
+
+def test_the_net_of_a_patch_has_its_rows_each_way():
+    found = polygon_of(FLAT)
+    assert len(found.points) == 8 and [len(pairs) for pairs in found.rows] == [6, 4]
+    assert (found.rows[0][:, 0, 1] == found.rows[0][:, 1, 1]).all() and (found.rows[1][:, 0, 0] == found.rows[1][:, 1, 0]).all()
+
+
+def test_the_curve_itself_lies_on_its_circle_however_coarse_it_is_shown():
+    found = lines.curves([quarter()], 1, 10.0, None)
+    assert len(found) >= 32 and np.abs(np.linalg.norm(found, axis=-1) - 2).max() < 1e-14
+    assert np.linalg.norm(found[:, 1] - found[:, 0], axis=1).max() < 0.5
+
+
+def test_knots_of_a_curve_are_marked_at_its_ends_and_where_spans_meet():
+    curve = sc.NurbsCurve(1, [0, 0, 1, 3, 3], [(0, 0), (1, 5), (3, 0)])
+    assert np.array_equal(lines.knots_of_curves([curve]), [(0, 0, 0), (1, 5, 0), (3, 0, 0)])
+    double = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 2, 2, 2], [(0, 0), (1, 0), (2, 0), (3, 1), (4, 4)])
+    assert len(lines.knots_of_curves([double])) == 3
+
+
+def test_knots_and_isocurves_of_a_patch_lie_where_they_should():
+    knots = lines.knots_of_patches([FLAT])
+    along_v = knots[knots[:, 0, 0] == knots[:, 1, 0]]
+    assert np.unique(along_v[:, :, 0]).round(12).tolist() == [0, float(FLAT.evaluate(1, 0)[0].round(12)), 3]
+    assert np.unique(knots[knots[:, 0, 1] == knots[:, 1, 1]][:, :, 1].round(12)).tolist() == [0, 4]
+    found = lines.isocurves([FLAT], 3)
+    wanted = FLAT.evaluate(np.array([0.25, 0.5, 0.75, 1.5, 2, 2.5]), 0.0)[:, 0]
+    assert np.allclose(np.unique(found[found[:, 0, 0] == found[:, 1, 0]][:, :, 0].round(12)), wanted)
+    assert np.unique(found[found[:, 0, 1] == found[:, 1, 1]][:, :, 1].round(12)).tolist() == [1, 2, 3]
+
+
+def test_lines_stop_at_poles_and_never_cross_infinity():
+    sphere = sc.build.sphere((0, 0, 0), 2.0)
+    for found in (lines.knots_of_patches([sphere]), lines.isocurves([sphere], 4)):
+        assert np.abs(np.linalg.norm(found, axis=-1) - 2).max() < 1e-13
+        assert (np.linalg.norm(found[:, 1] - found[:, 0], axis=1) > 0).all()
+    through = lines.curves([sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, -2, 1])], 4, 10.0, None)
+    assert np.isfinite(through).all() and np.linalg.norm(through[:, 1] - through[:, 0], axis=1).max() < 10
+
+
+@pytest.mark.parametrize('name', KINDS)
+def test_every_kind_of_shape_has_its_sights(name):
+    ob = add(VALUES[name]())
+    found = seen.kept(ob.data, 'polygon', (), seen.polygon_of)
+    assert len(found.points) and all(np.isfinite(pairs).all() for pairs in found.rows)
+    assert len(seen.knots_of(ob.data))
+    drawn = seen.curves_of(ob.data) if ob.type == 'CURVE' else seen.isocurves_of(ob.data, 2)
+    assert len(drawn) and np.isfinite(drawn).all()
+
+
+def test_what_is_seen_is_worked_out_once_until_the_shape_changes():
+    ob, made = add(VALUES['nurbs patch']()), []
+
+    def make(data, number):
+        made.append(number)
+        return number
+    for number in (1, 1, 2, 2):
+        assert seen.kept(ob.data, 'thing', (number,), make) == number
+    assert made == [1, 2]
+    held = enter()
+    select(held, 3)
+    seen.kept(ob.data, 'thing', (2,), make)
+    known = len(made)
+    move(0, 0, 1)                       # every step of a drag comes this way
+    seen.kept(ob.data, 'thing', (2,), make)
+    assert len(made) == known + 1
+    leave()
+    seen.kept(ob.data, 'thing', (2,), make)
+    known = len(made)
+    bpy.ops.ed.undo()
+    ob = bpy.data.objects["shape"]
+    seen.kept(ob.data, 'thing', (2,), make)
+    assert len(made) == known + 1
+    ob.data.splinewright.value = ob.data.splinewright.value.elevate('u')     # the mesh may stay as it is in every bit
+    seen.kept(ob.data, 'thing', (2,), make)
+    assert len(made) == known + 2
+
+
+def test_another_shape_that_takes_the_name_has_sights_of_its_own():
+    one, other = add(VALUES['bezier patch'](), "one"), add(VALUES['nurbs patch'](), "other")
+    assert len(seen.kept(one.data, 'polygon', (), seen.polygon_of).points) == 12
+    one.data.name, other.data.name = "away", "one"
+    assert len(seen.kept(other.data, 'polygon', (), seen.polygon_of).points) == 24
+
+
+def test_a_damaged_shape_shows_nothing_and_raises_nothing():
+    ob = add(VALUES['bezier patch']())
+    ob.data[store.KEY]['structure'] = "no"
+    assert seen.kept(ob.data, 'polygon', (), seen.polygon_of) is None
+
+
+def test_shapes_in_hand_are_the_selected_ones_and_that_whose_net_is_out():
+    one, other = add(VALUES['bezier patch'](), "one"), add(VALUES['nurbs'](), "other")
+    assert overlay.shapes_in_hand(bpy.context) == [other]
+    one.select_set(True)
+    assert set(overlay.shapes_in_hand(bpy.context)) == {one, other}
+    other.hide_set(True)
+    assert overlay.shapes_in_hand(bpy.context) == [one]
+    other.hide_set(False)
+    bpy.context.view_layer.objects.active = one
+    other.select_set(False)
+    enter()
+    assert overlay.shapes_in_hand(bpy.context) == [one]
+    leave()
+
+
+def test_switches_are_off_until_wanted_and_kept_with_the_file(chosen, tmp_path):
+    switches = [known.identifier for known in chosen.bl_rna.properties if known.type == 'BOOLEAN']
+    assert switches and not any(getattr(chosen, name) for name in switches)
+    for name in switches:
+        assert chosen.bl_rna.properties[name].description
+        setattr(chosen, name, True)
+    chosen.isocurve_count = 7
+    add(VALUES['bezier patch']())
+    path = str(tmp_path / "kept.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    found = seen.of(bpy.context.scene)
+    assert all(getattr(found, name) for name in switches) and found.isocurve_count == 7
+
+
+def test_points_behind_are_shown_only_when_asked_for(chosen):
+    add(VALUES['nurbs patch']())
+    held = enter()
+    assert not held.show_in_front
+    chosen.points_behind = True
+    assert held.show_in_front
+    leave()
+    assert enter().show_in_front
+    leave()
+
+
+def test_the_popover_has_every_switch(chosen):
+    add(VALUES['bezier patch']())
+    assert panel.SPLINEWRIGHT_PT_sights.poll(bpy.context)
+    layout = drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context)
+    assert set(layout.props) >= {known.identifier for known in chosen.bl_rna.properties if known.type == 'BOOLEAN'}
+    bpy.context.view_layer.objects.active = None
+    assert not panel.SPLINEWRIGHT_PT_sights.poll(bpy.context)
