@@ -8,8 +8,8 @@ from layouts import drawn_by
 from shapes import KINDS, VALUES, add, enter, leave, move, select
 from support import part, splinecore as sc
 
-definitions, lines, overlay, panel, polygon, seen, store = (part(name) for name in (
-    'core.definition', 'core.sights.lines', 'ui.sights_overlay', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
+combs, definitions, lines, overlay, panel, polygon, seen, store = (part(name) for name in (
+    'core.sights.combs', 'core.definition', 'core.sights.lines', 'ui.sights_overlay', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
     'bridge.store'))
 FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]), [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
 
@@ -105,6 +105,39 @@ def test_lines_stop_at_poles_and_never_cross_infinity():
         assert (np.linalg.norm(found[:, 1] - found[:, 0], axis=1) > 0).all()
     through = lines.curves([sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, -2, 1])], 4, 10.0, None)
     assert np.isfinite(through).all() and np.linalg.norm(through[:, 1] - through[:, 0], axis=1).max() < 10
+
+
+def test_the_comb_of_a_circle_is_a_circle():
+    found = combs.of([quarter()], 10, 3.0)
+    assert len(found.teeth) == 11 and len(found.back) == 10
+    assert np.abs(np.linalg.norm(found.teeth[:, 0], axis=1) - 2).max() < 1e-14
+    assert np.abs(found.teeth[:, 1] - found.teeth[:, 0] * (2 + 3 / 2) / 2).max() < 1e-13
+    assert np.array_equal(found.back, np.stack([found.teeth[:-1, 1], found.teeth[1:, 1]], 1))
+
+
+def test_the_comb_of_a_parabola_has_its_curvature():
+    found = combs.of([sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])], 8, 1.0)      # y = x²
+    x = found.teeth[:, 0, 0]
+    assert np.allclose(np.linalg.norm(found.teeth[:, 1] - found.teeth[:, 0], axis=1), 2 / (1 + 4 * x * x) ** 1.5, atol=1e-13)
+    assert (found.teeth[1:-1, 1, 1] < found.teeth[1:-1, 0, 1]).all()
+
+
+def test_where_curvature_jumps_there_are_two_teeth_and_the_back_is_open():
+    chain = sc.HermiteCurve([(0, 0), (1, 0), (2, 0)], [(1, 0), (1, 1), (1, 0)])
+    found = combs.of([chain], 4, 1.0)
+    assert len(found.teeth) == 10 and len(found.back) == 8
+    before, after = found.teeth[4], found.teeth[5]
+    assert np.allclose(before[0], after[0]) and not np.allclose(before[1], after[1])
+    assert np.allclose(np.linalg.norm(before[1] - before[0]), chain.curvature(1.0, side='left'))
+    assert np.allclose(np.linalg.norm(after[1] - after[0]), chain.curvature(1.0))
+
+
+def test_where_nothing_moves_or_all_is_infinite_the_comb_has_no_tooth():
+    cusp = combs.of([sc.BezierCurve([(0, 0), (0, 0), (1, 1)])], 4, 1.0)
+    assert len(cusp.teeth) == 4 and np.isfinite(cusp.back).all()
+    through = combs.of([sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, -1, 1])], 4, 1.0)
+    assert 2 <= len(through.teeth) < 5
+    assert len(combs.of([sc.BezierCurve([(0, 0), (1, 1)])], 4, 1.0).back) == 4
 
 
 @pytest.mark.parametrize('name', KINDS)

@@ -51,6 +51,7 @@ def curves(view):
     yield from switched_on(view, 'polygon', "polygon")
     yield from switched_on(view, 'curve', "curve")
     yield from switched_on(view, 'knots', "knots")
+    yield from switched_on(view, 'comb', "comb", comb_scale=0.25)
     view.press('TAB')
     yield from into_net()
     with view.override():
@@ -86,7 +87,7 @@ def patches(view):
         bpy.ops.splinewright.add_teapot('EXEC_DEFAULT', True)
         bpy.ops.view3d.view_axis(type='FRONT')
         bpy.ops.view3d.view_orbit(angle=0.5, type='ORBITUP')
-    for name in ('polygon', 'curve', 'knots'):
+    for name in ('polygon', 'curve', 'knots', 'comb'):
         setattr(chosen(), name, False)
     yield from alone(view, make, "teapot")
     yield from switched_on(view, 'isocurves', "isocurves", isocurve_count=2)

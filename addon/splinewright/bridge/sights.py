@@ -2,7 +2,7 @@
 
 from ..core import sewing, verbs
 from ..core.failures import FAILURES
-from ..core.sights import lines, polygon
+from ..core.sights import combs, lines, polygon
 from . import recipes, settings, store
 from .file_state import key, remember, state
 
@@ -39,6 +39,11 @@ def curves_of(data):
     """(n, 2, 3): the lines of curves."""
     chosen = settings.of(data)
     return lines.curves(verbs.curves_of(store.read(data)), chosen.resolution_u, chosen.reach, recipes.around(data))
+
+
+def comb_of(data, density, scale):
+    """The core.sights.combs.Comb of curves."""
+    return combs.of(verbs.curves_of(store.read(data)), density, scale)
 
 
 def knots_of(data):

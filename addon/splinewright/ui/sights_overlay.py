@@ -27,7 +27,7 @@ def draw():
 
 
 def _is_any_on(chosen):
-    return chosen.curve or chosen.polygon or chosen.knots or chosen.isocurves
+    return chosen.curve or chosen.polygon or chosen.knots or chosen.isocurves or chosen.comb
 
 
 def shapes_in_hand(context):
@@ -49,6 +49,8 @@ def _strokes(ob, chosen):
         yield False, sights.kept(data, 'knots', (), _knot_lines)
     if chosen.polygon and not _is_net_out(data):
         yield behind, sights.kept(data, 'polygon', (), _polygon)
+    if chosen.comb and is_curve:
+        yield behind, sights.kept(data, 'comb', (chosen.comb_density, chosen.comb_scale), _comb)
     if chosen.curve and is_curve:
         yield behind, sights.kept(data, 'curve', (), _curve)
     if chosen.knots and is_curve:
@@ -78,6 +80,11 @@ def _polygon(data):
     found = sights.polygon_of(data)
     rows = [strokes.lines(pairs, lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(found.rows)]
     return [*rows, strokes.arrows(found.arrows, colors.of_arrows), strokes.points(found.points, colors.of_points, lambda: 5.0)]
+
+
+def _comb(data, density, scale):
+    found = sights.comb_of(data, density, scale)
+    return [strokes.lines(found.teeth, lambda: colors.TEETH, 1.0), strokes.lines(found.back, lambda: colors.BACK, 1.8)]
 
 
 def _curve(data):

@@ -30,15 +30,17 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
         row.prop(chosen, "curve")
         row.prop(chosen, "knots")
         _draw_switch(column, chosen, "isocurves", "isocurve_count")
+        _draw_switch(column, chosen, "comb", "comb_scale", "comb_density")
 
 
-def _draw_switch(layout, chosen, switch, number):
+def _draw_switch(layout, chosen, switch, *numbers):
     """A switch and what belongs to it, which is dim while it is off."""
     row = layout.split(factor=0.5)
     row.prop(chosen, switch)
     field = row.row(align=True)
     field.active = getattr(chosen, switch)
-    field.prop(chosen, number, text="")
+    for number in numbers:
+        field.prop(chosen, number, text="")
 
 
 CLASSES = (SPLINEWRIGHT_PT_sights,)

@@ -1,7 +1,7 @@
 """What is drawn over shapes, as switches of the scene: each off until it is wanted, and kept with the file."""
 
 import bpy
-from bpy.props import BoolProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty
 
 from . import editing
 
@@ -27,6 +27,13 @@ class SplinewrightSights(bpy.types.PropertyGroup):
     isocurve_count: IntProperty(
         name="Isocurves per Span", description="How many lines there are in every span, each way",
         default=3, min=1, max=64, soft_max=16, options=set())
+    comb: _switch("Curvature Comb", "Draw teeth on curves, away from the middle of curvature, as long as it is large")
+    comb_scale: FloatProperty(
+        name="Scale of the Comb", description="How long a tooth is where the curvature is 1, in units of the object",
+        default=0.5, min=1e-6, max=1e6, soft_min=0.01, soft_max=100.0, options=set())
+    comb_density: IntProperty(
+        name="Teeth per Span", description="How many teeth there are in every span of a curve",
+        default=24, min=1, max=1000, soft_max=100, options=set())
 
 
 CLASSES = (SplinewrightSights,)

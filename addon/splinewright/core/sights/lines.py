@@ -22,22 +22,28 @@ def curves(curves, resolution, reach, around):
 
 def knots_of_curves(curves):
     """(n, 3): the points of curves at their knots, the ends among them."""
-    return _finite(np.concatenate([curve.evaluate(_ends(curve), at_infinity='nan') for curve in curves]))
+    return _finite(np.concatenate([curve.evaluate(ends_of(curve), at_infinity='nan') for curve in curves]))
 
 
 def knots_of_patches(patches):
     """(n, 2, 3): the lines on patches at their knots, the sides among them."""
-    return _on_patches(patches, _ends)
+    return _on_patches(patches, ends_of)
 
 
 def isocurves(patches, count):
     """(n, 2, 3): so many lines in every span of patches, evenly spread, each way."""
-    return _on_patches(patches, lambda along: _between(_ends(along), count + 1)[0])
+    return _on_patches(patches, lambda along: _between(ends_of(along), count + 1)[0])
 
 
 def segments(points):
     """(n - 1, 2, 3): the pieces of a polyline (n, 3) that are finite and no points."""
     return _whole(np.stack([points[:-1], points[1:]], -2).reshape(-1, 2, 3))
+
+
+def ends_of(curve):
+    """The parameters where the spans of a curve begin and end."""
+    start, end = curve.domain
+    return np.concatenate([[start], parameters.inner_knots(curve), [end]])
 
 
 def _on_patches(patches, at):
@@ -46,7 +52,7 @@ def _on_patches(patches, at):
     for patch in patches:
         along_u, along_v = Along(patch, 'u'), Along(patch, 'v')
         for fixed, ways, is_swapped in ((along_u, along_v, False), (along_v, along_u, True)):
-            ends = _ends(ways)
+            ends = ends_of(ways)
             steps = min(_PATCH_STEPS, max(1, _MOST_STEPS // (len(ends) - 1)))
             inner, knots = _between(ends, steps)
             both = (at(fixed), np.sort(np.append(inner, knots)))
@@ -60,11 +66,6 @@ def _between(ends, parts):
     """(the parameters that divide every span into so many parts, the ends of spans)."""
     fractions = np.arange(1, parts) / parts
     return (ends[:-1, None] + fractions * np.diff(ends)[:, None]).ravel(), ends
-
-
-def _ends(curve):
-    start, end = curve.domain
-    return np.concatenate([[start], parameters.inner_knots(curve), [end]])
 
 
 def _whole(pairs):
