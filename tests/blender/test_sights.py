@@ -1,4 +1,4 @@
-"""What the switches in the Overlays popover show: lines and points against closed forms, kept until the shape changes."""
+"""What the switches in the Overlays popover show, against closed forms, and kept until the shape changes."""
 
 import bpy
 import numpy as np
@@ -8,10 +8,12 @@ from layouts import drawn_by
 from shapes import KINDS, VALUES, add, enter, leave, move, select
 from support import part, splinecore as sc
 
-combs, definitions, lines, overlay, panel, polygon, seen, store = (part(name) for name in (
-    'core.sights.combs', 'core.definition', 'core.sights.lines', 'ui.sights_overlay', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
+combs, definitions, faces, lines, overlay, paint, panel, polygon, seen, store = (part(name) for name in (
+    'core.sights.combs', 'core.definition', 'core.sights.faces', 'core.sights.lines', 'ui.sights_overlay',
+    'ui.surface_paint', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
     'bridge.store'))
-FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]), [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
+FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]),
+                     [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
 
 
 def polygon_of(value):
@@ -26,8 +28,8 @@ def quarter():
 @pytest.fixture
 def chosen():
     """The switches, all off again in the end."""
-    found = seen.of(bpy.context.scene)
-    yield found
+    yield seen.of(bpy.context.scene)
+    found = seen.of(bpy.context.scene)  # another file may be open
     for name in found.bl_rna.properties.keys():
         if name not in ('rna_type', 'name'):
             found.property_unset(name)
@@ -71,7 +73,8 @@ def test_a_point_at_infinity_is_an_arrow_and_no_point():
 def test_the_net_of_a_patch_has_its_rows_each_way():
     found = polygon_of(FLAT)
     assert len(found.points) == 8 and [len(pairs) for pairs in found.rows] == [6, 4]
-    assert (found.rows[0][:, 0, 1] == found.rows[0][:, 1, 1]).all() and (found.rows[1][:, 0, 0] == found.rows[1][:, 1, 0]).all()
+    for pairs, other in zip(found.rows, (1, 0)):
+        assert (pairs[:, 0, other] == pairs[:, 1, other]).all()
 
 
 def test_the_curve_itself_lies_on_its_circle_however_coarse_it_is_shown():
@@ -118,7 +121,8 @@ def test_the_comb_of_a_circle_is_a_circle():
 def test_the_comb_of_a_parabola_has_its_curvature():
     found = combs.of([sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])], 8, 1.0)      # y = x²
     x = found.teeth[:, 0, 0]
-    assert np.allclose(np.linalg.norm(found.teeth[:, 1] - found.teeth[:, 0], axis=1), 2 / (1 + 4 * x * x) ** 1.5, atol=1e-13)
+    lengths = np.linalg.norm(found.teeth[:, 1] - found.teeth[:, 0], axis=1)
+    assert np.allclose(lengths, 2 / (1 + 4 * x * x) ** 1.5, atol=1e-13)
     assert (found.teeth[1:-1, 1, 1] < found.teeth[1:-1, 0, 1]).all()
 
 
@@ -140,6 +144,58 @@ def test_where_nothing_moves_or_all_is_infinite_the_comb_has_no_tooth():
     assert len(combs.of([sc.BezierCurve([(0, 0), (1, 1)])], 4, 1.0).back) == 4
 
 
+def faces_of(patch, resolution, value=None):
+    patch_set = sc.PatchSet.from_patches([patch])
+    return faces.of(sc.Tessellation(patch_set, resolution), patch_set, value)
+
+
+@pytest.mark.parametrize('value, wanted', (('GAUSS', 0.25), ('MEAN', -0.5), ('LARGEST', -0.5), ('SMALLEST', -0.5)))
+def test_a_sphere_has_one_curvature_everywhere_its_poles_too(value, wanted):
+    found = faces_of(sc.build.sphere((0, 0, 0), 2.0), (6, 5), value)
+    assert len(found.values) and np.abs(found.values - wanted).max() < 1e-5
+
+
+def test_a_cylinder_has_its_principal_curvatures_and_a_torus_both_signs():
+    cylinder = sc.build.cylinder((0, 0, 0), (0, 0, 1), 0.5, 1.0)
+    assert np.abs(faces_of(cylinder, 4, 'GAUSS').values).max() < 1e-5
+    both = [np.abs(faces_of(cylinder, 4, value).values) for value in ('LARGEST', 'SMALLEST')]
+    assert np.allclose(np.sort([both[0].max(), both[1].max()]), [0, 2], atol=1e-5)
+    torus = faces_of(sc.build.torus((0, 0, 0), (0, 0, 1), 3.0, 1.0), 8, 'GAUSS')
+    radius = np.linalg.norm(torus.positions[:, :2], axis=1)
+    assert np.allclose(torus.values, (radius - 3) / radius, atol=2e-4)      # cos θ / (r (R + r cos θ))
+
+
+def test_at_a_knot_each_side_has_its_own_curvature():
+    patch = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 2, 2, 2], [0, 0, 1, 1]),
+                          [[(x, y, z) for y in (0, 1)] for x, z in ((0, 0), (0.5, 0), (1.5, 0), (2, 1))])
+    found = faces_of(patch, 4, 'LARGEST' if patch.curvatures(1.5, 0.5).mean > 0 else 'SMALLEST')
+    there = np.abs(found.values[np.abs(found.positions[:, 0] - 1) < 1e-6])
+    sides = [np.abs(patch.curvatures(1.0, 0.5, side=(side, 'right')).principal).max() for side in ('left', 'right')]
+    assert sides[0] < 1e-12 < 1.9 < sides[1]
+    assert np.minimum(np.abs(there - sides[0]), np.abs(there - sides[1])).max() < 1e-2
+    assert (there < 0.1).any() and (there > 1.9).any()
+
+
+def test_faces_are_whole_and_have_exact_normals():
+    patch = VALUES['nurbs patch']()
+    patch_set = sc.PatchSet.from_patches([patch])
+    tessellation = sc.Tessellation(patch_set, 5)
+    positions, normals = tessellation.evaluate(patch_set)
+    found = faces.of(tessellation, patch_set)
+    corners = tessellation.corner_vertices.reshape(-1, 4)
+    wanted = positions[np.stack([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]], 1).reshape(-1, 3)]
+    assert np.array_equal(found.positions[found.triangles], wanted)
+    slots = np.arange(corners.size).reshape(-1, 4)
+    slots = np.stack([slots[:, [0, 1, 2]], slots[:, [0, 2, 3]]], 1).reshape(-1, 3)
+    assert np.array_equal(found.normals[found.triangles], normals[slots])
+    assert len(found.positions) < corners.size
+
+
+def test_curvature_that_is_nowhere_to_be_measured_has_no_number_and_no_range():
+    assert paint.largest(np.array([np.nan, 1, -3])) == pytest.approx(3, abs=0.05)
+    assert paint.largest(np.full(3, np.nan)) == 0 and paint.text_of(-0.0) == "0" and paint.text_of(-0.125) == "-0.125"
+
+
 @pytest.mark.parametrize('name', KINDS)
 def test_every_kind_of_shape_has_its_sights(name):
     ob = add(VALUES[name]())
@@ -148,6 +204,9 @@ def test_every_kind_of_shape_has_its_sights(name):
     assert len(seen.knots_of(ob.data))
     drawn = seen.curves_of(ob.data) if ob.type == 'CURVE' else seen.isocurves_of(ob.data, 2)
     assert len(drawn) and np.isfinite(drawn).all()
+    if ob.type == 'MESH':
+        painted = seen.faces_of(ob.data, 'GAUSS')
+        assert np.isfinite(painted.positions).all() and painted.triangles.max() == len(painted.values) - 1
 
 
 def test_what_is_seen_is_worked_out_once_until_the_shape_changes():

@@ -1,36 +1,33 @@
-"""What the switches in the Overlays popover show of shapes: seen in the view, following a drag, kept while nothing changes."""
+"""What the switches in the Overlays popover show: seen in the view, following a drag, kept while nothing changes."""
 
 import os
 import sys
 from pathlib import Path
 
 import bpy
-import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import (View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, select_points,
-                    until)
+from window import (View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture,
+                    select_points)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+#: Of a picture, where shapes are and neither regions nor the legend.
+PLACE = slice(100, 680), slice(260, 830)
 
 
 def chosen():
     return bpy.context.scene.splinewright_sights
 
 
-def library():
-    return part('core.library').sc
-
-
-def switched_on(view, name, picture, **numbers):
-    """Steps that switch something on and see that the picture changes, and that it comes back."""
+def switched_on(view, name, picture, least=0.05, **numbers):
+    """Steps that switch something on and see that the view changes, by so much at least."""
     before = save_picture(OUTPUT / "sights-off.png")
     for number, value in numbers.items():
         setattr(chosen(), number, value)
     setattr(chosen(), name, True)
     yield from redrawn()
     after = save_picture(OUTPUT / f"sights-{picture}.png")
-    assert mean_difference(before[:, :830], after[:, :830]) > 0.02, picture
+    assert mean_difference(before[PLACE], after[PLACE]) > least, picture
 
 
 def alone(view, make, name):
@@ -65,7 +62,7 @@ def curves(view):
         bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 1.5, 0))
     yield from redrawn()
     assert made() > 0
-    assert mean_difference(before, save_picture(OUTPUT / "sights-moved.png")) > 0.1
+    assert mean_difference(before[PLACE], save_picture(OUTPUT / "sights-moved.png")[PLACE]) > 0.3
     view.press('TAB')
     yield from out_of_net()
     print("curves", flush=True)
@@ -90,6 +87,14 @@ def patches(view):
     for name in ('polygon', 'curve', 'knots', 'comb'):
         setattr(chosen(), name, False)
     yield from alone(view, make, "teapot")
+    for kind in ('ZEBRA', 'REFLECTION', 'HIGHLIGHT'):
+        yield from switched_on(view, 'stripes', kind.lower(), least=4.0, stripe_kind=kind)
+        chosen().stripes = False
+        yield from redrawn()
+    for kind in ('GAUSS', 'MEAN'):
+        yield from switched_on(view, 'curvature', kind.lower(), least=4.0, curvature_kind=kind)
+        chosen().curvature = False
+        yield from redrawn()
     yield from switched_on(view, 'isocurves', "isocurves", isocurve_count=2)
     yield from switched_on(view, 'knots', "knot-lines")
     yield from switched_on(view, 'polygon', "patch-net")

@@ -1,9 +1,10 @@
 """What the switches of the scene show of shapes, worked out when a shape or a number of the switch changes."""
 
+from ..core import definition as definitions
 from ..core import sewing, verbs
 from ..core.failures import FAILURES
-from ..core.sights import combs, lines, polygon
-from . import recipes, settings, store
+from ..core.sights import combs, faces, lines, polygon
+from . import fineness, recipes, settings, store
 from .file_state import key, remember, state
 
 #: Shapes of which something is kept.
@@ -52,6 +53,12 @@ def knots_of(data):
     if definition.has_curves:
         return lines.knots_of_curves(verbs.curves_of(definition))
     return lines.knots_of_patches(sewing.patches_of(definition))
+
+
+def faces_of(data, value=None):
+    """The core.sights.faces.Faces of patches; value as of core.sights.faces.of()."""
+    patch_set = definitions.to_patch_set(store.read(data))
+    return faces.of(fineness.tessellated(data, patch_set), patch_set, value)
 
 
 def isocurves_of(data, count):

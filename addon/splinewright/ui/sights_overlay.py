@@ -1,4 +1,4 @@
-"""Over the 3D view: what the switches in the Overlays popover ask for, of selected shapes and those whose nets are out."""
+"""Over the 3D view: what the Overlays popover asks for, of selected shapes and those whose nets are out."""
 
 import bpy
 import gpu
@@ -6,9 +6,9 @@ import gpu
 from ..bridge import shape, sights
 from ..bridge.file_state import state
 from ..bridge.net import net_object
-from . import colors, editing, strokes
+from . import colors, editing, strokes, surface_paint
 
-_handle = None
+_handles = ()
 
 
 def draw():
@@ -17,7 +17,10 @@ def draw():
     chosen = sights.of(context.scene)
     if not context.space_data.overlay.show_overlays or not _is_any_on(chosen):
         return
-    for ob in shapes_in_hand(context):
+    obs = shapes_in_hand(context)
+    if chosen.stripes or chosen.curvature:
+        surface_paint.draw(chosen, obs)
+    for ob in obs:
         with gpu.matrix.push_pop(), strokes.nearer():
             gpu.matrix.multiply_matrix(ob.matrix_world)
             for behind, drawn in _strokes(ob, chosen):
@@ -26,8 +29,17 @@ def draw():
     gpu.state.depth_test_set('NONE')
 
 
+def draw_legend():
+    """Called by Blender for each 3D view, in pixels."""
+    context = bpy.context
+    chosen = sights.of(context.scene)
+    if chosen.curvature and context.space_data.overlay.show_overlays:
+        surface_paint.draw_legend(context, chosen, shapes_in_hand(context))
+
+
 def _is_any_on(chosen):
-    return chosen.curve or chosen.polygon or chosen.knots or chosen.isocurves or chosen.comb
+    return chosen.curve or chosen.polygon or chosen.knots or chosen.isocurves or chosen.comb or (
+        chosen.stripes or chosen.curvature)
 
 
 def shapes_in_hand(context):
@@ -60,7 +72,8 @@ def _strokes(ob, chosen):
 def _is_net_out(data):
     """Whether a net is in Edit Mode that edits this: then Blender draws it."""
     token = net_object.editor(data)
-    return token is not None and any(held.mode == 'EDIT' and net_object.token(held.data) == token for held in editing.nets())
+    return token is not None and any(
+        held.mode == 'EDIT' and net_object.token(held.data) == token for held in editing.nets())
 
 
 def _isocurves(data, count):
@@ -73,13 +86,15 @@ def _knot_lines(data):
 
 def _knot_marks(data):
     marks = sights.knots_of(data)
-    return [strokes.points(marks, lambda: colors.RIM, lambda: 9.0), strokes.points(marks, lambda: colors.KNOTS, lambda: 6.0)]
+    return [strokes.points(marks, lambda: colors.RIM, lambda: 9.0),
+            strokes.points(marks, lambda: colors.KNOTS, lambda: 6.0)]
 
 
 def _polygon(data):
     found = sights.polygon_of(data)
     rows = [strokes.lines(pairs, lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(found.rows)]
-    return [*rows, strokes.arrows(found.arrows, colors.of_arrows), strokes.points(found.points, colors.of_points, lambda: 5.0)]
+    return [*rows, strokes.arrows(found.arrows, colors.of_arrows),
+            strokes.points(found.points, colors.of_points, lambda: 5.0)]
 
 
 def _comb(data, density, scale):
@@ -95,13 +110,15 @@ CLASSES = ()
 
 
 def register():
-    global _handle
+    global _handles
     if not bpy.app.background:
-        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW')
+        view = bpy.types.SpaceView3D
+        _handles = (view.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW'),
+                    view.draw_handler_add(draw_legend, (), 'WINDOW', 'POST_PIXEL'))
 
 
 def unregister():
-    global _handle
-    if _handle is not None:
-        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
-        _handle = None
+    global _handles
+    for handle in _handles:
+        bpy.types.SpaceView3D.draw_handler_remove(handle, 'WINDOW')
+    _handles = ()

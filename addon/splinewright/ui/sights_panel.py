@@ -31,6 +31,16 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
         row.prop(chosen, "knots")
         _draw_switch(column, chosen, "isocurves", "isocurve_count")
         _draw_switch(column, chosen, "comb", "comb_scale", "comb_density")
+        _draw_switch(column, chosen, "stripes", "stripe_kind")
+        if chosen.stripes:
+            row = column.split(factor=0.5)
+            row.prop(chosen, "stripe_count")
+            row.row().prop(chosen, "stripe_axis", text="")
+        _draw_switch(column, chosen, "curvature", "curvature_kind")
+        if chosen.curvature:
+            row = column.split(factor=0.5)
+            row.label()
+            row.prop(chosen, "curvature_range")
 
 
 def _draw_switch(layout, chosen, switch, *numbers):

@@ -54,19 +54,20 @@ def _arrow(foot, head):
 
 
 @contextmanager
-def nearer():
-    """While this is drawn in the 3D view at hand, the surface on which it lies does not hide it."""
+def nearer(part=1.0):
+    """While this is drawn in the 3D view at hand, the surface on which it lies does not hide it; nor what is drawn by a
+    smaller part of that nearer."""
     with gpu.matrix.push_pop_projection():
         distance = bpy.context.region_data.view_distance
-        gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix(), distance))
+        gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix(), distance, part * _NEARER))
         yield
 
 
-def _nearer(projection, distance):
-    """The projection with everything a little nearer to the eye, in the same place of the picture."""
+def _nearer(projection, distance, part):
+    """The projection with everything nearer to the eye by a part, in the same place of the picture."""
     if projection[3][3] == 0.0:
-        return projection @ Matrix.Scale(1.0 - _NEARER, 4)
-    return projection @ Matrix.Translation((0.0, 0.0, _NEARER * distance))
+        return projection @ Matrix.Scale(1.0 - part, 4)
+    return projection @ Matrix.Translation((0.0, 0.0, part * distance))
 
 
 def draw(strokes):

@@ -31,8 +31,8 @@ def of(curves, density, scale):
 
 def _of_span(curve, at, scale):
     """(n, 2, 3): the teeth at parameters of one span; nan where there is no curvature to speak of."""
-    derivatives = np.concatenate([
-        curve.derivatives(at[:-1], 2, at_infinity='nan'), curve.derivatives(at[-1:], 2, side='left', at_infinity='nan')])
+    derivatives = np.concatenate([curve.derivatives(at[:-1], 2, at_infinity='nan'),
+                                  curve.derivatives(at[-1:], 2, side='left', at_infinity='nan')])
     feet, velocity, acceleration = np.moveaxis(derivatives, 1, 0)
     return np.stack([feet, feet - scale * bend(velocity, acceleration)], 1)
 
