@@ -146,7 +146,8 @@ def test_where_nothing_moves_or_all_is_infinite_the_comb_has_no_tooth():
 
 def faces_of(patch, resolution, value=None):
     patch_set = sc.PatchSet.from_patches([patch])
-    return faces.of(sc.Tessellation(patch_set, resolution), patch_set, value)
+    tessellation = sc.Tessellation(patch_set, resolution)
+    return faces.coloured(tessellation, patch_set, value) if value else faces.shaded(tessellation, patch_set)
 
 
 @pytest.mark.parametrize('value, wanted', (('GAUSS', 0.25), ('MEAN', -0.5), ('LARGEST', -0.5), ('SMALLEST', -0.5)))
@@ -176,12 +177,50 @@ def test_at_a_knot_each_side_has_its_own_curvature():
     assert (there < 0.1).any() and (there > 1.9).any()
 
 
-def test_faces_are_whole_and_have_exact_normals():
+def test_normals_are_exact_inside_of_large_faces_too():
+    """On z = x² + y², where the parameters are x and y."""
+    found = faces_of(sc.BezierPatch([[(u, v, (u == 1) + (v == 1)) for v in (0, 0.5, 1)] for u in (0, 0.5, 1)]), 2)
+    assert len(found.triangles) == 8 * 36
+    x, y, z = found.positions.T.astype(np.float64)
+    wanted = np.stack([-2 * x, -2 * y, np.ones(len(x))], 1)
+    assert np.abs(found.normals - wanted / np.linalg.norm(wanted, axis=1, keepdims=True)).max() < 1e-6
+    assert (z - x * x - y * y).max() > 0.02         # places lie on the faces, where Blender draws them
+
+
+def test_poles_and_points_around_them_have_normals():
+    found = faces_of(sc.build.sphere((0, 0, 0), 2.0), (5, 3))
+    along = found.positions / np.linalg.norm(found.positions, axis=1, keepdims=True)
+    assert np.isfinite(found.normals).all() and (along * found.normals).sum(1).min() > 0.95
+    is_pole = np.abs(found.positions[:, 2]) > 2 - 1e-6
+    assert is_pole.any() and np.allclose(found.normals[is_pole], along[is_pole], atol=1e-5)
+
+
+def test_at_a_crease_each_side_has_its_own_normals():
+    folded = sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 2], [0, 0, 1, 1]),
+                           [[(x, y, z) for y in (0, 1)] for x, z in ((0, 0), (1, 0), (1, 1))])
+    found = faces_of(folded, 2)
+    flat = found.positions[:, 2] == 0
+    flat_faces = found.triangles[flat[found.triangles].all(1)]
+    assert len(flat_faces) and np.allclose(np.abs(found.normals[flat_faces]), (0, 0, 1))
+    upright = found.triangles[(found.positions[:, 0] == 1)[found.triangles].all(1)]
+    assert len(upright) and np.allclose(np.abs(found.normals[upright]), (1, 0, 0))
+
+
+def test_half_of_a_cylinder_and_a_plane_have_the_range_of_what_is_larger_on_a_tenth():
+    cylinder = faces_of(sc.build.cylinder((0, 0, 0), (0, 0, 1), 0.5, 1.0), 4, 'MEAN')
+    assert faces.reach(cylinder) == pytest.approx(1, abs=1e-5)
+    few = cylinder.values.copy()
+    few[0] = 50.0
+    assert faces.reach(cylinder._replace(values=few)) == pytest.approx(1, abs=1e-5)
+    assert faces.reach(cylinder._replace(values=np.full_like(few, np.nan))) == 0.0
+
+
+def test_small_faces_are_whole_and_have_the_normals_of_the_mesh():
     patch = VALUES['nurbs patch']()
     patch_set = sc.PatchSet.from_patches([patch])
-    tessellation = sc.Tessellation(patch_set, 5)
+    tessellation = sc.Tessellation(patch_set, 40)
     positions, normals = tessellation.evaluate(patch_set)
-    found = faces.of(tessellation, patch_set)
+    found = faces.shaded(tessellation, patch_set)
     corners = tessellation.corner_vertices.reshape(-1, 4)
     wanted = positions[np.stack([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]], 1).reshape(-1, 3)]
     assert np.array_equal(found.positions[found.triangles], wanted)
@@ -191,9 +230,8 @@ def test_faces_are_whole_and_have_exact_normals():
     assert len(found.positions) < corners.size
 
 
-def test_curvature_that_is_nowhere_to_be_measured_has_no_number_and_no_range():
-    assert paint.largest(np.array([np.nan, 1, -3])) == pytest.approx(3, abs=0.05)
-    assert paint.largest(np.full(3, np.nan)) == 0 and paint.text_of(-0.0) == "0" and paint.text_of(-0.125) == "-0.125"
+def test_numbers_of_the_legend_are_short():
+    assert [paint.text_of(number) for number in (-0.0, -0.125, 1 / 3, 12345.6)] == ["0", "-0.125", "0.333", "1.23e+04"]
 
 
 @pytest.mark.parametrize('name', KINDS)

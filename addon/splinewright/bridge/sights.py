@@ -56,9 +56,10 @@ def knots_of(data):
 
 
 def faces_of(data, value=None):
-    """The core.sights.faces.Faces of patches; value as of core.sights.faces.of()."""
+    """The core.sights.faces.Faces of patches: shaded() ones, or those that are coloured() by a value."""
     patch_set = definitions.to_patch_set(store.read(data))
-    return faces.of(fineness.tessellated(data, patch_set), patch_set, value)
+    tessellation = fineness.tessellated(data, patch_set)
+    return faces.coloured(tessellation, patch_set, value) if value else faces.shaded(tessellation, patch_set)
 
 
 def isocurves_of(data, count):

@@ -60,7 +60,7 @@ class SplinewrightSights(bpy.types.PropertyGroup):
         default='GAUSS', options=set())
     curvature_range: FloatProperty(
         name="Range",
-        description="The curvature from which on colours stay the same; 0: what all but a few places have",
+        description="The curvature from which on colours stay the same; 0: so that nine tenths of the surface differ",
         default=0.0, min=0.0, max=1e12, soft_max=100.0, precision=4, options=set())
 
 

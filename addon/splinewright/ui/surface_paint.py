@@ -8,12 +8,11 @@ import numpy as np
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge import sights
+from ..core.sights import faces
 from . import strokes, surface_shader
 
 #: Paint is so much of strokes.nearer() nearer: lines lie above it.
 _PART = 0.5
-#: Of all places this part has a colour of its own where the range is not given.
-_MOST = 0.98
 #: The legend: pixels of its bar, of its text, between it and the border, on an interface that is not scaled.
 _BAR, _TEXT, _MARGIN = (14, 160), 12, 24
 _STEPS = 64
@@ -23,7 +22,7 @@ class Painted(NamedTuple):
     """A surface as it is drawn."""
 
     batch: gpu.types.GPUBatch
-    largest: float                      # what all but a few of its numbers are not beyond
+    reach: float                        # what most of its numbers are not beyond
 
 
 def draw(chosen, obs):
@@ -48,18 +47,12 @@ def _painted(chosen, obs):
 
 
 def _paint(data, value):
-    faces = sights.faces_of(data, value)
-    return Painted(surface_shader.batch(faces), largest(faces.values))
-
-
-def largest(values):
-    """What all but a few of the finite numbers are not beyond, above 0."""
-    sizes = np.abs(values[np.isfinite(values)])
-    return float(np.quantile(sizes, _MOST)) if len(sizes) else 0.0
+    found = sights.faces_of(data, value)
+    return Painted(surface_shader.batch(found), faces.reach(found))
 
 
 def _reach(chosen, found):
-    return chosen.curvature_range or max((painted.largest for _, painted in found), default=0.0)
+    return chosen.curvature_range or max((painted.reach for _, painted in found), default=0.0)
 
 
 def draw_legend(context, chosen, obs):
