@@ -8,9 +8,9 @@ from layouts import drawn_by
 from shapes import KINDS, VALUES, add, enter, leave, move, select
 from support import part, splinecore as sc
 
-combs, definitions, faces, lines, overlay, paint, panel, polygon, seen, store = (part(name) for name in (
-    'core.sights.combs', 'core.definition', 'core.sights.faces', 'core.sights.lines', 'ui.sights_overlay',
-    'ui.surface_paint', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
+combs, definitions, faces, frames, lines, overlay, paint, panel, polygon, seen, store = (part(name) for name in (
+    'core.sights.combs', 'core.definition', 'core.sights.faces', 'core.sights.frames', 'core.sights.lines',
+    'ui.sights_overlay', 'ui.surface_paint', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
     'bridge.store'))
 FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]),
                      [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
@@ -142,6 +142,34 @@ def test_where_nothing_moves_or_all_is_infinite_the_comb_has_no_tooth():
     through = combs.of([sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, -1, 1])], 4, 1.0)
     assert 2 <= len(through.teeth) < 5
     assert len(combs.of([sc.BezierCurve([(0, 0), (1, 1)])], 4, 1.0).back) == 4
+
+
+def test_the_osculating_circle_of_a_circle_is_that_circle():
+    found = frames.frames([quarter()], 0.3, 0.7)
+    assert np.abs(np.linalg.norm(found.circles, axis=-1) - 2).max() < 1e-13 and len(found.circles) == 128
+    tangent, normal, binormal = (pairs[0] for pairs in found.axes)
+    assert np.allclose(tangent[0], quarter().evaluate(0.3)) and np.allclose(normal[1], normal[0] * (2 - 0.7) / 2)
+    assert np.allclose(binormal[1] - binormal[0], (0, 0, 0.7)) and (tangent[1] - tangent[0]) @ normal[0] == pytest.approx(0)
+
+
+def test_a_straight_curve_has_a_tangent_and_no_circle_and_a_halt_has_none():
+    line = frames.frames([sc.BezierCurve([(0, 0), (2, 0)])], 0.5, 1.0)
+    assert np.allclose(line.axes[0], [[(1, 0, 0), (2, 0, 0)]]) and not len(line.axes[1]) and not len(line.circles)
+    assert not any(map(len, frames.frames([sc.BezierCurve([(0, 0), (0, 0), (1, 1)])], 0.0, 1.0).axes))
+
+
+def test_the_hodograph_of_a_parabola_is_a_line_and_of_a_chain_it_jumps():
+    found = frames.hodographs([sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])], 0.75, 0.5)      # x = 2 t - 1, y = x²
+    assert np.allclose(found.lines[:, :, 0], 1) and np.allclose(found.lines[[0, -1], [0, 1], 1], (-2, 2))
+    assert np.allclose(found.arrows, [[(0, 0, 0), (1, 1, 0)]])
+    chain = sc.HermiteCurve([(0, 0), (1, 0), (2, 0)], [[(1, 0), (1, 0)], [(1, 1), (1, -1)], [(1, 0), (1, 0)]])
+    lines_ = frames.hodographs([chain], 0.0, 1.0).lines
+    assert len(lines_) == 64 and np.allclose(lines_[31, 1], (1, 1, 0)) and np.allclose(lines_[32, 0], (1, -1, 0))
+
+
+def test_normals_of_a_sphere_point_away_from_its_middle():
+    found = lines.normals([sc.build.sphere((0, 0, 0), 2.0)], 3, 0.5)
+    assert np.abs(found[:, 1] - found[:, 0] * 2.5 / 2).max() < 1e-12 and len(found) > 50
 
 
 def faces_of(patch, resolution, value=None):
@@ -286,6 +314,8 @@ def test_a_damaged_shape_shows_nothing_and_raises_nothing():
     ob = add(VALUES['bezier patch']())
     ob.data[store.KEY]['structure'] = "no"
     assert seen.kept(ob.data, 'polygon', (), seen.polygon_of) is None
+    assert all(part('ui.sights_strokes').prepared(sight, ob.data, seen.of(bpy.context.scene)) == ()
+               for sight in part('ui.sights_strokes').SIGHTS)
 
 
 def test_shapes_in_hand_are_the_selected_ones_and_that_whose_net_is_out():

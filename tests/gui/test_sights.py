@@ -49,6 +49,12 @@ def curves(view):
     yield from switched_on(view, 'curve', "curve")
     yield from switched_on(view, 'knots', "knots")
     yield from switched_on(view, 'comb', "comb", comb_scale=0.25)
+    chosen().comb = False
+    yield from switched_on(view, 'frame', "frame", place=0.7)
+    yield from switched_on(view, 'hodograph', "hodograph", hodograph_scale=0.25)
+    chosen().frame = chosen().hodograph = False
+    chosen().comb = True
+    yield from redrawn()
     view.press('TAB')
     yield from into_net()
     with view.override():
@@ -97,6 +103,8 @@ def patches(view):
         yield from redrawn()
     yield from switched_on(view, 'isocurves', "isocurves", isocurve_count=2)
     yield from switched_on(view, 'knots', "knot-lines")
+    yield from switched_on(view, 'normals', "normals", normal_length=0.1)
+    chosen().normals = False
     yield from switched_on(view, 'polygon', "patch-net")
     view.press('TAB')
     yield from into_net()

@@ -3,7 +3,7 @@
 from ..core import definition as definitions
 from ..core import sewing, verbs
 from ..core.failures import FAILURES
-from ..core.sights import combs, faces, lines, polygon
+from ..core.sights import combs, faces, frames, lines, polygon
 from . import fineness, recipes, settings, store
 from .file_state import key, remember, state
 
@@ -45,6 +45,21 @@ def curves_of(data):
 def comb_of(data, density, scale):
     """The core.sights.combs.Comb of curves."""
     return combs.of(verbs.curves_of(store.read(data)), density, scale)
+
+
+def frames_of(data, part, length):
+    """The core.sights.frames.Frame of curves."""
+    return frames.frames(verbs.curves_of(store.read(data)), part, length)
+
+
+def hodographs_of(data, part, scale):
+    """The core.sights.frames.Hodograph of curves."""
+    return frames.hodographs(verbs.curves_of(store.read(data)), part, scale)
+
+
+def normals_of(data, count, length):
+    """(n, 2, 3): normals of patches."""
+    return lines.normals(sewing.patches_of(store.read(data)), count, length)
 
 
 def knots_of(data):

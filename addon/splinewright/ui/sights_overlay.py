@@ -6,7 +6,8 @@ import gpu
 from ..bridge import shape, sights
 from ..bridge.file_state import state
 from ..bridge.net import net_object
-from . import colors, editing, strokes, surface_paint
+from . import editing, sights_strokes, strokes, surface_paint
+from .sights_strokes import SIGHTS
 
 _handles = ()
 
@@ -38,8 +39,7 @@ def draw_legend():
 
 
 def _is_any_on(chosen):
-    return chosen.curve or chosen.polygon or chosen.knots or chosen.isocurves or chosen.comb or (
-        chosen.stripes or chosen.curvature)
+    return chosen.stripes or chosen.curvature or any(getattr(chosen, sight.switch) for sight in SIGHTS)
 
 
 def shapes_in_hand(context):
@@ -54,19 +54,11 @@ def shapes_in_hand(context):
 
 def _strokes(ob, chosen):
     """(whether what lies before is drawn over, Strokes) of an object; what lies above others comes last."""
-    data, is_curve, behind = ob.data, ob.type == 'CURVE', chosen.points_behind
-    if chosen.isocurves and not is_curve:
-        yield False, sights.kept(data, 'isocurves', (chosen.isocurve_count,), _isocurves)
-    if chosen.knots and not is_curve:
-        yield False, sights.kept(data, 'knots', (), _knot_lines)
-    if chosen.polygon and not _is_net_out(data):
-        yield behind, sights.kept(data, 'polygon', (), _polygon)
-    if chosen.comb and is_curve:
-        yield behind, sights.kept(data, 'comb', (chosen.comb_density, chosen.comb_scale), _comb)
-    if chosen.curve and is_curve:
-        yield behind, sights.kept(data, 'curve', (), _curve)
-    if chosen.knots and is_curve:
-        yield behind, sights.kept(data, 'knots', (), _knot_marks)
+    for sight in SIGHTS:
+        is_net = sight.switch == 'polygon'
+        if getattr(chosen, sight.switch) and sight.type in ('', ob.type) and not (is_net and _is_net_out(ob.data)):
+            behind = chosen.points_behind and (is_net or ob.type == 'CURVE')
+            yield behind, sights_strokes.prepared(sight, ob.data, chosen)
 
 
 def _is_net_out(data):
@@ -74,36 +66,6 @@ def _is_net_out(data):
     token = net_object.editor(data)
     return token is not None and any(
         held.mode == 'EDIT' and net_object.token(held.data) == token for held in editing.nets())
-
-
-def _isocurves(data, count):
-    return [strokes.lines(sights.isocurves_of(data, count), lambda: colors.ISOCURVES, 1.2)]
-
-
-def _knot_lines(data):
-    return [strokes.lines(sights.knots_of(data), lambda: colors.KNOTS_OF_PATCHES, 2.4)]
-
-
-def _knot_marks(data):
-    marks = sights.knots_of(data)
-    return [strokes.points(marks, lambda: colors.RIM, lambda: 9.0),
-            strokes.points(marks, lambda: colors.KNOTS, lambda: 6.0)]
-
-
-def _polygon(data):
-    found = sights.polygon_of(data)
-    rows = [strokes.lines(pairs, lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(found.rows)]
-    return [*rows, strokes.arrows(found.arrows, colors.of_arrows),
-            strokes.points(found.points, colors.of_points, lambda: 5.0)]
-
-
-def _comb(data, density, scale):
-    found = sights.comb_of(data, density, scale)
-    return [strokes.lines(found.teeth, lambda: colors.TEETH, 1.0), strokes.lines(found.back, lambda: colors.BACK, 1.8)]
-
-
-def _curve(data):
-    return [strokes.lines(sights.curves_of(data), lambda: colors.CURVE, 2.5)]
 
 
 CLASSES = ()

@@ -31,6 +31,13 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
         row.prop(chosen, "knots")
         _draw_switch(column, chosen, "isocurves", "isocurve_count")
         _draw_switch(column, chosen, "comb", "comb_scale", "comb_density")
+        _draw_switch(column, chosen, "frame", "frame_length")
+        _draw_switch(column, chosen, "hodograph", "hodograph_scale")
+        if chosen.frame or chosen.hodograph:
+            row = column.split(factor=0.5)
+            row.label()
+            row.prop(chosen, "place", slider=True)
+        _draw_switch(column, chosen, "normals", "normal_length", "normal_count")
         _draw_switch(column, chosen, "stripes", "stripe_kind")
         if chosen.stripes:
             row = column.split(factor=0.5)

@@ -35,6 +35,17 @@ def isocurves(patches, count):
     return _on_patches(patches, lambda along: _between(ends_of(along), count + 1)[0])
 
 
+def normals(patches, count, length):
+    """(n, 2, 3): normals of patches of a length, so many in every span each way, and at its ends."""
+    found = []
+    for patch in patches:
+        at = [np.unique(np.concatenate(_between(ends_of(Along(patch, axis)), count))) for axis in 'uv']
+        feet, along = patch.evaluate_grid_with_normals(*at, at_infinity='nan')
+        pairs = np.stack([feet, feet + length * along], -2).reshape(-1, 2, 3)
+        found.append(_whole(pairs))
+    return _joined(found)
+
+
 def segments(points):
     """(n - 1, 2, 3): the pieces of a polyline (n, 3) that are finite and no points."""
     return _whole(np.stack([points[:-1], points[1:]], -2).reshape(-1, 2, 3))
