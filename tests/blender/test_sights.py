@@ -149,7 +149,8 @@ def test_the_osculating_circle_of_a_circle_is_that_circle():
     assert np.abs(np.linalg.norm(found.circles, axis=-1) - 2).max() < 1e-13 and len(found.circles) == 128
     tangent, normal, binormal = (pairs[0] for pairs in found.axes)
     assert np.allclose(tangent[0], quarter().evaluate(0.3)) and np.allclose(normal[1], normal[0] * (2 - 0.7) / 2)
-    assert np.allclose(binormal[1] - binormal[0], (0, 0, 0.7)) and (tangent[1] - tangent[0]) @ normal[0] == pytest.approx(0)
+    assert np.allclose(binormal[1] - binormal[0], (0, 0, 0.7))
+    assert (tangent[1] - tangent[0]) @ normal[0] == pytest.approx(0)
 
 
 def test_a_straight_curve_has_a_tangent_and_no_circle_and_a_halt_has_none():

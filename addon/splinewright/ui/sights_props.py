@@ -35,19 +35,21 @@ class SplinewrightSights(bpy.types.PropertyGroup):
     comb_density: IntProperty(
         name="Teeth per Span", description="How many teeth there are in every span of a curve",
         default=24, min=1, max=1000, soft_max=100, options=set())
-    frame: _switch("Osculating Circle", "Draw the osculating circle of curves at one place, and the frame there: the tangent "
-                   "in red, the normal in green, the binormal in blue")
+    frame: _switch(
+        "Osculating Circle", "Draw the osculating circle of curves at one place, and the frame there: the tangent in red, the "
+        "normal in green, the binormal in blue")
     place: FloatProperty(
         name="Place", description="Where on the curve, as a part of its domain",
         default=0.5, min=0.0, max=1.0, subtype='FACTOR', options=set())
     frame_length: FloatProperty(
         name="Length of the Frame", description="How long its axes are, in units of the object",
         default=0.5, min=1e-6, max=1e6, soft_min=0.01, soft_max=100.0, options=set())
-    hodograph: _switch("Hodograph", "Draw the first derivative of curves as a curve about the origin of the object, and as an "
-                       "arrow at the place")
+    hodograph: _switch(
+        "Hodograph", "Draw the first derivative of curves as a curve about the origin of the object, and as an arrow at the "
+        "place")
     hodograph_scale: FloatProperty(
-        name="Scale of the Hodograph", description="How large it is drawn", default=0.25, min=1e-6, max=1e6, soft_min=0.01,
-        soft_max=100.0, options=set())
+        name="Scale of the Hodograph", description="How large it is drawn",
+        default=0.25, min=1e-6, max=1e6, soft_min=0.01, soft_max=100.0, options=set())
     normals: _switch("Surface Normals", "Draw normals of surfaces")
     normal_length: FloatProperty(
         name="Length of Normals", description="How long they are, in units of the object",
@@ -61,7 +63,7 @@ class SplinewrightSights(bpy.types.PropertyGroup):
         name="Kind of Stripes", description="What the stripes are",
         items=(('ZEBRA', "Zebra", "Rings of light around the axis, as the surface would reflect them"),
                ('REFLECTION', "Reflection Lines", "Long lamps along the axis, as the surface would reflect them"),
-               ('HIGHLIGHT', "Highlight Lines", "Where normals have the same angle with the axis, wherever you look from")),
+               ('HIGHLIGHT', "Highlight Lines", "Where normals have the same angle with the axis, from any side")),
         default='ZEBRA', options=set())
     stripe_count: IntProperty(
         name="Number of Stripes", description="How many light stripes there are over half a turn",

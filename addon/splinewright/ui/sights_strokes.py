@@ -8,8 +8,10 @@ from . import colors, strokes
 
 
 class Sight(NamedTuple):
-    """What a switch of the Overlays popover shows of objects of a type, or of all; what makes Strokes of a data-block and
-    these numbers of the switches."""
+    """What a switch of the Overlays popover shows of objects of a type, or of all.
+
+    make gives the Strokes for a data-block and these numbers beside the switch.
+    """
 
     switch: str
     type: str
@@ -49,7 +51,8 @@ def _comb(data, density, scale):
 
 def _hodograph(data, part, scale):
     found = sights.hodographs_of(data, part, scale)
-    return [strokes.lines(found.lines, lambda: colors.HODOGRAPH, 1.8), strokes.arrows(found.arrows, lambda: colors.HODOGRAPH)]
+    return [strokes.lines(found.lines, lambda: colors.HODOGRAPH, 1.8),
+            strokes.arrows(found.arrows, lambda: colors.HODOGRAPH)]
 
 
 def _curve(data):

@@ -7,8 +7,8 @@ import numpy as np
 from ..patch_verbs import Along
 from .lines import ends_of
 
-#: So far, as a part of its face, a corner where a span ends is moved into it before its curvature or normal is measured:
-#: at a knot that of its own side counts, and at a pole there is one.
+#: So far, as a part of its face, a corner where a span ends is moved into it before its curvature or its normal is
+#: measured: at a knot that of its own side counts, and at a pole there is one.
 _INTO, _INTO_FOR_NORMALS = 1e-3, 1e-6
 #: Of parameters in float32.
 _ROUNDING = 2e-7
@@ -60,7 +60,8 @@ def shaded(tessellation, patch_set):
     sizes = np.diff(np.append(tessellation.face_starts, len(corners)))
     patches = np.repeat(np.repeat(tessellation.face_patches, sizes - 2), len(shares))
     middles = np.repeat(uvs.mean(1), len(shares), 0)
-    exact = _measured(patch_set, patches, uvs.reshape(-1, 2).astype(np.float32), middles, _normals, (3,), _INTO_FOR_NORMALS)
+    places = uvs.reshape(-1, 2).astype(np.float32)
+    exact = _measured(patch_set, patches, places, middles, _normals, (3,), _INTO_FOR_NORMALS)
     about = about.reshape(-1, 3)
     is_known = np.isfinite(exact).all(1) & ~np.tile((shares == 1).any(1), len(fans))
     exact *= np.where((exact * about).sum(1) < 0, -1.0, 1.0)[:, None]
@@ -83,7 +84,7 @@ def reach(faces, part=0.9):
 
 
 def _cut(cuts):
-    """(the shares (m, 3) of the corners of a triangle in points inside of it, the triangles (cuts², 3) between them)."""
+    """(the shares (m, 3) that corners of a triangle have in points inside of it, the triangles (cuts², 3) between)."""
     places = [(i, j) for i in range(cuts + 1) for j in range(cuts + 1 - i)]
     number = {place: k for k, place in enumerate(places)}
     parts = []

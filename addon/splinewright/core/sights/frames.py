@@ -57,7 +57,8 @@ def hodographs(curves, part, scale):
         ends = ends_of(curve)
         for start, end in zip(ends, ends[1:]):
             at = np.linspace(start, end, _STEPS[1] + 1)
-            lines.append(segments(scale * np.concatenate([_velocity(curve, at[:-1]), _velocity(curve, at[-1:], 'left')])))
+            points = np.concatenate([_velocity(curve, at[:-1]), _velocity(curve, at[-1:], 'left')])
+            lines.append(segments(scale * points))
         head = scale * _velocity(curve, [ends[0] + part * (ends[-1] - ends[0])])[0]
         if np.isfinite(head).all() and head.any():
             arrows.append((np.zeros(3), head))
