@@ -21,6 +21,7 @@ class FileState:
     problems: dict = field(default_factory=dict)        # of a data-block its problems, by what they are about
     selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
     drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
+    sights: dict = field(default_factory=dict)          # of a shape's data-block what bridge.sights keeps, until it changes
     handed: int = 0                                     # the last operator whose copies ui.editing looked at
     status: str = ""                                    # what ui.messages says in the status bar
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
@@ -58,6 +59,7 @@ def look_again(block):
     name = key(block)
     state.selected.pop(name, None)
     state.drawn.pop(name, None)
+    state.sights.pop(name, None)
 
 
 def key(block):

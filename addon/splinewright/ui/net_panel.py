@@ -1,6 +1,8 @@
 """What the panel shows while a net is edited."""
 
-from ..bridge import recipes, store
+import bpy
+
+from ..bridge import recipes, sights, store
 from ..bridge.net import live, net_object
 from ..core import describe
 from . import hand, net_props, recipe_props, settings_panel, texts
@@ -38,7 +40,7 @@ def _draw_state(layout, ob, owner):
     """The way out of a net, or back into one that was kept, and what its shape does not take."""
     if ob.mode == 'EDIT':
         layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
-        layout.prop(ob, "show_in_front", text="Show Points Behind")
+        layout.prop(sights.of(bpy.context.scene), "points_behind", text="Show Points Behind")
     else:
         layout.operator("splinewright.edit_net", text=f"Go on with the Net of {owner.name}", icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)

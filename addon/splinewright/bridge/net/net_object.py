@@ -12,7 +12,7 @@ import numpy as np
 
 from ...core.failures import Refusal
 from ...core.net import curve_net, patch_net
-from .. import blocks, problems, store
+from .. import blocks, problems, sights, store
 from . import cage, net_splines, settings_number
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
@@ -74,7 +74,7 @@ def make(shape, definition, net, scene):
     ob[SHAPE] = shape
     ob.matrix_world = shape.matrix_world
     ob.constraints.new('COPY_TRANSFORMS').target = shape        # children of a path would run along it
-    ob.show_in_front = True
+    ob.show_in_front = sights.of(scene).points_behind
     ob.hide_render = True
     if not definition.has_curves:
         ob.display_type = 'WIRE'
