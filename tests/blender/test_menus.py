@@ -99,3 +99,9 @@ def test_no_operator_stands_twice_in_a_menu():
     for name, _ in menus._PLACES:
         found = drawn(name)
         assert len(found) == len(set(found)), name
+
+
+def test_what_most_begin_with_stands_first_under_add():
+    assert drawn("VIEW3D_MT_curve_add")[1:7] == ["add_line", "add_bezier_curve", "add_bezier_chain", "add_nurbs_curve",
+                                                 "add_circle", "add_arc"]
+    assert {"add_revolve", "add_extrude", "add_ruled"} <= set(drawn("VIEW3D_MT_surface_add"))

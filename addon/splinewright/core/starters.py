@@ -34,6 +34,13 @@ def bezier_curve(degree):
     return sc.BezierCurve(_wave(degree + 1))
 
 
+def line(count):
+    """A polyline along the x axis."""
+    points = np.zeros((count, 3))
+    points[:, 0] = np.linspace(-1.0, 1.0, count)
+    return sc.NurbsCurve(1, knot_vector(1, count, 'CLAMPED'), points)
+
+
 def nurbs_curve(degree, count, knots):
     points = _circle(count) if knots == 'PERIODIC' else _wave(count)
     return sc.NurbsCurve(degree, knot_vector(degree, count, knots), points, periodic=knots == 'PERIODIC')
@@ -51,6 +58,18 @@ def hermite_chain(count, closed):
         return sc.HermiteCurve(points, tangents)
     points = _wave(count)
     tangents = np.gradient(points, axis=0) if count > 1 else points
+    return sc.HermiteCurve(points, tangents)
+
+
+def bezier_chain(count, closed):
+    """Cubics whose handles are as long as a third of the way between the neighbours, as those of Blender's own; closed
+    it is nearly a circle."""
+    if closed:
+        return hermite_chain(count, True)
+    x = np.linspace(-1.0, 1.0, count)
+    points = np.column_stack([x, 0.5 * np.cos(np.pi * np.arange(count)), np.zeros(count)])
+    tangents = np.zeros((count, 3))
+    tangents[:, 0] = 1.5 * (x[1] - x[0])
     return sc.HermiteCurve(points, tangents)
 
 

@@ -125,6 +125,7 @@ class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'UI'
     bl_category = "Splinewright"
+    bl_order = 1
 
 
 class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
