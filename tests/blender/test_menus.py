@@ -17,6 +17,8 @@ menus = part('ui.menus')
 class Drawn(list):
     """Stands for a UILayout: the names of what is put into it."""
 
+    enabled = True
+
     def operator(self, name, **_):
         self.append(name.split(".")[1])
         assert getattr(bpy.ops.splinewright, self[-1]).get_rna_type()
@@ -25,6 +27,9 @@ class Drawn(list):
         self.append(name)
         menu = getattr(bpy.types, name)
         menu.draw(SimpleNamespace(layout=self), bpy.context)
+
+    def row(self, **_):
+        return self
 
     def separator(self, **_):
         """Nothing is named."""

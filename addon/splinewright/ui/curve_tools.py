@@ -22,7 +22,7 @@ class SPLINEWRIGHT_MT_curve(bpy.types.Menu):
     bl_label = "Curve"
 
     def draw(self, context):
-        tools.draw_menu(self.layout, _GROUPS)
+        tools.draw_menu(self.layout, _GROUPS, list(filter(replacing.is_curve_shape, context.selected_objects)))
 
 
 class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
@@ -34,8 +34,7 @@ class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
         return replacing.is_curve_shape(context.object)
 
     def draw(self, context):
-        tools.draw_hand(self.layout, context.object.data)
-        tools.draw_panel(self.layout, _GROUPS)
+        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_curve_shape)
 
 
 CLASSES = (SPLINEWRIGHT_MT_curve, SPLINEWRIGHT_PT_curve_tools)

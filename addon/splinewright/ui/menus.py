@@ -107,8 +107,8 @@ _ENTRY_ICONS = {'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_pie
                 curve_tools.SPLINEWRIGHT_MT_curve: 'CURVE_DATA', patch_tools.SPLINEWRIGHT_MT_patch: 'SURFACE_DATA'}
 
 
-def _draw_entries(layout, found):
-    """Those that concern one of these kinds."""
+def _draw_entries(layout, found, obs):
+    """Those that concern one of these kinds; what would be refused for all the objects is grey."""
     layout.operator_context = 'INVOKE_REGION_WIN'
     groups = [[entry for entry, concerned in group if concerned & found] for group in _ENTRIES]
     for i, group in enumerate(filter(None, groups)):
@@ -117,7 +117,9 @@ def _draw_entries(layout, found):
         for entry in group:
             icon = _ENTRY_ICONS.get(entry, 'NONE')
             if isinstance(entry, str):
-                layout.operator(f"splinewright.{entry}", text=tools.text_of(entry), icon=icon)
+                row = layout.row()
+                row.enabled = not tools.is_refused(entry, obs)
+                row.operator(f"splinewright.{entry}", text=tools.text_of(entry), icon=icon)
             else:
                 layout.menu(entry.bl_idname, icon=icon)
 
@@ -127,7 +129,7 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
     bl_label = "Splinewright"
 
     def draw(self, context):
-        _draw_entries(self.layout, kinds.ALL)
+        _draw_entries(self.layout, kinds.ALL, context.selected_objects)
 
 
 class SPLINEWRIGHT_MT_object_context(bpy.types.Menu):
@@ -135,7 +137,7 @@ class SPLINEWRIGHT_MT_object_context(bpy.types.Menu):
     bl_label = "Splinewright"
 
     def draw(self, context):
-        _draw_entries(self.layout, kinds.selected(context))
+        _draw_entries(self.layout, kinds.selected(context), context.selected_objects)
 
 
 def _draw_object(self, context):

@@ -39,10 +39,10 @@ def draw(layout, ob):
 def _draw_state(layout, ob, owner):
     """The way out of a net, or back into one that was kept, and what its shape does not take."""
     if ob.mode == 'EDIT':
-        layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
+        layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
         layout.prop(ob, "show_in_front", text="Show Points Behind")
     else:
-        layout.operator("splinewright.edit_net", text=f"Go on with the Net of {owner.name}", icon='EDITMODE_HLT')
+        layout.operator("splinewright.edit_net", text=f"Go on with {texts.short(owner.name)}", icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)
     if problem:
         texts.draw_problem(layout, problem)

@@ -23,7 +23,7 @@ class SPLINEWRIGHT_MT_patch(bpy.types.Menu):
     bl_label = "Patch"
 
     def draw(self, context):
-        tools.draw_menu(self.layout, _GROUPS)
+        tools.draw_menu(self.layout, _GROUPS, list(filter(replacing.is_patch_shape, context.selected_objects)))
 
 
 class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
@@ -35,8 +35,7 @@ class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
         return replacing.is_patch_shape(context.object)
 
     def draw(self, context):
-        tools.draw_hand(self.layout, context.object.data)
-        tools.draw_panel(self.layout, _GROUPS)
+        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_patch_shape)
 
 
 CLASSES = (SPLINEWRIGHT_MT_patch, SPLINEWRIGHT_PT_patch_tools)

@@ -48,7 +48,7 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         if context.mode != 'OBJECT':
-            texts.draw_note(layout, "Shapes are made in Object Mode: leave the present mode first", 28)
+            texts.draw_note(layout, "Shapes are made in Object Mode: leave the present mode first")
             return
         layout.operator_context = 'INVOKE_REGION_WIN'
         made = groups(context.selected_objects, context.object)
