@@ -90,13 +90,33 @@ def following(view):
     print("following", flush=True)
 
 
+def mending(view):
+    """A tolerance that was too small is changed in the panel of the last operator, which says what comes of it."""
+    empty_file()
+    with view.override():
+        bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True)
+        bpy.ops.splinewright.make_periodic('INVOKE_DEFAULT', True)
+    yield from redrawn()
+    assert last().bl_idname == 'SPLINEWRIGHT_OT_make_periodic' and "do not meet" in last().properties.result
+    assert not bpy.context.object.data.splinewright.value.periodic
+    save_picture(OUTPUT / "sidebar-mending.png")
+    last().properties.tolerance = 10.0
+    with view.override():
+        bpy.ops.ed.undo_redo()
+    yield from redrawn()
+    assert bpy.context.object.data.splinewright.value.periodic
+    assert "periodic" in last().properties.result and "largest distance" in last().properties.result
+    save_picture(OUTPUT / "sidebar-mended.png")
+    print("mending", flush=True)
+
+
 def steps():
     view = View()
     view.open_sidebar()
     yield from redrawn()
     yield from view.show_tab("Splinewright", (1045, 538))
     view.move(420, 420)
-    for part_of_it in (pictures, following):
+    for part_of_it in (pictures, following, mending):
         yield from part_of_it(view)
     print("the sidebar has something in every state:", bpy.app.version_string, flush=True)
 

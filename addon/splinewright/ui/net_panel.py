@@ -61,6 +61,12 @@ def _draw_points(layout, ob, session, has_weights):
         return
     box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
     points = data.splinewright_points
+    box.row(align=True).prop(points, "space", expand=True)
+    if len(vertices) > 1:
+        column = box.column(align=True)
+        column.label(text="Median")
+        for axis in range(3):
+            column.prop(points, "median", index=axis, text="XYZ"[axis])
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
         column.label(text=_name(session.net, vertex))

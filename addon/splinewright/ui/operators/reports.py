@@ -18,8 +18,14 @@ class Said(NamedTuple):
 
 def finished(operator, said):
     """Report what was done, if there is anything to tell. Returns what the operator's execute() returns."""
-    _report(operator, 'WARNING' if said.warnings else 'INFO', [said.done, *_few(said.notes), *_few(said.warnings)])
+    text = in_words(said)
+    if text:
+        operator.report({'WARNING' if said.warnings else 'INFO'}, text)
     return {'FINISHED'}
+
+
+def in_words(said):
+    return "; ".join(filter(None, [said.done, *_few(said.notes), *_few(said.warnings)]))
 
 
 def cancelled(operator, *reasons):
