@@ -254,7 +254,7 @@ def test_knots_are_edited_as_text_in_the_net_and_undone():
 
 @pytest.mark.parametrize('text,word', (
     ("0 0 0 0 1 2 2 2 2", "9 knots were given, 10 are needed"), ("0 0 0 0 x 1 2 2 2 2", "'x', word 5"),
-    ("0 0 0 0 3 2 4 4 4 4", "is below"), ("0 0 0 0 nan 2 4 4 4 4", "nan"), ("", "0 knots")))
+    ("0 0 0 0 3 2 4 4 4 4", "knot 6, 2, is smaller than the one before it, 3"), ("0 0 0 0 nan 2 4 4 4 4", "nan"), ("", "0 knots")))
 def test_wrong_knots_are_refused_with_a_word_and_nothing_changes(text, word):
     value = VALUES['nurbs']()
     add(value)

@@ -31,7 +31,7 @@ def settings():
     return bpy.context.object.data.splinewright
 
 
-CURVES = ['add_bezier_curve', 'add_hermite_curve', 'add_nurbs_curve',
+CURVES = ['add_line', 'add_bezier_curve', 'add_bezier_chain', 'add_hermite_curve', 'add_nurbs_curve',
           *(f'add_{recipe.kind}' for recipe in table.STARTING if not recipe.is_surface)]
 SURFACES = ['add_bezier_patch', 'add_hermite_patch', 'add_nurbs_patch', 'add_teapot',
             *(f'add_{recipe.kind}' for recipe in table.STARTING if recipe.is_surface)]

@@ -1,6 +1,6 @@
 """What is shown of shapes beside themselves, worked out when their definition changes and not at every redraw."""
 
-from ..core import aiming, continuity, landmarks, seams, verbs
+from ..core import aiming, continuity, landmarks, offers, seams, verbs
 from . import store
 from .file_state import remember, state
 
@@ -43,6 +43,11 @@ def pieces_of(data):
 def samples_of(data):
     """For each curve of a definition its core.aiming.Samples. Raises store.UnreadableDefinition."""
     return _kept('samples', data, lambda definition: list(map(aiming.samples, verbs.pieces_of(definition))))
+
+
+def refused(data):
+    """Names of operators that have nothing to do with a definition. Raises store.UnreadableDefinition."""
+    return _kept('refused', data, offers.refused)
 
 
 def _survey(definition):

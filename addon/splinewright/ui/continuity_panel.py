@@ -9,8 +9,8 @@ from ..bridge.net import live, net_object
 from . import colors, hand, texts
 from .sub_panel import SubPanel
 
-#: Characters of a note that fit a line of the sidebar as wide as it opens.
-_WIDTH = 26
+#: Gaps, angles in degrees and differences of curvatures below it are none.
+_ROUNDING = 1e-9
 #: Characters of a name that leave room beside it.
 _SHORT = 14
 
@@ -29,7 +29,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
         except store.UnreadableDefinition:
             return                      # the panel above says it
         if net_object.is_net(context.object) and live.problem(context.object):
-            texts.draw_note(self.layout, "As it was before the last change, which is not shown", _WIDTH)
+            texts.draw_note(self.layout, "As it was before the last change, which is not shown")
         data = hand.shape_of(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
         if not survey.count:
@@ -83,8 +83,10 @@ def numbers(joint):
 
 
 def _short(number):
-    """At most seven characters."""
-    return f"{number:.3g}" if number == 0 or 1e-3 <= number < 999.5 else f"{number:.0e}"
+    """At most seven characters; what is rounding is 0."""
+    if abs(number) < _ROUNDING:
+        return "0"
+    return f"{number:.3g}" if 1e-3 <= number < 999.5 else f"{number:.0e}"
 
 
 CLASSES = (SPLINEWRIGHT_PT_continuity,)

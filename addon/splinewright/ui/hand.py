@@ -5,6 +5,7 @@ import numpy as np
 from ..bridge import settings, shape, store
 from ..bridge.file_state import state
 from ..bridge.net import live, net_object, selection
+from . import editing
 
 _NAMES = ('piece', 'other_piece')
 
@@ -13,6 +14,12 @@ def shape_of(ob):
     """The shape that an object is, or whose net it is; None where it is neither."""
     owner = net_object.shape_of(ob) if net_object.is_net(ob) else ob
     return owner if shape.has_shape(owner) else None
+
+
+def shapes(context):
+    """The shapes whose nets are edited, or those that are selected in Object Mode."""
+    obs = editing.nets_in_edit_mode(context) or (context.selected_objects if context.mode == 'OBJECT' else [])
+    return [owner for owner in map(shape_of, obs) if owner is not None]
 
 
 def pieces_of_points(ob):

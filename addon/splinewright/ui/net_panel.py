@@ -39,10 +39,10 @@ def draw(layout, ob):
 def _draw_state(layout, ob, owner):
     """The way out of a net, or back into one that was kept, and what its shape does not take."""
     if ob.mode == 'EDIT':
-        layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
+        layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
         layout.prop(sights.of(bpy.context.scene), "points_behind", text="Show Points Behind")
     else:
-        layout.operator("splinewright.edit_net", text=f"Go on with the Net of {owner.name}", icon='EDITMODE_HLT')
+        layout.operator("splinewright.edit_net", text=f"Go on with {texts.short(owner.name)}", icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)
     if problem:
         texts.draw_problem(layout, problem)
@@ -61,6 +61,12 @@ def _draw_points(layout, ob, session, has_weights):
         return
     box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
     points = data.splinewright_points
+    box.row(align=True).prop(points, "space", expand=True)
+    if len(vertices) > 1:
+        column = box.column(align=True)
+        column.label(text="Median")
+        for axis in range(3):
+            column.prop(points, "median", index=axis, text="XYZ"[axis])
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
         column.label(text=_name(session.net, vertex))

@@ -74,9 +74,9 @@ def _draw_state(layout, ob):
     elif shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
-        column.operator("splinewright.restore", text="Restore: throw the changes away")
-        column.operator("splinewright.adopt_transform", text="Adopt: it was moved as a whole")
-        column.operator("splinewright.detach", text="Detach: keep them, end the shape")
+        column.operator("splinewright.restore")
+        column.operator("splinewright.adopt_transform")
+        column.operator("splinewright.detach")
     else:
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
         if recipes.has(data):
@@ -85,7 +85,7 @@ def _draw_state(layout, ob):
 
 def _draw_recipe(layout, data):
     try:
-        recipe_props.draw(layout.box(), data)
+        recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
     layout.operator("splinewright.make_editable")
@@ -100,7 +100,7 @@ def _draw_following(layout, data):
         layout.operator("splinewright.make_editable")
         return
     names = " and ".join(source.name for source in sources if source)
-    layout.label(text=f"Follows {names or 'nothing any more'}", icon='LINKED')
+    texts.draw_note(layout, f"Follows {names or 'nothing any more'}", icon='LINKED')
     problem = follow.problem(data)
     if problem:
         texts.draw_problem(layout, problem)
@@ -116,7 +116,9 @@ def _draw_definition(layout, definition):
     for label, text in describe.lines(definition):
         row = column.split(factor=0.3)
         row.label(text=label)
-        row.label(text=text)
+        lines = row.column(align=True)
+        for line in texts.lines(text):
+            lines.label(text=line)
     layout.separator()
 
 
@@ -125,6 +127,7 @@ class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'UI'
     bl_category = "Splinewright"
+    bl_order = 1
 
 
 class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):

@@ -23,12 +23,13 @@ class SPLINEWRIGHT_MT_patch(bpy.types.Menu):
     bl_label = "Patch"
 
     def draw(self, context):
-        tools.draw_menu(self.layout, _GROUPS)
+        tools.draw_menu(self.layout, _GROUPS, list(filter(replacing.is_patch_shape, hand.shapes(context))))
 
 
-def draw_verbs(layout):
+def draw_verbs(layout, context):
     """Those that work while a net is edited."""
-    tools.draw_menu(layout, [(label, [name for name in names if tools.works_on_nets(name)]) for label, names in _GROUPS])
+    groups = [(label, [name for name in names if tools.works_on_nets(name)]) for label, names in _GROUPS]
+    tools.draw_menu(layout, groups, hand.shapes(context))
 
 
 class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
@@ -40,8 +41,7 @@ class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
         return replacing.is_patch_shape(hand.shape_of(context.object))
 
     def draw(self, context):
-        tools.draw_hand(self.layout, hand.shape_of(context.object).data)
-        tools.draw_panel(self.layout, _GROUPS)
+        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_patch_shape)
 
 
 CLASSES = (SPLINEWRIGHT_MT_patch, SPLINEWRIGHT_PT_patch_tools)

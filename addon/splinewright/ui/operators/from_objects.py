@@ -29,7 +29,8 @@ class _FromObjects:
         if not can_add(cls, context):
             return False
         wanted = cls.recipe.inputs
-        if len(_sources(context)) != len(wanted):
+        sources = _sources(context)
+        if len(sources) != len(wanted) or any(ob.type != 'CURVE' for ob in sources):
             cls.poll_message_set(f"Select {' and '.join(wanted)}")
             return False
         return True

@@ -23,7 +23,7 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        shapes = _shapes(context)
+        shapes = hand.shapes(context)
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(_is_free, shapes)):
@@ -78,13 +78,6 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
         redraw()
 
 
-def _shapes(context):
-    """The shapes whose nets are edited, or that are selected."""
-    nets = editing.nets_in_edit_mode(context)
-    obs = nets or (context.selected_objects if context.mode == 'OBJECT' else [])
-    return [owner for owner in map(hand.shape_of, obs) if owner is not None]
-
-
 def _is_free(ob):
     try:
         return not ob.data.library and not recipes.has(ob.data)
@@ -99,7 +92,7 @@ def _found(context, event, in_middle):
         return None
     region, view = view
     pixel = event.mouse_x - region.x, event.mouse_y - region.y
-    obs = [ob for ob in _shapes(context) if _is_free(ob) and ob.visible_get()]
+    obs = [ob for ob in hand.shapes(context) if _is_free(ob) and ob.visible_get()]
     found = picking.parameters_at(region, view, pixel, obs, context.evaluated_depsgraph_get())
     if found is None or not in_middle:
         return found

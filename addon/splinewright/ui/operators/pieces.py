@@ -76,9 +76,16 @@ class OnPieces(OnSelected):
         """Names of the properties in the redo panel above the piece."""
         return [name for name in type(self).__annotations__ if name != 'piece']
 
+    @property
+    def has_settings(self):
+        return bool(self.settings())
+
+    def can_work(self, ob):
+        return replacing.can_change(ob.data)
+
     def invoke(self, context, event):
         hand.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
-        return self.execute(context)
+        return super().invoke(context, event)
 
     def execute(self, context):
         problem = editing.unread(editing.nets_in_edit_mode(context))
@@ -115,6 +122,7 @@ class OnPieces(OnSelected):
             else:
                 self.layout.prop(self, name)
         draw_number(self.layout, self, 'piece')
+        self.draw_result()
 
 
 def told(outcomes):
@@ -164,6 +172,7 @@ class FromActive:
         for name, value in zip(self.asked, values):
             if not is_given(name):
                 setattr(self, name, value)
+        self.by_hand = True
         return self.execute(context)
 
     def _a_shape(self, context):
