@@ -396,6 +396,58 @@ def test_one_of_several_curves_is_deleted_and_one_grows():
     assert value() == after
 
 
+@pytest.mark.parametrize('name', ('nurbs', 'hermite', 'periodic', 'closed hermite'))
+def test_a_segment_that_is_deleted_parts_a_curve_and_opens_a_closed_one(name):
+    before = value_of(name)
+    add(before)
+    enter()
+    is_closed, places = spline().use_cyclic_u, [tuple(point.co)[:3] for point in points_of(spline())]
+    choose(1, 2)
+    op(bpy.ops.curve.delete, type='SEGMENT')
+    after = followed()
+    if is_closed:
+        assert np.allclose(after.points, places[2:] + places[:2], atol=1e-6) and not spline().use_cyclic_u
+    else:
+        assert np.allclose(np.concatenate([one.points for one in after]), places, atol=1e-6) and len(after) == 2
+    leave()
+    assert value() == after
+    for _ in range(2):
+        bpy.ops.ed.undo()
+        editing.sweep()
+    assert value() == before
+    bpy.ops.ed.redo()
+    assert followed() == after
+    leave()
+
+
+def test_what_is_separated_goes_to_an_object_of_its_own_and_the_shape_has_the_rest():
+    before = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 3, 4, 5, 5, 5], points(7))
+    add(before)
+    enter()
+    choose(0, 1, 2)
+    op(bpy.ops.curve.separate)
+    after = followed()
+    assert np.allclose(after.points, before.points[2:], atol=1e-12)
+    leave()
+    assert value() == after and not [ob for ob in bpy.data.objects if net_object.is_net(ob)]
+
+
+def test_ends_of_two_curves_that_are_connected_are_refused_in_words():
+    value_before = [sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], points(3)), sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], points(3))]
+    value_before = [curve.insert_knot(0.5) for curve in value_before]
+    add(value_before)
+    enter()
+    choose(-1)
+    points_of(spline(1))[0].select = True
+    op(bpy.ops.curve.make_segment)
+    held().data.update_tag()
+    bpy.context.view_layer.update()
+    assert "use Join Pieces" in live.problem(held()) and value() == value_before
+    bpy.ops.ed.undo()
+    assert followed() == value_before
+    leave()
+
+
 @pytest.mark.parametrize('name', ('nurbs', 'hermite'))
 def test_a_file_saved_while_the_net_is_out_has_what_was_added(name, tmp_path):
     add(value_of(name))

@@ -62,24 +62,16 @@ class Grown:
 
 def grow(net, definition, runs):
     """The Grown net of a definition, which is what the net said of its points that are there; None where it has neither
-    gained nor lost any, or in a way that is not understood. Raises Refusal, with the reason, where it cannot be."""
-    plans = _plans(net, runs)
-    if plans is None or all(plan is not None and plan.is_idle for plan in plans):
+    gained nor lost any, or is not told what became of it. Raises Refusal, with the reason, where there is no such shape."""
+    by_piece = _plans(net, runs)
+    if by_piece is None or all(len(plans) == 1 and plans[0].is_idle for plans in by_piece):
         return None
-    curves, after, error, gone = [], [], 0.0, 0
-    for plan, curve in zip(plans, verbs.curves_of(definition)):
-        if plan is None:
-            continue
-        edited = plan.carried_out(curve)
-        curves.append(edited.curve)
-        after.append(edited)
-        error = max(error, edited.error)
-        gone += len(plan.gone)
-    made = curve_net.make(definitions.from_value(
-        curves[0] if definition.form == 'curve' and len(curves) == 1 else curves))
-    stays = _arrows(net, plans)
-    plans = [plan for plan in plans if plan is not None]
-    return _told(made, runs, plans, after, stays, _note(gone, error))
+    edits = [plan.carried_out(curve) for plans, curve in zip(by_piece, verbs.curves_of(definition)) for plan in plans]
+    curves = [edited.curve for edited in edits]
+    made = curve_net.make(definitions.from_value(curves[0] if definition.form == 'curve' and len(curves) == 1 else curves))
+    plans = [plan for of_piece in by_piece for plan in of_piece]
+    gone = sum(len(plan.gone) for plan in plans if len(by_piece[plan.piece]) == 1)
+    return _told(made, runs, plans, edits, _arrows(net, by_piece), _note(gone, max(edited.error for edited in edits)))
 
 
 def _note(gone, error):
@@ -133,47 +125,54 @@ def _told(made, runs, plans, after, stays, note):
     return Grown(made, tuple(numbers), origins, np.array(sorted(added), dtype=np.int64), note)
 
 
-def _arrows(net, plans):
+def _arrows(net, by_piece):
     """The points of the arrows of pieces that are there still."""
-    number, found = sum(spline.count for spline in net.splines[:len(plans)]), []
-    for plan, piece in zip(plans, net.source.pieces):
-        count = 0 if piece.kind == 'hermite' else 2 * int((net.source.pool[piece.indices, 3] == 0).sum())
-        found += range(number, number + count) if plan is not None else ()
+    number, found = sum(spline.count for spline in net.splines[:len(by_piece)]), []
+    for plans, piece in zip(by_piece, net.source.pieces):
+        count = 2 * _count_infinite(net, piece)
+        found += range(number, number + count) if plans else ()
         number += count
     return found
+
+
+def _count_infinite(net, piece):
+    return 0 if piece.kind == 'hermite' else int((net.source.pool[piece.indices, 3] == 0).sum())
 
 
 # What happened to each piece -----------------------------------------------------------------------
 
 
 def _plans(net, runs):
-    """Of each piece its _Plan, None for one that is gone; or None where it is not told what happened."""
+    """Of each piece its _Plans: one where it is there, none where it is gone, several where it was split. None where it is
+    not told what happened."""
     bounds = np.cumsum([0] + [spline.count for spline in net.splines])
-    count = len(net.source.pieces)
-    if not all((net.source.pool[piece.indices.ravel(), 3] != 0).any() for piece in net.source.pieces):
+    pieces = net.source.pieces
+    if not all((net.source.pool[piece.indices.ravel(), 3] != 0).any() for piece in pieces):
         return None                     # one of them lies at infinity
     owners = [np.unique(np.searchsorted(bounds, run.numbers[run.numbers >= 0], 'right') - 1) for run in runs]
+    if any(len(owner) > 1 for owner in owners):
+        raise Refusal("ends of different curves are connected: use Join Pieces for that, the shape has them apart")
     plans = []
-    for i in range(count):
-        of_piece = [r for r, found in enumerate(owners) if i in found]
-        if len(of_piece) > 1 or of_piece and len(owners[of_piece[0]]) > 1:
-            return None                 # split, or joined with another
-        plan = _plan(net, i, bounds[i], runs, of_piece[0]) if of_piece else None
-        if of_piece and plan is None:
-            return None
-        plans.append(plan)
-    if all(plan is None for plan in plans):
+    for i, piece in enumerate(pieces):
+        of_piece = [r for r, owner in enumerate(owners) if i in owner]
+        if len(of_piece) > 1 and _count_infinite(net, piece):
+            raise Refusal("a curve with points at infinity is not parted here: use Split for that")
+        found = [_plan(net, i, bounds[i], runs, r) for r in of_piece]
+        plans.append(sorted(found, key=lambda plan: plan.begins))
+    if not any(plans):
         return None
-    if None in plans and any((run.numbers == NEW).all() for run in runs):
+    if not all(plans) and any((run.numbers == NEW).all() for run in runs):
         return None                     # it may be of another type now
     return plans
 
 
 @dataclass(frozen=True, eq=False)
 class _Plan:
-    """What is to be done with a piece."""
+    """What is to be done with a piece, or a part of it."""
 
+    piece: int
     run: int
+    begins: int                         # the first of its points that is there
     slots: np.ndarray                   # of each point that the net is to have its place in the run
     gone: list                          # places of points that are gone, in the order of the net
     gaps: list                          # (place among the points that stay, how many are new after it)
@@ -200,9 +199,11 @@ class _Plan:
             edited = point_edits.started(curve.to_hermite(), (0, 1), False)
         else:
             edited = point_edits.started(curve, self.order, self.was_closed)
+        if self.was_closed and not self.closed:
+            edited = point_edits.opened(point_edits.begun_at(edited, self.begins))
         edited = _without(edited, self.gone)
-        if self.closed != self.was_closed:
-            edited = (point_edits.closed if self.closed else point_edits.opened)(edited)
+        if self.closed and not self.was_closed:
+            edited = point_edits.closed(edited)
         for place, times in reversed(self.gaps):
             edited = point_edits.inserted(edited, place, times)
         for points, at_start in ((self.before, True), (self.after, False)):
@@ -228,9 +229,14 @@ def _plan(net, i, first, runs, r):
     run, piece, spline = runs[r], net.source.pieces[i], net.splines[i]
     slots = np.arange(len(run.numbers))[::-1 if run.turned else 1]
     known = [slot for slot in slots if run.numbers[slot] >= 0]
-    places = run.numbers[known] - first
+    if spline.closed and run.closed:    # it may begin anywhere
+        at = int(run.numbers[known].argmin())
+        known = known[at:] + known[:at]
+    begins, places = int(run.numbers[known[0]] - first), run.numbers[known] - first
+    if spline.closed and not run.closed:
+        places = (places - begins) % spline.count
     if (np.diff(places) <= 0).any():
-        return None                     # in another order
+        raise Refusal("its points are connected in another order than before: the shape has them as they were")
     gaps, taken = [], list(known)
     for k, (one, other) in enumerate(zip(known, [*known[1:], None])):
         if other is None and not run.closed:
@@ -250,7 +256,7 @@ def _plan(net, i, first, runs, r):
         at = kept.index(known[0])
         kept = kept[at:] + kept[:at]
     gone = sorted(set(range(spline.count)) - set(places.tolist()))
-    return _Plan(r, np.array(kept), gone, gaps, [run.point(slot) for slot in before], [run.point(slot) for slot in after],
+    return _Plan(i, r, begins, np.array(kept), gone, gaps, [run.point(slot) for slot in before], [run.point(slot) for slot in after],
                  frozenset((*before, *after)), spline.closed, run.closed, _order(net.source.pool, piece, spline),
                  piece.kind != 'hermite' and spline.kind == 'BEZIER')
 

@@ -99,6 +99,20 @@ def closed(edited):
     return edited._replace(curve=whole, closed=True)
 
 
+def begun_at(edited, place):
+    """A closed curve with its beginning at a place of the order."""
+    curve = edited.curve
+    if _is_chain(curve):
+        for _ in range(place):
+            curve = _begun_later(curve)
+    elif _is_periodic(curve):
+        knots = np.append(curve.knots[place:], curve.knots[1:place + 1] + curve.knots[-1] - curve.knots[0])
+        curve = sc.NurbsCurve(curve.degree, knots, np.roll(curve.points, -place, 0), np.roll(curve.weights, -place), True)
+    elif place:
+        raise Refusal("this closed curve ends where it begins and opens there only (Toggle Cyclic)")
+    return edited._replace(curve=curve)
+
+
 def opened(edited):
     """Not connected any more from the last point to the first."""
     curve = edited.curve
