@@ -322,6 +322,7 @@ def hand_over_now():
         if session is not None and live.note(ob) and not free_net.is_free(ob.data):
             with suppress(Refusal):     # of which live.problem() tells
                 selection.hand_over(ob, session.net)
+                live.pass_over(ob)
 
 
 def _is_in(layer, ob):
