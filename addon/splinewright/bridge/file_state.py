@@ -33,6 +33,7 @@ class FileState:
     asked: dict = field(default_factory=dict)           # of ui.hand: what the last operator asked for pieces of
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
+    was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode; of ui.detour
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
