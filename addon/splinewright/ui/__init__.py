@@ -8,7 +8,7 @@ from . import manual, preferences
 
 def _rooms():
     """Modules with CLASSES and, some, register() and unregister(); imported only with the library."""
-    from . import (continuity_panel, curve_tools, detour, formulas_panel, handlers, join_notice, keymaps, menus, messages,
+    from . import (axis_overlay, continuity_panel, curve_tools, detour, formulas_panel, handlers, join_notice, keymaps, menus, messages,
                    net_props, numbers_overlay, overlay, panels, patch_tools, props, recipe_props,
                    start_panel)
     from .operators import (add_curve, add_patch, add_recipe, bake, curve_join, curve_verbs, edit, edit_source, exchange,
@@ -17,7 +17,8 @@ def _rooms():
     return (props, net_props, recipe_props, add_curve, add_recipe, add_patch, exchange, edit, edit_source, set_knots, infinity, life,
             join, follow, bake, from_objects, native, curve_verbs, curve_join, patch_verbs, patch_join, extract, fineness,
             formulas, pick_piece, panels, curve_tools, patch_tools, continuity_panel, formulas_panel, menus, start_panel,
-            keymaps, overlay, numbers_overlay, messages, handlers, join_notice, detour)
+            keymaps, overlay, numbers_overlay, messages, handlers, join_notice, detour,
+            axis_overlay)
 
 
 def _all_rooms():
