@@ -35,6 +35,7 @@ class FileState:
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
+    was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode; of ui.detour
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately

@@ -52,6 +52,12 @@ def nets_in_edit_mode(context):
     return [ob for ob in context.objects_in_mode if net_object.is_net(ob)]
 
 
+def is_in_result(context):
+    """Whether the mesh or curve that Splinewright wrote is in Edit Mode, not the net."""
+    ob = context.object
+    return ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob)
+
+
 def kept_net(data):
     """The net in Object Mode that edits a shape's data-block, which holds what that has not taken, or None."""
     return next((ob for ob in nets() if ob.mode == 'OBJECT' and net_object.is_current(ob)

@@ -5,6 +5,7 @@ import bpy
 #: Keymap, operator, key, control; the first that applies is taken.
 _ITEMS = (
     ('Object Non-modal', "splinewright.edit_net", 'TAB', False),
+    ('Object Non-modal', "splinewright.edit_source", 'TAB', False),
     ('Object Non-modal', "splinewright.leave_net", 'TAB', False),
     ('Object Mode', "splinewright.join", 'J', True),
     ('Mesh', "splinewright.insert_here", 'R', True),

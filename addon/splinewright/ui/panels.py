@@ -68,7 +68,10 @@ def _draw_state(layout, ob):
     """The way into the net, or why there is none."""
     data = ob.data
     if ob.mode == 'EDIT':
-        texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net")
+        texts.draw_problem(layout, "This is the result, not the net: what is changed here is changed by hand")
+        column = layout.column(align=True)
+        for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
+            column.operator("splinewright.leave_result", text=text).how = how
     elif recipes.follows(data):
         _draw_following(layout, data)
     elif shape.seems_touched(data):
@@ -107,8 +110,10 @@ def _draw_following(layout, data):
     else:
         for text in (text for source in sources for text in derived.not_followed(source)):
             texts.draw_note(layout, f"Not followed: {text}")
-    layout.operator("splinewright.make_editable")
-    layout.operator("splinewright.bake_animation")
+    column = layout.column(align=True)
+    column.operator("splinewright.edit_source", icon='EDITMODE_HLT')
+    column.operator("splinewright.make_editable")
+    column.operator("splinewright.bake_animation")
 
 
 def _draw_definition(layout, definition):
