@@ -136,10 +136,14 @@ def drawn_by(cls, values):
         def row(self, align):
             return self
 
+        def column(self, align):
+            return self
+
         def operator(self, name, **_):
             return SimpleNamespace()
     own = {key: value for key, value in vars(cls).items() if key in ('settings', 'draw', 'allowed', 'limits')}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
-    panel = type("Panel", bases, {**own, '__annotations__': dict(cls.__annotations__), **values, 'layout': Layout()})()
+    own |= {'__annotations__': dict(cls.__annotations__), **values, 'result': "", 'layout': Layout()}
+    panel = type("Panel", bases, own)()
     panel.draw(None)
     return names
