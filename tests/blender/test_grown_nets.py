@@ -338,11 +338,31 @@ def test_points_that_were_extruded_and_called_off_are_copies_again():
     held().data.update_tag()
     bpy.context.view_layer.update()
     assert value() == before and "not of this net" in live.note(held()) and live.problem(held()) == ""
-    part('ui.editing').hand_over()
-    chosen = part('ui.net_props').chosen(held().data)[1]
-    assert chosen == [5]
+    part('ui.editing').hand_over_now()
+    assert part('ui.net_props').chosen(held().data)[1] == [5]
     leave()
     assert value() == before
+
+
+@pytest.mark.parametrize('name', ('nurbs', 'hermite'))
+def test_a_drag_that_brings_the_old_tilt_back_takes_no_point_for_another(name):
+    """Blender's drags remember the tilt of what they move, and put it back."""
+    add(value_of(name))
+    enter()
+    tilt = points_of(spline())[-1].tilt
+    choose(-1)
+    extruded(0, 0, 1)
+    end = points_of(spline())[-1]
+    assert end.tilt != tilt
+    end.tilt = tilt
+    after, stages = followed(), len(live.session(held().data).stages)
+    choose(-1)
+    move(0, 0, 1)
+    assert followed().points[-1, 2] - after.points[-1, 2] == pytest.approx(1, abs=1e-6)
+    assert len(live.session(held().data).stages) == stages
+    choose(-1)
+    assert len(extruded(0, 1, 0).points) == len(after.points) + 1
+    leave()
 
 
 def test_a_typed_number_goes_to_a_point_that_was_added():

@@ -23,6 +23,8 @@ class FileState:
     drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
     sights: dict = field(default_factory=dict)          # of a shape's data-block what bridge.sights keeps, until it changes
     handed: int = 0                                     # the last operator whose copies ui.editing looked at
+    seen: int = 0                                       # the last one that had ended when Blender told of a change, or drew
+    began: int = 0                                      # the last one that had ended when points of a curve were copied
     status: str = ""                                    # what ui.messages says in the status bar
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last

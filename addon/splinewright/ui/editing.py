@@ -313,7 +313,7 @@ def hand_over():
     """
     operators = bpy.context.window_manager.operators
     last = operators[-1] if len(operators) else None
-    if last is not None and last.as_pointer() != state.handed and _DUPLICATING.search(last.bl_idname):
+    if last is not None and last.as_pointer() not in (state.handed, state.began) and _DUPLICATING.search(last.bl_idname):
         state.handed = last.as_pointer()
         hand_over_now()
 

@@ -36,6 +36,7 @@ def updated(scene, depsgraph):
         follow.refresh_all(changed, depsgraph)
     elif changed:
         follow.refresh(changed, depsgraph)
+    state.seen = live.last_operator()
 
 
 @persistent

@@ -81,6 +81,7 @@ def take_back():
 
 def draw():
     """Called by Blender for each 3D view."""
+    state.seen = live.last_operator()
     lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
     if not lines:
         return

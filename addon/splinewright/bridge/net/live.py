@@ -29,6 +29,7 @@ class Session:
         self.made_with = net
         self.stages = {0: stages.Stage(net)}    # by their first numbers; of curves
         self.stage = self.stages[0]
+        self.extra = 0                          # how many points are passed over
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
@@ -239,12 +240,21 @@ def _follow(data, ob, current):
                 found = _read(data, ob, current)
         except FAILURES as error:
             refused = sentence(error)
+    if found.extra > current.extra and can_grow and last_operator() == state.seen:
+        state.began = state.seen        # it ended before points were copied: another is at work
+    current.extra = found.extra
     current.take(found.state, found.slots)
     problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, (current.stage.note, found.note))))
     definition = exact_net.read(current.net, found.state)
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
     return _show(data, definition, current), refused or found.problem
+
+
+def last_operator():
+    """What tells the last operator that has ended from others."""
+    operators = bpy.context.window_manager.operators
+    return operators[-1].as_pointer() if len(operators) else 0
 
 
 def _read(data, ob, current):

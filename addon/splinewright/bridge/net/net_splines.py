@@ -97,6 +97,9 @@ def _point_numbers(spline, net, seals):
     tilts, radii = (_values(_points_of(spline), name, 1)[:, 0] for name in ('tilt', 'radius'))
     whole = np.isfinite(tilts) & (tilts == np.rint(tilts))
     numbers = strays.of_net(np.where(whole, np.abs(tilts) - net.first, -1).astype(np.int64), radii, seals)
+    for i in np.flatnonzero((numbers < 0) & whole & (np.abs(tilts) < net.first)):
+        same = np.flatnonzero(seals == radii[i])        # a drag brings back the tilt that its points had when it began
+        numbers[i] = same[0] if len(same) == 1 else -1
     known = numbers >= 0
     are_bezier = net.spline_points[1]
     known[known] = are_bezier[numbers[known]] == (spline.type == 'BEZIER')      # otherwise it is of another type now
