@@ -11,11 +11,14 @@ class Layout:
     """Stands for Blender's UILayout."""
 
     def __init__(self, whole=None):
-        for name in ('texts', 'props', 'operators'):        # those of the whole, in its parts too
+        for name in ('texts', 'props', 'operators', 'disabled'):        # those of the whole, in its parts too
             object.__setattr__(self, name, getattr(whole, name) if whole else [])
+        object.__setattr__(self, 'enabled', whole.enabled if whole else True)
 
     def __setattr__(self, name, value):
-        """Such as alert."""
+        """Such as alert, which says nothing. A part of what is grey is grey."""
+        if name == 'enabled':
+            object.__setattr__(self, name, self.enabled and value)
 
     def label(self, text="", **_):
         self.texts.append(text)
@@ -27,6 +30,8 @@ class Layout:
 
     def operator(self, name, text="", **_):
         self.operators.append(name)
+        if not self.enabled:
+            self.disabled.append(name)
         module, function = name.split(".")
         self.texts.append(text or getattr(getattr(bpy.ops, module), function).get_rna_type().name)
         return SimpleNamespace()

@@ -7,6 +7,8 @@ import pytest
 from support import corner_normals, curve_points, part, scene_state, splinecore as sc, vertices
 
 CURVES = {
+    'add_line': sc.NurbsCurve,
+    'add_bezier_chain': sc.HermiteCurve,
     'add_bezier_curve': sc.BezierCurve,
     'add_hermite_curve': sc.HermiteCurve,
     'add_nurbs_curve': sc.NurbsCurve,
@@ -60,8 +62,18 @@ def test_degrees_counts_and_knots_reach_the_definition():
     patch = add('add_nurbs_patch', degree_u=2, degree_v=4, count_u=5, count_v=7, knots_u='PERIODIC').data.splinewright.value
     assert patch.degree == (2, 4) and patch.points.shape == (5, 7, 3) and patch.periodic == (True, False)
     assert add('add_bezier_curve', degree=11).data.splinewright.value.degree == 11
-    chain = add('add_hermite_curve', count=7, closed=True)
-    assert chain.data.splines[0].use_cyclic_u and len(chain.data.splinewright.value.points) == 8
+    for name in ('add_hermite_curve', 'add_bezier_chain'):
+        chain = add(name, count=7, closed=True)
+        assert chain.data.splines[0].use_cyclic_u and len(chain.data.splinewright.value.points) == 8
+    line = add('add_line', count=4).data.splinewright.value
+    assert line.degree == 1 and np.array_equal(line.points[:, 0], np.linspace(-1, 1, 4)) and not line.points[:, 1:].any()
+
+
+def test_the_handles_of_a_bezier_chain_are_a_third_of_the_way_between_the_neighbours():
+    value = add('add_bezier_chain', count=5).data.splinewright.value
+    first, second = value.to_bezier()[:2]
+    assert np.allclose(first.points[3] - first.points[2], second.points[1] - second.points[0])
+    assert np.allclose(second.points[1] - second.points[0], (0.25, 0, 0))
 
 
 def test_too_few_points_are_raised_to_what_the_degree_needs():

@@ -201,7 +201,7 @@ def test_a_damaged_or_newer_definition_breaks_no_panel():
     assert drawn() == []
 
 
-@pytest.mark.parametrize('number, text', ((0, "0"), (0.5, "0.5"), (1234.5, "1e+03"), (999.4, "999"), (1e-17, "1e-17"),
+@pytest.mark.parametrize('number, text', ((0, "0"), (0.5, "0.5"), (1234.5, "1e+03"), (999.4, "999"), (1e-17, "0"), (-1e-12, "0"), (2e-7, "2e-07"),
                                           (0.00123456, "0.00123"), (179.96, "180")))
 def test_numbers_are_short(number, text):
     assert panel._short(number) == text and len(text) <= 7

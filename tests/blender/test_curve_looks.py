@@ -113,7 +113,7 @@ def test_the_arms_of_a_hyperbola_that_are_within_reach_keep_their_looks(reach, a
 @pytest.mark.parametrize('cls', curve_verbs.CLASSES, ids=lambda cls: cls.bl_idname)
 def test_every_setting_is_described_and_shown(cls):
     rna = getattr(bpy.ops.splinewright, cls.bl_idname.split('.')[1]).get_rna_type()
-    properties = {p.identifier: p for p in rna.properties if p.identifier != 'rna_type'}
+    properties = {p.identifier: p for p in rna.properties if p.identifier != 'rna_type' and not p.is_hidden}
     assert all(p.name and (p.description or p.type == 'ENUM') for p in properties.values())
     assert {'REGISTER', 'UNDO'} <= cls.bl_options and cls.bl_description and not cls.bl_description.endswith('.')
     shown_names = set()
@@ -136,10 +136,14 @@ def drawn_by(cls, values):
         def row(self, align):
             return self
 
+        def column(self, align):
+            return self
+
         def operator(self, name, **_):
             return SimpleNamespace()
     own = {key: value for key, value in vars(cls).items() if key in ('settings', 'draw', 'allowed', 'limits')}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
-    panel = type("Panel", bases, {**own, '__annotations__': dict(cls.__annotations__), **values, 'layout': Layout()})()
+    own |= {'__annotations__': dict(cls.__annotations__), **values, 'result': "", 'layout': Layout()}
+    panel = type("Panel", bases, own)()
     panel.draw(None)
     return names

@@ -4,7 +4,7 @@ import bpy
 import pytest
 
 from curves import run, value_of, value_of_patch
-from shapes import activate, add, by_hand, enter, op, shown
+from shapes import activate, add, by_hand, enter, leave, op, shown
 from support import part
 
 curve_verbs, store = part('ui.operators.curve_verbs'), part('bridge.store')
@@ -109,7 +109,7 @@ def test_linked_and_overridden_shapes_and_newer_ones_are_refused(name, tmp_path)
 
 
 @pytest.mark.parametrize('name', NAMES)
-def test_an_operator_wants_a_selected_curve_shape_in_object_mode(name):
+def test_an_operator_wants_a_selected_curve_shape_or_its_net(name):
     operator = getattr(bpy.ops.splinewright, name)
     assert not operator.poll()
     add(value_of_patch())
@@ -121,6 +121,10 @@ def test_an_operator_wants_a_selected_curve_shape_in_object_mode(name):
     add(value_of('nurbs'), "curve")
     assert operator.poll()
     enter()
+    assert operator.poll()
+    leave()
+    add(value_of_patch())
+    enter()
     assert not operator.poll()
-    with pytest.raises(RuntimeError, match="Leave the present mode"):
+    with pytest.raises(RuntimeError, match="another kind of shape"):
         operator()

@@ -134,7 +134,7 @@ def test_a_net_that_is_damaged_is_said_kept_and_left_only_by_leaving(name):
 
 def attribute_damages():
     """Attributes of a cage that were taken away, or are of another kind or domain."""
-    for name in ("weight", "splinewright_vertex", "splinewright_vertex_mark"):
+    for name in ("weight", "splinewright_vertex", "splinewright_vertex_seal"):
         for kind, domain in ((None, None), ('FLOAT', 'POINT'), ('INT', 'POINT'), ('FLOAT', 'EDGE'), ('FLOAT_VECTOR', 'POINT'),
                              ('BOOLEAN', 'FACE')):
             yield name, kind, domain
@@ -152,7 +152,7 @@ def test_attributes_of_a_cage_that_are_gone_or_of_another_kind_are_a_sentence(na
     bpy.ops.object.mode_set(mode='EDIT')
     said = use(held, 0)
     is_own = (name, kind) == ("weight", 'FLOAT') and domain == 'POINT'
-    if name != "splinewright_vertex_mark":
+    if name != "splinewright_vertex_seal":
         assert ("net" in said or "weight of 0" in said) and live.problem(held) != "", (said, is_own)
     assert ob.data.splinewright.value == value
     require_no_traceback(capfd)

@@ -156,3 +156,67 @@ def test_export_needs_a_shape():
     bpy.context.view_layer.objects.active = None
     assert not bpy.ops.splinewright.export_json.poll()
     assert not bpy.ops.splinewright.export_bpt.poll()
+
+
+def three_shapes():
+    """A curve, a patch beside the origin, a set of two patches; all selected."""
+    bpy.ops.splinewright.add_line()
+    curve = bpy.context.object
+    bpy.ops.splinewright.add_bezier_patch(location=(5, 0, 0))
+    patch = bpy.context.object
+    bpy.ops.splinewright.add_bezier_patch(degree_u=2)
+    bpy.ops.splinewright.patch_split()
+    for ob in (curve, patch):
+        ob.select_set(True)
+    bpy.context.view_layer.update()
+    return curve, patch, bpy.context.object
+
+
+def test_json_of_all_selected_comes_in_as_as_many_objects(tmp_path):
+    made = three_shapes()
+    values = [ob.data.splinewright.value for ob in made]
+    path = str(tmp_path / "all.json")
+    assert bpy.ops.splinewright.export_json(filepath=path) == {'FINISHED'}
+    known = set(bpy.data.objects)
+    bpy.ops.splinewright.import_json(filepath=path)
+    again = [ob.data.splinewright.value for ob in set(bpy.data.objects) - known]
+    assert len(again) == 3 and all(any(type(a) is type(b) and a == b for b in again) for a in values[1:])
+    assert [values[0]] in again or values[0] in again
+
+
+def test_bpt_of_all_selected_leaves_curves_out_with_a_word(tmp_path, capfd):
+    three_shapes()
+    path = str(tmp_path / "all.bpt")
+    assert bpy.ops.splinewright.export_bpt(filepath=path) == {'FINISHED'}
+    assert "Exported 2 objects" in (said := capfd.readouterr().out) and "Line: BPT holds patches" in said
+    bpy.ops.splinewright.import_bpt(filepath=path)
+    assert len(bpy.context.object.data.splinewright.value) == 3
+
+
+@pytest.mark.parametrize('kind', ('json', 'bpt'))
+def test_transforms_are_written_on_request(kind, tmp_path):
+    _, patch, _ = three_shapes()
+    for ob in bpy.data.objects:
+        ob.select_set(ob == patch)
+    points = patch.data.splinewright.value.points
+    for wanted in (False, True):
+        path = str(tmp_path / f"{wanted}.{kind}")
+        getattr(bpy.ops.splinewright, f"export_{kind}")(filepath=path, transform=wanted)
+        getattr(bpy.ops.splinewright, f"import_{kind}")(filepath=path)
+        again = bpy.context.object.data.splinewright.value
+        found = again.points if kind == 'json' or len(again.points) == len(points) else again[0].points
+        assert np.array_equal(found.reshape(-1, 3), (points + ((5, 0, 0) if wanted else 0)).reshape(-1, 3))
+        bpy.data.objects.remove(bpy.context.object)
+        patch.select_set(True)
+        bpy.context.view_layer.objects.active = patch
+
+
+def test_what_a_format_cannot_hold_names_its_object(tmp_path):
+    three_shapes()
+    bpy.ops.splinewright.add_cylinder()
+    for ob in bpy.data.objects:
+        ob.select_set(True)
+    path = tmp_path / "weights.bpt"
+    with pytest.raises(RuntimeError, match="Cylinder: it is rational, and BPT holds no weights"):
+        bpy.ops.splinewright.export_bpt(filepath=str(path))
+    assert not path.exists() and not list(tmp_path.iterdir())

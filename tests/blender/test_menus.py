@@ -17,6 +17,8 @@ menus = part('ui.menus')
 class Drawn(list):
     """Stands for a UILayout: the names of what is put into it."""
 
+    enabled = True
+
     def operator(self, name, **_):
         self.append(name.split(".")[1])
         assert getattr(bpy.ops.splinewright, self[-1]).get_rna_type()
@@ -26,6 +28,9 @@ class Drawn(list):
         menu = getattr(bpy.types, name)
         menu.draw(SimpleNamespace(layout=self), bpy.context)
 
+    def row(self, **_):
+        return self
+
     def separator(self, **_):
         """Nothing is named."""
 
@@ -33,7 +38,7 @@ class Drawn(list):
 def drawn(menu):
     """What we add to one of Blender's menus, with what lies below."""
     layout = Drawn()
-    for name, draw in menus._PLACES:
+    for name, draw in (*menus._PLACES, *menus._TOPS):
         if name == menu:
             draw(SimpleNamespace(layout=layout), bpy.context)
     return layout
@@ -99,3 +104,9 @@ def test_no_operator_stands_twice_in_a_menu():
     for name, _ in menus._PLACES:
         found = drawn(name)
         assert len(found) == len(set(found)), name
+
+
+def test_what_most_begin_with_stands_first_under_add():
+    assert drawn("VIEW3D_MT_curve_add")[1:7] == ["add_line", "add_bezier_curve", "add_bezier_chain", "add_nurbs_curve",
+                                                 "add_circle", "add_arc"]
+    assert {"add_revolve", "add_extrude", "add_ruled"} <= set(drawn("VIEW3D_MT_surface_add"))

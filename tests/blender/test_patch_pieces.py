@@ -185,7 +185,7 @@ CHOICES = {'direction': tuple(DIRECTIONS), 'where': ('PARAMETER', 'KNOTS', 'SPAN
 @pytest.mark.parametrize('cls', (*patch_verbs.CLASSES, *extract.CLASSES), ids=lambda cls: cls.bl_idname)
 def test_every_setting_is_described_and_shown(cls):
     rna = getattr(bpy.ops.splinewright, cls.bl_idname.split('.')[1]).get_rna_type()
-    properties = {p.identifier: p for p in rna.properties if p.identifier != 'rna_type'}
+    properties = {p.identifier: p for p in rna.properties if p.identifier != 'rna_type' and not p.is_hidden}
     assert all(p.name and (p.description or p.type == 'ENUM') for p in properties.values())
     assert {'REGISTER', 'UNDO'} <= cls.bl_options and cls.bl_description and not cls.bl_description.endswith('.')
     shown_names = set()
@@ -208,10 +208,14 @@ def drawn_by(cls, values):
         def row(self, align=False):
             return self
 
+        def column(self, align):
+            return self
+
         def operator(self, name, **_):
             return SimpleNamespace()
     own = {key: value for key, value in vars(cls).items() if key == 'settings'}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
-    panel = type("Panel", bases, {**own, '__annotations__': dict(cls.__annotations__), **values, 'layout': Layout()})()
+    own |= {'__annotations__': dict(cls.__annotations__), **values, 'result': "", 'layout': Layout()}
+    panel = type("Panel", bases, own)()
     panel.draw(None)
     return names

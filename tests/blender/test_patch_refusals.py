@@ -6,7 +6,7 @@ import pytest
 import shapes
 from curves import run
 from patches import value_of
-from shapes import activate, add, by_hand, enter, op, shown
+from shapes import activate, add, by_hand, enter, leave, op, shown
 from support import part, scene_state, splinecore as sc
 
 patch_verbs, extract, store = (part(name) for name in (
@@ -131,7 +131,7 @@ def test_linked_and_overridden_shapes_and_newer_ones_are_refused(name, tmp_path)
 
 
 @pytest.mark.parametrize('name', (*NAMES, *EXTRACTING))
-def test_an_operator_wants_a_selected_patch_shape_in_object_mode(name):
+def test_an_operator_wants_a_selected_patch_shape_or_its_net(name):
     operator = getattr(bpy.ops.splinewright, name)
     assert not operator.poll()
     add(sc.BezierCurve(shapes.points(3)))
@@ -143,6 +143,13 @@ def test_an_operator_wants_a_selected_patch_shape_in_object_mode(name):
     add(value_of('plain nurbs'), "patch")
     assert operator.poll()
     enter()
+    assert operator.poll() == (name not in EXTRACTING)
+    if name in EXTRACTING:
+        with pytest.raises(RuntimeError, match="Leave Edit Mode"):
+            operator()
+    leave()
+    add(sc.BezierCurve(shapes.points(3)))
+    enter()
     assert not operator.poll()
-    with pytest.raises(RuntimeError, match="Leave the present mode|Leave Edit Mode"):
+    with pytest.raises(RuntimeError, match="another kind of shape|Leave Edit Mode"):
         operator()

@@ -31,7 +31,7 @@ def settings():
     return bpy.context.object.data.splinewright
 
 
-CURVES = ['add_bezier_curve', 'add_hermite_curve', 'add_nurbs_curve',
+CURVES = ['add_line', 'add_bezier_curve', 'add_bezier_chain', 'add_hermite_curve', 'add_nurbs_curve',
           *(f'add_{recipe.kind}' for recipe in table.STARTING if not recipe.is_surface)]
 SURFACES = ['add_bezier_patch', 'add_hermite_patch', 'add_nurbs_patch', 'add_teapot',
             *(f'add_{recipe.kind}' for recipe in table.STARTING if recipe.is_surface)]
@@ -154,13 +154,14 @@ def test_the_preferences_show_the_keys_as_the_user_has_them(wanted, monkeypatch)
     bpy.context.window_manager.keyconfigs.update()
     layout, items = drawn(wanted, monkeypatch)
     found = {item.idname: (keymap, item) for keymap, item in items}
-    assert set(found) == {"splinewright.edit_net", "splinewright.leave_net", "splinewright.join"}
+    assert set(found) == {"splinewright.edit_net", "splinewright.edit_source", "splinewright.leave_net",
+                          "splinewright.join", "splinewright.insert_here"}
     keymap, item = found["splinewright.join"]
     assert (item.type, item.ctrl, item.active) == ('J', True, True)
     keymap.keymap_items.remove(item)
     try:
         layout, items = drawn(wanted, monkeypatch)
-        assert len(items) == 2 and any("splinewright.join has no key" in text for text in layout.texts)
+        assert len(items) == 5 and any("splinewright.join has no key" in text for text in layout.texts)
     finally:
         keymap.restore_to_default()
 

@@ -5,13 +5,12 @@ import bpy
 from patches import MORE, value_of
 from shapes import activate, add, require_exact
 from support import part, vertices
-from test_random_walk import MOST_OBJECTS, SEED, Walk, run
+from test_random_walk import LARGEST, MOST_OBJECTS, SEED, Walk, run
 
 mesh_layers, overlay, shape, store, surveys = (part(name) for name in (
     'bridge.mesh_layers', 'ui.seams_overlay', 'bridge.shape', 'bridge.store', 'bridge.surveys'))
 VERBS = [cls.bl_idname.split('.')[1] for cls in part('ui.operators.patch_verbs').CLASSES]
 KINDS = (*MORE, 'bezier patch', 'hermite patch', 'nurbs patch', 'mixed set')
-LARGEST = 400                           # points of a shape that is still refined
 STEPS = 300
 
 

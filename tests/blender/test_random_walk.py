@@ -18,6 +18,9 @@ editing, handlers, live, net_object, selection, recipes, shape, store = (part(na
 STEPS = int(os.environ.get('SPLINEWRIGHT_STEPS', 10_000))
 SEED = int(os.environ.get('SPLINEWRIGHT_SEED', 20261121))
 MOST_OBJECTS = 9
+LARGEST = 400                           # points of a shape that is still refined
+VERBS = [cls.bl_idname.split('.')[1] for name in ('curve_verbs', 'patch_verbs')
+         for cls in part(f'ui.operators.{name}').CLASSES]
 KINDS = [name for name in VALUES if name != 'teapot']
 
 
@@ -133,6 +136,14 @@ class Walk:
                 numbers[self.random.integers(0, 4)] = self.random.uniform(0.5, 2)
                 ob.data.splinewright_points.numbers = numbers
                 self.push("type")
+
+    def edit_verb(self):
+        nets = editing.nets_in_edit_mode(bpy.context)
+        if any(len(session.net.rows) > LARGEST for session in map(live.known_session, (ob.data for ob in nets)) if session):
+            return
+        operator = getattr(bpy.ops.splinewright, self.any(VERBS))
+        if operator.poll():
+            self.op(operator)
 
     def edit_leave(self):
         if bpy.ops.splinewright.leave_net.poll():

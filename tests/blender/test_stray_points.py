@@ -142,18 +142,9 @@ def duplicated_curves():
     op(bpy.ops.curve.duplicate)
 
 
-def subdivided_curves():
-    bpy.ops.curve.select_all(action='SELECT')
-    op(bpy.ops.curve.subdivide, number_cuts=2)
-
-
 def curve_added():
     op(bpy.ops.curve.primitive_bezier_circle_add)
     op(bpy.ops.curve.primitive_nurbs_path_add)
-
-
-def clicked():
-    op(bpy.ops.curve.vertex_add, location=(3, 3, 3))
 
 
 def turned_and_extruded():
@@ -164,8 +155,7 @@ def turned_and_extruded():
     extruded_at_the_end()
 
 
-CURVE_GESTURES = (extruded_at_the_end, duplicated_points, duplicated_curves, subdivided_curves, curve_added, clicked,
-                  turned_and_extruded)
+CURVE_GESTURES = (extruded_at_the_end, duplicated_points, duplicated_curves, curve_added, turned_and_extruded)
 CURVES = ('nurbs', 'quintic', 'hermite', 'closed hermite', 'cubic', 'periodic', 'semicircle', 'many curves')
 
 
@@ -189,6 +179,7 @@ def test_what_a_gesture_adds_to_curves_is_passed_over_and_every_point_goes_on(ge
     gesture()
     held.data.update_tag()              # Blender tells of some when something moves next
     bpy.context.view_layer.update()
+    part('ui.editing').hand_over_now()  # a timer does in a window
     assert live.problem(held) == "" and value() == before
     assert (point_count(held) > count) == ("not of this net" in live.note(held))
     require_followed(held, pool())
@@ -204,16 +195,16 @@ def places():
     return net_object.net_of(store.read(bpy.data.objects["shape"].data)).positions
 
 
-@pytest.mark.parametrize('name', ('nurbs patch', 'hermite patch', 'teapot', 'nurbs', 'hermite', 'cubic', 'many curves'))
+@pytest.mark.parametrize('name', ('nurbs patch', 'hermite patch', 'teapot'))
 def test_points_that_were_deleted_stay_where_they_were_and_the_others_go_on(name):
     add(VALUES[name]())
     held = enter()
     numbers = numbers_of(held)
-    gone = ends(held)[0] if held.type == 'CURVE' else [0, 1]
+    gone = [0, 1]
     select(held, *gone)
     move(0, 0, 1)
     before = value()
-    op((bpy.ops.curve if held.type == 'CURVE' else bpy.ops.mesh).delete, type='VERT')
+    op(bpy.ops.mesh.delete, type='VERT')
     bpy.context.view_layer.update()
     assert f"lost points ({len(gone)} of {len(numbers.rows)})" in live.problem(held) and value() == before
     left = next(vertex for vertex in np.flatnonzero(numbers.are_points) if vertex not in gone)

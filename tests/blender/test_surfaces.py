@@ -126,5 +126,48 @@ def test_a_surface_cannot_follow_itself_by_a_curve_of_its_own():
     add(PROFILE)
     ob = add_recipe('revolve')
     activate(ob)
-    with pytest.raises(RuntimeError, match="a curve is needed"):
-        add_recipe('extrude')
+    assert not bpy.ops.splinewright.add_extrude.poll()
+
+
+XY = np.array([(1, 0, 0), (2, 1, 0), (1, 2, 0)], float)
+
+
+@pytest.mark.parametrize('points, axis', ((XY, 'y'), (XY[:, [0, 2, 1]], 'z'), (XY[:, [2, 0, 1]], 'z'),
+                                          (XY + ((0, 0, 0), (0, 0, 0.5), (0, 0, 0)), 'z')))
+def test_the_axis_is_the_one_that_the_profile_suggests(points, axis):
+    add(sc.BezierCurve(points))
+    ob = add_recipe('revolve')
+    assert recipes.parameters(ob.data)['axis'] == axis
+    bpy.data.objects.remove(ob)
+    activate(bpy.data.objects[0])
+    assert recipes.parameters(add_recipe('revolve', axis='x').data)['axis'] == 'x'
+
+
+def test_the_axis_of_blenders_own_profile():
+    bpy.ops.curve.primitive_bezier_curve_add()
+    assert recipes.parameters(add_recipe('revolve').data)['axis'] == 'y'
+
+
+def test_the_axis_may_lie_beside_the_origin_and_is_shown():
+    ob = add(sc.BezierCurve([(1, 0, 0), (1, 0, 2)]))
+    ob.location = (0, 0, 5)
+    bpy.context.view_layer.update()
+    made = add_recipe('revolve', axis='z', offset_x=3.0, offset_y=0.5)
+    value = made.data.splinewright.value
+    points = value.evaluate_grid(*(np.linspace(*domain, 9) for domain in value.domain))
+    assert np.allclose(np.linalg.norm(points[..., :2] - (3, 0.5), axis=-1), np.hypot(2, 0.5), rtol=1e-12)
+    bpy.context.view_layer.update()
+    line = part('ui.axis_overlay').line_of(made)
+    assert np.allclose(line[:, :2], (3, 0.5)) and line[0, 2] < 5 and line[1, 2] > 7
+    assert part('ui.axis_overlay').line_of(ob) is None and part('ui.axis_overlay').line_of(None) is None
+
+
+@pytest.mark.parametrize('kind, count', (('cylinder', 3), ('cone', 2)))
+def test_solids_are_closed_unless_one_says_otherwise(kind, count):
+    ob = add_recipe(kind)
+    edges = {}
+    for polygon in ob.data.polygons:
+        for edge in polygon.edge_keys:
+            edges[edge] = edges.get(edge, 0) + 1
+    assert len(ob.data.splinewright.value) == count and set(edges.values()) == {2}
+    assert isinstance(add_recipe(kind, caps=False).data.splinewright.value, sc.NurbsPatch)

@@ -120,7 +120,7 @@ def error_of_radius(kind, points):
 #: Our recipes with the numbers, and the start and way round, of Blender's own.
 LIKE_BLENDERS = {'sphere': {'radius': 1.0, 'start': math.pi},
                  'torus': {'radius': 0.75, 'tube_radius': 0.25, 'start': math.pi},
-                 'cylinder': {'radius': 1.0, 'height': 2.0, 'start': -math.pi / 2, 'sweep': -2 * math.pi}}
+                 'cylinder': {'radius': 1.0, 'height': 2.0, 'start': -math.pi / 2, 'sweep': -2 * math.pi, 'caps': False}}
 
 
 def recipe_points(kind, patch, u, v):

@@ -135,7 +135,7 @@ def test_what_cannot_be_made_is_refused_with_a_word():
     with pytest.raises(RuntimeError, match="there is no piece 2"):
         bpy.ops.splinewright.add_basis('EXEC_DEFAULT', True, piece=2)
     bpy.ops.splinewright.add_bezier_patch()
-    with pytest.raises(RuntimeError, match="a curve is needed"):
+    with pytest.raises(RuntimeError, match="Select one curve"):
         bpy.ops.splinewright.add_basis('EXEC_DEFAULT', True)
     bpy.ops.object.select_all(action='DESELECT')
     assert not bpy.ops.splinewright.add_basis.poll()

@@ -82,7 +82,7 @@ def knots(view):
             bpy.ops.splinewright.set_knots('EXEC_DEFAULT', True, axis='U', knots="0 0 0 0 3 2 3 3 3 3")
             raise AssertionError("decreasing knots were taken")
         except RuntimeError as error:
-            assert "below" in str(error)
+            assert "knot 6, 2, is smaller than the one before it, 3" in str(error)
     assert ob.data.splinewright.value != value
     ob.hide_set(True)
 

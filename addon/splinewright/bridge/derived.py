@@ -11,7 +11,7 @@ from .native import read_native
 
 def result(recipe, values, sources, owner, depsgraph):
     """What a recipe makes from objects, in the space of the object `owner`. Raises Refusal or an error of the library."""
-    inputs = [_definition_of(source, depsgraph) for source in sources]
+    inputs = [definition_of(source, depsgraph) for source in sources]
     if not recipe.is_beside:
         inputs = [_moved(definition, source, owner, depsgraph) for definition, source in zip(inputs, sources)]
     return recipe.make(inputs, **values)
@@ -43,7 +43,7 @@ def not_followed(source):
     return [] if shape.has_shape(source) else read_native.not_followed(source)
 
 
-def _definition_of(source, depsgraph):
+def definition_of(source, depsgraph):
     """What an object is now, in its own space. Raises Refusal if it shows nothing."""
     if shape.has_shape(source):
         return store.read(source.data)

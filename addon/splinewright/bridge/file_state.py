@@ -21,7 +21,10 @@ class FileState:
     problems: dict = field(default_factory=dict)        # of a data-block its problems, by what they are about
     selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
     drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
+    sights: dict = field(default_factory=dict)          # of a shape's data-block what bridge.sights keeps, until it changes
     handed: int = 0                                     # the last operator whose copies ui.editing looked at
+    seen: int = 0                                       # the last one that had ended when Blender told of a change, or drew
+    began: int = 0                                      # the last one that had ended when points of a curve were copied
     status: str = ""                                    # what ui.messages says in the status bar
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
@@ -33,6 +36,8 @@ class FileState:
     asked: dict = field(default_factory=dict)           # of ui.hand: what the last operator asked for pieces of
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
+    aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
+    was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode; of ui.detour
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
@@ -57,6 +62,7 @@ def look_again(block):
     name = key(block)
     state.selected.pop(name, None)
     state.drawn.pop(name, None)
+    state.sights.pop(name, None)
 
 
 def key(block):

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import bmesh
 import bpy
 import numpy as np
+from mathutils.interpolate import poly_3d_calc
 
 from . import versions
 
@@ -67,6 +68,17 @@ def parameters(mesh):
     if attribute is None or len(attribute.data) != len(mesh.loops):
         return None
     return read(attribute.data, 'vector', 3, np.float32)
+
+
+def parameters_at(mesh, face, point):
+    """(u, v) in [0, 1] of the patch at a point of one of its faces, also of an evaluated mesh; None where that has none."""
+    attribute = ours(mesh, PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
+    if attribute is None or face >= len(mesh.polygons):
+        return None
+    polygon = mesh.polygons[face]
+    weights = poly_3d_calc([mesh.vertices[vertex].co for vertex in polygon.vertices], point)
+    corners = np.array([attribute.data[corner].vector for corner in polygon.loop_indices])
+    return tuple(np.clip(np.array(weights) @ corners[:, :2], 0.0, 1.0).tolist())
 
 
 def read(data, field, width, dtype):

@@ -1,6 +1,7 @@
 """A shape is given other pieces, and its splines or faces keep what users put on them."""
 
 from ..core import verbs
+from ..core.failures import Refusal
 from . import curve_pieces, mesh_attributes, mesh_looks, recipes, shape, store, write_mesh
 from .look import Look
 
@@ -20,6 +21,15 @@ def require_changeable(data):
     recipes.require_free(data)
     shape.require_writable(data)
     shape.require_untouched(data)
+
+
+def can_change(data):
+    """Whether the definition can be changed."""
+    try:
+        require_changeable(data)
+    except Refusal:
+        return False
+    return True
 
 
 def do(data, number, verb, already):

@@ -16,7 +16,7 @@ from ..core import definition as definitions
 from ..core.definition import Definition, Piece
 from ..core.failures import Refusal, WrongKind
 from ..core.library import sc
-from .file_state import remember, state
+from .file_state import look_again, remember, state
 
 KEY = "splinewright_definition"
 _STAMP = "stamp"
@@ -50,6 +50,7 @@ def assign(owner, key, value):
 def write(data, definition):
     """Keep the definition with the data-block, in place of any before. The stamp goes with the old one."""
     assign(data, KEY, encoded(definition))
+    look_again(data)
 
 
 def digest(data):
@@ -110,6 +111,7 @@ def write_stamp(data, stamp):
     """Keep what identifies the geometry that was written: a few whole numbers below 2^53."""
     data[KEY]['version'] = VERSION
     assign(data[KEY], _STAMP, np.array(stamp, dtype=np.float64))
+    look_again(data)
 
 
 def write_final(data, stamp):

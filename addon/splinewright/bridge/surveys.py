@@ -1,6 +1,6 @@
 """What is shown of shapes beside themselves, worked out when their definition changes and not at every redraw."""
 
-from ..core import continuity, landmarks, seams, verbs
+from ..core import aiming, continuity, landmarks, offers, seams, verbs
 from . import store
 from .file_state import remember, state
 
@@ -33,6 +33,21 @@ def middles_of(data):
 def outlines_of(data):
     """For each piece of a definition the polylines of core.landmarks.outline(). Raises store.UnreadableDefinition."""
     return _kept('outlines', data, lambda definition: list(map(landmarks.outline, verbs.pieces_of(definition))))
+
+
+def pieces_of(data):
+    """The curves or patches of a definition. Raises store.UnreadableDefinition."""
+    return _kept('pieces', data, verbs.pieces_of)
+
+
+def samples_of(data):
+    """For each curve of a definition its core.aiming.Samples. Raises store.UnreadableDefinition."""
+    return _kept('samples', data, lambda definition: list(map(aiming.samples, verbs.pieces_of(definition))))
+
+
+def refused(data):
+    """Names of operators that have nothing to do with a definition. Raises store.UnreadableDefinition."""
+    return _kept('refused', data, offers.refused)
 
 
 def _survey(definition):

@@ -119,6 +119,19 @@ def to_value(definition):
     return patch_set[0] if definition.form == 'patch' else patch_set
 
 
+def are_same(one, other):
+    """Whether two definitions agree in every number."""
+    return np.array_equal(one.pool, other.pool) and have_same_pieces(one, other)
+
+
+def have_same_pieces(one, other):
+    """Whether two definitions agree in all but where their points are."""
+    return one.form == other.form and len(one.pieces) == len(other.pieces) and all(
+        a.kind == b.kind and a.degree == b.degree and a.periodic == b.periodic and np.array_equal(a.indices, b.indices)
+        and len(a.knots) == len(b.knots) and all(map(np.array_equal, a.knots, b.knots))
+        for a, b in zip(one.pieces, other.pieces))
+
+
 def to_patch_set(definition):
     """The patches of a definition as one PatchSet, also where it is a single patch."""
     patches = []

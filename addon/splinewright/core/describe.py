@@ -13,26 +13,26 @@ def lines(definition):
         return _summary(definition, noun)
     piece = pieces[0]
     found = [("Kind", f"{KINDS[piece.kind]} {noun}"),
-             ("Degree", _times(_degrees(piece, noun))),
+             ("Degree", _times(degrees(piece))),
              ("Points", _times(_counts(piece, noun)))]
     if piece.kind == 'nurbs':
         names = [""] if noun == "curve" else [" U", " V"]
         for name, knots, degree, periodic in zip(names, piece.knots, piece.degree, piece.periodic):
             found.append((f"Knots{name}", f"{len(knots)}, {knot_type(knots, degree, periodic)}"))
             found.append(("", knots_text(knots)))
-    if _is_rational(definition):
+    if is_rational(definition):
         found.append(("Weights", "rational"))
     return found
 
 
 def _summary(definition, noun):
     kinds = sorted({KINDS[piece.kind] for piece in definition.pieces})
-    degrees = sorted({_degrees(piece, noun) for piece in definition.pieces})
+    of_all = sorted({degrees(piece) for piece in definition.pieces})
     plural = "curves" if noun == "curve" else "patches"
     found = [("Kind", f"{len(definition.pieces)} {', '.join(kinds)} {plural}"),
-             ("Degrees", ", ".join(_times(d) for d in degrees)),
+             ("Degrees", ", ".join(_times(d) for d in of_all)),
              ("Points", f"{len(definition.pool)} in the pool")]
-    if _is_rational(definition):
+    if is_rational(definition):
         found.append(("Weights", "rational"))
     return found
 
@@ -53,10 +53,10 @@ def knots_text(knots, limit=12):
     return " ".join(texts)
 
 
-def _degrees(piece, noun):
-    axes = 1 if noun == "curve" else 2
+def degrees(piece):
+    """Of each axis of a piece."""
     if piece.kind == 'hermite':
-        return (3,) * axes
+        return (3,) * (piece.indices.ndim - 1)
     if piece.kind == 'bezier':
         return tuple(count - 1 for count in piece.indices.shape)
     return tuple(piece.degree)
@@ -70,6 +70,6 @@ def _times(numbers):
     return " × ".join(str(number) for number in numbers)
 
 
-def _is_rational(definition):
+def is_rational(definition):
     used = [piece.indices.ravel() for piece in definition.pieces if piece.kind != 'hermite']
     return bool(used) and bool((definition.pool[np.concatenate(used), 3] != 1.0).any())

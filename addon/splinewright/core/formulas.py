@@ -9,6 +9,8 @@ from .library import sc
 #: Spans of a curve that are written out, and the highest degree of one that is.
 MOST_SPANS = 16
 MOST_DEGREE = 30
+#: Parts of the size that come of rounding.
+_ROUNDING = 1e-12
 #: What a point may be off a conic, of the size of the terms.
 _SAME = 1e-10
 
@@ -37,8 +39,12 @@ def _lines_of(curve, conic):
     found += [("Conic", conic.type.replace("_", " ")), ("Equation", equation(conic))]
     if conic.eccentricity is not None:
         found.append(("Eccentricity", _number(conic.eccentricity)))
-    found += [("Focus", _vector(focus)) for focus in conic.foci]
-    return found
+    size = np.abs(_finite(curve.points)).max(initial=0.0)
+    return found + [("Focus", _vector(np.where(np.abs(focus) > _ROUNDING * size, focus, 0.0))) for focus in conic.foci]
+
+
+def _finite(points):
+    return points[np.isfinite(points)]
 
 
 def _is_one_arc(curve):

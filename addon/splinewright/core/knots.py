@@ -25,12 +25,23 @@ def replaced(definition, piece, axis, text):
     new = _numbers(text)
     if len(new) != len(old[axis]):
         raise Refusal(f"{len(new)} knots were given, {len(old[axis])} are needed for these points and this degree")
+    _require_order(new, is_parameters=definition.pieces[piece].kind == 'hermite')
     knots = tuple(new if i == axis else vector for i, vector in enumerate(old))
     pieces = list(definition.pieces)
     pieces[piece] = replace(pieces[piece], knots=knots)
     changed = replace(definition, pieces=tuple(pieces))
     definitions.to_value(changed)       # the library refuses what is not a knot vector
     return changed
+
+
+def _require_order(numbers, is_parameters):
+    """Raises Refusal where a number is smaller than the one before it, or of parameters not larger."""
+    steps = np.diff(numbers)
+    wrong = np.flatnonzero(steps <= 0 if is_parameters else steps < 0)
+    if len(wrong):
+        i, noun = int(wrong[0]), "parameter" if is_parameters else "knot"
+        how = "not larger" if is_parameters else "smaller"
+        raise Refusal(f"{noun} {i + 2}, {numbers[i + 1]:g}, is {how} than the one before it, {numbers[i]:g}")
 
 
 def _knots(definition, piece, axis):

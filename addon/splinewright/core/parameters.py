@@ -46,6 +46,11 @@ def span_middles(curve):
     return _spans(curve)[0]
 
 
+def span_widths(curve):
+    """How long every span is."""
+    return _spans(curve)[1]
+
+
 def spans_of(curve):
     """Pairs of where each span starts and ends, as parts of the domain."""
     ends, (start, end) = _ends(curve), curve.domain

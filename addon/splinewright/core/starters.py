@@ -34,6 +34,13 @@ def bezier_curve(degree):
     return sc.BezierCurve(_wave(degree + 1))
 
 
+def line(count):
+    """A polyline along the x axis."""
+    points = np.zeros((count, 3))
+    points[:, 0] = np.linspace(-1.0, 1.0, count)
+    return sc.NurbsCurve(1, knot_vector(1, count, 'CLAMPED'), points)
+
+
 def nurbs_curve(degree, count, knots):
     points = _circle(count) if knots == 'PERIODIC' else _wave(count)
     return sc.NurbsCurve(degree, knot_vector(degree, count, knots), points, periodic=knots == 'PERIODIC')
@@ -42,15 +49,25 @@ def nurbs_curve(degree, count, knots):
 def hermite_chain(count, closed):
     """A wave, or a closed chain that is nearly a circle."""
     if closed:
-        angles = np.arange(count + 1) * (2 * np.pi / count)
-        points = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count + 1)])
-        points[-1] = points[0]
+        points = _circle(count)[[*range(count), 0]]
         # The cubic through both ends that meets the circle in its middle (Hermite form of S8's arc).
         length = 4 * np.tan(np.pi / (2 * count))
-        tangents = length * np.column_stack([-points[:, 1], points[:, 0], points[:, 2]])
+        tangents = length * (np.column_stack([-points[:, 1], points[:, 0], points[:, 2]]) + 0.0)
         return sc.HermiteCurve(points, tangents)
     points = _wave(count)
     tangents = np.gradient(points, axis=0) if count > 1 else points
+    return sc.HermiteCurve(points, tangents)
+
+
+def bezier_chain(count, closed):
+    """Cubics whose handles are as long as a third of the way between the neighbours, as those of Blender's own; closed
+    it is nearly a circle."""
+    if closed:
+        return hermite_chain(count, True)
+    x = np.linspace(-1.0, 1.0, count)
+    points = _neat(np.column_stack([x, 0.5 * np.cos(np.pi * np.arange(count)), np.zeros(count)]))
+    tangents = np.zeros((count, 3))
+    tangents[:, 0] = 1.5 * (x[1] - x[0])
     return sc.HermiteCurve(points, tangents)
 
 
@@ -109,22 +126,27 @@ def scaled(value, factor):
     return value.with_points(value.points * factor)
 
 
+def _neat(points):
+    """Without the roundings of sines, and without -0."""
+    return np.round(points, 15) + 0.0
+
+
 def _wave(count):
     x = np.linspace(-1.0, 1.0, count)
     y = 0.5 * np.sin(np.pi * x) if count > 3 else 0.5 * (1.0 - x * x)
-    return np.column_stack([x, y, np.zeros(count)])
+    return _neat(np.column_stack([x, y, np.zeros(count)]))
 
 
 def _circle(count):
     angles = np.arange(count) * (2 * np.pi / count)
-    return np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)])
+    return _neat(np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)]))
 
 
 def _hill(count_u, count_v):
     x, y = np.meshgrid(np.linspace(-1.0, 1.0, count_u), np.linspace(-1.0, 1.0, count_v), indexing='ij')
     inside = np.zeros((count_u, count_v))
     inside[1:-1, 1:-1] = 1.0
-    return np.stack([x, y, inside * np.cos(0.5 * np.pi * x * 0.9) * np.cos(0.5 * np.pi * y * 0.9)], -1)
+    return _neat(np.stack([x, y, inside * np.cos(0.5 * np.pi * x * 0.9) * np.cos(0.5 * np.pi * y * 0.9)], -1))
 
 
 def _tube(around, along):
@@ -139,5 +161,5 @@ def _torus(around, across):
     angles = np.arange(across) * (2 * np.pi / across)
     radius, height = 1.0 + 0.4 * np.cos(angles), 0.4 * np.sin(angles)
     circle = _circle(around)
-    return np.stack([circle[:, None, 0] * radius, circle[:, None, 1] * radius,
-                     np.broadcast_to(height, (around, across))], -1)
+    return _neat(np.stack([circle[:, None, 0] * radius, circle[:, None, 1] * radius,
+                           np.broadcast_to(height, (around, across))], -1))

@@ -6,6 +6,13 @@ from . import preferences
 
 #: Of a seam whose continuity is not known.
 _UNKNOWN = (0.5, 0.5, 0.5, 1.0)
+#: Of ui.sights_overlay.
+CURVE = (0.3, 0.65, 1.0, 1.0)
+KNOTS, RIM = (1.0, 1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 1.0)
+NORMALS, HODOGRAPH, CIRCLE = (0.35, 0.9, 1.0, 0.9), (1.0, 0.75, 0.3, 1.0), (1.0, 1.0, 1.0, 0.8)
+FRAME = (1.0, 0.25, 0.3, 1.0), (0.5, 0.85, 0.2, 1.0), (0.25, 0.55, 1.0, 1.0)
+TEETH, BACK = (0.75, 0.5, 1.0, 0.55), (0.8, 0.55, 1.0, 1.0)
+KNOTS_OF_PATCHES, ISOCURVES = (0.02, 0.02, 0.05, 1.0), (0.05, 0.05, 0.1, 0.55)
 #: By the classes of core.seams, from a gap to curvatures that agree: the preference and what it is called.
 SEAMS = {-1: ("color_gap", "Gap"), 0: ("color_edge", "Edge"), 1: ("color_g1", "G1"), 2: ("color_g2", "G2")}
 
@@ -16,6 +23,11 @@ def of_net():
         theme = bpy.context.preferences.themes[0].view_3d
         return _opaque(theme.nurb_sel_uline), _opaque(theme.nurb_sel_vline)
     return _opaque(preferences.get().color_u), _opaque(preferences.get().color_v)
+
+
+def of_points():
+    """RGBA of control points that are not selected."""
+    return _opaque(bpy.context.preferences.themes[0].view_3d.vertex)
 
 
 def of_arrows():

@@ -9,8 +9,8 @@ from ..bridge.net import live, net_object
 from . import colors, hand, texts
 from .sub_panel import SubPanel
 
-#: Characters of a note that fit a line of the sidebar as wide as it opens.
-_WIDTH = 26
+#: Gaps, angles in degrees and differences of curvatures below it are none.
+_ROUNDING = 1e-9
 #: Characters of a name that leave room beside it.
 _SHORT = 14
 
@@ -21,16 +21,16 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return _shape_in_hand(context.object) is not None
+        return hand.shape_of(context.object) is not None
 
     def draw(self, context):
         try:
-            survey = surveys.survey_of(_shape_in_hand(context.object).data)
+            survey = surveys.survey_of(hand.shape_of(context.object).data)
         except store.UnreadableDefinition:
             return                      # the panel above says it
         if net_object.is_net(context.object) and live.problem(context.object):
-            texts.draw_note(self.layout, "As it was before the last change, which is not shown", _WIDTH)
-        data = _shape_in_hand(context.object).data
+            texts.draw_note(self.layout, "As it was before the last change, which is not shown")
+        data = hand.shape_of(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
         if not survey.count:
             self.layout.label(text="No seams" if is_surface else "No joints")
@@ -43,12 +43,6 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
             self.layout.prop(data.splinewright, "show_numbers")
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
         _draw_joints(self.layout, survey)
-
-
-def _shape_in_hand(ob):
-    """The shape that is active, or whose net is; None where there is none."""
-    owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
-    return owner if shape.has_shape(owner) else None
 
 
 def _draw_in_columns(layout, items):
@@ -89,8 +83,10 @@ def numbers(joint):
 
 
 def _short(number):
-    """At most seven characters."""
-    return f"{number:.3g}" if number == 0 or 1e-3 <= number < 999.5 else f"{number:.0e}"
+    """At most seven characters; what is rounding is 0."""
+    if abs(number) < _ROUNDING:
+        return "0"
+    return f"{number:.3g}" if 1e-3 <= number < 999.5 else f"{number:.0e}"
 
 
 CLASSES = (SPLINEWRIGHT_PT_continuity,)

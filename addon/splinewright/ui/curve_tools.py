@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import replacing
-from . import tools
+from . import hand, tools
 from .sub_panel import SubPanel
 
 _GROUPS = (
@@ -22,7 +22,13 @@ class SPLINEWRIGHT_MT_curve(bpy.types.Menu):
     bl_label = "Curve"
 
     def draw(self, context):
-        tools.draw_menu(self.layout, _GROUPS)
+        tools.draw_menu(self.layout, _GROUPS, list(filter(replacing.is_curve_shape, hand.shapes(context))))
+
+
+def draw_verbs(layout, context):
+    """Those that work while a net is edited."""
+    groups = [(label, [name for name in names if tools.works_on_nets(name)]) for label, names in _GROUPS]
+    tools.draw_menu(layout, groups, hand.shapes(context))
 
 
 class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
@@ -31,11 +37,10 @@ class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return replacing.is_curve_shape(context.object)
+        return replacing.is_curve_shape(hand.shape_of(context.object))
 
     def draw(self, context):
-        tools.draw_hand(self.layout, context.object.data)
-        tools.draw_panel(self.layout, _GROUPS)
+        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_curve_shape)
 
 
 CLASSES = (SPLINEWRIGHT_MT_curve, SPLINEWRIGHT_PT_curve_tools)

@@ -52,6 +52,12 @@ def nets_in_edit_mode(context):
     return [ob for ob in context.objects_in_mode if net_object.is_net(ob)]
 
 
+def is_in_result(context):
+    """Whether the mesh or curve that Splinewright wrote is in Edit Mode, not the net."""
+    ob = context.object
+    return ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob)
+
+
 def kept_net(data):
     """The net in Object Mode that edits a shape's data-block, which holds what that has not taken, or None."""
     return next((ob for ob in nets() if ob.mode == 'OBJECT' and net_object.is_current(ob)
@@ -178,7 +184,8 @@ def put_away(context, ob):
 
 
 def anew(context, nets):
-    """Put the nets away and out again, from what the shapes are now; points stay selected.
+    """Put the nets away and out again, from what the shapes are now; points stay selected, where there are others by
+    where they are.
 
     Returns warnings: why they did not come out again. The shapes are as they should be.
     """
@@ -186,7 +193,7 @@ def anew(context, nets):
     for ob in nets:
         owner, session = net_object.shape_of(ob), live.known_session(ob.data)
         if owner is not None and session is not None:
-            selections[owner.name] = selection.selected(ob, session.net)
+            selections[owner.name] = selection.selected(ob, session.net), session.points
     active = net_object.shape_of(context.object)
     leave(context)
     if active is None or context.view_layer.objects.get(active.name) != active:
@@ -197,10 +204,18 @@ def anew(context, nets):
     except FAILURES as error:
         return (f"the net did not come out again: {sentence(error)}",)
     for ob in out:
-        net = live.session(ob.data).net
-        chosen = selections.get(net_object.shape_of(ob).name, ())
-        selection.select(ob, net, [vertex for vertex in chosen if vertex < len(net.rows)])
+        session, owner = live.session(ob.data), net_object.shape_of(ob)
+        if owner.name in selections:
+            selection.select(ob, session.net, _same(session.points, *selections[owner.name]))
     return ()
+
+
+def _same(points, chosen, before):
+    """Of points (n, 3) those that were chosen among the ones before."""
+    if len(points) == len(before):
+        return chosen
+    positions = {tuple(point) for point in before[chosen].tolist()}
+    return [i for i, point in enumerate(points.tolist()) if tuple(point) in positions]
 
 
 def sweep():
@@ -298,7 +313,7 @@ def hand_over():
     """
     operators = bpy.context.window_manager.operators
     last = operators[-1] if len(operators) else None
-    if last is not None and last.as_pointer() != state.handed and _DUPLICATING.search(last.bl_idname):
+    if last is not None and last.as_pointer() not in (state.handed, state.began) and _DUPLICATING.search(last.bl_idname):
         state.handed = last.as_pointer()
         hand_over_now()
 
@@ -313,6 +328,7 @@ def hand_over_now():
         if session is not None and live.note(ob) and not free_net.is_free(ob.data):
             with suppress(Refusal):     # of which live.problem() tells
                 selection.hand_over(ob, session.net)
+                live.pass_over(ob)
 
 
 def _is_in(layer, ob):

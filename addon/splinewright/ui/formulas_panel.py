@@ -5,6 +5,7 @@ import bpy
 from ..bridge import replacing, store
 from ..core import definition as definitions
 from ..core import formulas
+from . import texts
 from .sub_panel import SubPanel
 
 #: Curves with more control points than this are no conic that one would call so.
@@ -24,7 +25,9 @@ class SPLINEWRIGHT_PT_formulas(SubPanel, bpy.types.Panel):
         for label, text in _conic(context.object.data):
             row = column.split(factor=0.3)
             row.label(text=label)
-            row.label(text=text)
+            lines = row.column(align=True)
+            for line in texts.lines(text):
+                lines.label(text=line)
         self.layout.operator("splinewright.write_formulas", icon='TEXT')
 
 

@@ -1,9 +1,36 @@
-"""The pieces in hand: the numbers with which operators begin that ask for pieces of a shape."""
+"""The shape in hand, and its pieces in hand: the numbers with which operators begin that ask for pieces of a shape."""
+
+import numpy as np
 
 from ..bridge import settings, shape, store
 from ..bridge.file_state import state
+from ..bridge.net import live, net_object, selection
+from . import editing
 
 _NAMES = ('piece', 'other_piece')
+
+
+def shape_of(ob):
+    """The shape that an object is, or whose net it is; None where it is neither."""
+    owner = net_object.shape_of(ob) if net_object.is_net(ob) else ob
+    return owner if shape.has_shape(owner) else None
+
+
+def shapes(context):
+    """The shapes whose nets are edited, or those that are selected in Object Mode."""
+    obs = editing.nets_in_edit_mode(context) or (context.selected_objects if context.mode == 'OBJECT' else [])
+    return [owner for owner in map(shape_of, obs) if owner is not None]
+
+
+def pieces_of_points(ob):
+    """Numbers from 0 of the pieces that have a selected point or handle of a net in Edit Mode; of all where none is
+    selected."""
+    session = live.known_session(ob.data)
+    if session is None:
+        return []
+    rows = session.net.rows[selection.selected(ob, session.net)]
+    pieces = session.net.definition.pieces
+    return [i for i, piece in enumerate(pieces) if not len(rows) or np.isin(rows, piece.indices).any()]
 
 
 def of(data):
@@ -43,11 +70,14 @@ def keep(data, parents):
             setattr(chosen, name, parents.index(number - 1) + 1 if number - 1 in parents else 0)
 
 
-def begin(operator, obs):
-    """Set an operator's `piece`, where it was not given, to the piece in hand: of one shape, as several have several."""
+def begin(operator, obs, nets=()):
+    """Set an operator's `piece`, where it was not given, to the piece in hand: of one shape, as several have several; and
+    where its net is edited to the one of the selected points."""
     shapes = [ob for ob in obs if shape.has_shape(ob)]
     if len(shapes) == 1 and not operator.properties.is_property_set('piece'):
-        operator.piece = of(shapes[0].data)[0] or operator.piece
+        of_points = pieces_of_points(nets[0]) if nets else ()
+        alone = of_points[0] + 1 if len(of_points) == 1 < count_of(shapes[0].data) else 0
+        operator.piece = alone or of(shapes[0].data)[0] or operator.piece
 
 
 def begin_pair(operator, context):

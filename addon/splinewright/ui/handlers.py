@@ -36,13 +36,14 @@ def updated(scene, depsgraph):
         follow.refresh_all(changed, depsgraph)
     elif changed:
         follow.refresh(changed, depsgraph)
+    state.seen = live.last_operator()
 
 
 @persistent
 def undone(*_):
     """After undo and redo every object is another."""
     _put_back_after_failure()
-    for known in (state.touched, state.selected, state.drawn, state.shown):
+    for known in (state.touched, state.selected, state.drawn, state.sights, state.shown):
         known.clear()
     editing.awaken()
     editing.find_nets()

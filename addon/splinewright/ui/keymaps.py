@@ -1,12 +1,15 @@
-"""Tab and Ctrl+J on shapes. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J and Ctrl+R on shapes and nets. The operators' polls let the keys pass for everything else."""
 
 import bpy
 
 #: Keymap, operator, key, control; the first that applies is taken.
 _ITEMS = (
     ('Object Non-modal', "splinewright.edit_net", 'TAB', False),
+    ('Object Non-modal', "splinewright.edit_source", 'TAB', False),
     ('Object Non-modal', "splinewright.leave_net", 'TAB', False),
     ('Object Mode', "splinewright.join", 'J', True),
+    ('Mesh', "splinewright.insert_here", 'R', True),
+    ('Curve', "splinewright.insert_here", 'R', True),
 )
 
 _made = []

@@ -2,16 +2,19 @@
 
 import bpy
 
-from ..bridge import baking, shape
-from ..bridge.net import net_object
-from ..core.recipes.table import DERIVED, FOLLOW, STARTING
-from . import curve_tools, patch_tools, tools
+from ..core.recipes.table import DERIVED, FOLLOW, FROM_CURVES, STARTING
+from . import curve_tools, editing, kinds, patch_tools, tools
 
+#: What stands above all others, as most is begun with it.
+_FIRST_CURVES = (('line', 'IPO_LINEAR'), ('bezier_curve', 'CURVE_BEZCURVE'), ('bezier_chain', 'CURVE_PATH'),
+                 ('nurbs_curve', 'CURVE_NCURVE'), ('circle', 'MESH_CIRCLE'), ('arc', 'SPHERECURVE'))
 #: Conics come before it, splines and formulas from it on.
 _FIRST_SPLINE = 'catmull_rom'
-_ICONS = {'circle': 'MESH_CIRCLE', 'arc': 'SPHERECURVE', 'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
+_ICONS = {'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
           'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE', 'plane': 'MESH_PLANE', 'cylinder': 'MESH_CYLINDER',
           'cone': 'MESH_CONE', 'sphere': 'MESH_UVSPHERE', 'torus': 'MESH_TORUS', 'surface_formula': 'FILE_TEXT'}
+#: They need selected curves, and are grey without them.
+_FROM_CURVES_ICONS = {'revolve': 'MOD_SCREW', 'extrude': 'MOD_SOLIDIFY', 'ruled': 'MOD_LATTICE'}
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
@@ -21,11 +24,12 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
     def draw(self, context):
         layout = self.layout
         layout.operator_context = 'INVOKE_REGION_WIN'
-        layout.operator("splinewright.add_bezier_curve", text="Bezier Curve", icon='CURVE_BEZCURVE')
-        layout.operator("splinewright.add_hermite_curve", text="Hermite Chain", icon='CURVE_PATH')
-        layout.operator("splinewright.add_nurbs_curve", text="NURBS Curve", icon='CURVE_NCURVE')
+        for name, icon in _FIRST_CURVES:
+            layout.operator(f"splinewright.add_{name}", text=tools.text_of(f"add_{name}"), icon=icon)
         layout.separator()
-        for recipe in (recipe for recipe in STARTING if not recipe.is_surface):
+        layout.operator("splinewright.add_hermite_curve", text="Hermite Chain", icon='CURVE_DATA')
+        first = [name for name, _ in _FIRST_CURVES]
+        for recipe in (recipe for recipe in STARTING if not recipe.is_surface and recipe.kind not in first):
             if recipe.kind == _FIRST_SPLINE:
                 layout.separator()
             icon = _ICONS.get(recipe.kind, 'CURVE_DATA')
@@ -46,6 +50,9 @@ class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
         for recipe in (recipe for recipe in STARTING if recipe.is_surface):
             icon = _ICONS.get(recipe.kind, 'SURFACE_DATA')
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
+        layout.separator()
+        for recipe in FROM_CURVES:
+            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_FROM_CURVES_ICONS[recipe.kind])
         layout.separator()
         layout.operator("splinewright.add_teapot", text="Newell's Teapot", icon='MESH_UVSPHERE')
 
@@ -70,63 +77,48 @@ def _draw_export(self, context):
     self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.json)")
 
 
-_SHAPES = {'curve', 'patch'}
-_ALL = {'curve', 'patch', 'native', 'baked'}
-
-
-def _kinds(context):
-    """What is selected of what entries concern: shapes of curves or patches, baked ones, Blender's own objects."""
-    found = set()
-    for ob in context.selected_objects:
-        if shape.has_shape(ob):
-            found.add('curve' if ob.type == 'CURVE' else 'patch')
-        elif baking.is_baked(ob.data):
-            found.add('baked')
-        elif ob.type in ('CURVE', 'SURFACE'):
-            found.add('native')
-    return found
-
-
 def _draw_apply(self, context):
-    if _kinds(context) & _SHAPES:
+    if kinds.selected(context) & kinds.SHAPES:
         self.layout.separator()
         self.layout.operator("splinewright.apply_transform", text="Splinewright: Transform into Definition")
 
 
 def _draw_convert(self, context):
-    kinds = _kinds(context)
-    if kinds:
+    found = kinds.selected(context)
+    if found:
         self.layout.separator()
-    if 'native' in kinds:
+    if 'native' in found:
         self.layout.operator("splinewright.make_exact", text="Splinewright: Make Exact")
-    if kinds & _SHAPES:
+    if found & kinds.SHAPES:
         self.layout.operator("splinewright.to_native", text="Splinewright: To Blender's Own")
 
 
 #: Names of operators and menus, with what they concern, in groups.
 _ENTRIES = (
-    (('edit_net', _SHAPES), ('set_knots', _SHAPES), ('pick_piece', _SHAPES),
+    (('edit_net', kinds.SHAPES), ('insert_here', kinds.SHAPES), ('set_knots', kinds.SHAPES), ('pick_piece', kinds.SHAPES),
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
-    (('make_exact', {'native'}), ('to_native', _SHAPES), ('follow_object', _SHAPES | {'native'}), ('make_editable', _SHAPES),
-     ('bake_animation', _SHAPES), ('unbake', {'baked'})),
+    (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
+     ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
     tuple((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW),
-    (('join', _SHAPES), ('apply_transform', _SHAPES), ('adopt_transform', _SHAPES)),
-    (('restore', _SHAPES), ('detach', _SHAPES)))
+    (('join', kinds.SHAPES), ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
+    (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))
 _ENTRY_ICONS = {'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_piece': 'EYEDROPPER',
                 curve_tools.SPLINEWRIGHT_MT_curve: 'CURVE_DATA', patch_tools.SPLINEWRIGHT_MT_patch: 'SURFACE_DATA'}
 
 
-def _draw_entries(layout, kinds):
-    """Those that concern one of these kinds."""
+def _draw_entries(layout, found, obs):
+    """Those that concern one of these kinds; what would be refused for all the objects is grey."""
     layout.operator_context = 'INVOKE_REGION_WIN'
-    groups = [[entry for entry, concerned in group if concerned & kinds] for group in _ENTRIES]
+    groups = [[entry for entry, concerned in group if concerned & found] for group in _ENTRIES]
     for i, group in enumerate(filter(None, groups)):
         if i:
             layout.separator()
         for entry in group:
             icon = _ENTRY_ICONS.get(entry, 'NONE')
             if isinstance(entry, str):
-                layout.operator(f"splinewright.{entry}", text=tools.text_of(entry), icon=icon)
+                row = layout.row()
+                row.enabled = not tools.is_refused(entry, obs)
+                row.operator(f"splinewright.{entry}", text=tools.text_of(entry), icon=icon)
             else:
                 layout.menu(entry.bl_idname, icon=icon)
 
@@ -136,7 +128,7 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
     bl_label = "Splinewright"
 
     def draw(self, context):
-        _draw_entries(self.layout, _ALL)
+        _draw_entries(self.layout, kinds.ALL, context.selected_objects)
 
 
 class SPLINEWRIGHT_MT_object_context(bpy.types.Menu):
@@ -144,7 +136,7 @@ class SPLINEWRIGHT_MT_object_context(bpy.types.Menu):
     bl_label = "Splinewright"
 
     def draw(self, context):
-        _draw_entries(self.layout, _kinds(context))
+        _draw_entries(self.layout, kinds.selected(context), context.selected_objects)
 
 
 def _draw_object(self, context):
@@ -154,22 +146,47 @@ def _draw_object(self, context):
 
 
 def _draw_object_context(self, context):
-    if _kinds(context):
+    if kinds.selected(context):
         self.layout.separator()
         self.layout.menu(SPLINEWRIGHT_MT_object_context.bl_idname, icon='SURFACE_DATA')
 
 
+class SPLINEWRIGHT_MT_net(bpy.types.Menu):
+    """While a net is edited: in the header, and on top of Blender's context menu."""
+
+    bl_idname = "SPLINEWRIGHT_MT_net"
+    bl_label = "Splinewright"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        layout.operator("splinewright.leave_net", icon='CHECKMARK')
+        layout.operator("splinewright.renew_net", icon='FILE_REFRESH')
+        layout.separator()
+        layout.operator("splinewright.insert_here")
+        layout.operator("splinewright.set_knots")
+        layout.operator("splinewright.point_to_infinity")
+        layout.operator("splinewright.point_from_infinity")
+        layout.separator()
+        tools = curve_tools if isinstance(context.object.data, bpy.types.Curve) else patch_tools
+        tools.draw_verbs(layout, context)
+
+
 def _draw_net(self, context):
-    if any(net_object.is_net(ob) for ob in context.objects_in_mode):
-        self.layout.operator("splinewright.leave_net")
-        self.layout.operator("splinewright.point_to_infinity")
-        self.layout.operator("splinewright.point_from_infinity")
+    if editing.nets_in_edit_mode(context):
+        self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname, icon='SURFACE_DATA')
         self.layout.separator()
 
 
-CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object,
-           SPLINEWRIGHT_MT_object_context)
+def _draw_net_header(self, context):
+    if editing.nets_in_edit_mode(context):
+        self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname)
 
+
+CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object,
+           SPLINEWRIGHT_MT_object_context, SPLINEWRIGHT_MT_net)
+
+#: Blender's menus that ours are added to, at the end or before all else.
 _PLACES = (
     ("VIEW3D_MT_curve_add", _draw_curve_add),
     ("VIEW3D_MT_surface_add", _draw_surface_add),
@@ -177,18 +194,25 @@ _PLACES = (
     ("VIEW3D_MT_object_context_menu", _draw_object_context),
     ("VIEW3D_MT_object_apply", _draw_apply),
     ("VIEW3D_MT_object_convert", _draw_convert),
-    ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
-    ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
+    ("VIEW3D_MT_editor_menus", _draw_net_header),
     ("TOPBAR_MT_file_import", _draw_import),
     ("TOPBAR_MT_file_export", _draw_export),
+)
+
+
+_TOPS = (
+    ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
+    ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
 )
 
 
 def register():
     for menu, draw in _PLACES:
         getattr(bpy.types, menu).append(draw)
+    for menu, draw in _TOPS:
+        getattr(bpy.types, menu).prepend(draw)
 
 
 def unregister():
-    for menu, draw in _PLACES:
+    for menu, draw in (*_PLACES, *_TOPS):
         getattr(bpy.types, menu).remove(draw)

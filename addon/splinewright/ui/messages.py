@@ -5,7 +5,7 @@ import blf
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import problems
+from ..bridge import problems, shape
 from ..bridge.file_state import state
 from ..bridge.net import live, net_object
 from . import editing
@@ -25,7 +25,13 @@ def said(layer):
     for ob in editing.nets() if state.nets else ():
         if layer.objects.get(ob.name) == ob:
             found += _of_edited(ob) if ob.mode == 'EDIT' else _of_kept(ob)
-    return found
+    return found + list(_of_result(layer.objects.active))
+
+
+def _of_result(ob):
+    if ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob):
+        yield f"{ob.name}: this is the result, not the net: what is changed here is changed by hand", WARNING
+        yield "Back to the Net, Restore and Detach are in the sidebar; Tab leaves", NOTE
 
 
 def _of_edited(ob):
@@ -75,6 +81,7 @@ def take_back():
 
 def draw():
     """Called by Blender for each 3D view."""
+    state.seen = live.last_operator()
     lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
     if not lines:
         return

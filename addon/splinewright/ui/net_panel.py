@@ -1,11 +1,11 @@
 """What the panel shows while a net is edited."""
 
-import numpy as np
+import bpy
 
-from ..bridge import recipes, store
+from ..bridge import recipes, sights, store
 from ..bridge.net import live, net_object
 from ..core import describe
-from . import net_props, recipe_props, settings_panel, texts
+from . import hand, net_props, recipe_props, settings_panel, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
@@ -29,7 +29,7 @@ def draw(layout, ob):
         if recipes.has(owner.data):
             recipe_props.draw(layout.box(), owner.data, is_net_out=True)
         else:
-            _draw_knots(layout, definition, _pieces_in_hand(ob, session))
+            _draw_knots(layout, definition, hand.pieces_of_points(ob))
         layout.separator()
         settings_panel.draw(layout, owner.data, definition, has_buttons=False)
     except store.UnreadableDefinition as error:
@@ -39,10 +39,10 @@ def draw(layout, ob):
 def _draw_state(layout, ob, owner):
     """The way out of a net, or back into one that was kept, and what its shape does not take."""
     if ob.mode == 'EDIT':
-        layout.operator("splinewright.leave_net", text=f"Done with {owner.name}", icon='CHECKMARK')
-        layout.prop(ob, "show_in_front", text="Show Points Behind")
+        layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
+        layout.prop(sights.of(bpy.context.scene), "points_behind", text="Show Points Behind")
     else:
-        layout.operator("splinewright.edit_net", text=f"Go on with the Net of {owner.name}", icon='EDITMODE_HLT')
+        layout.operator("splinewright.edit_net", text=f"Go on with {texts.short(owner.name)}", icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)
     if problem:
         texts.draw_problem(layout, problem)
@@ -61,6 +61,12 @@ def _draw_points(layout, ob, session, has_weights):
         return
     box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
     points = data.splinewright_points
+    box.row(align=True).prop(points, "space", expand=True)
+    if len(vertices) > 1:
+        column = box.column(align=True)
+        column.label(text="Median")
+        for axis in range(3):
+            column.prop(points, "median", index=axis, text="XYZ"[axis])
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
         column.label(text=_name(session.net, vertex))
@@ -87,15 +93,6 @@ def _name(net, vertex):
     if any(head == vertex for _, head in net.arrows):
         return f"Direction at infinity {vertex}"
     return f"Handle {vertex}"
-
-
-def _pieces_in_hand(ob, session):
-    """Numbers of the pieces that have a selected point or handle; of all where none is selected."""
-    net = session.net
-    _, vertices = net_props.chosen(ob.data)
-    rows = net.rows[vertices]
-    pieces = net.definition.pieces
-    return [i for i, piece in enumerate(pieces) if not len(rows) or np.isin(rows, piece.indices).any()]
 
 
 def _draw_knots(layout, definition, pieces):

@@ -4,7 +4,7 @@ from contextlib import suppress
 
 import bpy
 import numpy as np
-from bpy.props import FloatProperty, FloatVectorProperty, PointerProperty
+from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
 
 from ..bridge.file_state import look_again
 from ..bridge.net import live, selection
@@ -14,6 +14,8 @@ from . import editing
 
 #: Points whose numbers are shown at once: Blender's vectors hold 32 numbers.
 SHOWN = 8
+#: Parts of the largest coordinate that come of rounding.
+_ROUNDING = 1e-15
 
 
 def net_of(data):
@@ -46,9 +48,54 @@ def _get_numbers(self):
     ob, vertices = chosen(self.id_data)
     numbers = np.zeros((SHOWN, 4))
     if ob:
-        rows = _exact_rows(self.id_data, vertices[:SHOWN])
+        rows = _seen(self, ob, _exact_rows(self.id_data, vertices[:SHOWN]))
         numbers[:len(rows)] = rows
     return numbers.ravel()
+
+
+def _seen(self, ob, rows):
+    """Rows x, y, z, w in the space that was chosen; roundings and -0 are 0."""
+    seen = rows.copy()
+    if self.space == 'GLOBAL':
+        matrix = np.array(ob.matrix_world, dtype=np.float64)
+        seen[:, :3] = seen[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
+    size = np.abs(seen[:, :3]).max(initial=0.0)
+    seen[:, :3][np.abs(seen[:, :3]) <= _ROUNDING * size] = 0.0
+    return seen + 0.0
+
+
+def _put(self, ob, vertices, rows, seen, wanted):
+    """Move vertices from what is seen to what is wanted; nothing where that is the same."""
+    changed = np.flatnonzero((wanted != seen).any(1))
+    if not len(changed):
+        return
+    rows = rows.copy()
+    if self.space == 'GLOBAL':
+        matrix = np.array(ob.matrix_world, dtype=np.float64)
+        if not abs(np.linalg.det(matrix[:3, :3])) > 0.0:
+            return
+        wanted = wanted.copy()
+        wanted[:, :3] = (wanted[:, :3] - matrix[:3, 3]) @ np.linalg.inv(matrix[:3, :3]).T
+        rows[changed] = wanted[changed]
+    else:
+        rows = np.where(wanted != seen, wanted, rows)
+    _move(ob, [vertices[i] for i in changed], rows[changed])
+
+
+def _get_median(self):
+    ob, vertices = chosen(self.id_data)
+    return _seen(self, ob, _exact_rows(self.id_data, vertices))[:, :3].mean(0) if ob and len(vertices) else np.zeros(3)
+
+
+def _set_median(self, median):
+    ob, vertices = _chosen_now(self.id_data)
+    if not ob or not len(vertices):
+        return
+    rows = _exact_rows(self.id_data, vertices)
+    seen = _seen(self, ob, rows)
+    was = seen[:, :3].mean(0)
+    steps = [decimals.typed(to) - at if np.float32(to) != np.float32(at) else 0.0 for to, at in zip(median, was)]
+    _put(self, ob, vertices, rows, seen, seen + [*steps, 0.0])
 
 
 def _set_numbers(self, numbers):
@@ -58,12 +105,11 @@ def _set_numbers(self, numbers):
         return
     vertices = vertices[:SHOWN]
     rows = _exact_rows(data, vertices)
-    wanted = np.array(numbers, np.float32).reshape(SHOWN, 4)[:len(rows)]
-    different = wanted != rows.astype(np.float32)
-    rows[different] = [decimals.typed(value) for value in wanted[different]]
-    changed = np.flatnonzero(different.any(1))
-    if len(changed):
-        _move(ob, [vertices[i] for i in changed], rows[changed])
+    seen = _seen(self, ob, rows)
+    typed, wanted = np.array(numbers, np.float32).reshape(SHOWN, 4)[:len(rows)], seen.copy()
+    different = typed != seen.astype(np.float32)
+    wanted[different] = [decimals.typed(value) for value in typed[different]]
+    _put(self, ob, vertices, rows, seen, wanted)
 
 
 def _move(ob, vertices, rows):
@@ -100,8 +146,14 @@ class SplinewrightNet(bpy.types.PropertyGroup):
     keys and drivers on it would not hold, and there are none."""
 
     numbers: FloatVectorProperty(
-        name="Coordinates", description="Coordinates and weights of the selected points, in the shape's own space",
+        name="Coordinates", description="Coordinates and weights of the selected points",
         size=4 * SHOWN, get=_get_numbers, set=_set_numbers, precision=5, options=set())
+    median: FloatVectorProperty(
+        name="Median", description="The mean of the selected points and handles: all move with it",
+        size=3, get=_get_median, set=_set_median, precision=5, options=set())
+    space: EnumProperty(
+        name="Space", description="In which space coordinates are shown and typed", options=set(), items=(
+            ('LOCAL', "Local", "The shape's own space"), ('GLOBAL', "Global", "The world")))
     weight: FloatProperty(
         name="Weight", description="Weight of all selected points: above 1 pulls the shape nearer",
         get=_get_weight, set=_set_weight, precision=5, step=10, options=set())

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..bridge import shape, surveys
 from ..bridge.file_state import state
-from ..bridge.net import net_object
 from . import hand, picking, strokes
 
 #: Of other pieces, of those in hand, of the one at the mouse.
@@ -38,9 +37,8 @@ def shown(context):
     if state.picking:
         found = state.picking
     else:
-        ob = context.object
-        owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
-        is_shown = shape.has_shape(owner) and (state.asking or owner.data.splinewright.show_numbers)
+        owner = hand.shape_of(context.object)
+        is_shown = owner is not None and (state.asking or owner.data.splinewright.show_numbers)
         found = {**({owner.name: hand.counted(owner.data)} if is_shown else {}), **_asked(context)}
     obs = {name: context.view_layer.objects.get(name) for name in found}
     marked = _settings(context) if found is state.picking or _asked(context) else None

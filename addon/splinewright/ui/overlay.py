@@ -29,7 +29,7 @@ def _draw_net(ob, current):
     if name not in state.drawn:
         state.drawn[name] = list(_strokes(ob, current))
     gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-    with gpu.matrix.push_pop():
+    with gpu.matrix.push_pop(), strokes.nearer():
         gpu.matrix.multiply_matrix(ob.matrix_world)
         strokes.draw(state.drawn[name])
     gpu.state.depth_test_set('NONE')
@@ -40,8 +40,7 @@ def _strokes(ob, current):
     net, points = current.net, current.points
     for axis, pairs in enumerate(net.lines):
         yield strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5)
-    arrows = [arrow(points[foot], points[head]) for foot, head in net.arrows]
-    yield strokes.lines(np.array(arrows).reshape(-1, 2, 3), colors.of_arrows, 2.5)
+    yield strokes.arrows([(points[foot], points[head]) for foot, head in net.arrows], colors.of_arrows)
     if ob.type == 'MESH':
         yield from _of_selection(ob, current)
 
@@ -53,24 +52,12 @@ def _of_selection(ob, current):
     selected[selection.every_selected(ob, net)] = True
     for pairs in net.lines:
         yield strokes.lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
-    yield strokes.points(points[are_there & ~selected], lambda: (*_theme().vertex, 1.0), lambda: _theme().vertex_size + 2)
+    yield strokes.points(points[are_there & ~selected], colors.of_points, lambda: _theme().vertex_size + 2)
     yield strokes.points(points[selected], lambda: (*_theme().vertex_select, 1.0), lambda: _theme().vertex_size + 3)
 
 
 def _theme():
     return bpy.context.preferences.themes[0].view_3d
-
-
-def arrow(foot, head):
-    """(3, 2, 3): the ends of the lines of an arrow."""
-    along = head - foot
-    length = np.linalg.norm(along)
-    if length == 0.0:
-        return np.broadcast_to(head, (3, 2, 3))
-    across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
-    across *= 0.06 * length / np.linalg.norm(across)
-    back = head - 0.15 * along
-    return np.array([(foot, head), (head, back + across), (head, back - across)])
 
 
 CLASSES = ()

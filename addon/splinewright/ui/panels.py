@@ -68,15 +68,18 @@ def _draw_state(layout, ob):
     """The way into the net, or why there is none."""
     data = ob.data
     if ob.mode == 'EDIT':
-        texts.draw_problem(layout, "This is Edit Mode of the result: leave it and press Tab to edit the net")
+        texts.draw_problem(layout, "This is the result, not the net: what is changed here is changed by hand")
+        column = layout.column(align=True)
+        for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
+            column.operator("splinewright.leave_result", text=text).how = how
     elif recipes.follows(data):
         _draw_following(layout, data)
     elif shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
-        column.operator("splinewright.restore", text="Restore: throw the changes away")
-        column.operator("splinewright.adopt_transform", text="Adopt: it was moved as a whole")
-        column.operator("splinewright.detach", text="Detach: keep them, end the shape")
+        column.operator("splinewright.restore")
+        column.operator("splinewright.adopt_transform")
+        column.operator("splinewright.detach")
     else:
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
         if recipes.has(data):
@@ -85,7 +88,7 @@ def _draw_state(layout, ob):
 
 def _draw_recipe(layout, data):
     try:
-        recipe_props.draw(layout.box(), data)
+        recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
     layout.operator("splinewright.make_editable")
@@ -100,15 +103,17 @@ def _draw_following(layout, data):
         layout.operator("splinewright.make_editable")
         return
     names = " and ".join(source.name for source in sources if source)
-    layout.label(text=f"Follows {names or 'nothing any more'}", icon='LINKED')
+    texts.draw_note(layout, f"Follows {names or 'nothing any more'}", icon='LINKED')
     problem = follow.problem(data)
     if problem:
         texts.draw_problem(layout, problem)
     else:
         for text in (text for source in sources for text in derived.not_followed(source)):
             texts.draw_note(layout, f"Not followed: {text}")
-    layout.operator("splinewright.make_editable")
-    layout.operator("splinewright.bake_animation")
+    column = layout.column(align=True)
+    column.operator("splinewright.edit_source", icon='EDITMODE_HLT')
+    column.operator("splinewright.make_editable")
+    column.operator("splinewright.bake_animation")
 
 
 def _draw_definition(layout, definition):
@@ -116,7 +121,9 @@ def _draw_definition(layout, definition):
     for label, text in describe.lines(definition):
         row = column.split(factor=0.3)
         row.label(text=label)
-        row.label(text=text)
+        lines = row.column(align=True)
+        for line in texts.lines(text):
+            lines.label(text=line)
     layout.separator()
 
 
@@ -125,6 +132,7 @@ class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'UI'
     bl_category = "Splinewright"
+    bl_order = 1
 
 
 class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):

@@ -1,10 +1,13 @@
 """From points of the world to pixels of a 3D view, and from a pixel to the piece that is seen there."""
 
+from typing import NamedTuple
+
 import bpy
 import numpy as np
 from bpy_extras import view3d_utils
 
-from ..bridge import mesh_looks, store, surveys
+from ..bridge import mesh_layers, mesh_looks, store, surveys
+from ..core import aiming
 
 #: How near to a curve or a number the mouse must be, in pixels.
 _NEAR = 18.0
@@ -37,8 +40,8 @@ def piece_at(region, view, pixel, obs, depsgraph):
     """(object, number of its piece) at a pixel of a region, in front of all others of these shapes; None where none is."""
     hits = [hit for ob in obs if ob.type == 'MESH' for hit in [_face_at(region, view, pixel, ob, depsgraph)] if hit]
     if hits:
-        _, ob, number = min(hits, key=lambda hit: hit[0])
-        return ob, number
+        nearest = min(hits, key=lambda hit: hit.distance)
+        return nearest.ob, nearest.number
     near = [hit for ob in obs for hit in [_line_at(region, view, pixel, ob)] if hit]
     if not near:
         return None
@@ -46,8 +49,17 @@ def piece_at(region, view, pixel, obs, depsgraph):
     return ob, number
 
 
+class _Hit(NamedTuple):
+    """Where a ray meets the mesh of patches."""
+
+    distance: float
+    ob: bpy.types.Object
+    number: int
+    fractions: tuple                    # (u, v) as parts of the domain of the patch, or None
+
+
 def _face_at(region, view, pixel, ob, depsgraph):
-    """(distance, object, number of the patch) where a ray meets the mesh as it is drawn, or None."""
+    """The _Hit of a mesh as it is drawn, or None."""
     shown = ob.evaluated_get(depsgraph)
     if not abs(shown.matrix_world.determinant()) > 0.0:
         return None
@@ -56,7 +68,10 @@ def _face_at(region, view, pixel, ob, depsgraph):
     along = view3d_utils.region_2d_to_vector_3d(region, view, pixel)
     is_hit, point, _, face = shown.ray_cast(into @ origin, into.to_3x3() @ along)
     number = mesh_looks.patch_of_face(shown.data, face) if is_hit else 0
-    return ((shown.matrix_world @ point - origin).dot(along), ob, number) if number else None
+    if not number:
+        return None
+    distance = (shown.matrix_world @ point - origin).dot(along)
+    return _Hit(distance, ob, number, mesh_layers.parameters_at(shown.data, face, point))
 
 
 def _line_at(region, view, pixel, ob):
@@ -74,9 +89,39 @@ def _line_at(region, view, pixel, ob):
 
 def _distance(line, pixel):
     """From a pixel to a polyline (n, 2); a part with an end that is nan is none of it."""
+    return float(np.nanmin(_parts(line, pixel)[1], initial=np.inf))
+
+
+def _parts(line, pixel):
+    """Of each part of a polyline (n, 2) where on it a pixel is nearest, from 0 to 1, and how far that is, or nan."""
     starts, ends = (line[:-1], line[1:]) if len(line) > 1 else (line, line)
     along, to = ends - starts, np.asarray(pixel) - starts
     with np.errstate(divide='ignore', invalid='ignore'):
         part = np.nan_to_num(np.clip((to * along).sum(1) / (along * along).sum(1), 0.0, 1.0))
-    distances = np.linalg.norm(to - part[:, None] * along, axis=1)
-    return float(np.nanmin(distances, initial=np.inf))
+    return part, np.linalg.norm(to - part[:, None] * along, axis=1)
+
+
+def parameters_at(region, view, pixel, obs, depsgraph):
+    """(object, number of its piece, its parameters) at a pixel of a region: (u, v) of a patch, (u,) of a curve. None where
+    none of these shapes is."""
+    hits = [hit for ob in obs if ob.type == 'MESH' for hit in [_face_at(region, view, pixel, ob, depsgraph)] if hit]
+    if hits:
+        nearest = min(hits, key=lambda hit: hit.distance)
+        if nearest.fractions is None:
+            return None
+        piece = surveys.pieces_of(nearest.ob.data)[nearest.number - 1]
+        return nearest.ob, nearest.number, aiming.of_domain(piece, nearest.fractions)
+    near = [found for ob in obs if ob.type == 'CURVE' for found in _on_curves(region, view, pixel, ob)]
+    within = _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0)
+    if not near or not (nearest := min(near, key=lambda found: found[0]))[0] <= within:
+        return None
+    return nearest[1:]
+
+
+def _on_curves(region, view, pixel, ob):
+    """(distance in pixels, object, number, parameters) for each curve of a shape that is to be seen."""
+    for number, (parameters, points) in enumerate(surveys.samples_of(ob.data), 1):
+        part, distances = _parts(on_screen(region, view, ob.matrix_world, points), pixel)
+        if not np.isnan(distances).all():
+            i = int(np.nanargmin(distances))
+            yield distances[i], ob, number, (float(parameters[i] + part[i] * (parameters[i + 1] - parameters[i])),)

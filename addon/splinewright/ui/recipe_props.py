@@ -9,6 +9,10 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, Po
 from ..bridge import keyed, parameters, problems, recipes, settings
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
+from . import texts
+
+#: Characters of a label for which a third of the width is enough.
+_SHORT = 7
 
 
 def property_of(parameter, **more):
@@ -69,15 +73,20 @@ def draw(layout, data, is_net_out=False):
     recipe = recipes.of(data)
     if not recipe.parameters:
         return
-    layout.label(text=recipe.label, icon='PROPERTIES')
+    texts.draw_note(layout, recipe.label, icon='PROPERTIES')
     column = layout.column(align=True)
     for parameter in recipe.parameters:
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'
-        row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
+        if isinstance(parameter.default, str):
+            row = row.split(factor=0.45 if len(parameter.label) > _SHORT else 0.33, align=True)
+            row.label(text=parameter.label)
+            row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
+        else:
+            row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
     error = recipes.error(data)
     if error:
-        layout.label(text=f"Within {error:.1e} of what is asked for", icon='INFO')
+        texts.draw_note(layout, f"Within {error:.1e} of what is asked for")
 
 
 CLASSES = (SplinewrightRecipe,)

@@ -4,21 +4,16 @@ import bpy
 import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
-from mathutils import Matrix
 
 from ..bridge import store, surveys
-from ..bridge.net import net_object
 from ..core import seams
-from . import colors
-
-#: Lines are drawn nearer by this part of their distance, so that the surface does not hide them.
-_NEARER = 2e-3
+from . import colors, hand, strokes
 
 
 def shape_in_hand(ob):
     """The patch shape that is active, or whose net is; None where there is none."""
-    owner = net_object.shape_of(ob) if ob is not None and net_object.is_net(ob) else ob
-    return owner if owner is not None and owner.type == 'MESH' and store.has_definition(owner.data) else None
+    owner = hand.shape_of(ob)
+    return owner if owner is not None and owner.type == 'MESH' else None
 
 
 def draw():
@@ -31,9 +26,7 @@ def draw():
     except store.UnreadableDefinition:
         return
     gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-    with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
-        distance = bpy.context.region_data.view_distance
-        gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix(), distance))
+    with gpu.matrix.push_pop(), strokes.nearer():
         gpu.matrix.multiply_matrix(ob.matrix_world)
         for points, of_points in lines:
             _draw_line(points, of_points)
@@ -50,13 +43,6 @@ def coloured_lines(data):
             found.append((seam.measured.points.astype(np.float32),
                           np.array([of_class[number] for number in numbers.tolist()], np.float32)))
     return found
-
-
-def _nearer(projection, distance):
-    """The projection with everything a little nearer to the eye, in the same place of the picture."""
-    if projection[3][3] == 0.0:
-        return projection @ Matrix.Scale(1.0 - _NEARER, 4)
-    return projection @ Matrix.Translation((0.0, 0.0, _NEARER * distance))
 
 
 def _draw_line(points, of_points):

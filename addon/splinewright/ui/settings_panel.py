@@ -2,6 +2,8 @@
 
 import contextlib
 
+import bpy
+
 from ..bridge import fineness, problems, recipes, store
 from . import texts
 
@@ -44,7 +46,9 @@ def _draw_fineness(column, settings, has_buttons):
         row = column.row(align=True)
         row.prop(settings, "tolerance")
         if has_buttons:
-            row.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
+            button = row.row(align=True)
+            button.enabled = bpy.context.scene.camera is not None
+            button.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
     if settings.mode in (fineness.ANGLE, fineness.BOTH):
         column.prop(settings, "angle")
 

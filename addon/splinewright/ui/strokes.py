@@ -1,14 +1,19 @@
 """Lines and points of one colour each, prepared once and drawn many times."""
 
 from collections.abc import Callable
+from contextlib import contextmanager
 from typing import NamedTuple
 
 import bpy
 import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
+from mathutils import Matrix
 
 from ..bridge import versions
+
+#: Within nearer() all is nearer to the eye by this part of its distance.
+_NEARER = 2e-3
 
 
 class Stroke(NamedTuple):
@@ -30,10 +35,47 @@ def points(positions, color, size):
     return Stroke(_batch(_point_shader(), 'POINTS', positions), False, color, size) if len(positions) else None
 
 
+def arrows(pairs, color):
+    """The Stroke of pairs of foot and head, or None where there are none."""
+    found = [_arrow(foot, head) for foot, head in pairs]
+    return lines(np.array(found).reshape(-1, 2, 3), color, 2.5)
+
+
+def _arrow(foot, head):
+    """(3, 2, 3): the ends of the lines of an arrow."""
+    along = head - foot
+    length = np.linalg.norm(along)
+    if length == 0.0:
+        return np.broadcast_to(head, (3, 2, 3))
+    across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
+    across *= 0.06 * length / np.linalg.norm(across)
+    back = head - 0.15 * along
+    return np.array([(foot, head), (head, back + across), (head, back - across)])
+
+
+@contextmanager
+def nearer(part=1.0):
+    """While this is drawn in the 3D view at hand, the surface on which it lies does not hide it; nor what is drawn by a
+    smaller part of that nearer."""
+    with gpu.matrix.push_pop_projection():
+        distance = bpy.context.region_data.view_distance
+        gpu.matrix.load_projection_matrix(_nearer(gpu.matrix.get_projection_matrix(), distance, part * _NEARER))
+        yield
+
+
+def _nearer(projection, distance, part):
+    """The projection with everything nearer to the eye by a part, in the same place of the picture."""
+    if projection[3][3] == 0.0:
+        return projection @ Matrix.Scale(1.0 - part, 4)
+    return projection @ Matrix.Translation((0.0, 0.0, part * distance))
+
+
 def draw(strokes):
     scale = bpy.context.preferences.system.ui_scale
+    gpu.state.blend_set('ALPHA')        # edges of lines are smooth by it
     for stroke in filter(None, strokes):
         _draw(stroke, scale)
+    gpu.state.blend_set('NONE')
 
 
 def _batch(shader, kind, positions):

@@ -4,23 +4,47 @@ import textwrap
 
 import bpy
 
-#: Characters that fit a line of the sidebar.
-_WIDTH = 40
+#: Characters that fit a line beside an icon in the sidebar as it opens, and the least that one is broken into.
+WIDTH, _LEAST = 23, 12
+#: Characters of a name beside words.
+_NAME = 12
+#: In pixels of an interface that is not scaled: a character, and what margins, an icon and tabs take of a region.
+_CHARACTER, _BESIDE = 6.4, 76
 
 
-def draw_problem(layout, text, width=_WIDTH):
+def draw_problem(layout, text, width=None):
     """A sentence about something that went wrong, `width` characters to a line."""
     column = layout.column(align=True)
     column.alert = True
-    for i, line in enumerate(textwrap.wrap(text, width)):
-        column.label(text=line, icon='ERROR' if i == 0 else 'BLANK1')
+    _draw_lines(column, text, 'ERROR', width)
 
 
-def draw_note(layout, text, width=_WIDTH):
+def draw_note(layout, text, width=None, icon='INFO'):
     """A sentence that is no trouble, `width` characters to a line."""
-    column = layout.column(align=True)
-    for i, line in enumerate(textwrap.wrap(text, width)):
-        column.label(text=line, icon='INFO' if i == 0 else 'BLANK1')
+    _draw_lines(layout.column(align=True), text, icon, width)
+
+
+def _draw_lines(column, text, icon, width):
+    for i, line in enumerate(textwrap.wrap(text, width or _fitting())):
+        column.label(text=line, icon=icon if i == 0 else 'BLANK1')
+
+
+def lines(text):
+    """A text in lines that fit the sidebar as it opens, without an icon and beside a label."""
+    return textwrap.wrap(text, WIDTH - 5)
+
+
+def short(name):
+    """A name that leaves room for words beside it in a button."""
+    return name if len(name) <= _NAME else f"{name[:_NAME - 1]}…"
+
+
+def _fitting():
+    """How many characters fit a line of the region that is drawn."""
+    region, scale = bpy.context.region, bpy.context.preferences.system.ui_scale
+    if region is None or region.width <= 1:
+        return WIDTH
+    return max(int((region.width / scale - _BESIDE) / _CHARACTER), _LEAST)
 
 
 def pop_up(text):

@@ -10,12 +10,12 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
-from ...core.failures import FAILURES, Refusal, told
+from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
 from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import look_again, state
-from . import free_net, net_object, settings_number
+from . import free_net, growing, net_object, settings_number, stages
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
@@ -27,6 +27,9 @@ class Session:
 
     def __init__(self, net):
         self.made_with = net
+        self.stages = {0: stages.Stage(net)}    # by their first numbers; of curves
+        self.stage = self.stages[0]
+        self.extra = 0                          # how many points are passed over
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
@@ -39,6 +42,11 @@ class Session:
         """Take this for the net, and its points for those that are there."""
         self.net = net                  # other than it was made with where that has gained or lost points
         self.take(exact_net.exact(net, net.single, net.single_weights), np.arange(len(net.rows)))
+
+    def take_stage(self, stage):
+        """Take this for the stage of the net that is at hand."""
+        self.stage = stage
+        self.show(stage.net)
 
     def take(self, exact, slots):
         """Take these for the numbers of the vertices, and for their slots among what Blender holds, -1 for none."""
@@ -113,6 +121,7 @@ def session(data):
     if token not in state.sessions:
         try:
             begin(data, net_object.net_of(net_object.source(data)))
+            state.sessions[token].stages = stages.stored(data, state.sessions[token].made_with)
         except net_object.DamagedNet as error:
             state.sessions[token] = error
     found = state.sessions[token]
@@ -221,14 +230,36 @@ def note_settings(data):
 
 def _follow(data, ob, current):
     """Bring a shape up to date; whether it changed, and what it does not take."""
-    found = reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data),
-                         lambda: _last(data, current.net))
+    can_grow = _can_grow(ob)
+    if can_grow:
+        growing.choose(ob.data, current)
+    found, refused = _read(data, ob, current), ""
+    if can_grow:
+        try:
+            if growing.grow(ob.data, current, exact_net.read(current.net, found.state), found.slots):
+                found = _read(data, ob, current)
+        except FAILURES as error:
+            refused = sentence(error)
+    if found.extra > current.extra and can_grow and last_operator() == state.seen:
+        state.began = state.seen        # it ended before points were copied: another is at work
+    current.extra = found.extra
     current.take(found.state, found.slots)
-    problems.tell(ob.data, problems.STRAYS, found.note)
+    problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, (current.stage.note, found.note))))
     definition = exact_net.read(current.net, found.state)
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
-    return _show(data, definition, current), found.problem
+    return _show(data, definition, current), refused or found.problem
+
+
+def last_operator():
+    """What tells the last operator that has ended from others."""
+    operators = bpy.context.window_manager.operators
+    return operators[-1].as_pointer() if len(operators) else 0
+
+
+def _read(data, ob, current):
+    return reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data, current.net),
+                        lambda: _last(data, current.net))
 
 
 def _last(data, net):
@@ -250,6 +281,18 @@ def _follow_points(data, ob, current):
     is_changed = remaking.follow_points(data, others, is_turned)
     problems.tell(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
     return is_changed, ""
+
+
+def pass_over(ob):
+    """What was extruded from a net's ends and called off is passed over once for all."""
+    if _can_grow(ob):
+        growing.settle(ob.data, session(ob.data))
+
+
+def _can_grow(ob):
+    """Whether a net that is made of a definition may gain and lose points."""
+    owner = net_object.shape_of(ob)
+    return owner is not None and isinstance(ob.data, bpy.types.Curve) and not recipes.has(owner.data)
 
 
 def problem(ob):
@@ -277,10 +320,19 @@ def settle(data):
             current.wrote(data, faces)
 
 
+def _shows_another_stage(data, current):
+    """Whether a shape is made of pieces that its net had before, or had afterwards and undo took back."""
+    if len(current.stages) == 1:
+        return False
+    shown = store.read(data)
+    return not definitions.have_same_pieces(shown, current.net.source) and any(
+        definitions.have_same_pieces(shown, stage.net.source) for stage in current.stages.values())
+
+
 def _show(data, definition, current):
     """Whether anything was to be written."""
     pool = store.pool(data)
-    if np.array_equal(pool, definition.pool):
+    if np.array_equal(pool, definition.pool) and not _shows_another_stage(data, current):
         current.pool = pool
         return False
     current.require_alone(data, pool)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...core.failures import Refusal
 from ...core.net import curve_net, patch_net
-from .. import blocks, problems, store
+from .. import blocks, problems, sights, store
 from . import cage, net_splines, settings_number
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
@@ -27,7 +27,7 @@ class DamagedNet(Refusal):
     """What is stored of a net is damaged."""
 
 
-def _damaged(reason):
+def damaged(reason):
     return DamagedNet(f"what is stored of this net is damaged ({str(reason)[:200]}): the shape keeps what it has")
 
 
@@ -54,7 +54,7 @@ def require_whole(ob):
     """Raises DamagedNet where it cannot be told which net of which shape this is."""
     required_token(ob.data)
     if shape_of(ob) is None and not is_orphan(ob):
-        raise _damaged("what it edits is no object")
+        raise damaged("what it edits is no object")
 
 
 def net_of(definition):
@@ -74,7 +74,7 @@ def make(shape, definition, net, scene):
     ob[SHAPE] = shape
     ob.matrix_world = shape.matrix_world
     ob.constraints.new('COPY_TRANSFORMS').target = shape        # children of a path would run along it
-    ob.show_in_front = True
+    ob.show_in_front = sights.of(scene).points_behind
     ob.hide_render = True
     if not definition.has_curves:
         ob.display_type = 'WIRE'
@@ -166,7 +166,7 @@ def required_token(data):
     """token(). Raises DamagedNet where that is damaged."""
     found = token(data)
     if not found:
-        raise _damaged("its token is none")
+        raise damaged("its token is none")
     return found
 
 
@@ -180,13 +180,13 @@ def source(data):
     """The definition that a net was made from. Raises DamagedNet."""
     group = stored(data).get('definition')
     if not store.is_group(group):
-        raise _damaged("its definition is none")
+        raise damaged("its definition is none")
     try:
         definition = store.valid(group)
     except Refusal as error:
-        raise _damaged(error) from error
+        raise damaged(error) from error
     if definition.has_curves != isinstance(data, bpy.types.Curve):
-        raise _damaged("its definition is of another kind")
+        raise damaged("its definition is of another kind")
     return definition
 
 
@@ -200,13 +200,17 @@ def remembered(ob):
     return [name for name in group.values() if type(name) is str] if store.is_group(group) else []
 
 
-def typed(data):
-    """(k, 5): vertex, x, y, z, w that were typed in float64. Later rows win."""
+def typed(data, net=None):
+    """(k, 5): vertex, x, y, z, w that were typed in float64, those of a Net where it is given. Later rows win."""
     found = stored(data).get('typed')
     if getattr(found, 'typecode', None) != 'd' or len(found) % 5:
         return np.empty((0, 5))
     rows = np.array(found).reshape(-1, 5)
-    return rows[np.isfinite(rows).all(1)]
+    rows = rows[np.isfinite(rows).all(1)]
+    if net is None:
+        return rows
+    rows[:, 0] -= net.first
+    return rows[(rows[:, 0] >= 0) & (rows[:, 0] < len(net.rows))]
 
 
 def add_typed(data, rows):

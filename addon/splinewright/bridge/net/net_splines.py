@@ -9,14 +9,17 @@ import numpy as np
 from mathutils import Vector
 
 from ...core.net import strays
+from ...core.net.grown import STRAY, Run, copy_of
 from ...core.net.reading import Present
 
+#: The tilt of points that were passed over once for all: no number of a point reaches it.
+_STRAY = np.float32(2 ** 24)
 _HANDLES = ('handle_left', 'co', 'handle_right')
 _FLAGS = ('select_left_handle', 'select_control_point', 'select_right_handle')
 
 
 def make(name, net):
-    """A new Curve that shows the net of curves."""
+    """A new Curve that shows the net of curves, whose points carry the numbers from 0 on."""
     curve = bpy.data.curves.new(f"{name} Net", 'CURVE')
     curve.dimensions = '3D'
     first = number = 0
@@ -54,7 +57,7 @@ def _points_of(spline):
 
 def present(curve, net):
     """The Present points and handles of a Curve that was made of a net."""
-    seals = strays.seals(len(net.spline_points[0]))
+    seals = strays.seals(len(net.spline_points[0]), net.first)
     vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net, seals) for spline in curve.splines)])
     rows = np.concatenate([np.empty((0, 4), np.float32), *map(_rows, curve.splines)])
     return Present(vertices, lambda: rows[:, :3], lambda: rows[:, 3], lambda: _links(curve), _void(curve, vertices))
@@ -66,7 +69,8 @@ def _void(curve, vertices):
     for spline in curve.splines:
         last = first + (3 if spline.type == 'BEZIER' else 1) * len(_points_of(spline))
         if spline.type == 'BEZIER':
-            is_new = vertices[first + 1:last:3] < 0
+            tilts = _values(spline.bezier_points, 'tilt', 1)[:, 0]
+            is_new = (vertices[first + 1:last:3] < 0) & (tilts != _STRAY)
             before, after = np.roll(is_new, 1), np.roll(is_new, -1)
             if not spline.use_cyclic_u:
                 before[:1] = after[-1:] = False
@@ -78,17 +82,105 @@ def _void(curve, vertices):
 def _numbered(spline, net, seals):
     """The vertices of the net that the points and handles of a spline carry, -1 for none."""
     is_bezier = spline.type == 'BEZIER'
-    first, are_bezier = net.spline_points
-    tilts, radii = (_values(_points_of(spline), name, 1)[:, 0] for name in ('tilt', 'radius'))
-    whole = np.isfinite(tilts) & (tilts == np.rint(tilts))
-    numbers = strays.of_net(np.where(whole, np.abs(tilts), -1).astype(np.int64), radii, seals)
+    first = net.spline_points[0]
+    numbers, turned = _point_numbers(spline, net, seals)
     known = numbers >= 0
-    known[known] = are_bezier[numbers[known]] == is_bezier      # otherwise the spline is of another type now
-    vertices = np.full((len(tilts), 3 if is_bezier else 1), -1)
+    vertices = np.full((len(numbers), 3 if is_bezier else 1), -1)
     vertices[known] = first[numbers[known], None]
     if is_bezier:                       # switching the direction turns tilts over, and exchanges the handles
-        vertices[known] += np.where(np.signbit(tilts[known])[:, None], (2, 1, 0), (0, 1, 2))
+        vertices[known] += np.where(turned[known, None], (2, 1, 0), (0, 1, 2))
     return vertices.ravel()
+
+
+def _point_numbers(spline, net, seals):
+    """(the points of the net that those of a spline carry the numbers of, -1 for none; whether each was turned over)."""
+    tilts, radii = (_values(_points_of(spline), name, 1)[:, 0] for name in ('tilt', 'radius'))
+    whole = np.isfinite(tilts) & (tilts == np.rint(tilts))
+    numbers = strays.of_net(np.where(whole, np.abs(tilts) - net.first, -1).astype(np.int64), radii, seals)
+    for i in np.flatnonzero((numbers < 0) & whole & (np.abs(tilts) < net.first)):
+        same = np.flatnonzero(seals == radii[i])        # a drag brings back the tilt that its points had when it began
+        numbers[i] = same[0] if len(same) == 1 else -1
+    known = numbers >= 0
+    are_bezier = net.spline_points[1]
+    known[known] = are_bezier[numbers[known]] == (spline.type == 'BEZIER')      # otherwise it is of another type now
+    return np.where(known, numbers, -1), np.signbit(tilts)
+
+
+def carried(curve):
+    """(n,) the numbers that the points of a net carry, whatever they stand for; those of strays among them."""
+    tilts = np.concatenate([np.empty(0, np.float32), *(_values(_points_of(spline), 'tilt', 1)[:, 0]
+                                                       for spline in curve.splines)])
+    return np.abs(tilts[np.isfinite(tilts)]).astype(np.int64)
+
+
+def everything(curve):
+    """Bytes of all that a net says."""
+    for spline in curve.splines:
+        yield f"{spline.type} {spline.use_cyclic_u} {len(_points_of(spline))}".encode()
+        yield _rows(spline).tobytes()
+        for name in ('tilt', 'radius'):
+            yield _values(_points_of(spline), name, 1).tobytes()
+
+
+def runs(curve, net, found):
+    """A core.net.grown.Run for each spline. found: (n,) of each vertex of the net the slot of its point, or -1."""
+    seals, owned, result, slot = strays.seals(len(net.spline_points[0]), net.first), set(found.tolist()), [], 0
+    for spline in curve.splines:
+        is_bezier = spline.type == 'BEZIER'
+        numbers, turned = _point_numbers(spline, net, seals)
+        step = 3 if is_bezier else 1
+        slots = slot + step * np.arange(len(numbers)) + is_bezier       # of a Bezier point itself
+        slot += step * len(numbers)
+        own = np.array([each in owned for each in slots.tolist()], bool)
+        rows = _rows(spline)
+        positions = rows[:, :3].reshape(-1, 3, 3) if is_bezier else rows[:, :3]
+        numbers = np.where(own | (numbers < 0), numbers, copy_of(numbers))
+        numbers[_values(_points_of(spline), 'tilt', 1)[:, 0] == _STRAY] = STRAY
+        result.append(Run(numbers, positions, rows[::step, 3],
+                          bool(spline.use_cyclic_u), bool(turned[own].any())))
+    return result
+
+
+def renumber(curve, net, numbers, turned):
+    """Let the points of a Curve be those of a net, where they are: numbers of each spline's points there, -1 for none,
+    and smaller ones for copies; turned: of each spline."""
+    seals = strays.seals(len(net.spline_points[0]), net.first)
+    for spline, own, over in zip(curve.splines, numbers, turned):
+        points = _points_of(spline)
+        carried = np.where(own == STRAY, -1, np.where(own < -1, copy_of(own), own))
+        tilts = (np.maximum(carried, 0) + net.first).astype(np.float32)
+        points.foreach_set('tilt', np.where(own == STRAY, _STRAY, -tilts if over else tilts))
+        points.foreach_set('radius', np.where(carried < 0, 1, seals[np.maximum(carried, 0)]).astype(np.float32))
+    curve.update_tag()
+
+
+def place(curve, net, numbers, turned, new):
+    """Put the points of a Curve to where a net has them; as of renumber(). new: points that had no handles before."""
+    first, are_smooth = net.spline_points[0], np.concatenate([spline.smooth or (False,) * spline.count
+                                                              for spline in net.splines])
+    for spline, own, over in zip(curve.splines, numbers, turned):
+        points = _points_of(spline)
+        for i in np.flatnonzero(own >= 0).tolist():
+            vertex, point = int(first[own[i]]), points[i]
+            if spline.type == 'BEZIER':
+                types = _types(point) if own[i] not in new else ('ALIGNED' if are_smooth[own[i]] else 'FREE',) * 2
+                _place_triple(point, net.single[vertex:vertex + 3][::-1 if over else 1], types)
+            elif not np.array_equal(point.co, (*net.single[vertex], net.single_weights[vertex])):
+                point.co = (*net.single[vertex], net.single_weights[vertex])
+    curve.update_tag()
+
+
+def _types(point):
+    return point.handle_left_type, point.handle_right_type
+
+
+def _place_triple(point, triple, types):
+    if types == _types(point) and all(np.array_equal(getattr(point, name), row) for name, row in zip(_HANDLES, triple)):
+        return
+    point.handle_left_type = point.handle_right_type = 'FREE'
+    for name, row in zip(_HANDLES, triple):
+        setattr(point, name, row)
+    point.handle_left_type, point.handle_right_type = types
 
 
 def _rows(spline):

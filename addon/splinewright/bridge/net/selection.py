@@ -50,7 +50,8 @@ def move(ob, net, vertices, rows):
     slots = _slots(ob, net)[vertices]
     if (slots < 0).any():
         raise ChangedNet("a point of the net is not there any more")
-    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else vertices
+    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else (
+        np.asarray(vertices) + net.first)
     net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
     by_slot = dict(zip(slots.tolist(), rows.tolist()))
     if _is_curve(ob):

@@ -41,6 +41,7 @@ class Net:
     faces: tuple = ()                   # of patches: vertices of each
     lines: tuple = ()                   # of patches: pairs of vertices along u, along v
     arrows: tuple = ()                  # pairs of foot and head
+    first: int = 0                      # the number that the first of the points carries in Blender
 
     @cached_property
     def single(self):

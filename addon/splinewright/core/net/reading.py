@@ -36,6 +36,7 @@ class Reading(NamedTuple):
     slots: np.ndarray                   # (n,) of each vertex the slot among those present, or -1
     problem: str
     note: str
+    extra: int                          # how many of those present are passed over
 
 
 def slots(net, present):
@@ -65,7 +66,8 @@ def read(net, present, typed, last):
         state = _as_last(state, net, last(), lost, lost_weight)
     problem = _problem(len(found), int((~there).sum()), len(present.numbers) >= len(found), is_wild.any(),
                        is_zero.any(), weights_now is None)
-    return Reading(state, found, problem, note(len(present.numbers) - int(there.sum()), present.void is not None))
+    extra = len(present.numbers) - int(there.sum())
+    return Reading(state, found, problem, note(extra, present.void is not None), extra)
 
 
 def _as_last(state, net, last, lost, lost_weight):

@@ -6,10 +6,10 @@ What a gesture leaves beside the net's points is a stray: a copy, where the poin
 import numpy as np
 
 
-def seals(count):
-    """(count,) float32 by which the points with a number and their copies are told from what Blender makes between two:
-    what lies between two seals is none, and 0 and 1, which new points have, are none."""
-    numbers = np.arange(count, dtype=np.float64)
+def seals(count, first=0):
+    """(count,) float32 by which the points with a number, from the first on, and their copies are told from what Blender
+    makes between two: what lies between two seals is none, and 0 and 1, which new points have, are none."""
+    numbers = np.arange(first, first + count, dtype=np.float64) % 65536
     return (1.25 + 0.5 * np.modf(numbers * numbers * 0.6180339887498949)[0]).astype(np.float32)
 
 

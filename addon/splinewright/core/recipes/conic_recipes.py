@@ -75,7 +75,7 @@ RECIPES = (
     Recipe("hyperbola", "Hyperbola", "Both branches by the centre, a vertex and the end of the other half diameter", (),
            _hyperbola, ((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0))),
     Recipe("foci", "Conic by Foci", "The ellipse or hyperbola of points whose distances from two foci have one sum or difference",
-           (Parameter("distance", "Sum or Difference", "More than the distance of the foci: an ellipse; less: a hyperbola",
+           (Parameter("distance", "Sum, Difference", "More than the distance of the foci: an ellipse; less: a hyperbola",
                       2.5, 0.0, unit='LENGTH'),), _foci, ((-1, 0, 0), (1, 0, 0))),
     Recipe("parabola", "Parabola", "The points as far from a focus as from the line through two others", (), _parabola,
            ((0, 0.25, 0), (-1, -0.25, 0), (1, -0.25, 0)), is_endless=True),

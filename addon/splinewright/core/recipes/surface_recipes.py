@@ -15,12 +15,14 @@ _HEIGHT = Parameter("height", "Height", "Along the axis", 2.0, 1e-6, unit='LENGT
 _START = Parameter("start", "Start", "Angle where it begins", 0.0, unit='ROTATION')
 _SWEEP = Parameter("sweep", "Sweep", "Angle about the axis; 360° closes it", 2 * math.pi, -2 * math.pi, 2 * math.pi,
                    unit='ROTATION')
-_CAPS = Parameter("caps", "Caps", "Close it by discs", False)
+_CAPS = Parameter("caps", "Caps", "Close it by discs", True)
 _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
-_AXIS = Parameter("axis", "Axis", "Of the object, through its origin", "z", choices=tuple(
+_AXIS = Parameter("axis", "Axis", "Of the object, through its origin and the offset", "z", choices=tuple(
     (name, name.upper(), f"The {name} axis of the object") for name in _AXES))
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9,
                        unit='LENGTH')
+#: A profile whose points lie nearer to a plane than this part of its width lies in it.
+_FLAT = 1e-6
 _ORIGIN = (0.0, 0.0, 0.0)
 _UP = (0.0, 0.0, 1.0)
 
@@ -79,9 +81,16 @@ def _patches(patches):
     return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
 
 
-def _revolve(inputs, axis, start, sweep):
-    turn = _turn(sweep)
-    return _patches([sc.build.revolve(curve, _ORIGIN, _AXES[axis], start, turn) for curve in _curves(inputs[0])])
+def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z):
+    turn, through = _turn(sweep), (offset_x, offset_y, offset_z)
+    return _patches([sc.build.revolve(curve, through, _AXES[axis], start, turn) for curve in _curves(inputs[0])])
+
+
+def suggested_axis(definition):
+    """The axis about which a profile is turned: y for one that lies in the plane of x and y, otherwise z."""
+    places = definition.pool[definition.pool[:, 3] != 0.0, :3]
+    width, height = np.ptp(places[:, :2], axis=0).max(), np.abs(places[:, 2]).max()
+    return 'y' if height <= _FLAT * width else 'z'
 
 
 def _extrude(inputs, x, y, z):
@@ -120,7 +129,9 @@ PRIMITIVES = (
 
 FROM_CURVES = (
     Recipe("revolve", "Revolve", "The surface of a curve that turns about an axis; it follows when the curve is edited",
-           (_AXIS, _START, _SWEEP), _revolve, is_surface=True, resolution=12, inputs=("one curve",)),
+           (_AXIS, _START, _SWEEP, *(
+               Parameter(f"offset_{name}", f"Offset {name.upper()}", f"The axis lies so far along {name} from the origin", 0.0,
+                         unit='LENGTH') for name in _AXES)), _revolve, is_surface=True, resolution=12, inputs=("one curve",)),
     Recipe("extrude", "Extrude",
            "The surface of a curve that moves along a vector; it follows when the curve is edited",
            tuple(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')

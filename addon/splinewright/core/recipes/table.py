@@ -9,3 +9,4 @@ RECIPES = {recipe.kind: recipe
 STARTING = tuple(recipe for recipe in RECIPES.values() if not recipe.inputs)
 DERIVED = tuple(recipe for recipe in RECIPES.values() if recipe.inputs)
 FOLLOW = RECIPES['follow']
+FROM_CURVES = surface_recipes.FROM_CURVES

@@ -1,4 +1,4 @@
-"""Add Bezier, Hermite and NURBS curves."""
+"""Add lines, Bezier, Hermite and NURBS curves."""
 
 import bpy
 from bpy.props import BoolProperty
@@ -6,6 +6,23 @@ from bpy.props import BoolProperty
 from ...core import starters
 from . import new_shapes
 from .adding import AddShape, count_property, degree_property, enough_points, knots_property, resolution_property
+
+
+class SPLINEWRIGHT_OT_add_line(AddShape, bpy.types.Operator):
+    bl_idname = "splinewright.add_line"
+    bl_label = "Add Line"
+    bl_description = "Add a straight segment, or a polyline of more points"
+    shape_name = "Line"
+
+    count: count_property(default=2)
+    resolution_u: resolution_property(default=1)
+
+    def value(self):
+        return starters.line(self.count)
+
+    def draw_shape(self, layout):
+        layout.prop(self, "count")
+        new_shapes.draw(self, layout)
 
 
 class SPLINEWRIGHT_OT_add_bezier_curve(AddShape, bpy.types.Operator):
@@ -25,11 +42,10 @@ class SPLINEWRIGHT_OT_add_bezier_curve(AddShape, bpy.types.Operator):
         new_shapes.draw(self, layout)
 
 
-class SPLINEWRIGHT_OT_add_hermite_curve(AddShape, bpy.types.Operator):
-    bl_idname = "splinewright.add_hermite_curve"
-    bl_label = "Add Hermite Chain"
-    bl_description = "Add a chain of cubics through points with given tangents"
-    shape_name = "Hermite Chain"
+class _AddChain(AddShape):
+    """`chain` of core.starters makes it."""
+
+    chain = None
 
     count: count_property(default=4)
     closed: BoolProperty(name="Closed", description="End where the chain began")
@@ -38,12 +54,28 @@ class SPLINEWRIGHT_OT_add_hermite_curve(AddShape, bpy.types.Operator):
     def value(self):
         if self.closed:
             self.count = max(self.count, 3)
-        return starters.hermite_chain(self.count, self.closed)
+        return self.chain(self.count, self.closed)
 
     def draw_shape(self, layout):
         layout.prop(self, "count")
         layout.prop(self, "closed")
         new_shapes.draw(self, layout)
+
+
+class SPLINEWRIGHT_OT_add_bezier_chain(_AddChain, bpy.types.Operator):
+    bl_idname = "splinewright.add_bezier_chain"
+    bl_label = "Add Bezier Chain"
+    bl_description = "Add cubics that go on as one another, each point with two handles, as in Blender"
+    shape_name = "Bezier Chain"
+    chain = staticmethod(starters.bezier_chain)
+
+
+class SPLINEWRIGHT_OT_add_hermite_curve(_AddChain, bpy.types.Operator):
+    bl_idname = "splinewright.add_hermite_curve"
+    bl_label = "Add Hermite Chain"
+    bl_description = "Add a chain of cubics through points with given tangents"
+    shape_name = "Hermite Chain"
+    chain = staticmethod(starters.hermite_chain)
 
 
 class SPLINEWRIGHT_OT_add_nurbs_curve(AddShape, bpy.types.Operator):
@@ -68,5 +100,5 @@ class SPLINEWRIGHT_OT_add_nurbs_curve(AddShape, bpy.types.Operator):
         new_shapes.draw(self, layout)
 
 
-CLASSES = (SPLINEWRIGHT_OT_add_bezier_curve, SPLINEWRIGHT_OT_add_hermite_curve,
-           SPLINEWRIGHT_OT_add_nurbs_curve)
+CLASSES = (SPLINEWRIGHT_OT_add_line, SPLINEWRIGHT_OT_add_bezier_curve, SPLINEWRIGHT_OT_add_bezier_chain,
+           SPLINEWRIGHT_OT_add_hermite_curve, SPLINEWRIGHT_OT_add_nurbs_curve)

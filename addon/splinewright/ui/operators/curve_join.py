@@ -75,8 +75,17 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
+    has_settings = True
 
     tolerance: tolerance_property("How far apart ends may lie, and how far the curve may move", 1e-6)
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.prop(self, "tolerance")
+        self.draw_result()
+
+    def can_work(self, ob):
+        return replacing.can_change(ob.data)
 
     def work(self, context, ob):
         replacing.require_changeable(ob.data)

@@ -5,7 +5,7 @@ import bpy
 from ...bridge import shape
 from ...bridge.net import net_object
 from ...core.failures import FAILURES
-from .. import editing, messages, progress, texts
+from .. import editing, hand, messages, progress, texts
 from . import polls, reports
 
 
@@ -19,7 +19,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def poll(cls, context):
         if not polls.in_object_mode(cls, context):
             return False
-        reason = editing.why_not(_shape_in_hand(context))
+        reason = editing.why_not(hand.shape_of(context.object))
         if reason:
             cls.poll_message_set(reason)
         return not reason
@@ -27,16 +27,10 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def execute(self, context):
         try:
             with progress.shown(context, len(context.selected_objects)) as step:
-                editing.enter(context, _shape_in_hand(context), step)
+                editing.enter(context, hand.shape_of(context.object), step)
         except FAILURES as error:
             return reports.failed(self, error)
         return {'FINISHED'}
-
-
-def _shape_in_hand(context):
-    """The active shape, or the one whose net was kept and is active."""
-    ob = context.object
-    return net_object.shape_of(ob) if net_object.is_net(ob) else ob
 
 
 class _OnNets:

@@ -3,11 +3,13 @@
 from pathlib import Path
 
 import bpy
+import numpy as np
 from bpy.props import BoolProperty, CollectionProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from ...bridge import blocks, shape, versions
-from ...core import bpt
+from ...bridge import blocks, shape, store, versions
+from ...core import bpt, transform
+from ...core import definition as definitions
 from ...core.definition import ANY_CURVES
 from ...core.failures import FAILURES, Refusal, sentence
 from ...core.library import sc
@@ -91,7 +93,7 @@ class _Import(ImportHelper):
         try:
             values = self.values(_text_of(path))
             for value in values:
-                start = new_shapes.start_of_any(self, is_surface=not isinstance(value, (*ANY_CURVES, list)))
+                start = new_shapes.start_of_any(self, is_surface=not _is_curve(value))
                 made.append((name, shape.new_data(name, value, start)))
                 progress(len(made) / len(values))
         except Exception:
@@ -116,32 +118,60 @@ class _Export(ExportHelper):
     bl_options = {'REGISTER'}
 
     filepath: _path_property()
+    transform: BoolProperty(
+        name="Apply Transforms", description="Write the shapes where they stand in the world; otherwise in the space of "
+        "their objects, with every digit")
 
     @classmethod
     def poll(cls, context):
-        if not shape.has_shape(context.object):
+        if not _exported(context):
             cls.poll_message_set("Select a Splinewright shape")
             return False
         return True
 
-    def text(self, value):
-        """What is written of the active shape."""
+    def text(self, values):
+        """(what is written of values by names of objects, what of them is left out, by name). Raises as sc.dumps()."""
         raise NotImplementedError
 
     def execute(self, context):
-        path = _path(self)
+        path, chosen = _path(self), _exported(context)
         if not self.filepath or path.is_dir():
             return reports.cancelled(self, "Name a file to write to")
         # A file that is there stays whole until the new one is.
         partial = path.with_name(path.name + ".part")
+        name = chosen[0].name if len(chosen) == 1 else ""
         try:
-            partial.write_text(self.text(shape.value_of(context.object.data)), encoding='utf-8')
+            text, left_out = self.text({ob.name: self._value(ob) for ob in chosen})
+            partial.write_text(text, encoding='utf-8')
             partial.replace(path)
         except FAILURES as error:
             if partial.is_file():
                 partial.unlink()
-            return reports.cancelled(self, f"{context.object.name}: {_printable(sentence(error))}")
-        return reports.finished(self, reports.Said(f"Exported {_printable(path.name)}"))
+            text = _printable(sentence(error))
+            return reports.cancelled(self, reports.named(name, text) if name else text)
+        count = len(chosen) - len(left_out)
+        what = f"Exported {count} objects to" if count > 1 else "Exported"
+        return reports.finished(self, reports.Said(f"{what} {_printable(path.name)}", warnings=reports.by_name(left_out)))
+
+    def _value(self, ob):
+        if not self.transform:
+            return shape.value_of(ob.data)
+        return definitions.to_value(transform.transformed(store.read(ob.data), np.array(ob.matrix_world)))
+
+
+def _exported(context):
+    """The selected shapes by name; the active one where none is."""
+    chosen = [ob for ob in context.selected_objects if shape.has_shape(ob)]
+    if not chosen and shape.has_shape(context.object):
+        chosen = [context.object]
+    return sorted(chosen, key=lambda ob: ob.name)
+
+
+_NO_PATCH = "BPT holds patches, this is a curve"
+
+
+def _is_curve(value):
+    return isinstance(value, (*ANY_CURVES, list))
 
 
 class _Bpt:
@@ -167,15 +197,24 @@ class SPLINEWRIGHT_OT_import_bpt(_Bpt, _Import, bpy.types.Operator):
 class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
     bl_idname = "splinewright.export_bpt"
     bl_label = "Export BPT"
-    bl_description = "Export the patches of the active shape as Bezier patches, exactly"
+    bl_description = "Export the patches of all selected shapes as Bezier patches, exactly"
     bl_options = {'REGISTER', 'PRESET'}
 
-    def text(self, value):
-        if isinstance(value, (*ANY_CURVES, list)):
-            raise Refusal("BPT holds patches, this is a curve")
+    def text(self, values):
+        curves = {name: _NO_PATCH for name, value in values.items() if _is_curve(value)}
+        if len(curves) == len(values):
+            raise Refusal(_NO_PATCH)
+        patches = [patch for name, value in values.items() if name not in curves for patch in self._patches(name, value)]
+        return bpt.dumps(sc.PatchSet.from_patches(patches) if len(patches) > 1 else patches[0]), curves
+
+    def _patches(self, name, value):
+        """Those of one object. Raises Refusal that names it where the format cannot hold them."""
         if self.flip:
             value = value.flipped() if isinstance(value, sc.PatchSet) else value.swapped()
-        return bpt.dumps(value)
+        patches = [value[i] for i in range(len(value))] if isinstance(value, sc.PatchSet) else [value]
+        if any(patch.is_rational for patch in patches):
+            raise Refusal(f"{name}: it is rational, and BPT holds no weights: export it as JSON")
+        return patches
 
 
 class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
@@ -197,10 +236,15 @@ class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
 class SPLINEWRIGHT_OT_export_json(_Json, _Export, bpy.types.Operator):
     bl_idname = "splinewright.export_json"
     bl_label = "Export Exact JSON"
-    bl_description = "Export the definition of the active shape with every digit"
+    bl_description = "Export the definitions of all selected shapes with every digit"
+    bl_options = {'REGISTER', 'PRESET'}
 
-    def text(self, value):
-        return sc.dumps(value)
+    def text(self, values):
+        """One shape as it is, several as a list of their curves, patches and sets of patches."""
+        found = list(values.values())
+        if len(found) == 1:
+            return sc.dumps(found[0]), {}
+        return sc.dumps([item for value in found for item in (value if isinstance(value, list) else [value])]), {}
 
 
 CLASSES = (SPLINEWRIGHT_OT_import_bpt, SPLINEWRIGHT_OT_export_bpt,

@@ -13,6 +13,8 @@ from .patch_verbs import AtParameters, OnPatches, direction_property
 class _Extract(OnPatches):
     """Adds a curve shape for every selected patch shape, in its place."""
 
+    works_on_nets = False
+
     @classmethod
     def poll(cls, context):
         return can_add(cls, context) and super().poll(context)

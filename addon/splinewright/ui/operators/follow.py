@@ -1,7 +1,7 @@
 """Make shapes follow objects."""
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import BoolProperty, StringProperty
 
 from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES, Refusal
@@ -19,6 +19,8 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
 
     source: StringProperty(name="Object", description="Name of the object to follow; empty: what is selected",
                            options={'SKIP_SAVE'})
+    #: Whether a shape was added, to which the redo panel then may give another object to follow.
+    is_added: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
     resolution_u: resolution_property("U")
     resolution_v: resolution_property("V")
 
@@ -35,18 +37,28 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         depsgraph = context.evaluated_depsgraph_get()
         try:
             target, source = self._chosen(context)
-            if target is None:
+            self.is_added = target is None
+            if self.is_added:
                 require_place(context)
                 resolution = self.resolution_u, self.resolution_v
                 target = follow.new_object(FOLLOW, {}, [source], resolution, depsgraph)
                 for material in source.data.materials:
                     target.data.materials.append(material)
-                add_in_front(context, target, [source])
+                add_in_front(context, target, [source, context.object])
             else:
                 follow.attach(target, source, depsgraph)
         except FAILURES as error:
             return reports.failed(self, error)
+        self.source = source.name       # the redo panel shows it
         return reports.finished(self, reports.Said(f"{target.name} follows {source.name}"))
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop_search(self, "source", context.scene, "objects")
+        column = layout.column(align=True)
+        column.prop(self, "resolution_u")
+        column.prop(self, "resolution_v", text="V")
 
     def _chosen(self, context):
         """(the shape that will follow or None for a new one, the object it follows)."""
@@ -54,7 +66,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
             source = context.scene.objects.get(self.source)
             if source is None:
                 raise Refusal(f"there is no object named {self.source} in this scene")
-            is_target = shape.has_shape(context.object) and source != context.object
+            is_target = not self.is_added and shape.has_shape(context.object) and source != context.object
             return (context.object if is_target else None), source
         others = [ob for ob in context.selected_objects if ob != context.object and derived.is_possible(ob)]
         if shape.has_shape(context.object) and len(others) == 1:

@@ -1,11 +1,14 @@
 """An operator for each recipe that makes a shape from selected objects, made from the table; Follow Object is its own."""
 
+from contextlib import suppress
+
 import bpy
 import numpy as np
 from mathutils import Matrix
 
 from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES
+from ...core.recipes.surface_recipes import suggested_axis
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import hand, recipe_props
 from . import new_shapes, reports
@@ -29,7 +32,8 @@ class _FromObjects:
         if not can_add(cls, context):
             return False
         wanted = cls.recipe.inputs
-        if len(_sources(context)) != len(wanted):
+        sources = _sources(context)
+        if len(sources) != len(wanted) or any(ob.type != 'CURVE' for ob in sources):
             cls.poll_message_set(f"Select {' and '.join(wanted)}")
             return False
         return True
@@ -45,6 +49,8 @@ class _FromObjects:
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
             hand.note(self, 'piece', sources[0])
         new_shapes.settle(self)
+        if recipe.kind == 'revolve' and not self.properties.is_property_set('axis'):
+            self._suggest_axis(sources[0], context)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
@@ -54,6 +60,11 @@ class _FromObjects:
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)
         return {'FINISHED'}
+
+    def _suggest_axis(self, source, context):
+        """What cannot be read is refused where it is used."""
+        with suppress(*FAILURES):
+            self.axis = suggested_axis(derived.definition_of(source, context.evaluated_depsgraph_get()))
 
     def draw(self, context):
         layout = self.layout

@@ -9,7 +9,7 @@ from .. import hand, picking
 from . import polls, reports
 
 #: What goes on meanwhile: the view may be turned.
-_PASSED = {'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'WHEELINMOUSE', 'WHEELOUTMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM',
+PASSED = {'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'WHEELINMOUSE', 'WHEELOUTMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM',
            'MOUSEROTATE', 'MOUSESMARTZOOM', 'NDOF_MOTION', 'HOME', *(f"NUMPAD_{key}" for key in "0 1 2 3 4 5 6 7 8 9".split()),
            'NUMPAD_PERIOD', 'NUMPAD_PLUS', 'NUMPAD_MINUS'}
 
@@ -46,7 +46,7 @@ class _Picks:
         return {'RUNNING_MODAL'}
 
     def modal(self, context, event):
-        if event.type in _PASSED:
+        if event.type in PASSED:
             return {'PASS_THROUGH'}
         if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
             self.cancel(context)
@@ -65,7 +65,7 @@ class _Picks:
         state.picking, state.hovered = {}, ()
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
-        _redraw()
+        redraw()
 
     def _look(self, context, event):
         """Find the piece below the mouse."""
@@ -79,10 +79,10 @@ class _Picks:
         hovered = (found[0].name, found[1]) if found and state.picking[found[0].name][found[1] - 1] else ()
         if hovered != state.hovered:
             state.hovered = hovered
-            _redraw()
+            redraw()
 
 
-def _redraw():
+def redraw():
     for area, _, _ in picking.views():
         area.tag_redraw()
 

@@ -1,4 +1,4 @@
-"""What the verbs of curve shapes and of patch shapes have in common as operators, in Object Mode.
+"""What the verbs of curve shapes and of patch shapes have in common as operators, in Object Mode and while nets are edited.
 
 A number in the redo panel is float32. It stands for the shortest decimal that it is, and for a knot that is the same
 number as float32: core.parameters.snapped().
@@ -9,9 +9,10 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ...bridge import replacing, store
+from ...bridge.net import net_object
 from ...core import decimals, verbs
 from ...core.failures import FAILURES
-from .. import hand
+from .. import editing, hand
 from . import reports
 from .pick_piece import draw_number
 from .selected import OnSelected
@@ -33,10 +34,12 @@ def tolerance_property(what, default, least=0.0):
 
 
 class OnPieces(OnSelected):
-    """Does verb() with pieces of every selected shape that fits; `already` is said where that changes nothing."""
+    """Does verb() with pieces of every selected shape that fits, or of those whose nets are edited; `already` is said
+    where that changes nothing."""
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     already = "nothing changes"
+    works_on_nets = True
     #: Names of settings whose choices are shown side by side.
     expanded = ()
 
@@ -47,6 +50,23 @@ class OnPieces(OnSelected):
         """A verb of core.verbs."""
         raise NotImplementedError
 
+    @classmethod
+    def poll(cls, context):
+        nets = editing.nets_in_edit_mode(context) if cls.works_on_nets else []
+        if not nets:
+            return super().poll(context)
+        if not any(map(cls.fits, map(net_object.shape_of, nets))):
+            cls.poll_message_set("The net is of another kind of shape")
+            return False
+        return True
+
+    @staticmethod
+    def _in_order(context):
+        nets = editing.nets_in_edit_mode(context)
+        if not nets:
+            return OnSelected._in_order(context)
+        return [net_object.shape_of(ob) for ob in sorted(nets, key=lambda ob: ob == context.object)]
+
     @property
     def length(self):
         """The tolerance, as it was typed."""
@@ -56,11 +76,21 @@ class OnPieces(OnSelected):
         """Names of the properties in the redo panel above the piece."""
         return [name for name in type(self).__annotations__ if name != 'piece']
 
+    @property
+    def has_settings(self):
+        return bool(self.settings())
+
+    def can_work(self, ob):
+        return replacing.can_change(ob.data)
+
     def invoke(self, context, event):
-        hand.begin(self, self.chosen(context))
-        return self.execute(context)
+        hand.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
+        return super().invoke(context, event)
 
     def execute(self, context):
+        problem = editing.unread(editing.nets_in_edit_mode(context))
+        if problem:
+            return reports.cancelled(self, problem)
         hand.forget_asked()
         for ob in self.chosen(context):
             hand.note(self, 'piece', ob)
@@ -76,6 +106,11 @@ class OnPieces(OnSelected):
         hand.note(self, 'piece', ob, [parent + 1 for parent in outcome[1].parents])
         return outcome
 
+    def after(self, context):
+        """Nets that are edited come out again, of the shapes as they are now."""
+        nets = editing.nets_in_edit_mode(context)
+        return editing.anew(context, nets) if nets else ()
+
     def said(self, outcomes):
         return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
@@ -87,6 +122,7 @@ class OnPieces(OnSelected):
             else:
                 self.layout.prop(self, name)
         draw_number(self.layout, self, 'piece')
+        self.draw_result()
 
 
 def told(outcomes):
@@ -125,7 +161,7 @@ class FromActive:
     def invoke(self, context, event):
         """With one piece, where no value fits all."""
         is_given = self.properties.is_property_set
-        hand.begin(self, self.chosen(context))
+        hand.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
         try:
             found = verbs.pieces_of(store.read(self._a_shape(context).data))
             if self.piece == 0 and not is_given('piece') and len({piece.domain for piece in found}) > 1:
@@ -136,6 +172,7 @@ class FromActive:
         for name, value in zip(self.asked, values):
             if not is_given(name):
                 setattr(self, name, value)
+        self.by_hand = True
         return self.execute(context)
 
     def _a_shape(self, context):

@@ -18,8 +18,12 @@ class Said(NamedTuple):
 
 def finished(operator, said):
     """Report what was done, if there is anything to tell. Returns what the operator's execute() returns."""
-    _report(operator, 'WARNING' if said.warnings else 'INFO', [said.done, *_few(said.notes), *_few(said.warnings)])
+    _report(operator, 'WARNING' if said.warnings else 'INFO', [in_words(said)])
     return {'FINISHED'}
+
+
+def in_words(said):
+    return "; ".join(filter(None, [said.done, *_few(said.notes), *_few(said.warnings)]))
 
 
 def cancelled(operator, *reasons):

@@ -1,8 +1,14 @@
 """Operators that do their work on every selected object that fits."""
 
+from bpy.props import BoolProperty, StringProperty
+
 from ...core.failures import FAILURES, sentence
-from .. import progress
+from .. import progress, texts
 from . import polls, reports
+
+_NOTHING = "Nothing changed"
+#: Characters of a line in the panel of the last operator.
+_WIDTH = 40
 
 
 class OnSelected:
@@ -11,6 +17,13 @@ class OnSelected:
     bl_options = {'REGISTER', 'UNDO'}
     #: poll_message where nothing fits, and what was done: {} stands for the names.
     needs, done = "", ""
+    #: Whether another setting may do what was refused.
+    has_settings = False
+
+    #: Whether a user called it, who then sees the panel of the last operator.
+    by_hand: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    #: What came of the last call, for that panel: Blender's status bar need not say it again.
+    result: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     @staticmethod
     def fits(ob):
@@ -18,6 +31,14 @@ class OnSelected:
 
     def work(self, context, ob):
         """Do it with one object. Raises, and has changed nothing, if it cannot be done."""
+        raise NotImplementedError
+
+    def invoke(self, context, event):
+        self.by_hand = True
+        return self.execute(context)
+
+    def can_work(self, ob):
+        """Whether what was refused for an object may be done with other settings. has_settings says that it is asked."""
         raise NotImplementedError
 
     @classmethod
@@ -33,9 +54,28 @@ class OnSelected:
         outcomes, failed = self._work_on_all(context)
         reasons = reports.by_name(failed)
         if not outcomes:
-            return reports.cancelled(self, *reasons)
+            return self._refused(context, reasons)
         said = self.said(outcomes)
-        return reports.finished(self, said._replace(warnings=(*said.warnings, *reasons)))
+        return self._finished(said._replace(warnings=(*said.warnings, *self.after(context), *reasons)))
+
+    def after(self, context):
+        """What is to be done when it was done with all. Returns warnings."""
+        return ()
+
+    def _finished(self, said):
+        self.result = reports.in_words(said)
+        return reports.finished(self, said)
+
+    def draw_result(self):
+        """In the panel of the last operator."""
+        draw = texts.draw_problem if self.result.startswith(_NOTHING) else texts.draw_note
+        draw(self.layout, self.result, _WIDTH)
+
+    def _refused(self, context, reasons):
+        """Where another setting may do it, the panel of the last operator stays: Blender shows none of what was cancelled."""
+        if self.by_hand and self.has_settings and any(map(self.can_work, self.chosen(context))):
+            return self._finished(reports.Said(_NOTHING, warnings=reasons))
+        return reports.cancelled(self, *reasons)
 
     def _work_on_all(self, context):
         """What work() gave, and why it failed, by name. Should it break, Blender makes an undo step of what was done."""

@@ -30,6 +30,8 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
         "the parameters of a Hermite piece grow from each to the next", options={'SKIP_SAVE'})
     #: The piece and axis whose knots the text was read from; "" where a script gave it.
     shown: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    #: (name of a data-block, piece and axis, its knots), and the text that was refused for them.
+    _refused = (), ""
 
     @classmethod
     def poll(cls, context):
@@ -46,6 +48,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             self._show_knots(owner.data)
         except FAILURES as error:
             return reports.failed(self, error)
+        self._show_refused(owner.data)
         state.asking.add(self.bl_idname)
         return context.window_manager.invoke_props_dialog(self, width=700)
 
@@ -71,6 +74,18 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
     def _show_knots(self, data):
         self.knots = knots.text_of(store.read(data), self.piece - 1, self._axis())
         self.shown = self._place()
+
+    def _show_refused(self, data):
+        """The text that was refused last, where it was for these very knots."""
+        place, text = self._refused
+        if place == (data.name, self._place(), self.knots):
+            self.knots = text
+
+    def _keep_refused(self, data, text):
+        """For the next time that this is asked for; "" for what was taken."""
+        with suppress(*FAILURES):
+            now = knots.text_of(store.read(data), self.piece - 1, self._axis())
+            type(self)._refused = ((data.name, self._place(), now), text) if text else ((), "")
 
     def draw(self, context):
         owner = _shape_in_hand(context)
@@ -107,7 +122,9 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             changed = knots.replaced(store.read(owner.data), self.piece - 1, self._axis(), self.knots)
             shape.set_definition(owner.data, changed)
         except FAILURES as error:
+            self._keep_refused(owner.data, self.knots)
             return reports.failed(self, error)
+        self._keep_refused(owner.data, "")
         return reports.finished(self, reports.Said(warnings=editing.anew(context, editing_nets) if editing_nets else ()))
 
     def _axis(self):
@@ -117,8 +134,8 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 def _shape_in_hand(context):
     """The active shape, or the one whose net is active in Edit Mode."""
     ob = context.object
-    if net_object.is_net(ob) and ob.mode == 'EDIT':
-        return net_object.shape_of(ob)
+    if net_object.is_net(ob):
+        return hand.shape_of(ob) if ob.mode == 'EDIT' else None
     return ob if shape.has_shape(ob) and ob.mode == 'OBJECT' and not editing.why_not(ob) else None
 
 

@@ -1,0 +1,83 @@
+"""A net of curves gains and loses points in Blender's Edit Mode: net and shape take up what became of them.
+
+The points get the numbers of the stage that comes of it, and but for points that are being appended the places that they
+have in it: a knot that was inserted moves its neighbours.
+"""
+
+import numpy as np
+
+from ...core.net import grown, reading
+from ..file_state import look_again
+from . import net_splines, stages
+
+
+def choose(data, current):
+    """Let a session take the stage that the points of a net are of. Points that were appended and called off, so that they
+    lie where they were copied, are copies again."""
+    stages.keep(data, current.stages)
+    stage = stages.at_hand(data, current.stages)
+    parent = current.stages.get(stage.parent)
+    if len(stage.added) and parent is not None:
+        runs = _runs(data, stage.net)
+        if _is_called_off(stage, runs):
+            _write(data, parent.net, [_before(stage, run.numbers) for run in runs], runs)
+            stage = parent
+    if current.stage is not stage:
+        current.take_stage(stage)
+
+
+def _is_called_off(stage, runs):
+    places = {number: tuple(place) for run in runs for number, place in zip(run.numbers.tolist(), run.places.tolist())}
+    ends = {origin: number for number, origin in enumerate(stage.origins.tolist()) if number not in stage.added}
+    pairs = [(number, ends.get(int(stage.origins[number]))) for number in stage.added.tolist()]
+    return all(number in places and places[number] == places.get(end) for number, end in pairs)
+
+
+def _before(stage, numbers):
+    """What points with these numbers were before some were appended."""
+    before = np.full(len(numbers), grown.NEW)
+    for i, number in enumerate(numbers.tolist()):
+        own = grown.copy_of(number) if number < grown.NEW else number
+        if number == grown.STRAY:
+            before[i] = number
+        elif own >= 0:
+            is_copy = number < grown.NEW or own in stage.added
+            before[i] = grown.copy_of(stage.origins[own]) if is_copy else stage.origins[own]
+    return before
+
+
+def settle(data, current):
+    """Pass over what was extruded and called off once for all: it is no point either when the one it is of moves away."""
+    runs = _runs(data, current.net)
+    numbers = grown.settled(runs)
+    if numbers is not None:
+        _write(data, current.net, numbers, runs)
+
+
+def grow(data, current, definition, slots):
+    """Whether a net that has gained or lost points is of another stage now, which the session has then.
+
+    definition: what the net says by the points that are there; slots: theirs, as of core.net.reading. Raises Refusal or an
+    error of the library, and nothing has changed, where there is no such shape.
+    """
+    runs = net_splines.runs(data, current.net, slots)
+    result = grown.grow(current.net, definition, runs)
+    if result is None:
+        return False
+    stage = stages.after(current.stages, current.stage, result, stages.digest(data))
+    stages.keep(data, current.stages)
+    _write(data, stage.net, result.numbers, runs)
+    if not len(result.added):
+        net_splines.place(data, stage.net, result.numbers, [run.turned for run in runs],
+                          set(np.flatnonzero(result.origins == grown.NEW).tolist()))
+    current.take_stage(stage)
+    return True
+
+
+def _runs(data, net):
+    return net_splines.runs(data, net, reading.slots(net, net_splines.present(data, net)))
+
+
+def _write(data, net, numbers, runs):
+    net_splines.renumber(data, net, numbers, [run.turned for run in runs])
+    look_again(data)

@@ -1,0 +1,82 @@
+"""What the switches of the scene show of shapes, worked out when a shape or a number of the switch changes."""
+
+from ..core import definition as definitions
+from ..core import sewing, verbs
+from ..core.failures import FAILURES
+from ..core.sights import combs, faces, frames, lines, polygon
+from . import fineness, recipes, settings, store
+from .file_state import key, remember, state
+
+#: Shapes of which something is kept.
+_KEPT = 512
+
+
+def of(scene):
+    """The switches of a scene."""
+    return scene.splinewright_sights
+
+
+def kept(data, what, numbers, make):
+    """What make(data, *numbers) gave for a data-block as it is now; None where it cannot be made."""
+    name = key(data)
+    known = state.sights.get(name)
+    if known is None:
+        known = remember(state.sights, name, {}, _KEPT)
+    numbers = (data.as_pointer(), *numbers)     # another may have been given its name
+    if what not in known or known[what][0] != numbers:
+        try:
+            known[what] = numbers, make(data, *numbers[1:])
+        except FAILURES:
+            known[what] = numbers, None
+    return known[what][1]
+
+
+def polygon_of(data):
+    """The core.sights.polygon.Polygon of a definition."""
+    return polygon.of(store.read(data))
+
+
+def curves_of(data):
+    """(n, 2, 3): the lines of curves."""
+    chosen = settings.of(data)
+    return lines.curves(verbs.curves_of(store.read(data)), chosen.resolution_u, chosen.reach, recipes.around(data))
+
+
+def comb_of(data, density, scale):
+    """The core.sights.combs.Comb of curves."""
+    return combs.of(verbs.curves_of(store.read(data)), density, scale)
+
+
+def frames_of(data, part, length):
+    """The core.sights.frames.Frame of curves."""
+    return frames.frames(verbs.curves_of(store.read(data)), part, length)
+
+
+def hodographs_of(data, part, scale):
+    """The core.sights.frames.Hodograph of curves."""
+    return frames.hodographs(verbs.curves_of(store.read(data)), part, scale)
+
+
+def normals_of(data, count, length):
+    """(n, 2, 3): normals of patches."""
+    return lines.normals(sewing.patches_of(store.read(data)), count, length)
+
+
+def knots_of(data):
+    """Points (n, 3) of curves, lines (n, 2, 3) of patches."""
+    definition = store.read(data)
+    if definition.has_curves:
+        return lines.knots_of_curves(verbs.curves_of(definition))
+    return lines.knots_of_patches(sewing.patches_of(definition))
+
+
+def faces_of(data, value=None):
+    """The core.sights.faces.Faces of patches: shaded() ones, or those that are coloured() by a value."""
+    patch_set = definitions.to_patch_set(store.read(data))
+    tessellation = fineness.tessellated(data, patch_set)
+    return faces.coloured(tessellation, patch_set, value) if value else faces.shaded(tessellation, patch_set)
+
+
+def isocurves_of(data, count):
+    """(n, 2, 3): so many lines in every span of patches."""
+    return lines.isocurves(sewing.patches_of(store.read(data)), count)

@@ -1,0 +1,283 @@
+"""What became of curves whose net gained and lost points: the definition that follows, and which point is which then.
+
+Points beyond an open end are appended, points between two neighbours subdivide, points that are gone are removed; splines
+are closed and opened.
+Copies that lie where they were made are passed over.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import definition as definitions
+from .. import verbs
+from ..failures import Refusal
+from . import curve_net, point_edits
+from .point_edits import Point
+
+#: In place of a number: a new point. A copy of a point with a number has a smaller one.
+NEW = -1
+
+
+#: A point that was passed over once for all.
+STRAY = -2 - 2 ** 30
+
+
+def copy_of(number):
+    """What stands for a copy of a point, and the other way round."""
+    return -2 - number
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """A spline as it is now: of each point its number in the net, NEW, copy_of() one or STRAY, and where it is."""
+
+    numbers: np.ndarray                 # (k,)
+    positions: np.ndarray               # (k, 3), or (k, 3, 3) with handles: before, the point, after
+    weights: np.ndarray                 # (k,)
+    closed: bool
+    turned: bool                        # whether its direction was switched since the net was made
+
+    @property
+    def places(self):
+        return self.positions if self.positions.ndim == 2 else self.positions[:, 1]
+
+    def point(self, i):
+        if self.positions.ndim == 2:
+            return Point(self.positions[i].astype(np.float64), float(self.weights[i]))
+        before, position, after = self.positions[i].astype(np.float64)
+        return Point(position, 1.0, *((after, before) if self.turned else (before, after)))
+
+
+@dataclass(frozen=True, eq=False)
+class Grown:
+    """A definition, its net, and for each run the numbers of its points there."""
+
+    net: object
+    numbers: tuple
+    origins: np.ndarray                 # (n,) of each point the number of the one it was, or was copied from, or NEW
+    added: np.ndarray                   # numbers of points that were appended, where nothing else was done
+    note: str
+
+
+def grow(net, definition, runs):
+    """The Grown net of a definition, which is what the net said of its points that are there; None where it has neither
+    gained nor lost any, or is not told what became of it. Raises Refusal, with the reason, where there is no such shape."""
+    by_piece = _plans(net, runs)
+    if by_piece is None or all(len(plans) == 1 and plans[0].is_idle for plans in by_piece):
+        return None
+    edits = [plan.carried_out(curve) for plans, curve in zip(by_piece, verbs.curves_of(definition)) for plan in plans]
+    curves = [edited.curve for edited in edits]
+    made = curve_net.make(definitions.from_value(curves[0] if definition.form == 'curve' and len(curves) == 1 else curves))
+    plans = [plan for of_piece in by_piece for plan in of_piece]
+    gone = sum(len(plan.gone) for plan in plans if len(by_piece[plan.piece]) == 1)
+    return _told(made, runs, plans, edits, _arrows(net, by_piece), _note(gone, max(edited.error for edited in edits)))
+
+
+def _note(gone, error):
+    if not gone or not error:
+        return ""
+    return f"without {'that point' if gone == 1 else f'those {gone} points'} the shape lies within {error:.4g} of what it was"
+
+
+def settled(runs):
+    """The numbers of each run where copies that lie beyond an end where that is are passed over once for all; None where
+    there are none."""
+    numbers = [run.numbers.copy() for run in runs]
+    for run, own in zip(runs, numbers):
+        known = np.flatnonzero(own >= 0)
+        if len(known) and not run.closed:
+            for end, slots in ((known[0], range(known[0])), (known[-1], range(known[-1] + 1, len(own)))):
+                for slot in slots:
+                    if own[slot] == copy_of(own[end]) and (run.places[slot] == run.places[end]).all():
+                        own[slot] = STRAY
+    return numbers if any((own != run.numbers).any() for own, run in zip(numbers, runs)) else None
+
+
+def _told(made, runs, plans, after, stays, note):
+    """stays: numbers of the points of arrows that are there as they were."""
+    numbers = [np.full(len(run.numbers), NEW) for run in runs]
+    origins = np.full(len(made.spline_points[0]), NEW)
+    added, now_of, first = [], {}, 0
+    for plan, edited, spline in zip(plans, after, made.splines):
+        if spline.count != len(plan.slots):
+            raise Refusal("the shape takes no such points: undo that")
+        own = first + np.argsort(np.argsort(edited.order))
+        numbers[plan.run][plan.slots] = own
+        was = runs[plan.run].numbers[plan.slots]
+        origins[own] = np.where(was < NEW, copy_of(was), was)
+        now_of.update(zip(was[was >= 0].tolist(), own[was >= 0].tolist()))
+        added += own[[i for i, slot in enumerate(plan.slots) if slot in plan.appended]].tolist()
+        first += spline.count
+    for number in stays:
+        now_of[number], origins[first] = first, number
+        first += 1
+    for found, run in zip(numbers, runs):
+        for i in np.flatnonzero((found == NEW) & (run.numbers != NEW)):
+            number = int(run.numbers[i])
+            if number == STRAY:
+                found[i] = STRAY
+                continue
+            now = now_of.get(number if number >= 0 else copy_of(number), NEW)
+            found[i] = copy_of(now) if number < NEW != now else now
+    if not all(plan.only_appends for plan in plans):
+        added = []
+    return Grown(made, tuple(numbers), origins, np.array(sorted(added), dtype=np.int64), note)
+
+
+def _arrows(net, by_piece):
+    """The points of the arrows of pieces that are there still."""
+    number, found = sum(spline.count for spline in net.splines[:len(by_piece)]), []
+    for plans, piece in zip(by_piece, net.source.pieces):
+        count = 2 * _count_infinite(net, piece)
+        found += range(number, number + count) if plans else ()
+        number += count
+    return found
+
+
+def _count_infinite(net, piece):
+    return 0 if piece.kind == 'hermite' else int((net.source.pool[piece.indices, 3] == 0).sum())
+
+
+# What happened to each piece -----------------------------------------------------------------------
+
+
+def _plans(net, runs):
+    """Of each piece its _Plans: one where it is there, none where it is gone, several where it was split. None where it is
+    not told what happened."""
+    bounds = np.cumsum([0] + [spline.count for spline in net.splines])
+    pieces = net.source.pieces
+    if not all((net.source.pool[piece.indices.ravel(), 3] != 0).any() for piece in pieces):
+        return None                     # one of them lies at infinity
+    owners = [np.unique(np.searchsorted(bounds, run.numbers[run.numbers >= 0], 'right') - 1) for run in runs]
+    if any(len(owner) > 1 for owner in owners):
+        raise Refusal("ends of different curves are connected: use Join Pieces for that, the shape has them apart")
+    plans = []
+    for i, piece in enumerate(pieces):
+        of_piece = [r for r, owner in enumerate(owners) if i in owner]
+        if len(of_piece) > 1 and _count_infinite(net, piece):
+            raise Refusal("a curve with points at infinity is not parted here: use Split for that")
+        found = [_plan(net, i, bounds[i], runs, r) for r in of_piece]
+        plans.append(sorted(found, key=lambda plan: plan.begins))
+    if not any(plans):
+        return None
+    if not all(plans) and any((run.numbers == NEW).all() for run in runs):
+        return None                     # it may be of another type now
+    return plans
+
+
+@dataclass(frozen=True, eq=False)
+class _Plan:
+    """What is to be done with a piece, or a part of it."""
+
+    piece: int
+    run: int
+    begins: int                         # the first of its points that is there
+    slots: np.ndarray                   # of each point that the net is to have its place in the run
+    gone: list                          # places of points that are gone, in the order of the net
+    gaps: list                          # (place among the points that stay, how many are new after it)
+    before: list                        # Points beyond the start, from the curve outwards
+    after: list
+    appended: frozenset                 # their places in the run
+    was_closed: bool
+    closed: bool
+    order: np.ndarray                   # of the points of the net the control points
+    is_cubic: bool                      # two points with handles
+
+    @property
+    def is_idle(self):
+        return self.only_appends and not (self.before or self.after)
+
+    @property
+    def only_appends(self):
+        return not (self.gone or self.gaps) and self.closed == self.was_closed
+
+    def carried_out(self, curve):
+        if self.is_idle:
+            return point_edits.started(curve, self.order, self.closed)
+        if self.is_cubic:
+            edited = point_edits.started(curve.to_hermite(), (0, 1), False)
+        else:
+            edited = point_edits.started(curve, self.order, self.was_closed)
+        if self.was_closed and not self.closed:
+            edited = point_edits.opened(point_edits.begun_at(edited, self.begins))
+        edited = _without(edited, self.gone)
+        if self.closed and not self.was_closed:
+            edited = point_edits.closed(edited)
+        for place, times in reversed(self.gaps):
+            edited = point_edits.inserted(edited, place, times)
+        for points, at_start in ((self.before, True), (self.after, False)):
+            for point in points:
+                edited = point_edits.appended(edited, point, at_start)
+        return edited
+
+
+def _without(edited, gone):
+    """Without points by their places: from the ends first."""
+    places = list(gone)
+    while places and not edited.closed and places[-1] == len(edited.order) - 1:
+        edited = point_edits.removed(edited, places.pop())
+    while places and not edited.closed and places[0] == 0:
+        edited = point_edits.removed(edited, 0)
+        places = [place - 1 for place in places[1:]]
+    for place in reversed(places):
+        edited = point_edits.removed(edited, place)
+    return edited
+
+
+def _plan(net, i, first, runs, r):
+    run, piece, spline = runs[r], net.source.pieces[i], net.splines[i]
+    slots = np.arange(len(run.numbers))[::-1 if run.turned else 1]
+    known = [slot for slot in slots if run.numbers[slot] >= 0]
+    if spline.closed and run.closed:    # it may begin anywhere
+        at = int(run.numbers[known].argmin())
+        known = known[at:] + known[:at]
+    begins, places = int(run.numbers[known[0]] - first), run.numbers[known] - first
+    if spline.closed and not run.closed:
+        places = (places - begins) % spline.count
+    if (np.diff(places) <= 0).any():
+        raise Refusal("its points are connected in another order than before: the shape has them as they were")
+    gaps, taken = [], list(known)
+    for k, (one, other) in enumerate(zip(known, [*known[1:], None])):
+        if other is None and not run.closed:
+            break
+        between = _between(slots, one, known[0] if other is None else other)
+        new = [slot for slot in between if run.numbers[slot] == NEW]
+        if new:
+            gaps.append((k, len(new)))
+            taken += new
+    before = after = []
+    if not run.closed:
+        start, end = slots.tolist().index(known[0]), slots.tolist().index(known[-1])
+        before = _beyond(run, slots[:start][::-1], known[0])
+        after = _beyond(run, slots[end + 1:], known[-1])
+    kept = [slot for slot in slots.tolist() if slot in {*taken, *before, *after}]
+    if run.closed:
+        at = kept.index(known[0])
+        kept = kept[at:] + kept[:at]
+    gone = sorted(set(range(spline.count)) - set(places.tolist()))
+    return _Plan(i, r, begins, np.array(kept), gone, gaps, [run.point(slot) for slot in before], [run.point(slot) for slot in after],
+                 frozenset((*before, *after)), spline.closed, run.closed, _order(net.source.pool, piece, spline),
+                 piece.kind != 'hermite' and spline.kind == 'BEZIER')
+
+
+def _between(slots, one, other):
+    """The slots after one and before another, around the end."""
+    at = slots.tolist()
+    start, stop = at.index(one) + 1, at.index(other)
+    return at[start:stop] if stop >= start else at[start:] + at[:stop]
+
+
+def _beyond(run, slots, end):
+    """The slots of points that were appended beyond an end: those that are not where it is."""
+    return [slot for slot in slots.tolist() if run.numbers[slot] != STRAY and (run.places[slot] != run.places[end]).any()]
+
+
+def _order(pool, piece, spline):
+    """Of each point of the net of a piece its control point; of a cubic with handles its two ends."""
+    if piece.kind == 'hermite':
+        return np.arange(spline.count)
+    if spline.kind == 'BEZIER':
+        return np.array([0, 3])
+    rows = piece.indices[:-1] if len(piece.indices) > 2 and piece.indices[0] == piece.indices[-1] else piece.indices
+    return np.flatnonzero(pool[rows, 3] != 0)

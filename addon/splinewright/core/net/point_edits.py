@@ -1,0 +1,278 @@
+"""Points more and less on one curve, as Blender's Edit Mode adds and removes them.
+
+Every edit gives an Edited: the curve, and of each point that its net has then, in order, the control point.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .. import parameters
+from ..failures import Refusal
+from ..library import sc
+
+
+class Edited(NamedTuple):
+    """A curve, of each point of its net the number of the control point, and how far it lies from what it was."""
+
+    curve: object
+    order: np.ndarray
+    closed: bool
+    error: float = 0.0
+
+
+class Point(NamedTuple):
+    """What is added at an end: where, its weight, and where the handles of a chain stand."""
+
+    position: np.ndarray
+    weight: float = 1.0
+    before: np.ndarray = None
+    after: np.ndarray = None
+
+
+def started(curve, order, closed):
+    """A curve before its edits. A single cubic with handles is a chain of one segment."""
+    return Edited(curve, np.asarray(order), closed)
+
+
+def appended(edited, point, at_start):
+    """One more point beyond an end; the others stay where they are."""
+    if at_start:
+        edited = edited if _is_chain(edited.curve) else edited._replace(curve=edited.curve.to_nurbs())
+        return _turned(appended(_turned(edited), point._replace(before=point.after, after=point.before), False))
+    curve = edited.curve
+    longer = _longer_chain(curve, point) if _is_chain(curve) else _longer_polygon(curve.to_nurbs(), point)
+    return edited._replace(curve=longer, order=np.append(edited.order, len(curve.points)))
+
+
+def inserted(edited, place, times):
+    """So many more points after the point at a place of the order: the shape stays."""
+    curve, order = edited.curve, edited.order
+    if _is_chain(curve):
+        return edited._replace(curve=_refined_chain(curve, place, times), order=np.arange(len(order) + times))
+    _require_finite(curve)
+    nurbs = curve.to_nurbs()
+    first = int(order[place])
+    averages = _averages(nurbs)
+    for part in range(1, times + 1):
+        knot = averages[first] + (averages[first + 1] - averages[first]) * part / (times + 1)
+        nurbs = nurbs.insert_knot(_free_knot(nurbs, knot))
+    wanted = np.insert(order.astype(float), place + 1, np.full(times, np.nan))
+    return edited._replace(curve=nurbs, order=_matched(curve, nurbs, wanted))
+
+
+def removed(edited, place):
+    """Without the point at a place of the order: at an open end the curve ends earlier, elsewhere the shape stays as
+    near as a curve with a point less can."""
+    curve, order = edited.curve, edited.order
+    is_end = not edited.closed and place in (0, len(order) - 1)
+    if len(order) <= 2:
+        raise Refusal("one point is no curve")
+    if _is_chain(curve):
+        if edited.closed and place == 0:
+            curve, place = _begun_later(curve), len(order) - 1
+        fewer = sc.HermiteCurve(*(np.delete(rows, place, 0) for rows in (curve.points, curve.tangents, curve.parameters)))
+        error = 0.0 if is_end else curve.to_nurbs().largest_distance(fewer.to_nurbs())
+        return edited._replace(curve=fewer, order=np.arange(len(order) - 1), error=edited.error + error)
+    _require_finite(curve)
+    if edited.closed and not _is_periodic(curve) and place == 0:
+        raise Refusal("the point where this closed curve begins and ends cannot go: open it first (Toggle Cyclic)")
+    if is_end and place == 0:
+        return _turned(removed(_turned(edited), len(order) - 1))
+    if is_end:
+        return edited._replace(curve=_ended_earlier(curve), order=order[:-1])
+    found = _without_a_knot(curve, _averages(curve.to_nurbs())[order[place]])
+    wanted = np.delete(order.astype(float), place)
+    return edited._replace(curve=found.value, order=_matched(curve, found.value, wanted), error=edited.error + found.error)
+
+
+def closed(edited):
+    """The last point connected with the first; a polygon becomes periodic, with knots evenly spaced."""
+    curve = edited.curve
+    if _is_chain(curve):
+        step = np.diff(curve.parameters).mean()
+        whole = sc.HermiteCurve(np.append(curve.points, curve.points[:1], 0), np.append(curve.tangents, curve.tangents[:1], 0),
+                                np.append(curve.parameters, curve.parameters[-1] + step))
+        return edited._replace(curve=whole, closed=True)
+    start, step = _even(curve)
+    whole = sc.NurbsCurve(curve.degree, start + step * np.arange(len(curve.points) + 1), curve.points, curve.weights, True)
+    return edited._replace(curve=whole, closed=True)
+
+
+def begun_at(edited, place):
+    """A closed curve with its beginning at a place of the order."""
+    curve = edited.curve
+    if _is_chain(curve):
+        for _ in range(place):
+            curve = _begun_later(curve)
+    elif _is_periodic(curve):
+        knots = np.append(curve.knots[place:], curve.knots[1:place + 1] + curve.knots[-1] - curve.knots[0])
+        curve = sc.NurbsCurve(curve.degree, knots, np.roll(curve.points, -place, 0), np.roll(curve.weights, -place), True)
+    elif place:
+        raise Refusal("this closed curve ends where it begins and opens there only (Toggle Cyclic)")
+    return edited._replace(curve=curve)
+
+
+def opened(edited):
+    """Not connected any more from the last point to the first."""
+    curve = edited.curve
+    if _is_chain(curve):
+        parted = sc.HermiteCurve(curve.points[:-1], curve.tangents[:-1], curve.parameters[:-1])
+    elif _is_periodic(curve):
+        start, step = _even(curve)
+        degree, points = curve.degree, len(curve.points)
+        knots = start + step * np.clip(np.arange(points + degree + 1.0) - degree, 0, points - degree)
+        parted = sc.NurbsCurve(degree, knots, curve.points, curve.weights)
+    else:
+        parted = _ended_earlier(curve)
+    return edited._replace(curve=parted, closed=False)
+
+
+def _even(curve):
+    """(where the domain starts, how long its spans are on the average)."""
+    start, end = curve.domain
+    return start, (end - start) / (len(parameters.inner_knots(curve)) + 1)
+
+
+def _is_chain(curve):
+    return isinstance(curve, sc.HermiteCurve)
+
+
+def _is_periodic(curve):
+    return getattr(curve, 'periodic', False)
+
+
+def _turned(edited):
+    """The other way round; the parameters change their signs, and so keep their digits."""
+    curve = edited.curve
+    if _is_chain(curve):
+        curve = sc.HermiteCurve(curve.points[::-1], -curve.tangents[::-1, ::-1], 0.0 - curve.parameters[::-1])
+    elif isinstance(curve, sc.BezierCurve):
+        curve = curve.reversed()
+    else:
+        curve = sc.NurbsCurve(curve.degree, 0.0 - curve.knots[::-1], curve.points[::-1], curve.weights[::-1])
+    return edited._replace(curve=curve, order=len(edited.curve.points) - 1 - edited.order[::-1])
+
+
+def _require_finite(curve):
+    if (curve.weights == 0).any():
+        raise Refusal("a curve with points at infinity takes and loses points at its ends only: use Insert Knot")
+
+
+# Polygons ------------------------------------------------------------------------------------------
+
+
+def _longer_polygon(curve, point):
+    """With a span as long as the last."""
+    knots, degree = curve.knots, curve.degree
+    if knots[-1] == knots[-1 - degree]:
+        step = knots[-1] - knots[knots < knots[-1]][-1]
+        longer = np.append(knots[:-degree], np.full(degree + 1, knots[-1] + step))
+    else:
+        longer = np.append(knots, knots[-1] + np.diff(np.unique(knots))[-1])
+    return sc.NurbsCurve(degree, longer, np.vstack([curve.points, _apart(point.position, curve.points[0])]),
+                         np.append(curve.weights, point.weight))
+
+
+def _apart(position, other):
+    """A position that is not that of another point in every bit: ends that meet are one point, here they are two."""
+    position = np.asarray(position, dtype=np.float64)
+    return np.nextafter(position, np.inf) if np.array_equal(position, other) else position
+
+
+def _ended_earlier(curve):
+    """Without the last control point: what appended() undoes."""
+    points, weights = curve.points[:-1], curve.weights[:-1]
+    if isinstance(curve, sc.BezierCurve):
+        return sc.BezierCurve(points, weights)
+    knots, degree = curve.knots, curve.degree
+    if knots[-1] != knots[-1 - degree]:
+        return sc.NurbsCurve(degree, knots[:-1], points, weights)
+    inner = parameters.inner_knots(curve)
+    if not len(inner):
+        return sc.NurbsCurve(degree - 1, knots[1:-1], points, weights)
+    is_simple = (knots == inner[-1]).sum() == 1
+    end = inner[-1] if is_simple else knots[-1]
+    return sc.NurbsCurve(degree, np.append(knots[:-degree - 2], np.full(degree + 1, end)), points, weights)
+
+
+def _averages(curve):
+    """Of each control point the average of its knots; of periodic curves once around, and the first again."""
+    knots, degree = curve.knots, curve.degree
+    if not curve.periodic:
+        return np.array([knots[i + 1:i + degree + 1].mean() for i in range(len(curve.points))])
+    count, period = len(knots) - 1, knots[-1] - knots[0]
+    at = np.arange(count + 1)[:, None] + np.arange(1 - degree, 1)
+    return (knots[at % count] + period * (at // count)).mean(1)
+
+
+def _free_knot(curve, knot):
+    """The parameter itself, or where there is a knot already the middle of the span beside it."""
+    start, end = curve.domain
+    if curve.periodic:
+        knot = start + (knot - start) % (end - start)
+    ends = np.concatenate([[start], parameters.inner_knots(curve), [end]])
+    knot = min(max(knot, start), end)
+    nearest = int(np.abs(ends - knot).argmin())
+    if abs(ends[nearest] - knot) > 1e-9 * (end - start):
+        return float(knot)
+    nearest = min(nearest, len(ends) - 2)
+    return float(ends[nearest] + (ends[nearest + 1] - ends[nearest]) / 2)
+
+
+def _without_a_knot(curve, place):
+    """The curve without the inner knot that is nearest to a parameter; of lower degree where it has none."""
+    inner = parameters.inner_knots(curve)
+    if not len(inner):
+        return curve.reduce(1)
+    start, end = curve.domain
+    if curve.periodic:
+        place = start + (place - start) % (end - start)
+    return curve.remove_knot(float(inner[np.abs(inner - place).argmin()]), 1)
+
+
+def _matched(before, after, wanted):
+    """Of each point of the net its control point now. wanted: those that it was before, not-a-number for new ones.
+
+    The points of periodic curves may begin elsewhere: as many as can are to be where they were.
+    """
+    if not _is_periodic(after):
+        return np.arange(len(wanted))
+    known = np.flatnonzero(np.isfinite(wanted))
+    was = before.points[wanted[known].astype(int)]
+    count = len(after.points)
+    far = [np.linalg.norm(after.points[(known + turn) % count] - was, axis=1).sum() for turn in range(count)]
+    return (np.arange(count) + int(np.argmin(far))) % count
+
+
+# Chains with tangents ------------------------------------------------------------------------------
+
+
+def _longer_chain(curve, point):
+    """With a segment as long in parameter as the last."""
+    step = curve.parameters[-1] - curve.parameters[-2]
+    tangents = np.array([point.position - point.before, point.after - point.position]) * 3.0 / step
+    size = np.abs([point.position, point.before, point.after]).max()
+    if np.abs(tangents[0] - tangents[1]).max() <= 8 * np.finfo(np.float32).eps * size * 3.0 / step:
+        tangents[1] = tangents[0]
+    return sc.HermiteCurve(np.vstack([curve.points, _apart(point.position, curve.points[0])]),
+                           np.concatenate([curve.tangents, tangents[None]]),
+                           np.append(curve.parameters, curve.parameters[-1] + step))
+
+
+def _refined_chain(curve, place, times):
+    start, end = curve.parameters[place:place + 2]
+    new = start + (end - start) * np.arange(1, times + 1) / (times + 1)
+    derivatives = np.array([curve.derivatives(u, 1) for u in new]).reshape(times, 2, 3)
+    tangents = np.repeat(derivatives[:, 1:], 2, axis=1)
+    return sc.HermiteCurve(np.insert(curve.points, place + 1, derivatives[:, 0], 0),
+                           np.insert(curve.tangents, place + 1, tangents, 0), np.insert(curve.parameters, place + 1, new))
+
+
+def _begun_later(curve):
+    """A closed chain that begins at its second point."""
+    tangents = np.concatenate([curve.tangents[1:], curve.tangents[1:2]])
+    tangents[-2, 1] = curve.tangents[0, 1]
+    parameters = curve.parameters
+    return sc.HermiteCurve(np.concatenate([curve.points[1:], curve.points[1:2]]), tangents,
+                           np.append(parameters[1:], parameters[-1] + parameters[1] - parameters[0]))

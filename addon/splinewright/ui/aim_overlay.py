@@ -1,0 +1,63 @@
+"""Over the 3D view: where a knot would lie that is inserted by a click."""
+
+from typing import NamedTuple
+
+import bpy
+import gpu
+import numpy as np
+
+from ..bridge import shape, surveys
+from ..bridge.file_state import state
+from ..core import aiming
+from ..core.failures import FAILURES
+from . import strokes
+
+_COLOR = (0.35, 1.0, 0.5, 1.0)
+_handle = None
+
+
+class Aim(NamedTuple):
+    """What is at the mouse: the name of an object, the number of its piece, its parameters, and along what a patch gets
+    a knot."""
+
+    name: str
+    number: int
+    parameters: tuple
+    direction: str
+
+
+def draw():
+    """Called by Blender for each 3D view."""
+    aimed = state.aimed
+    ob = bpy.context.view_layer.objects.get(aimed.name) if aimed else None
+    if not shape.has_shape(ob):
+        return
+    try:
+        lines = aiming.lines(surveys.pieces_of(ob.data)[aimed.number - 1], aimed.parameters, aimed.direction)
+    except (*FAILURES, IndexError):
+        return                          # the shape is another one meanwhile
+    with gpu.matrix.push_pop():
+        gpu.matrix.multiply_matrix(ob.matrix_world)
+        strokes.draw(_stroke(line[np.isfinite(line).all(1)]) for line in lines)
+
+
+def _stroke(line):
+    if len(line) == 1:
+        return strokes.points(line, lambda: _COLOR, lambda: 10)
+    return strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: _COLOR, 3.0)
+
+
+CLASSES = ()
+
+
+def register():
+    global _handle
+    if not bpy.app.background:
+        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW')
+
+
+def unregister():
+    global _handle
+    if _handle is not None:
+        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
+        _handle = None

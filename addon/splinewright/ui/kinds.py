@@ -1,0 +1,24 @@
+"""What is selected, of what menus and panels concern."""
+
+from ..bridge import baking, shape
+
+SHAPES = {'curve', 'patch'}
+#: What shapes can be made from.
+FOLLOWED = SHAPES | {'native'}
+ALL = {'curve', 'patch', 'native', 'baked'}
+
+
+def of(ob):
+    """The kind of an object or None: a shape of curves, of patches, a baked one, Blender's own curve or surface, or ""."""
+    if ob is None:
+        return ""
+    if shape.has_shape(ob):
+        return 'curve' if ob.type == 'CURVE' else 'patch'
+    if baking.is_baked(ob.data):
+        return 'baked'
+    return 'native' if ob.type in ('CURVE', 'SURFACE') else ""
+
+
+def selected(context):
+    """The kinds of the selected objects."""
+    return {of(ob) for ob in context.selected_objects} - {""}

@@ -1,0 +1,86 @@
+"""Over the 3D view: what the Overlays popover asks for, of selected shapes and those whose nets are out."""
+
+import bpy
+import gpu
+
+from ..bridge import shape, sights
+from ..bridge.file_state import state
+from ..bridge.net import net_object
+from . import editing, sights_strokes, strokes, surface_paint
+from .sights_strokes import SIGHTS
+
+_handles = ()
+
+
+def draw():
+    """Called by Blender for each 3D view."""
+    context = bpy.context
+    chosen = sights.of(context.scene)
+    if not context.space_data.overlay.show_overlays or not _is_any_on(chosen):
+        return
+    obs = shapes_in_hand(context)
+    if chosen.stripes or chosen.curvature:
+        surface_paint.draw(chosen, obs)
+    for ob in obs:
+        with gpu.matrix.push_pop(), strokes.nearer():
+            gpu.matrix.multiply_matrix(ob.matrix_world)
+            for behind, drawn in _strokes(ob, chosen):
+                gpu.state.depth_test_set('NONE' if behind or ob.show_in_front else 'LESS_EQUAL')
+                strokes.draw(drawn)
+    gpu.state.depth_test_set('NONE')
+
+
+def draw_legend():
+    """Called by Blender for each 3D view, in pixels."""
+    context = bpy.context
+    chosen = sights.of(context.scene)
+    if chosen.curvature and context.space_data.overlay.show_overlays:
+        surface_paint.draw_legend(context, chosen, shapes_in_hand(context))
+
+
+def _is_any_on(chosen):
+    return chosen.stripes or chosen.curvature or any(getattr(chosen, sight.switch) for sight in SIGHTS)
+
+
+def shapes_in_hand(context):
+    """Shapes that are selected or active, and those whose nets are out, as far as they are seen."""
+    found = {ob: None for ob in (*context.selected_objects, context.object) if shape.has_shape(ob)}
+    for held in editing.nets() if state.nets else ():
+        owner = net_object.shape_of(held)
+        if shape.has_shape(owner):
+            found[owner] = None
+    return [ob for ob in found if ob.visible_get()]
+
+
+def _strokes(ob, chosen):
+    """(whether what lies before is drawn over, Strokes) of an object; what lies above others comes last."""
+    for sight in SIGHTS:
+        is_net = sight.switch == 'polygon'
+        if getattr(chosen, sight.switch) and sight.type in ('', ob.type) and not (is_net and _is_net_out(ob.data)):
+            behind = chosen.points_behind and (is_net or ob.type == 'CURVE')
+            yield behind, sights_strokes.prepared(sight, ob.data, chosen)
+
+
+def _is_net_out(data):
+    """Whether a net is in Edit Mode that edits this: then Blender draws it."""
+    token = net_object.editor(data)
+    return token is not None and any(
+        held.mode == 'EDIT' and net_object.token(held.data) == token for held in editing.nets())
+
+
+CLASSES = ()
+
+
+def register():
+    global _handles
+    if not bpy.app.background:
+        view = bpy.types.SpaceView3D
+        _handles = (view.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW'),
+                    view.draw_handler_add(draw_legend, (), 'WINDOW', 'POST_PIXEL'))
+
+
+def unregister():
+    global _handles
+    for handle in _handles:
+        bpy.types.SpaceView3D.draw_handler_remove(handle, 'WINDOW')
+    _handles = ()

@@ -1,0 +1,85 @@
+"""How each sight that consists of lines and points is drawn."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from ..bridge import sights
+from . import colors, strokes
+
+
+class Sight(NamedTuple):
+    """What a switch of the Overlays popover shows of objects of a type, or of all.
+
+    make gives the Strokes for a data-block and these numbers beside the switch.
+    """
+
+    switch: str
+    type: str
+    numbers: tuple
+    make: Callable
+
+
+def prepared(sight, data, chosen):
+    """The Strokes of a Sight, worked out once until the shape or a number changes."""
+    numbers = tuple(getattr(chosen, name) for name in sight.numbers)
+    return sights.kept(data, sight.switch, numbers, sight.make) or ()
+
+
+def _isocurves(data, count):
+    return [strokes.lines(sights.isocurves_of(data, count), lambda: colors.ISOCURVES, 1.2)]
+
+
+def _knot_lines(data):
+    return [strokes.lines(sights.knots_of(data), lambda: colors.KNOTS_OF_PATCHES, 2.4)]
+
+
+def _normals(data, count, length):
+    return [strokes.lines(sights.normals_of(data, count, length), lambda: colors.NORMALS, 1.2)]
+
+
+def _polygon(data):
+    found = sights.polygon_of(data)
+    rows = [strokes.lines(pairs, lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(found.rows)]
+    return [*rows, strokes.arrows(found.arrows, colors.of_arrows),
+            strokes.points(found.points, colors.of_points, lambda: 5.0)]
+
+
+def _comb(data, density, scale):
+    found = sights.comb_of(data, density, scale)
+    return [strokes.lines(found.teeth, lambda: colors.TEETH, 1.0), strokes.lines(found.back, lambda: colors.BACK, 1.8)]
+
+
+def _hodograph(data, part, scale):
+    found = sights.hodographs_of(data, part, scale)
+    return [strokes.lines(found.lines, lambda: colors.HODOGRAPH, 1.8),
+            strokes.arrows(found.arrows, lambda: colors.HODOGRAPH)]
+
+
+def _curve(data):
+    return [strokes.lines(sights.curves_of(data), lambda: colors.CURVE, 2.5)]
+
+
+def _frame(data, part, length):
+    found = sights.frames_of(data, part, length)
+    axes = [strokes.lines(pairs, lambda color=color: color, 2.5) for pairs, color in zip(found.axes, colors.FRAME)]
+    return [strokes.lines(found.circles, lambda: colors.CIRCLE, 1.5), *axes]
+
+
+def _knot_marks(data):
+    marks = sights.knots_of(data)
+    return [strokes.points(marks, lambda: colors.RIM, lambda: 9.0),
+            strokes.points(marks, lambda: colors.KNOTS, lambda: 6.0)]
+
+
+#: What lies above others comes last.
+SIGHTS = (
+    Sight('isocurves', 'MESH', ('isocurve_count',), _isocurves),
+    Sight('knots', 'MESH', (), _knot_lines),
+    Sight('normals', 'MESH', ('normal_count', 'normal_length'), _normals),
+    Sight('polygon', '', (), _polygon),
+    Sight('comb', 'CURVE', ('comb_density', 'comb_scale'), _comb),
+    Sight('hodograph', 'CURVE', ('place', 'hodograph_scale'), _hodograph),
+    Sight('curve', 'CURVE', (), _curve),
+    Sight('frame', 'CURVE', ('place', 'frame_length'), _frame),
+    Sight('knots', 'CURVE', (), _knot_marks),
+)

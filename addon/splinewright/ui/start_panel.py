@@ -1,0 +1,69 @@
+"""What can be made of what is selected, or anew, in the sidebar: there is something to do in every state."""
+
+import bpy
+
+from . import editing, kinds, menus, texts, tools
+
+#: Labels and operators by what is selected.
+_NATIVE = ("Exact", ('make_exact', 'follow_object'))
+_FROM_ONE = ("Surface", ('add_revolve', 'add_extrude'))
+_FROM_TWO = ("Surface", ('add_ruled',))
+_FOLLOW = ("Copy", ('follow_object',))
+_JOIN = {'curve': ("Join", ('join_ends', 'join')), 'patch': ("Join", ('join_patches', 'join'))}
+_JOIN_MANY = ("Join", ('join',))
+
+
+def groups(obs, active):
+    """What tools.draw_panel() takes, for the selected objects and the active one."""
+    found = [kinds.of(ob) for ob in obs]
+    count = {kind: found.count(kind) for kind in kinds.ALL}
+    curves = sum(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
+    made = [_NATIVE] if count['native'] and kinds.of(active) in kinds.FOLLOWED else []
+    made += [("Exact", ('make_exact',))] if count['native'] and not made else []
+    for kind in sorted(kinds.SHAPES):
+        if count[kind] > 1 and active in obs and kinds.of(active) == kind:
+            made.append(_JOIN[kind] if len(obs) == 2 else _JOIN_MANY)
+    others = sum(count[kind] for kind in kinds.FOLLOWED) - curves
+    if curves == 1 and not others:
+        made.append(_FROM_ONE)
+    if curves == 2 and not others:
+        made.append(_FROM_TWO)
+    if len(obs) == 1 and count['curve'] + count['patch'] == 1 and active in obs:
+        made.append(_FOLLOW)
+    return made
+
+
+class SPLINEWRIGHT_PT_start(bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_start"
+    bl_label = "Make"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'UI'
+    bl_category = "Splinewright"
+    bl_order = 0
+
+    @classmethod
+    def poll(cls, context):
+        return not editing.nets_in_edit_mode(context)
+
+    def draw(self, context):
+        layout = self.layout
+        if context.mode != 'OBJECT':
+            texts.draw_note(layout, "Shapes are made in Object Mode: leave the present mode first")
+            return
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        made = groups(context.selected_objects, context.object)
+        tools.draw_panel(layout, made)
+        if not made:
+            _draw_add(layout)
+
+
+def _draw_add(layout):
+    row = layout.split(factor=0.3)
+    row.label(text="Add")
+    column = row.column(align=True)
+    column.menu(menus.SPLINEWRIGHT_MT_curve_add.bl_idname, text="Curve", icon='CURVE_DATA')
+    column.menu(menus.SPLINEWRIGHT_MT_surface_add.bl_idname, text="Surface", icon='SURFACE_DATA')
+    column.operator("splinewright.import_json", text="Import", icon='IMPORT')
+
+
+CLASSES = (SPLINEWRIGHT_PT_start,)

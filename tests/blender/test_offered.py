@@ -1,0 +1,124 @@
+"""What would be refused is grey, and nothing else is."""
+
+from types import SimpleNamespace
+
+import bpy
+import pytest
+
+import patches
+from curves import value_of
+from layouts import Layout, drawn_by, panels
+from natives import native_curve
+from shapes import activate, add, op
+from support import part
+
+menus = part('ui.menus')
+texts = part('ui.texts')
+
+#: Refused with the settings they begin with, which the redo panel changes.
+MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp'}
+#: Only the work itself tells whether what was changed was moved as a whole.
+TOLD_LATE = {('touched', 'adopt_transform')}
+MENDED |= {f"patch_{name}" for name in MENDED}
+#: They open a dialog, or work on the view.
+NOT_RUN = {'pick_piece', 'insert_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt'}
+
+
+def made(name):
+    op(getattr(bpy.ops.splinewright, name))
+    return bpy.context.object
+
+
+def touched():
+    ob = add(patches.value_of('bicubic'))
+    ob.data.vertices[0].co.x += 1
+    ob.data.update()
+    return ob
+
+
+def follower():
+    native_curve()
+    return made('follow_object')
+
+
+def revolved():
+    add(value_of('cubic'))
+    return made('add_revolve')
+
+
+def chain():
+    ob = add(value_of('nurbs'))
+    op(bpy.ops.splinewright.to_bezier_chain)
+    return ob
+
+
+STATES = {
+    'Bezier curve': lambda: add(value_of('cubic')), 'NURBS curve': lambda: add(value_of('nurbs')), 'chain': chain,
+    'line': lambda: made('add_line'), 'Hermite': lambda: made('add_hermite_curve'), 'circle': lambda: made('add_circle'),
+    'spline': lambda: made('add_catmull_rom'), 'follower': follower, 'Bezier patch': lambda: add(patches.value_of('bicubic')),
+    'NURBS patch': lambda: made('add_nurbs_patch'), 'Hermite patch': lambda: made('add_hermite_patch'),
+    'cylinder': lambda: made('add_cylinder'), 'teapot': lambda: made('add_teapot'), 'revolved': revolved, 'touched': touched}
+
+
+def begun(state):
+    for ob in list(bpy.data.objects):
+        bpy.data.objects.remove(ob)
+    activate(STATES[state]())
+    bpy.context.view_layer.update()
+
+
+def offered():
+    """(operators that are offered, those of them that are grey) in the panels and the context menu."""
+    layout = Layout()
+    for panel in panels():
+        if panel.poll(bpy.context):
+            drawn = drawn_by(panel, bpy.context)
+            layout.operators.extend(drawn.operators)
+            layout.disabled.extend(drawn.disabled)
+    for menu in (menus.SPLINEWRIGHT_MT_object_context, *(entry for group in menus._ENTRIES for entry, _ in group
+                                                         if not isinstance(entry, str))):
+        menu.draw(SimpleNamespace(layout=layout), bpy.context)
+    names = {name.partition(".")[2] for name in layout.operators}
+    grey = {name.partition(".")[2] for name in layout.disabled}
+    return names, grey | {name for name in names if not getattr(bpy.ops.splinewright, name).poll()}
+
+
+def is_refused(name):
+    try:
+        return op(getattr(bpy.ops.splinewright, name)) != {'FINISHED'}
+    except RuntimeError:
+        return True
+    finally:
+        if bpy.context.mode != 'OBJECT':
+            bpy.ops.object.mode_set(mode='OBJECT')
+
+
+@pytest.mark.parametrize('state', STATES)
+def test_what_would_be_refused_is_grey(state):
+    begun(state)
+    names, grey = offered()
+    wrong = []
+    for name in sorted(names - NOT_RUN):
+        begun(state)
+        if is_refused(name) != (name in grey) and not ((name in MENDED or (state, name) in TOLD_LATE) and name not in grey):
+            wrong.append((name, "grey" if name in grey else "not grey"))
+    assert len(names) > 5 and not wrong
+
+
+@pytest.mark.parametrize('state', STATES)
+def test_the_panel_says_why_the_tools_are_grey(state):
+    begun(state)
+    data = bpy.context.object.data
+    reason = part('ui.tools').why_not(data)
+    said = " ".join(text for panel in panels() if 'tools' in panel.__name__ and panel.poll(bpy.context)
+                    for text in drawn_by(panel, bpy.context).texts)
+    assert reason in said and bool(reason) == (state in ('circle', 'spline', 'follower', 'cylinder', 'revolved', 'touched'))
+
+
+@pytest.mark.parametrize('state', STATES)
+def test_sentences_in_panels_fit_the_sidebar_as_it_opens(state):
+    begun(state)
+    for panel in panels():
+        if panel.poll(bpy.context):
+            for text in drawn_by(panel, bpy.context).texts:
+                assert len(text) <= texts.WIDTH + 5, text

@@ -1,0 +1,95 @@
+"""The sidebar has something to do in every state, and what it offers is done."""
+
+import bpy
+import pytest
+
+import patches
+from curves import value_of
+from layouts import drawn_by, panels
+from natives import native_curve
+from shapes import activate, add, enter, op
+from support import part
+
+start_panel = part('ui.start_panel')
+
+
+def curve():
+    return add(value_of('cubic'))
+
+
+def patch():
+    return add(patches.value_of('bicubic'))
+
+
+def surface():
+    bpy.ops.surface.primitive_nurbs_surface_surface_add()
+    return bpy.context.object
+
+
+def cube():
+    bpy.ops.mesh.primitive_cube_add()
+    return bpy.context.object
+
+
+STATES = {
+    'nothing': ((), set()),
+    'a cube': ((cube,), set()),
+    'a curve of Blender': ((native_curve,), {'make_exact', 'follow_object', 'add_revolve', 'add_extrude'}),
+    'a surface of Blender': ((surface,), {'make_exact', 'follow_object'}),
+    'two curves of Blender': ((native_curve, native_curve), {'make_exact', 'follow_object', 'add_ruled'}),
+    'a curve': ((curve,), {'add_revolve', 'add_extrude', 'follow_object'}),
+    'a patch': ((patch,), {'follow_object'}),
+    'two curves': ((curve, curve), {'join_ends', 'join', 'add_ruled'}),
+    'two patches': ((patch, patch), {'join_patches', 'join'}),
+    'three curves': ((curve, curve, curve), {'join'}),
+    'a curve and a patch': ((patch, curve), set()),
+    'a curve and one of Blender': ((native_curve, curve), {'make_exact', 'follow_object', 'add_ruled'}),
+    'a curve and a cube': ((cube, curve), {'add_revolve', 'add_extrude'}),
+}
+OFFERED = [(state, name) for state, (_, names) in STATES.items() for name in sorted(names)]
+
+
+def made(state):
+    obs = [make() for make in STATES[state][0]]
+    for i, ob in enumerate(obs):
+        ob.location.x = 3.0 * i
+    bpy.ops.object.select_all(action='DESELECT')
+    if obs:
+        activate(*obs)
+        bpy.context.view_layer.update()
+
+
+def drawn():
+    return drawn_by(start_panel.SPLINEWRIGHT_PT_start, bpy.context)
+
+
+@pytest.mark.parametrize('state', STATES)
+def test_what_is_offered(state):
+    made(state)
+    assert start_panel.SPLINEWRIGHT_PT_start.poll(bpy.context)
+    layout = drawn()
+    assert {name.partition(".")[2] for name in layout.operators} == (STATES[state][1] or {'import_json'})
+    assert ("Add" in layout.texts) == (not STATES[state][1])
+
+
+@pytest.mark.parametrize('state, name', OFFERED)
+def test_what_is_offered_is_done(state, name):
+    made(state)
+    operator = getattr(bpy.ops.splinewright, name)
+    assert operator.poll() and op(operator) == {'FINISHED'}
+
+
+def test_other_modes_say_what_to_do():
+    ob = native_curve()
+    activate(ob)
+    bpy.ops.object.mode_set(mode='EDIT')
+    layout = drawn()
+    bpy.ops.object.mode_set(mode='OBJECT')
+    assert "Object Mode" in " ".join(layout.texts) and not layout.operators
+
+
+def test_a_net_has_its_own_panel():
+    curve()
+    enter()
+    assert not start_panel.SPLINEWRIGHT_PT_start.poll(bpy.context)
+    assert any(panel.poll(bpy.context) for panel in panels() if hasattr(panel, 'poll'))

@@ -1,0 +1,153 @@
+"""Verbs while the net of a shape is edited: what they do in Object Mode, and the net comes out again."""
+
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+import pytest
+
+import patches
+from curves import value_of
+from layouts import drawn
+from shapes import activate, add, enter, first_point, leave, move, numbers_of, op, require_exact, select, shown
+from support import part
+from test_menus import Drawn
+
+curve_verbs, editing, live, menus, net_object, patch_verbs = (part(name) for name in (
+    'ui.operators.curve_verbs', 'ui.editing', 'bridge.net.live', 'ui.menus', 'bridge.net.net_object',
+    'ui.operators.patch_verbs'))
+CURVE = [cls.bl_idname.split('.')[1] for cls in curve_verbs.CLASSES]
+PATCH = [cls.bl_idname.split('.')[1] for cls in patch_verbs.CLASSES]
+VALUES = {**{name: lambda: value_of('nurbs') for name in CURVE},
+          **{name: lambda: patches.value_of('plain nurbs') for name in PATCH}}
+#: Settings with which a verb changes the shapes above.
+SETTINGS = {**{name: {'tolerance': 100.0} for name in ('make_periodic', 'patch_make_periodic', 'remove_knots', 'patch_remove_knots')},
+            'reparametrise': {'end': 7.0}, 'patch_reparametrise': {'end': 7.0},
+            'insert_knot': {'where': 'SPANS'}, 'patch_insert_knot': {'where': 'SPANS'}}
+
+
+def call(name):
+    """What Blender says: its operator's result, or the refusal."""
+    try:
+        return op(getattr(bpy.ops.splinewright, name), **SETTINGS.get(name, {}))
+    except RuntimeError as error:
+        return str(error).partition(": ")[2]
+
+
+def value(ob):
+    return ob.data.splinewright.value
+
+
+@pytest.mark.parametrize('name', VALUES)
+def test_a_verb_does_with_its_net_out_what_it_does_without(name):
+    ob = add(VALUES[name]())
+    held = enter()
+    select(held, first_point(held))
+    move(0.1, 0.2, 0.3)
+    moved = value(ob)
+    leave()
+    said = call(name)
+    wanted = value(ob)
+    ob.data.splinewright.value = moved
+    held = enter()
+    assert call(name) == said and value(bpy.data.objects["shape"]) == wanted
+    held, ob = bpy.context.object, bpy.data.objects["shape"]
+    assert held.mode == 'EDIT' and net_object.shape_of(held) == ob and live.problem(held) == ""
+    select(held, first_point(held))
+    move(0.0, 0.0, 0.5)
+    assert value(ob) != wanted
+    require_exact(ob)
+    leave()
+    assert len(editing.nets()) == 0
+
+
+@pytest.mark.parametrize('name', ('insert_knot', 'to_bezier_chain', 'patch_insert_knot', 'patch_swap'))
+def test_undo_takes_a_verb_back_and_the_net_with_it(name):
+    ob = add(VALUES[name]())
+    before = value(ob)
+    held = enter()
+    count = len(numbers_of(held).rows)
+    select(held, first_point(held))
+    move(0.0, 0.0, 0.5)
+    moved = value(ob)
+    assert call(name) == {'FINISHED'}
+    done = value(bpy.data.objects["shape"])
+    assert done != moved
+    op(bpy.ops.ed.undo)
+    assert value(bpy.data.objects["shape"]) == moved and len(numbers_of(bpy.context.object).rows) == count
+    op(bpy.ops.ed.redo)
+    assert value(bpy.data.objects["shape"]) == done
+    for _ in range(3):
+        op(bpy.ops.ed.undo)
+    assert value(bpy.data.objects["shape"]) == before
+
+
+def test_points_that_stay_where_they_are_stay_selected():
+    add(value_of('nurbs'))
+    held = enter()
+    first, last = 0, len(numbers_of(held).rows) - 1
+    select(held, first, last)
+    assert op(bpy.ops.splinewright.insert_knot, where='SPANS') == {'FINISHED'}
+    held = bpy.context.object
+    count = len(numbers_of(held).rows)
+    assert count > last + 1
+    assert part('bridge.net.selection').selected(held, numbers_of(held)) == [0, count - 1]
+
+
+def test_the_piece_of_the_selected_points_is_the_one_in_hand():
+    ob = add([value_of('cubic'), value_of('nurbs')])
+    held = enter()
+    rows = numbers_of(held).definition.pieces[1].indices.ravel()
+    select(held, *np.flatnonzero(np.isin(numbers_of(held).rows, rows))[:2])
+    assert part('ui.hand').pieces_of_points(held) == [1]
+    operator = SimpleNamespace(piece=0, properties=SimpleNamespace(is_property_set=lambda name: False))
+    part('ui.hand').begin(operator, [ob], [held])
+    assert operator.piece == 2
+
+
+def test_nets_of_several_shapes_are_changed_together_and_those_of_others_are_not():
+    first, second, third = (add(value_of('nurbs'), name) for name in ("first", "second", "third"))
+    activate(first, second)
+    enter()
+    assert op(bpy.ops.splinewright.raise_degree, times=1) == {'FINISHED'}
+    assert len(bpy.context.objects_in_mode) == 2
+    leave()
+    assert [value(bpy.data.objects[name]).degree for name in ("first", "second", "third")] == [4, 4, 3]
+
+
+def test_a_net_that_holds_what_its_shape_does_not_take_is_not_put_away():
+    ob = add(patches.value_of('plain nurbs'))
+    before = shown(ob).copy()
+    held = enter()
+    select(held, first_point(held))
+    op(bpy.ops.mesh.delete, type='VERT')
+    bpy.context.view_layer.update()
+    assert live.problem(held)
+    with pytest.raises(RuntimeError, match="lost points"):
+        op(bpy.ops.splinewright.patch_raise_degree)
+    assert bpy.context.object == held and held.mode == 'EDIT' and np.array_equal(shown(ob), before)
+
+
+def test_tools_are_in_the_sidebar_the_header_and_on_top_of_the_context_menu():
+    for shown_value, tools in ((value_of('nurbs'), part('ui.curve_tools')),
+                               (patches.value_of('plain nurbs'), part('ui.patch_tools'))):
+        add(shown_value)
+        panel = next(cls for cls in tools.CLASSES if issubclass(cls, bpy.types.Panel))
+        enter()
+        assert panel.poll(bpy.context) and "Knots" in drawn()
+        leave()
+    assert [menu for menu, _ in menus._TOPS] == ["VIEW3D_MT_edit_mesh_context_menu", "VIEW3D_MT_edit_curve_context_menu"]
+
+
+@pytest.mark.parametrize('kind', ('nurbs', 'plain nurbs'))
+def test_the_menu_of_a_net_holds_what_works_there(kind):
+    layout = Drawn()
+    for _, draw in (*menus._TOPS, ("header", menus._draw_net_header)):
+        draw(SimpleNamespace(layout=layout), bpy.context)
+    assert layout == []
+    add(value_of(kind) if kind == 'nurbs' else patches.value_of(kind))
+    enter()
+    menus._draw_net_header(SimpleNamespace(layout=layout), bpy.context)
+    names = [name for name in layout if name.islower()]
+    assert set(CURVE if kind == 'nurbs' else PATCH) <= set(names) and 'extract_boundary' not in names and 'join_ends' not in names
+    assert all(getattr(bpy.ops.splinewright, name).poll() for name in names)

@@ -1,0 +1,142 @@
+"""What the switches in the Overlays popover show: seen in the view, following a drag, kept while nothing changes."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import (View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture,
+                    select_points)
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+#: Of a picture, where shapes are and neither regions nor the legend.
+PLACE = slice(100, 680), slice(260, 830)
+
+
+def chosen():
+    return bpy.context.scene.splinewright_sights
+
+
+def switched_on(view, name, picture, least=0.05, **numbers):
+    """Steps that switch something on and see that the view changes, by so much at least."""
+    before = save_picture(OUTPUT / "sights-off.png")
+    for number, value in numbers.items():
+        setattr(chosen(), number, value)
+    setattr(chosen(), name, True)
+    yield from redrawn()
+    after = save_picture(OUTPUT / f"sights-{picture}.png")
+    assert mean_difference(before[PLACE], after[PLACE]) > least, picture
+
+
+def alone(view, make, name):
+    """Steps that leave one shape in the view, selected."""
+    empty_file()
+    with view.override():
+        make()
+        bpy.context.object.name = name
+        bpy.ops.view3d.view_all()
+    yield from redrawn()
+
+
+def curves(view):
+    def make():
+        bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True, count=7)
+        bpy.ops.view3d.view_axis(type='TOP')
+    yield from alone(view, make, "curve")
+    yield from switched_on(view, 'polygon', "polygon")
+    yield from switched_on(view, 'curve', "curve")
+    yield from switched_on(view, 'knots', "knots")
+    yield from switched_on(view, 'comb', "comb", comb_scale=0.25)
+    chosen().comb = False
+    yield from switched_on(view, 'frame', "frame", place=0.7)
+    yield from switched_on(view, 'hodograph', "hodograph", hodograph_scale=0.25)
+    chosen().frame = chosen().hodograph = False
+    chosen().comb = True
+    yield from redrawn()
+    view.press('TAB')
+    yield from into_net()
+    with view.override():
+        select_points(3)
+    before = save_picture(OUTPUT / "sights-net.png")
+    made = count_made()
+    yield from redrawn()
+    yield from redrawn()
+    assert made() == 0, "something was worked out though nothing changed"
+    with view.override():
+        bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 1.5, 0))
+    yield from redrawn()
+    assert made() > 0
+    assert mean_difference(before[PLACE], save_picture(OUTPUT / "sights-moved.png")[PLACE]) > 0.3
+    view.press('TAB')
+    yield from out_of_net()
+    print("curves", flush=True)
+
+
+def count_made():
+    """A function that tells how often something was worked out for the view since it was made."""
+    state = part('bridge.file_state').state
+    known = {id(value) for values in state.sights.values() for value in values.values()}
+    kept = [values.copy() for values in state.sights.values()]      # so that no id is given away again
+
+    def found():
+        return len({id(value) for values in state.sights.values() for value in values.values()} - known) if kept else 0
+    return found
+
+
+def patches(view):
+    def make():
+        bpy.ops.splinewright.add_teapot('EXEC_DEFAULT', True)
+        bpy.ops.view3d.view_axis(type='FRONT')
+        bpy.ops.view3d.view_orbit(angle=0.5, type='ORBITUP')
+    for name in ('polygon', 'curve', 'knots', 'comb'):
+        setattr(chosen(), name, False)
+    yield from alone(view, make, "teapot")
+    for kind in ('ZEBRA', 'REFLECTION', 'HIGHLIGHT'):
+        yield from switched_on(view, 'stripes', kind.lower(), least=4.0, stripe_kind=kind)
+        chosen().stripes = False
+        yield from redrawn()
+    for kind in ('GAUSS', 'MEAN'):
+        yield from switched_on(view, 'curvature', kind.lower(), least=4.0, curvature_kind=kind)
+        chosen().curvature = False
+        yield from redrawn()
+    yield from switched_on(view, 'isocurves', "isocurves", isocurve_count=2)
+    yield from switched_on(view, 'knots', "knot-lines")
+    yield from switched_on(view, 'normals', "normals", normal_length=0.1)
+    chosen().normals = False
+    yield from switched_on(view, 'polygon', "patch-net")
+    view.press('TAB')
+    yield from into_net()
+    front = save_picture(OUTPUT / "sights-patch-edit.png")
+    yield from switched_on(view, 'points_behind', "points-behind")
+    chosen().points_behind = False
+    yield from redrawn()
+    assert mean_difference(front, save_picture(OUTPUT / "sights-patch-edit.png")) < 0.05
+    view.press('TAB')
+    yield from out_of_net()
+    for name in ('polygon', 'isocurves', 'knots'):
+        setattr(chosen(), name, False)
+    print("patches", flush=True)
+
+
+def popover(view):
+    """The switches stand in the popover, in words."""
+    with view.override():
+        bpy.ops.wm.call_panel(name="VIEW3D_PT_overlay", keep_open=True)
+    yield from redrawn()
+    save_picture(OUTPUT / "sights-popover.png")
+    view.press('ESC')
+    yield from redrawn()
+    print("popover", flush=True)
+
+
+def steps():
+    view = View()
+    view.move()
+    yield from curves(view)
+    yield from patches(view)
+    yield from popover(view)
+
+
+run(steps())
