@@ -160,6 +160,19 @@ TEST(ImplicitForm, CurvesBeginAndEndAtInfinity) {
   EXPECT_TRUE(curves_of(ImplicitConic::make({1, 0, 1, 0, 0, 0})).empty());
 }
 
+TEST(ImplicitForm, IsRefusedWhereRoundingLeavesNothingOfIt) {
+  const auto refused = [](double end, double middle) {
+    return refusal([&] { implicit_conic(BezierCurve::make({{0, 0, 0, end}, {1, 0, 0, middle}, {1, 1, 0, end}})); });
+  };
+  EXPECT_EQ(refused(1e-170, 1.0), "points make no equation: rounding has left nothing of it");
+  EXPECT_EQ(refused(1.0, 1e-320), "not refused");
+}
+
+TEST(ImplicitForm, IsRefusedWherePointsTimesWeightsOverflow) {
+  const BezierCurve curve = BezierCurve::make({{0, 0, 0, 1}, {1e200, 0, 0, 1e200}, {0, 1e200, 0, 1}});
+  EXPECT_EQ(refusal([&] { implicit_conic(curve); }), "points reach beyond the range of numbers with their weights");
+}
+
 TEST(ImplicitForm, IsRefusedForALine) {
   EXPECT_EQ(refusal([] { implicit_conic(conic_arc({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 1)); }),
             "points lie on one line: the curve has no equation of its own");

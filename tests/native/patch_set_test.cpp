@@ -101,6 +101,31 @@ TEST(PatchSetMake, RefusesAHermitePatchWhoseRowsHaveTheWrongWeight) {
             "patches[0]: points[2] has w = 2, a Hermite point needs w = 1");
 }
 
+TEST(PatchSetMake, RefusesWhatTheKindOfPatchHasNot) {
+  const IndexedPatch good = bezier(2, 2, {0, 1, 2, 3});
+  const auto refused = [&](auto change) {
+    IndexedPatch patch = good;
+    change(patch);
+    return refusal([&] { PatchSet::make(kPool, {patch}); });
+  };
+  const std::string degrees = "patches[0]: degree and periodic belong to NURBS patches, not to one of another kind";
+  EXPECT_EQ(refused([](IndexedPatch& patch) { patch.degree_v = 1; }), degrees);
+  EXPECT_EQ(refused([](IndexedPatch& patch) { patch.periodic_u = true; }), degrees);
+  EXPECT_EQ(refused([](IndexedPatch& patch) { patch.knots_u = {0, 1}; }),
+            "patches[0]: knots belong to no Bezier patch");
+}
+
+TEST(PatchSetMake, FillsInTheParametersOfAHermitePatch) {
+  IndexedPatch patch = bezier(2, 2, {0, 1, 2, 3, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6, 6});
+  patch.kind = PatchKind::hermite;
+  std::vector<glm::dvec4> pool = kPool;
+  pool.emplace_back(1, 1, 0, 0);
+  const PatchSet without = PatchSet::make(pool, {patch});
+  patch.knots_u = patch.knots_v = {0, 1};
+  EXPECT_EQ(without, PatchSet::make(pool, {patch}));
+  EXPECT_EQ(without.patches()[0].knots_u, patch.knots_u);
+}
+
 TEST(PatchSetMake, RefusesCountsThatAreNotThoseOfTheKnots) {
   IndexedPatch patch = bezier(3, 2, {0, 1, 2, 3, 4, 5});
   patch.kind = PatchKind::nurbs;

@@ -177,6 +177,7 @@ def test_an_error_can_be_pickled_with_its_place():
     ((), None, "variables is empty"), (("sin",), None, "name of a function"), (("t", "t"), None, "taken twice"),
     (("pi",), None, "name of a number"), (("e",), None, "name of a number"), (("2t",), None, "is no name"),
     (("",), None, "is no name"), (("t\0",), None, "is no name"), (("é",), None, "is no name"),
+    (("a" + 40 * "é",), None, "is no name"),
     (("t",), {"t": 1}, "taken twice"), (("t",), {"cos": 1}, "name of a function"), (("t",), {"a b": 1}, "is no name"),
     (("t",), {"k": float("nan")}, r"constants\['k'\] = nan"), (("t",), {"k": float("inf")}, r"constants\['k'\] = inf")])
 def test_bad_names_are_refused(names, constants, words):

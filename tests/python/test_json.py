@@ -142,3 +142,9 @@ def test_a_net_that_is_turned_against_its_knots_is_refused():
     fields["points"] = np.array(fields["points"]).swapaxes(0, 1).tolist()
     with pytest.raises(sc.InvalidShape, match="points is 3 x 2, but the knots belong to 2 x 3"):
         sc.loads(json.dumps(fields))
+
+
+@pytest.mark.parametrize("text", ["é", '{"format": é}', "{'日': 1}", '"' + "x" * 400 + "é"])
+def test_a_message_that_quotes_half_a_character_is_not_lost(text):
+    with pytest.raises(sc.InvalidShape, match="JSON: the text is damaged at byte"):
+        sc.loads(text)

@@ -20,11 +20,13 @@ glm::dvec3 homogeneous_in(const Plane& plane, const glm::dvec4& given) {
 }
 
 /// Divided by a power of two, so that products of four stay in the range of numbers.
+/// @throws InvalidShape if a point times its weight does not.
 void scale_to_one(std::array<glm::dvec3, 3>& points) {
   double size = 0.0;
   for (const glm::dvec3& p : points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double factor = std::scalbn(1.0, -std::ilogb(size));
-  for (glm::dvec3& p : points) p *= factor;
+  if (!std::isfinite(size)) throw InvalidShape("points reach beyond the range of numbers with their weights");
+  const int exponent = -std::ilogb(size);
+  for (glm::dvec3& p : points) p = {std::scalbn(p.x, exponent), std::scalbn(p.y, exponent), std::scalbn(p.z, exponent)};
 }
 
 NurbsCurve line(const glm::dvec3& point, const glm::dvec3& direction) {

@@ -3,6 +3,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
+#include "splinecore/base/printable.hpp"
 #include "splinecore/exchange/json.hpp"
 
 namespace splinecore {
@@ -12,7 +13,8 @@ namespace {
 using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
-  throw InvalidShape("JSON: " + where + " " + why);
+  constexpr std::size_t kShown = 300;
+  throw InvalidShape("JSON: " + printable(where, kShown) + " " + printable(why, kShown));
 }
 
 const Json& field(const Json& object, const char* name) {

@@ -5,6 +5,7 @@
 
 #include "parser.hpp"
 #include "program.hpp"
+#include "splinecore/base/printable.hpp"
 
 namespace splinecore {
 
@@ -45,17 +46,7 @@ bool operator==(const Formula& a, const Formula& b) noexcept {
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kShown = 60;
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string shown = "'";
-  for (const char c : text.substr(0, kShown)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20U || byte == 0x7FU) {
-      shown += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
-    } else {
-      shown += c;
-    }
-  }
-  return shown + (text.size() > kShown ? "...'" : "'");
+  return "'" + printable(text, kShown) + "'";
 }
 
 }  // namespace splinecore

@@ -33,6 +33,16 @@ void require_indices(const IndexedPatch& patch, std::size_t pool) {
   }
 }
 
+/// @throws InvalidShape for what the kind of patch has not: two sets of one shape would differ, and no text keeps it.
+void require_own_fields(const IndexedPatch& patch) {
+  const bool has_degrees = patch.degree_u != 0 || patch.degree_v != 0 || patch.periodic_u || patch.periodic_v;
+  const bool has_knots = !patch.knots_u.empty() || !patch.knots_v.empty();
+  if (patch.kind != PatchKind::nurbs && has_degrees) {
+    throw InvalidShape("degree and periodic belong to NURBS patches, not to one of another kind");
+  }
+  if (patch.kind == PatchKind::bezier && has_knots) throw InvalidShape("knots belong to no Bezier patch");
+}
+
 /// One of the nets of a Hermite patch, whose rows must have the given w.
 std::vector<glm::dvec3> hermite_net(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch,
                                     std::size_t net, double w) {
@@ -51,6 +61,7 @@ std::vector<glm::dvec3> hermite_net(const std::vector<glm::dvec4>& pool, const I
 
 AnyPatch value_of(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch) {
   require_indices(patch, pool.size());
+  require_own_fields(patch);
   if (patch.kind == PatchKind::hermite) {
     HermiteNet net{hermite_net(pool, patch, 0, 1.0), hermite_net(pool, patch, 1, 0.0),
                    hermite_net(pool, patch, 2, 0.0), hermite_net(pool, patch, 3, 0.0)};
@@ -68,6 +79,18 @@ AnyPatch value_of(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch
                        std::to_string(knots_v.count()));
   }
   return NurbsPatch::make(std::move(knots_u), std::move(knots_v), std::move(points));
+}
+
+/// Parameters that were left out: two sets of one shape are equal however they were made.
+void fill_parameters(IndexedPatch& patch, const AnyPatch& value) {
+  const auto* hermite = std::get_if<HermitePatch>(&value);
+  if (hermite == nullptr) return;
+  const auto fill = [&](std::vector<double>& knots, Axis axis) {
+    const auto parameters = hermite->parameters(axis);
+    if (knots.empty()) knots.assign(parameters.begin(), parameters.end());
+  };
+  fill(patch.knots_u, Axis::u);
+  fill(patch.knots_v, Axis::v);
 }
 
 /// Collects points, each once where merging.
@@ -163,6 +186,7 @@ PatchSet PatchSet::make(std::vector<glm::dvec4> points, std::vector<IndexedPatch
   for (std::size_t i = 0; i < set.patches_.size(); ++i) {
     try {
       set.values_.push_back(value_of(set.points_, set.patches_[i]));
+      fill_parameters(set.patches_[i], set.values_.back());
     } catch (const InvalidShape& error) {
       throw InvalidShape("patches" + index_text(i) + ": " + error.what());
     }

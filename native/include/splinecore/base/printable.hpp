@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace splinecore {
+
+/// A text as messages show it, valid UTF-8 whatever it was: unprintable bytes, and those of no character, as \x.. and
+/// of one longer than `most` bytes the whole characters that fit, and "...".
+std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
+
+}  // namespace splinecore
