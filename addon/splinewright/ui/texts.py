@@ -30,8 +30,8 @@ def _draw_lines(column, text, icon, width):
 
 
 def lines(text):
-    """A text in lines that fit the sidebar as it opens, without an icon and beside a label."""
-    return textwrap.wrap(text, WIDTH - 5)
+    """A text in lines that fit the sidebar as it opens, without an icon and beside a label; figures are narrow."""
+    return textwrap.wrap(text, WIDTH - 5 if any(map(str.isalpha, text)) else WIDTH - 1)
 
 
 def short(name):
