@@ -51,7 +51,7 @@ def curves(view):
     yield from switched_on(view, 'comb', "comb", comb_scale=0.25)
     chosen().comb = False
     yield from switched_on(view, 'frame', "frame", place=0.7)
-    yield from switched_on(view, 'hodograph', "hodograph", hodograph_scale=0.25)
+    yield from switched_on(view, 'hodograph', "hodograph", hodograph_scale=1.0)
     chosen().frame = chosen().hodograph = False
     chosen().comb = True
     yield from redrawn()

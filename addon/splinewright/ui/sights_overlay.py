@@ -49,7 +49,9 @@ def shapes_in_hand(context):
         owner = net_object.shape_of(held)
         if shape.has_shape(owner):
             found[owner] = None
-    return [ob for ob in found if ob.visible_get()]
+    space = context.space_data
+    in_view = {'viewport': space} if space is not None and space.type == 'VIEW_3D' else {}
+    return [ob for ob in found if ob.visible_get(**in_view)]
 
 
 def _strokes(ob, chosen):

@@ -127,6 +127,7 @@ def draw(prepared, matrix, kind, count=1.0, axis=(0.0, 0.0, 1.0), reach=1.0):
     flat = np.concatenate([*columns, eye, (*axis, 0.0), numbers, *np.pad(COLORS, [(0, 0), (0, 1)])]).astype(np.float32)
     block = gpu.types.GPUUniformBuf(gpu.types.Buffer('FLOAT', len(flat), flat))     # is used until all is drawn
     used.uniform_block('paint', block)
+    was_written = gpu.state.depth_mask_get()
     gpu.state.depth_mask_set(True)      # in views without solid faces one hides the other, too
     prepared.draw(used)
-    gpu.state.depth_mask_set(False)
+    gpu.state.depth_mask_set(was_written)
