@@ -81,8 +81,8 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
 
     def draw(self, context):
         self.layout.use_property_split = True
-        self.layout.prop(self, "tolerance")
         self.draw_result()
+        self.layout.prop(self, "tolerance")
 
     def can_work(self, ob):
         return replacing.can_change(ob.data)

@@ -116,13 +116,13 @@ class OnPieces(OnSelected):
 
     def draw(self, context):
         self.layout.use_property_split = True
+        self.draw_result()
         for name in self.settings():
             if name in self.expanded:
                 self.layout.row().prop(self, name, expand=True)
             else:
                 self.layout.prop(self, name)
         draw_number(self.layout, self, 'piece')
-        self.draw_result()
 
 
 def told(outcomes):
