@@ -37,7 +37,8 @@ def steps():
     downwards = [(middle, y) for y in range(top - 20, sidebar.y, -9)]
     yield from go_to_page(view, "nets.html#in-and-out", downwards)
     yield from go_to_page(view, "surfaces.html#faces", downwards)
-    header = [(x, y) for y in range(top - 10, top - 60, -8) for x in range(sidebar.x + sidebar.width - 24, middle, -7)]
+    right = sidebar.x + sidebar.width
+    header = [(x, y) for y in range(top - 10, top - 300, -8) for x in range(right - 24, right - 60, -7)]
     yield from go_to_page(view, "index.html#splinewright", header)
     save_picture(OUTPUT / "manual.png")
     asked.clear()
