@@ -429,7 +429,9 @@ def run(walk, steps):
 def test_ten_thousand_random_steps(tmp_path):
     walk = Walk(SEED, tmp_path)
     run(walk, STEPS)
-    assert not list(editing.nets()) and not [ob for ob in bpy.data.objects if net_object.is_net(ob)]
+    kept = {ob.name for ob in editing.nets()}
+    assert kept == {ob.name for ob in bpy.data.objects if net_object.is_net(ob)}
+    assert all(live.unread(bpy.data.objects[name]) for name in kept), "a net that holds nothing more is there still"
     shapes = [ob for ob in bpy.data.objects if shape.has_shape(ob)]
     touched = [ob for ob in shapes if shape.is_touched(ob.data)]
     for ob in shapes:
