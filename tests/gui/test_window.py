@@ -50,8 +50,9 @@ def steps():
     yield from redrawn()
     empty = picture("empty")
 
-    surfaces = sum(recipe.is_surface for recipe in part('core.recipes.table').STARTING)
-    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", 3 + surfaces, "menu")
+    table = part('core.recipes.table')
+    above = 3 + sum(recipe.is_surface for recipe in table.STARTING) + len(table.FROM_CURVES)
+    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", above, "menu")
     ob = bpy.context.object
     assert ob is not None and len(ob.data.splinewright.value) == 32, "the menu entry added no teapot"
     yield from frame(view)
@@ -73,11 +74,11 @@ def steps():
     assert len(bpy.data.objects["Teapot"].data.splinewright.value) == 32
 
     bpy.data.objects["Teapot"].hide_set(True)
-    view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height // 2)
+    view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height - 120)     # the menu is high
     bpy.context.preferences.edit.object_align = 'VIEW'
-    yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 2, "curve-menu")
+    yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 3, "curve-menu")
     ob = bpy.context.object
-    assert ob.type == 'CURVE' and ob.data.splinewright.value.degree == 3
+    assert ob.type == 'CURVE' and ob.name == "NURBS Curve", ob.name
     facing = view.area.spaces.active.region_3d.view_rotation.to_matrix()
     assert np.allclose(ob.matrix_world.to_3x3(), facing, atol=1e-5), "the curve is not aligned to the view"
     ob.rotation_euler = (0, 0, 0)
