@@ -22,9 +22,9 @@ class FileState:
     selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
     drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
     sights: dict = field(default_factory=dict)          # of a shape's data-block what bridge.sights keeps, until it changes
-    handed: int = 0                                     # the last operator whose copies ui.editing looked at
-    seen: int = 0                                       # the last one that had ended when Blender told of a change, or drew
-    began: int = 0                                      # the last one that had ended when points of a curve were copied
+    handed: tuple = ()                                  # the ended_operators() when ui.editing looked at copies last
+    seen: tuple = ()                                    # those when Blender told of a change, or drew
+    began: tuple = ()                                   # those when points of a curve were copied
     status: str = ""                                    # what ui.messages says in the status bar
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
@@ -39,7 +39,7 @@ class FileState:
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
     was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode; of ui.detour
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
-    last_join: int = field(default_factory=int)         # the one that was looked at last; of ui.join_notice
+    last_join: tuple = ()                               # the ended_operators() when one was looked at; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
     looks_left: int = 0
     is_deaf: bool = False                               # whether the main thread left another one waiting
@@ -55,6 +55,14 @@ def forget():
     fresh = FileState()
     for each in fields(FileState):
         setattr(state, each.name, getattr(fresh, each.name))
+
+
+def ended_operators():
+    """What tells those operators that have ended, which Blender remembers, from those at another moment.
+
+    The address of the last one alone does not: one that Blender forgets leaves its own to another.
+    """
+    return tuple(operator.as_pointer() for operator in bpy.context.window_manager.operators)
 
 
 def look_again(block):

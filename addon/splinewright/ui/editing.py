@@ -6,7 +6,7 @@ from contextlib import suppress
 import bpy
 
 from ..bridge import problems, recipes, remaking, settings, shape, store
-from ..bridge.file_state import block_of, key, state
+from ..bridge.file_state import block_of, ended_operators, key, state
 from ..bridge.net import free_net, live, net_object, selection
 from ..core.failures import FAILURES, Refusal, sentence, told
 
@@ -311,10 +311,11 @@ def hand_over():
 
     Only what an operator left when it had ended is looked at, since Blender is in the middle of one otherwise.
     """
-    operators = bpy.context.window_manager.operators
-    last = operators[-1] if len(operators) else None
-    if last is not None and last.as_pointer() not in (state.handed, state.began) and _DUPLICATING.search(last.bl_idname):
-        state.handed = last.as_pointer()
+    ended = ended_operators()
+    if not ended or ended in (state.handed, state.began):
+        return
+    if _DUPLICATING.search(bpy.context.window_manager.operators[-1].bl_idname):
+        state.handed = ended
         hand_over_now()
 
 

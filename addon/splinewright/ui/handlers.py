@@ -4,7 +4,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge import follow, keyed, recipes, versions
-from ..bridge.file_state import forget, key, look_again, state
+from ..bridge.file_state import ended_operators, forget, key, look_again, state
 from ..bridge.net import live
 from . import editing, errands, messages, saving, texts
 
@@ -36,7 +36,7 @@ def updated(scene, depsgraph):
         follow.refresh_all(changed, depsgraph)
     elif changed:
         follow.refresh(changed, depsgraph)
-    state.seen = live.last_operator()
+    state.seen = ended_operators()
 
 
 @persistent
@@ -45,6 +45,7 @@ def undone(*_):
     _put_back_after_failure()
     for known in (state.touched, state.selected, state.drawn, state.sights, state.shown):
         known.clear()
+    state.handed = state.began = ended_operators()
     editing.awaken()
     editing.find_nets()
     follow.scan()

@@ -7,7 +7,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge import shape
-from ..bridge.file_state import state
+from ..bridge.file_state import ended_operators, state
 from . import texts
 
 _WIDTH = 60
@@ -29,10 +29,10 @@ def updated(scene, depsgraph):
 
 def _is_new_join():
     """Undo and redo leave the last one among what was done."""
-    done = bpy.context.window_manager.operators
-    if not len(done) or done[-1].bl_idname != 'OBJECT_OT_join' or done[-1].as_pointer() == state.last_join:
+    ended = ended_operators()
+    if not ended or bpy.context.window_manager.operators[-1].bl_idname != 'OBJECT_OT_join' or ended == state.last_join:
         return False
-    state.last_join = done[-1].as_pointer()
+    state.last_join = ended
     return True
 
 

@@ -6,7 +6,7 @@ import gpu
 from gpu_extras.batch import batch_for_shader
 
 from ..bridge import problems, shape
-from ..bridge.file_state import state
+from ..bridge.file_state import ended_operators, state
 from ..bridge.net import live, net_object
 from . import editing
 
@@ -81,7 +81,7 @@ def take_back():
 
 def draw():
     """Called by Blender for each 3D view."""
-    state.seen = live.last_operator()
+    state.seen = ended_operators()
     lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
     if not lines:
         return

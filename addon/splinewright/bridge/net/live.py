@@ -14,7 +14,7 @@ from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
 from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
-from ..file_state import look_again, state
+from ..file_state import ended_operators, look_again, state
 from . import free_net, growing, net_object, settings_number, stages
 
 
@@ -240,8 +240,8 @@ def _follow(data, ob, current):
                 found = _read(data, ob, current)
         except FAILURES as error:
             refused = sentence(error)
-    if found.extra > current.extra and can_grow and last_operator() == state.seen:
-        state.began = state.seen        # it ended before points were copied: another is at work
+    if found.extra > current.extra and can_grow and ended_operators() == state.seen:
+        state.began = state.seen        # they ended before points were copied: another is at work
     current.extra = found.extra
     current.take(found.state, found.slots)
     problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, (current.stage.note, found.note))))
@@ -249,12 +249,6 @@ def _follow(data, ob, current):
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
     return _show(data, definition, current), refused or found.problem
-
-
-def last_operator():
-    """What tells the last operator that has ended from others."""
-    operators = bpy.context.window_manager.operators
-    return operators[-1].as_pointer() if len(operators) else 0
 
 
 def _read(data, ob, current):
