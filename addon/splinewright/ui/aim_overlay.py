@@ -13,7 +13,6 @@ from ..core.failures import FAILURES
 from . import strokes
 
 _COLOR = (0.35, 1.0, 0.5, 1.0)
-_handle = None
 
 
 class Aim(NamedTuple):
@@ -45,19 +44,3 @@ def _stroke(line):
     if len(line) == 1:
         return strokes.points(line, lambda: _COLOR, lambda: 10)
     return strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: _COLOR, 3.0)
-
-
-CLASSES = ()
-
-
-def register():
-    global _handle
-    if not bpy.app.background:
-        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW')
-
-
-def unregister():
-    global _handle
-    if _handle is not None:
-        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
-        _handle = None

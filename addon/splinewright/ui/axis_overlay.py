@@ -12,8 +12,6 @@ _WIDTH = 1.5
 #: How far the line goes on beyond the surface, in parts of its size.
 _BEYOND = 0.15
 
-_handle = None
-
 
 def line_of(ob):
     """(2, 3): the ends of the axis in the world, or None where an object is no surface of revolution that is seen."""
@@ -43,19 +41,3 @@ def draw():
     gpu.state.blend_set('ALPHA')
     strokes.draw([strokes.lines(line[None], lambda: _COLOR, _WIDTH)])
     gpu.state.blend_set('NONE')
-
-
-CLASSES = ()
-
-
-def register():
-    global _handle
-    if not bpy.app.background:
-        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW')
-
-
-def unregister():
-    global _handle
-    if _handle is not None:
-        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
-        _handle = None

@@ -16,8 +16,6 @@ _BEHIND = (0.0, 0.0, 0.0, 0.7)
 #: In pixels of an interface that is not scaled.
 _SIZE, _LINE, _MARGIN = 13, 19, 12
 
-_handle = None
-
 
 def said(layer):
     """[(sentence, colour)] for a view layer."""
@@ -133,19 +131,3 @@ def _draw_box(left, bottom, right, top):
     shader.uniform_float('color', _BEHIND)
     corners = [(left, bottom, 0), (right, bottom, 0), (right, top, 0), (left, top, 0)]
     batch_for_shader(shader, 'TRIS', {'pos': corners}, indices=[(0, 1, 2), (0, 2, 3)]).draw(shader)
-
-
-CLASSES = ()
-
-
-def register():
-    global _handle
-    if not bpy.app.background:
-        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_PIXEL')
-
-
-def unregister():
-    global _handle
-    if _handle is not None:
-        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
-        _handle = None

@@ -21,8 +21,6 @@ _SIZE = 15.0
 #: A number is hidden by what lies nearer to the eye by this part of the size of the shape.
 _LIFT = 0.01
 
-_handles = ()
-
 
 class Numbered(NamedTuple):
     """An object whose pieces show numbers."""
@@ -135,21 +133,3 @@ def _is_hidden(drawn, point, eye, back, lift, is_perspective):
     to = np.array(eye) - point if is_perspective else np.array(back)
     to /= np.linalg.norm(to) or 1.0
     return drawn.ray_cast(point + lift * to, to)[0]
-
-
-CLASSES = ()
-
-
-def register():
-    global _handles
-    if not bpy.app.background:
-        view = bpy.types.SpaceView3D
-        _handles = (view.draw_handler_add(draw_outline, (), 'WINDOW', 'POST_VIEW'),
-                    view.draw_handler_add(draw, (), 'WINDOW', 'POST_PIXEL'))
-
-
-def unregister():
-    global _handles
-    for handle in _handles:
-        bpy.types.SpaceView3D.draw_handler_remove(handle, 'WINDOW')
-    _handles = ()

@@ -8,8 +8,6 @@ from ..bridge.file_state import key, state
 from ..bridge.net import live, selection
 from . import colors, editing, seams_overlay, strokes
 
-_handle = None
-
 
 def draw():
     """Called by Blender for each 3D view."""
@@ -58,19 +56,3 @@ def _of_selection(ob, current):
 
 def _theme():
     return bpy.context.preferences.themes[0].view_3d
-
-
-CLASSES = ()
-
-
-def register():
-    global _handle
-    if not bpy.app.background:
-        _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW')
-
-
-def unregister():
-    global _handle
-    if _handle is not None:
-        bpy.types.SpaceView3D.draw_handler_remove(_handle, 'WINDOW')
-        _handle = None

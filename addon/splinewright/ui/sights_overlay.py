@@ -9,8 +9,6 @@ from ..bridge.net import net_object
 from . import editing, sights_strokes, strokes, surface_paint
 from .sights_strokes import SIGHTS
 
-_handles = ()
-
 
 def draw():
     """Called by Blender for each 3D view."""
@@ -68,21 +66,3 @@ def _is_net_out(data):
     token = net_object.editor(data)
     return token is not None and any(
         held.mode == 'EDIT' and net_object.token(held.data) == token for held in editing.nets())
-
-
-CLASSES = ()
-
-
-def register():
-    global _handles
-    if not bpy.app.background:
-        view = bpy.types.SpaceView3D
-        _handles = (view.draw_handler_add(draw, (), 'WINDOW', 'POST_VIEW'),
-                    view.draw_handler_add(draw_legend, (), 'WINDOW', 'POST_PIXEL'))
-
-
-def unregister():
-    global _handles
-    for handle in _handles:
-        bpy.types.SpaceView3D.draw_handler_remove(handle, 'WINDOW')
-    _handles = ()

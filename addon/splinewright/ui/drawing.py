@@ -1,0 +1,32 @@
+"""What is drawn over 3D views, in the order in which it lies there."""
+
+import bpy
+
+from . import aim_overlay, axis_overlay, messages, numbers_overlay, overlay, sights_overlay
+
+#: What Blender calls for each 3D view, in the space of the scene or in pixels.
+_DRAWS = (
+    (sights_overlay.draw, 'POST_VIEW'), (sights_overlay.draw_legend, 'POST_PIXEL'),
+    (overlay.draw, 'POST_VIEW'),
+    (numbers_overlay.draw_outline, 'POST_VIEW'), (numbers_overlay.draw, 'POST_PIXEL'),
+    (aim_overlay.draw, 'POST_VIEW'),
+    (axis_overlay.draw, 'POST_VIEW'),
+    (messages.draw, 'POST_PIXEL'),
+)
+
+_handles = ()
+
+CLASSES = ()
+
+
+def register():
+    global _handles
+    if not bpy.app.background:
+        _handles = tuple(bpy.types.SpaceView3D.draw_handler_add(draw, (), 'WINDOW', when) for draw, when in _DRAWS)
+
+
+def unregister():
+    global _handles
+    for handle in _handles:
+        bpy.types.SpaceView3D.draw_handler_remove(handle, 'WINDOW')
+    _handles = ()
