@@ -68,7 +68,7 @@ def grow(data, current, definition, slots):
     stages.keep(data, current.stages)
     _write(data, stage.net, result.numbers, runs)
     if not len(result.added):
-        net_splines.place(data, stage.net, result.numbers, [run.turned for run in runs],
+        net_splines.place(data, stage.net, result.numbers, [run.is_turned for run in runs],
                           set(np.flatnonzero(result.origins == grown.NEW).tolist()))
     current.take_stage(stage)
     return True
@@ -79,5 +79,5 @@ def _runs(data, net):
 
 
 def _write(data, net, numbers, runs):
-    net_splines.renumber(data, net, numbers, [run.turned for run in runs])
+    net_splines.renumber(data, net, numbers, [run.is_turned for run in runs])
     look_again(data)

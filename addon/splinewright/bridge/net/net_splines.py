@@ -137,7 +137,7 @@ def runs(curve, net, found):
         numbers = np.where(own | (numbers < 0), numbers, copy_of(numbers))
         numbers[_values(_points_of(spline), 'tilt', 1)[:, 0] == _STRAY] = STRAY
         result.append(Run(numbers, positions, rows[::step, 3],
-                          bool(spline.use_cyclic_u), bool(turned[own].any())))
+                          bool(spline.use_cyclic_u), turned))
     return result
 
 

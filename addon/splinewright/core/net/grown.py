@@ -1,11 +1,13 @@
 """What became of curves whose net gained and lost points: the definition that follows, and which point is which then.
 
 Points beyond an open end are appended, points between two neighbours subdivide, points that are gone are removed; splines
-are closed and opened.
+are closed and opened, parted and connected.
 Copies that lie where they were made are passed over.
 """
 
 from dataclasses import dataclass
+from functools import reduce
+from typing import NamedTuple
 
 import numpy as np
 
@@ -36,17 +38,22 @@ class Run:
     positions: np.ndarray               # (k, 3), or (k, 3, 3) with handles: before, the point, after
     weights: np.ndarray                 # (k,)
     closed: bool
-    turned: bool                        # whether its direction was switched since the net was made
+    turned: np.ndarray                  # (k,) bool: whether the direction was switched since the net was made
 
     @property
     def places(self):
         return self.positions if self.positions.ndim == 2 else self.positions[:, 1]
 
-    def point(self, i):
+    @property
+    def is_turned(self):
+        own = self.numbers >= 0
+        return bool(own.any() and self.turned[own].all())
+
+    def point(self, i, is_turned):
         if self.positions.ndim == 2:
             return Point(self.positions[i].astype(np.float64), float(self.weights[i]))
         before, position, after = self.positions[i].astype(np.float64)
-        return Point(position, 1.0, *((after, before) if self.turned else (before, after)))
+        return Point(position, 1.0, *((after, before) if is_turned else (before, after)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +73,8 @@ def grow(net, definition, runs):
     by_piece = _plans(net, runs)
     if by_piece is None or all(len(plans) == 1 and plans[0].is_idle for plans in by_piece):
         return None
-    edits = [plan.carried_out(curve) for plans, curve in zip(by_piece, verbs.curves_of(definition)) for plan in plans]
+    before = verbs.curves_of(definition)
+    edits = [plan.carried_out(before) for plans in by_piece for plan in plans]
     curves = [edited.curve for edited in edits]
     made = curve_net.make(definitions.from_value(curves[0] if definition.form == 'curve' and len(curves) == 1 else curves))
     plans = [plan for of_piece in by_piece for plan in of_piece]
@@ -143,27 +151,96 @@ def _count_infinite(net, piece):
 
 
 def _plans(net, runs):
-    """Of each piece its _Plans: one where it is there, none where it is gone, several where it was split. None where it is
-    not told what happened."""
+    """Of each piece its _Plans: one where it is there, none where it is gone or connected with one before it, several where
+    it was split. None where it is not told what happened."""
     bounds = np.cumsum([0] + [spline.count for spline in net.splines])
     pieces = net.source.pieces
     if not all((net.source.pool[piece.indices.ravel(), 3] != 0).any() for piece in pieces):
         return None                     # one of them lies at infinity
-    owners = [np.unique(np.searchsorted(bounds, run.numbers[run.numbers >= 0], 'right') - 1) for run in runs]
-    if any(len(owner) > 1 for owner in owners):
-        raise Refusal("ends of different curves are connected: use Join Pieces for that, the shape has them apart")
+    parts = [part for r, run in enumerate(runs) for part in _parts(run, r, bounds)]
     plans = []
     for i, piece in enumerate(pieces):
-        of_piece = [r for r, owner in enumerate(owners) if i in owner]
+        of_piece = [part for part in parts if part.piece == i]
         if len(of_piece) > 1 and _count_infinite(net, piece):
             raise Refusal("a curve with points at infinity is not parted here: use Split for that")
-        found = [_plan(net, i, bounds[i], runs, r) for r in of_piece]
+        found = [_plan(net, bounds[i], part) for part in of_piece]
         plans.append(sorted(found, key=lambda plan: plan.begins))
     if not any(plans):
         return None
     if not all(plans) and any((run.numbers == NEW).all() for run in runs):
         return None                     # it may be of another type now
+    return _connected(plans, runs)
+
+
+class _Part(NamedTuple):
+    """Points of a run that are of one piece, and those that are new between and beyond them."""
+
+    piece: int
+    run: Run
+    number: int                         # of the run
+    slots: list                         # in the direction of the piece
+    @property
+    def is_turned(self):
+        return len(self.slots) > 1 and self.slots[0] > self.slots[-1]
+
+
+def _parts(run, r, bounds):
+    own = np.flatnonzero(run.numbers >= 0)
+    pieces = np.searchsorted(bounds, run.numbers[own], 'right') - 1
+    starts = np.flatnonzero(np.diff(pieces, prepend=-1))
+    if len(starts) > 1 and run.closed:
+        raise Refusal("different curves are connected at both ends at once: connect one, and then the other")
+    ends = [*own[starts[1:]], len(run.numbers)]
+    for start, first, last in zip(starts.tolist(), [0, *ends], ends):
+        slots, i = list(range(first, last)), own[start:][pieces[start:] == pieces[start]]
+        yield _Part(int(pieces[start]), run, r, slots[::-1] if run.turned[i].any() else slots)
+
+
+def _connected(plans, runs):
+    """Plans of pieces where those that are connected by a run are one."""
+    for r in range(len(runs)):
+        found = [plan for of_piece in plans for plan in of_piece if plan.run == r]
+        if len(found) < 2:
+            continue
+        if any(len(plans[plan.piece]) > 1 for plan in found):
+            raise Refusal("a curve was parted and connected with another at once: do one after the other")
+        is_turned = runs[r].is_turned
+        found.sort(key=lambda plan: plan.slots.min(), reverse=is_turned)
+        for plan in found:
+            plans[plan.piece] = []
+        plans[min(plan.piece for plan in found)] = [_Connected(tuple(found), is_turned)]
     return plans
+
+
+@dataclass(frozen=True, eq=False)
+class _Connected:
+    """What is to be done with pieces that were connected to one. The same questions as of a _Plan."""
+
+    plans: tuple
+    is_turned: bool
+    is_idle = only_appends = False
+    gone = appended = frozenset()
+
+    @property
+    def piece(self):
+        return min(plan.piece for plan in self.plans)
+
+    @property
+    def run(self):
+        return self.plans[0].run
+
+    @property
+    def slots(self):
+        return np.concatenate([plan.slots[::-1] if self._goes_back(plan) else plan.slots for plan in self.plans])
+
+    def _goes_back(self, plan):
+        return (plan.slots[0] > plan.slots[-1]) != self.is_turned
+
+    def carried_out(self, curves):
+        parts = [plan.carried_out(curves) for plan in self.plans]
+        parts = [point_edits.as_chain(part) if plan.is_cubic else part for plan, part in zip(self.plans, parts)]
+        parts = [point_edits.turned(part) if self._goes_back(plan) else part for plan, part in zip(self.plans, parts)]
+        return reduce(point_edits.joined, parts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,11 +269,12 @@ class _Plan:
     def only_appends(self):
         return not (self.gone or self.gaps) and self.closed == self.was_closed
 
-    def carried_out(self, curve):
+    def carried_out(self, curves):
+        curve = curves[self.piece]
         if self.is_idle:
             return point_edits.started(curve, self.order, self.closed)
         if self.is_cubic:
-            edited = point_edits.started(curve.to_hermite(), (0, 1), False)
+            edited = point_edits.as_chain(point_edits.started(curve, self.order, False))
         else:
             edited = point_edits.started(curve, self.order, self.was_closed)
         if self.was_closed and not self.closed:
@@ -225,10 +303,10 @@ def _without(edited, gone):
     return edited
 
 
-def _plan(net, i, first, runs, r):
-    run, piece, spline = runs[r], net.source.pieces[i], net.splines[i]
-    slots = np.arange(len(run.numbers))[::-1 if run.turned else 1]
-    known = [slot for slot in slots if run.numbers[slot] >= 0]
+def _plan(net, first, part):
+    run, piece, spline = part.run, net.source.pieces[part.piece], net.splines[part.piece]
+    slots = np.array(part.slots)
+    known = [slot for slot in part.slots if run.numbers[slot] >= 0]
     if spline.closed and run.closed:    # it may begin anywhere
         at = int(run.numbers[known].argmin())
         known = known[at:] + known[:at]
@@ -256,8 +334,9 @@ def _plan(net, i, first, runs, r):
         at = kept.index(known[0])
         kept = kept[at:] + kept[:at]
     gone = sorted(set(range(spline.count)) - set(places.tolist()))
-    return _Plan(i, r, begins, np.array(kept), gone, gaps, [run.point(slot) for slot in before], [run.point(slot) for slot in after],
-                 frozenset((*before, *after)), spline.closed, run.closed, _order(net.source.pool, piece, spline),
+    more = [[run.point(slot, part.is_turned) for slot in beyond] for beyond in (before, after)]
+    return _Plan(part.piece, part.number, begins, np.array(kept), gone, gaps, *more, frozenset((*before, *after)),
+                 spline.closed, run.closed, _order(net.source.pool, piece, spline),
                  piece.kind != 'hermite' and spline.kind == 'BEZIER')
 
 

@@ -35,11 +35,16 @@ def started(curve, order, closed):
     return Edited(curve, np.asarray(order), closed)
 
 
+def as_chain(edited):
+    """A single cubic as a chain of one segment; a chain as it is."""
+    return edited if _is_chain(edited.curve) else edited._replace(curve=edited.curve.to_hermite(), order=np.array([0, 1]))
+
+
 def appended(edited, point, at_start):
     """One more point beyond an end; the others stay where they are."""
     if at_start:
         edited = edited if _is_chain(edited.curve) else edited._replace(curve=edited.curve.to_nurbs())
-        return _turned(appended(_turned(edited), point._replace(before=point.after, after=point.before), False))
+        return turned(appended(turned(edited), point._replace(before=point.after, after=point.before), False))
     curve = edited.curve
     longer = _longer_chain(curve, point) if _is_chain(curve) else _longer_polygon(curve.to_nurbs(), point)
     return edited._replace(curve=longer, order=np.append(edited.order, len(curve.points)))
@@ -78,7 +83,7 @@ def removed(edited, place):
     if edited.closed and not _is_periodic(curve) and place == 0:
         raise Refusal("the point where this closed curve begins and ends cannot go: open it first (Toggle Cyclic)")
     if is_end and place == 0:
-        return _turned(removed(_turned(edited), len(order) - 1))
+        return turned(removed(turned(edited), len(order) - 1))
     if is_end:
         return edited._replace(curve=_ended_earlier(curve), order=order[:-1])
     found = _without_a_knot(curve, _averages(curve.to_nurbs())[order[place]])
@@ -128,6 +133,37 @@ def opened(edited):
     return edited._replace(curve=parted, closed=False)
 
 
+def joined(first, second):
+    """Two open curves as one: chains keep their shapes and get a segment between them, polygons the spans by which they
+    are apart, as if the second had been appended point by point."""
+    if first.closed or second.closed:
+        raise Refusal("a closed curve has no end to be connected: open it first (Toggle Cyclic)")
+    one, other = first.curve, second.curve
+    if _is_chain(one) and _is_chain(other):
+        whole = _chained(one, other)
+    elif _is_chain(one) or _is_chain(other):
+        raise Refusal("a curve with handles and one without are not connected here: use Join Pieces for that")
+    elif one.degree != other.degree:
+        raise Refusal(f"curves of degree {one.degree} and {other.degree} are not connected here: raise the lower degree first")
+    else:
+        _require_finite(one)
+        _require_finite(other)
+        whole = _concatenated(one.to_nurbs(), other.to_nurbs())
+    return Edited(whole, np.append(first.order, second.order + len(one.points)), False, first.error + second.error)
+
+
+def turned(edited):
+    """The other way round; the parameters change their signs, and so keep their digits."""
+    curve = edited.curve
+    if _is_chain(curve):
+        curve = sc.HermiteCurve(curve.points[::-1], -curve.tangents[::-1, ::-1], 0.0 - curve.parameters[::-1])
+    elif isinstance(curve, sc.BezierCurve):
+        curve = curve.reversed()
+    else:
+        curve = sc.NurbsCurve(curve.degree, 0.0 - curve.knots[::-1], curve.points[::-1], curve.weights[::-1])
+    return edited._replace(curve=curve, order=len(edited.curve.points) - 1 - edited.order[::-1])
+
+
 def _even(curve):
     """(where the domain starts, how long its spans are on the average)."""
     start, end = curve.domain
@@ -140,18 +176,6 @@ def _is_chain(curve):
 
 def _is_periodic(curve):
     return getattr(curve, 'periodic', False)
-
-
-def _turned(edited):
-    """The other way round; the parameters change their signs, and so keep their digits."""
-    curve = edited.curve
-    if _is_chain(curve):
-        curve = sc.HermiteCurve(curve.points[::-1], -curve.tangents[::-1, ::-1], 0.0 - curve.parameters[::-1])
-    elif isinstance(curve, sc.BezierCurve):
-        curve = curve.reversed()
-    else:
-        curve = sc.NurbsCurve(curve.degree, 0.0 - curve.knots[::-1], curve.points[::-1], curve.weights[::-1])
-    return edited._replace(curve=curve, order=len(edited.curve.points) - 1 - edited.order[::-1])
 
 
 def _require_finite(curve):
@@ -172,6 +196,15 @@ def _longer_polygon(curve, point):
         longer = np.append(knots, knots[-1] + np.diff(np.unique(knots))[-1])
     return sc.NurbsCurve(degree, longer, np.vstack([curve.points, _apart(point.position, curve.points[0])]),
                          np.append(curve.weights, point.weight))
+
+
+def _concatenated(first, second):
+    """The points of both, with as many spans between as points are appended to lead from the one to the other."""
+    degree, end = first.degree, first.domain[1]
+    between = end + (end - first.knots[first.knots < end][-1]) * np.arange(1, degree + 1)
+    knots = [first.knots[:-degree], between, between[-1] + (second.knots[degree + 1:] - second.domain[0])]
+    points = np.vstack([first.points, _apart(second.points[0], first.points[-1]), second.points[1:]])
+    return sc.NurbsCurve(degree, np.concatenate(knots), points, np.append(first.weights, second.weights))
 
 
 def _apart(position, other):
@@ -258,6 +291,14 @@ def _longer_chain(curve, point):
     return sc.HermiteCurve(np.vstack([curve.points, _apart(point.position, curve.points[0])]),
                            np.concatenate([curve.tangents, tangents[None]]),
                            np.append(curve.parameters, curve.parameters[-1] + step))
+
+
+def _chained(first, second):
+    """With a segment between as long in parameter as the last of the first."""
+    start = 2 * first.parameters[-1] - first.parameters[-2]
+    points = np.vstack([first.points, _apart(second.points[0], first.points[-1]), second.points[1:]])
+    return sc.HermiteCurve(points, np.concatenate([first.tangents, second.tangents]),
+                           np.append(first.parameters, start + (second.parameters - second.parameters[0])))
 
 
 def _refined_chain(curve, place, times):
