@@ -440,6 +440,33 @@ def test_a_segment_that_is_deleted_parts_a_curve_and_opens_a_closed_one(name):
     leave()
 
 
+@pytest.mark.parametrize('name', ('nurbs', 'hermite', 'unclamped'))
+def test_what_is_split_off_is_a_curve_of_its_own_in_the_same_shape(name):
+    before = value_of(name)
+    add(before)
+    enter()
+    count = len(points_of(spline()))
+    choose(count - 2, count - 1)
+    op(bpy.ops.curve.split)
+    parted = followed()
+    assert [len(curve.points) for curve in parted] == [count - 1, 2] and len(held().data.splines) == 2
+    assert np.array_equal(parted[0].points, before.points[:-1]) and np.array_equal(parted[1].points, before.points[-2:])
+    bpy.ops.ed.undo()
+    assert followed() == before
+    leave()
+
+
+def test_the_middle_of_a_curve_is_split_off():
+    before = value_of('nurbs')
+    add(before)
+    enter()
+    choose(2, 3)
+    op(bpy.ops.curve.split)
+    assert [curve.points.tolist() for curve in followed()] == [
+        before.points[:3].tolist(), before.points[2:4].tolist(), before.points[3:].tolist()]
+    leave()
+
+
 def test_what_is_separated_goes_to_an_object_of_its_own_and_the_shape_has_the_rest():
     before = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 3, 4, 5, 5, 5], points(7))
     add(before)

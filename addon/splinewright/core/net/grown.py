@@ -5,7 +5,7 @@ are closed and opened, parted and connected.
 Copies that lie where they were made are passed over.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import NamedTuple
 
@@ -157,7 +157,7 @@ def _plans(net, runs):
     pieces = net.source.pieces
     if not all((net.source.pool[piece.indices.ravel(), 3] != 0).any() for piece in pieces):
         return None                     # one of them lies at infinity
-    parts = [part for r, run in enumerate(runs) for part in _parts(run, r, bounds)]
+    parts = [part for r, run in enumerate(_claimed(runs)) for part in _parts(run, r, bounds)]
     plans = []
     for i, piece in enumerate(pieces):
         of_piece = [part for part in parts if part.piece == i]
@@ -170,6 +170,29 @@ def _plans(net, runs):
     if not all(plans) and any((run.numbers == NEW).all() for run in runs):
         return None                     # it may be of another type now
     return _connected(plans, runs)
+
+
+def _claimed(runs):
+    """The runs where copies count as points that are connected as those were which are so no more: Split leaves a copy of
+    the point at which it parts."""
+    numbers = [np.where(run.numbers < NEW, copy_of(run.numbers), run.numbers) for run in runs]
+    links = [_links(run, own) for run, own in zip(runs, numbers)]
+    there = {link for run, of_run in zip(runs, links) for link, (a, b) in of_run.items()
+             if run.numbers[a] >= 0 and run.numbers[b] >= 0}
+    result = []
+    for run, own, of_run in zip(runs, numbers, links):
+        claimed = [slot for link, slots in of_run.items() if link not in there for slot in slots]
+        taken = run.numbers.copy()
+        taken[claimed] = own[claimed]
+        result.append(replace(run, numbers=taken))
+    return result
+
+
+def _links(run, own):
+    """{number of the first of two neighbours in the net: their slots}, where they are connected in a run."""
+    after = np.arange(1, len(own) + run.closed) % max(len(own), 1)
+    pairs = [(a, b) for a, b in enumerate(after.tolist()) if own[a] >= 0 <= own[b] and abs(own[a] - own[b]) == 1]
+    return {int(min(own[a], own[b])): (a, b) for a, b in pairs}
 
 
 class _Part(NamedTuple):

@@ -219,11 +219,11 @@ def _ended_earlier(curve):
     if isinstance(curve, sc.BezierCurve):
         return sc.BezierCurve(points, weights)
     knots, degree = curve.knots, curve.degree
-    if knots[-1] != knots[-1 - degree]:
-        return sc.NurbsCurve(degree, knots[:-1], points, weights)
     inner = parameters.inner_knots(curve)
     if not len(inner):
         return sc.NurbsCurve(degree - 1, knots[1:-1], points, weights)
+    if knots[-1] != knots[-1 - degree]:
+        return sc.NurbsCurve(degree, knots[:-1], points, weights)
     is_simple = (knots == inner[-1]).sum() == 1
     end = inner[-1] if is_simple else knots[-1]
     return sc.NurbsCurve(degree, np.append(knots[:-degree - 2], np.full(degree + 1, end)), points, weights)
