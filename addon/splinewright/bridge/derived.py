@@ -9,22 +9,28 @@ from . import shape, store
 from .native import read_native
 
 
-def result(recipe, values, sources, owner, depsgraph):
-    """What a recipe makes from objects, in the space of the object `owner`. Raises Refusal or an error of the library."""
+def result(recipe, values, sources, owner, depsgraph, frames=()):
+    """What a recipe makes from objects, in the space of the object `owner`; frames as of recipes.Stored. Raises Refusal
+    or an error of the library."""
     inputs = [definition_of(source, depsgraph) for source in sources]
     if not recipe.is_beside:
         inputs = [_moved(definition, source, owner, depsgraph) for definition, source in zip(inputs, sources)]
-    return recipe.make(inputs, **values)
+    placed = {'frame': matrix_in(frame, owner, depsgraph) for frame in frames}
+    return recipe.make(inputs, **values, **placed)
 
 
 def _moved(definition, source, owner, depsgraph):
     """A definition of one object in the space of another. Raises Refusal where that has no room for it."""
-    space, source_space = (np.array(_matrix(ob, depsgraph), dtype=np.float64) for ob in (owner, source))
+    matrix = matrix_in(source, owner, depsgraph)
+    return definition if (matrix == np.eye(4)).all() else transform.transformed(definition, matrix)
+
+
+def matrix_in(ob, owner, depsgraph):
+    """(4, 4): from the space of one object to that of another. Raises Refusal where that has no room for it."""
+    space, own = (np.array(_matrix(one, depsgraph), dtype=np.float64) for one in (owner, ob))
     if not abs(np.linalg.det(space[:3, :3])) > 0.0:
         raise Refusal(f"{owner.name} has a scale of 0: it cannot show what it follows")
-    if _are_one(space, source_space):
-        return definition
-    return transform.transformed(definition, np.linalg.inv(space) @ source_space)
+    return np.eye(4) if _are_one(space, own) else np.linalg.inv(space) @ own
 
 
 def _are_one(space, source_space):

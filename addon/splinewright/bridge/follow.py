@@ -39,17 +39,17 @@ def _is_live(data):
     return recipes.follows(data) and not data.library
 
 
-def new_object(recipe, values, sources, resolution, depsgraph):
+def new_object(recipe, values, sources, resolution, depsgraph, frames=()):
     """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies.
 
-    Raises Refusal or an error of the library if it cannot be result.
+    frames: as of recipes.Stored. Raises Refusal or an error of the library if it cannot be result.
     """
-    result = derived.result(recipe, values, sources, sources[0], depsgraph)
+    result = derived.result(recipe, values, sources, sources[0], depsgraph, frames)
     name = f"{sources[0].name} {recipe.label if recipe.parameters else 'Exact'}"
     data = shape.new_data(name, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
     ob.matrix_world = sources[0].matrix_world
-    _write(data, recipe, values, sources, result.error)
+    _write(data, recipe, values, sources, result.error, frames)
     return ob
 
 
@@ -69,19 +69,34 @@ def attach(ob, source, depsgraph):
 
 def set_parameters(data, changes, depsgraph):
     """Change parameters of what is made from objects, by name. Raises, and changes nothing, where nothing comes of it."""
-    state.owners.pop(key(data), None)
-    owner, sources = _owner_of(data, _Turn(depsgraph)), recipes.read_inputs(data)
-    if owner is None or None in sources:
-        raise Refusal("an object it is made from was deleted: it stays as it was last")
+    _make_anew(data, recipes.read(data), changes, recipes.read(data).frames, depsgraph)
+
+
+def set_frame(data, frame, depsgraph, changes=()):
+    """Give what is made from objects another object of which the place and axes count, or none, and other parameters by
+    name. Raises as set_parameters()."""
     stored = recipes.read(data)
+    if not stored or not stored.recipe.frame:
+        raise Refusal(f"{data.name} has no axis that an object could give")
+    if frame is not None:
+        require_no_cycle(data, frame)
+    _make_anew(data, stored, dict(changes), (frame,) if frame is not None else (), depsgraph)
+
+
+def _make_anew(data, stored, changes, frames, depsgraph):
+    state.owners.pop(key(data), None)
+    owner, sources = _owner_of(data, _Turn(depsgraph)), list(stored.sources)
+    if owner is None or None in (*sources, *frames):
+        raise Refusal("an object it is made from was deleted: it stays as it was last")
     recipe, values = stored.recipe, {**stored.values, **changes}
-    result = derived.result(recipe, values, sources, owner, depsgraph)
+    result = derived.result(recipe, values, sources, owner, depsgraph, frames)
     shape.set_definition(data, result.definition)
-    recipes.write_derived(data, recipe, values, sources, result.error)
+    recipes.write_derived(data, recipe, values, sources, result.error, frames)
+    problems.tell(data, problems.FOLLOWING, "")
 
 
-def _write(data, recipe, values, sources, error):
-    recipes.write_derived(data, recipe, values, sources, error)
+def _write(data, recipe, values, sources, error, frames=()):
+    recipes.write_derived(data, recipe, values, sources, error, frames)
     state.followers.add(key(data))
 
 
@@ -93,7 +108,7 @@ def require_no_cycle(data, source):
         if ob.data == data:
             raise Cycle(f"{ob.name} would follow itself")
         if key(ob) not in seen and ob.data and recipes.follows(ob.data):
-            waiting += recipes.pointers(ob.data)
+            waiting += _all_pointers(ob.data)
         seen.add(key(ob))
 
 
@@ -113,7 +128,12 @@ def _causes(data):
     """What a follower depends on; of an object that shows it its place, for which the follower itself stands here."""
     for source in recipes.pointers(data):
         yield from (source, source.data, getattr(source.data, 'shape_keys', None))
+    yield from recipes.frames(data)
     yield data
+
+
+def _all_pointers(data):
+    return [*recipes.pointers(data), *recipes.frames(data)]
 
 
 def _note(blocks):
@@ -139,10 +159,10 @@ def problem(data):
     if data.library:
         return "It is linked from another file: it is shown as that was saved. Bake Animation there makes it move here"
     try:
-        sources = recipes.read_inputs(data)
+        stored = recipes.read(data)
     except store.UnreadableDefinition as error:
         return str(error)
-    if not _in_use().issuperset(sources):
+    if not _in_use().issuperset((*stored.sources, *stored.frames)):
         return _GONE
     return problems.of(data, problems.FOLLOWING)
 
@@ -193,13 +213,13 @@ def _update(data, turn):
         if owner is None:
             return False
         stored = recipes.read(data)
-        sources = stored.sources
-        if not turn.in_use.issuperset(sources) or not all(map(turn.shows, sources)):
+        pointed = *stored.sources, *stored.frames
+        if not turn.in_use.issuperset(pointed) or not all(map(turn.shows, pointed)):
             return False
-        for source, was_shape in zip(sources, stored.were_shapes):
+        for source, was_shape in zip(stored.sources, stored.were_shapes):
             if was_shape and not shape.has_shape(source):
                 raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        result = derived.result(stored.recipe, stored.values, sources, owner, turn.depsgraph)
+        result = derived.result(stored.recipe, stored.values, stored.sources, owner, turn.depsgraph, stored.frames)
         definition = result.definition
         problems.tell(data, problems.FOLLOWING, "")
         if _same(store.read(data), definition) and not shape.is_touched(data):
@@ -223,14 +243,14 @@ def _same(a, b):
 def links():
     """Pairs of a follower and an object that it follows, of those that are shown."""
     turn = _Turn(None)
-    return [(data, source) for data in _blocks() if _owner_of(data, turn) for source in recipes.pointers(data)]
+    return [(data, source) for data in _blocks() if _owner_of(data, turn) for source in _all_pointers(data)]
 
 
 def _in_order():
     """The followers, each after the shape that it follows. Those of a cycle are left out."""
     blocks = {key(data): data for data in _blocks()}
     sorter = graphlib.TopologicalSorter(
-        {name: {key(source.data) for source in recipes.pointers(data) if source.data} for name, data in blocks.items()})
+        {name: {key(source.data) for source in _all_pointers(data) if source.data} for name, data in blocks.items()})
     with contextlib.suppress(graphlib.CycleError):
         sorter.prepare()
     order = []

@@ -41,14 +41,17 @@ def _are_one(value, shown):
     return np.float32(value) == np.float32(shown) if isinstance(value, float) else value == shown
 
 
-def show(data, recipe, values):
-    """Let the properties of a data-block show these values."""
+def show(data, recipe, values, frames=()):
+    """Let the properties of a data-block show these values, and the object that gives the place, if any."""
     group = of(data)
     with settings.quiet(data):
         for parameter in recipe.parameters:
             name, value = name_of(recipe, parameter), values[parameter.name]
             if not group.is_property_set(name) or not _are_one(value, getattr(group, name)):
                 setattr(group, name, value)
+        frame = frames[0] if frames else None
+        if group.frame != frame:
+            group.frame = frame
 
 
 def are_shown(data, recipe):

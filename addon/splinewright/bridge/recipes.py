@@ -22,6 +22,8 @@ KEY = "splinewright_recipe"
 VERSION = 2
 #: Keys of the pointers to the objects that a shape is made from, and of whether each was a shape then.
 _INPUTS = (('input', 'shape'), ('input_2', 'shape_2'))
+#: Key of the pointer to an object of which the place and axes alone count.
+_FRAME = 'frame'
 #: The property that a driver is on which reads the inputs, and its data path.
 _WATCHED = "watched"
 WATCHED = f'["{KEY}"]["{_WATCHED}"]'
@@ -35,6 +37,7 @@ class Stored(NamedTuple):
     points: np.ndarray                  # (n, 3) float64; none where it has inputs
     sources: tuple                      # objects that it is made from, None for one that was deleted
     were_shapes: tuple                  # of each: whether it was a shape when it was chosen
+    frames: tuple                       # the object of which the place and axes alone count, None for a deleted one; or ()
     error: float                        # how far what it made may lie from what it should be
 
 
@@ -53,9 +56,17 @@ def follows(data):
 
 def pointers(data):
     """The objects that a shape is made from, as far as can be told without reading the recipe; those deleted are missing."""
-    group = data[KEY]
-    found = [group.get(pointer) for pointer, _ in _INPUTS] if store.is_group(group) else []
-    return [source for source in found if isinstance(source, bpy.types.Object)]
+    return _pointed(data, [pointer for pointer, _ in _INPUTS])
+
+
+def frames(data):
+    """The objects whose place and axes alone count, as pointers()."""
+    return _pointed(data, [_FRAME])
+
+
+def _pointed(data, keys):
+    found = map(data[KEY].get, keys) if store.is_group(data[KEY]) else ()
+    return [ob for ob in found if isinstance(ob, bpy.types.Object)]
 
 
 def kind(data):
@@ -75,7 +86,7 @@ def read(data):
     try:
         sources, were_shapes = _sources(group, recipe)
         return Stored(recipe, _values(group, recipe), _points(group, recipe), sources, were_shapes,
-                      _number(group.get('error', 0.0)))
+                      _frames(group, recipe), _number(group.get('error', 0.0)))
     except (TypeError, ValueError, AttributeError, OverflowError) as error:
         raise _damaged(data, error) from error
 
@@ -146,6 +157,15 @@ def _sources(group, recipe):
     return sources, tuple(bool(group.get(flag, False)) for _, flag in _INPUTS[:len(recipe.inputs)])
 
 
+def _frames(group, recipe):
+    if _FRAME not in group.keys():
+        return ()
+    frame = group[_FRAME]
+    if not recipe.frame or frame is not None and not isinstance(frame, bpy.types.Object):
+        raise ValueError("what gives its place is no object")
+    return (frame,)
+
+
 def has_points(data):
     """Whether the shape is made from points of its own, which its net shows."""
     return has(data) and not follows(data) and len(points(data)) > 0
@@ -198,13 +218,15 @@ def error(data):
     return read(data).error
 
 
-def write_derived(data, recipe, values, sources, error):
-    """Make a shape from objects from now on."""
+def write_derived(data, recipe, values, sources, error, frames=()):
+    """Make a shape from objects from now on, as of Stored."""
     group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error)}
     for (pointer, flag), source in zip(_INPUTS, sources):
         group.update({pointer: source, flag: store.has_definition(source.data)})
+    for frame in frames:
+        group[_FRAME] = frame
     store.assign(data, KEY, group)
-    properties.show(data, recipe, values)
+    properties.show(data, recipe, values, frames)
     watch(data)
 
 
@@ -212,7 +234,7 @@ def watch(data):
     """Let Blender evaluate what a shape is made from with it."""
     if _WATCHED not in data[KEY].keys():
         data[KEY][_WATCHED] = 0.0
-    watching.start(data, WATCHED, pointers(data))
+    watching.start(data, WATCHED, pointers(data), frames(data))
 
 
 def write_error(data, error):
@@ -240,4 +262,4 @@ def show(data):
     with contextlib.suppress(store.UnreadableDefinition):
         stored = read(data)
         if stored:
-            properties.show(data, stored.recipe, stored.values)
+            properties.show(data, stored.recipe, stored.values, stored.frames)

@@ -1,16 +1,18 @@
 """That Blender evaluates what a shape is made from wherever it evaluates the shape, also where that is hidden.
 
 Of a hidden object pointers bring nothing but shape keys: no transform, no hooks. A driver that reads its dimensions, which
-depend on all of that, brings the rest. It always gives 0 to a property that means nothing.
+depend on all of that, brings the rest; of objects whose place alone counts one that reads their transform. It always gives
+0 to a property that means nothing.
 """
 
 
-def start(data, path, sources):
-    """Drive the property of a path with the objects; they may have changed since the last time."""
+def start(data, path, sources, frames=()):
+    """Drive the property of a path with the objects, and with the places of frames; they may have changed since the last
+    time."""
     driver = _driver(data, path)
     if driver is None:
         driver = data.driver_add(path)
-    elif [variable.targets[0].id for variable in driver.driver.variables] == list(sources):
+    elif [variable.targets[0].id for variable in driver.driver.variables] == [*sources, *frames]:
         return
     variables = driver.driver.variables
     for variable in list(variables):
@@ -18,6 +20,10 @@ def start(data, path, sources):
     for source in sources:
         target = variables.new().targets[0]
         target.id, target.data_path = source, 'dimensions[0]'
+    for frame in frames:
+        variable = variables.new()
+        variable.type = 'TRANSFORMS'
+        variable.targets[0].id = frame
     driver.driver.expression = "0"
 
 

@@ -1,14 +1,19 @@
-"""The axis of the active surface of revolution, as a line in the 3D views."""
+"""The axis of the active surface of revolution, and an edge that is picked to be it, as lines in the 3D views."""
 
 import bpy
 import gpu
 import numpy as np
 
-from ..bridge import recipes, shape, store
+from ..bridge import recipes, shape
+from ..bridge.file_state import state
+from ..core.failures import FAILURES
+from ..core.recipes.surface_recipes import axis_of
 from . import strokes
 
 _COLOR = (1.0, 0.62, 0.1, 0.9)
 _WIDTH = 1.5
+#: That of an edge that is picked to be the axis.
+_PICKED = 4.0
 #: How far the line goes on beyond the surface, in parts of its size.
 _BEYOND = 0.15
 
@@ -20,24 +25,33 @@ def line_of(ob):
     if recipes.kind(ob.data) != 'revolve':
         return None
     try:
-        values = recipes.parameters(ob.data)
-    except store.UnreadableDefinition:
+        stored = recipes.read(ob.data)
+        through, direction = _axis(stored, ob)
+    except FAILURES:
         return None
-    k = "xyz".index(values['axis'])
-    ends = np.array([[values[f"offset_{name}"] for name in "xyz"]] * 2)
+    direction = direction / np.linalg.norm(direction)
     box = np.array(ob.bound_box)
-    low, high = box.min(0), box.max(0)
-    gap = _BEYOND * (high - low).max()
-    ends[:, k] = low[k] - gap, high[k] + gap
+    along = (box - through) @ direction
+    gap = _BEYOND * np.ptp(box, axis=0).max()
+    ends = through + np.outer((along.min() - gap, along.max() + gap), direction)
     matrix = np.array(ob.matrix_world, dtype=np.float64)
     return ends @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def _axis(stored, ob):
+    """(a point of the axis, its direction) in the space of a surface of revolution. Raises Refusal."""
+    frames = [np.array(ob.matrix_world.inverted_safe() @ frame.matrix_world) for frame in stored.frames if frame]
+    return axis_of(stored.values['axis'], [stored.values[f"offset_{name}"] for name in "xyz"], *frames)
 
 
 def draw():
     """Called by Blender for each 3D view."""
     line = line_of(bpy.context.object) if bpy.context.space_data.overlay.show_overlays else None
-    if line is None:
+    seen = [] if line is None else [strokes.lines(line[None], lambda: _COLOR, _WIDTH)]
+    if state.edge is not None:
+        seen.append(strokes.lines(np.array(state.edge[1:])[None], lambda: _COLOR, _PICKED))
+    if not seen:
         return
     gpu.state.blend_set('ALPHA')
-    strokes.draw([strokes.lines(line[None], lambda: _COLOR, _WIDTH)])
+    strokes.draw(seen)
     gpu.state.blend_set('NONE')

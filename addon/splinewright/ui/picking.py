@@ -80,14 +80,14 @@ def _line_at(region, view, pixel, ob):
         shown = surveys.outlines_of(ob.data) if ob.type == 'CURVE' else surveys.middles_of(ob.data)[:, None, None]
     except store.UnreadableDefinition:
         return None
-    distances = [min([_distance(on_screen(region, view, ob.matrix_world, line), pixel) for line in lines], default=np.inf)
+    distances = [min([distance(on_screen(region, view, ob.matrix_world, line), pixel) for line in lines], default=np.inf)
                  for lines in shown]
     nearest = int(np.argmin(distances))
     within = _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0)
     return (distances[nearest], ob, nearest + 1) if distances[nearest] <= within else None
 
 
-def _distance(line, pixel):
+def distance(line, pixel):
     """From a pixel to a polyline (n, 2); a part with an end that is nan is none of it."""
     return float(np.nanmin(_parts(line, pixel)[1], initial=np.inf))
 

@@ -6,7 +6,7 @@ Numbers are kept in float64 beside the definition; properties only show and chan
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import keyed, parameters, problems, recipes, settings
+from ..bridge import follow, keyed, parameters, problems, recipes, settings
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
 from . import texts
@@ -57,12 +57,27 @@ def _change(data, name, value):
         recipes.show(data)
 
 
+def _change_frame(self, context):
+    """What Blender calls when a user, or a script, has chosen the object that gives the place."""
+    data = self.id_data
+    if settings.is_quiet(data) or not recipes.follows(data):
+        return
+    try:
+        follow.set_frame(data, self.frame, bpy.context.evaluated_depsgraph_get())
+        problems.tell(data, problems.SETTING, "")
+    except FAILURES as error:
+        problems.tell(data, problems.SETTING, sentence(error))
+        recipes.show(data)
+
+
 class SplinewrightRecipe(bpy.types.PropertyGroup):
     """Parameters of the recipe that makes a shape."""
 
     __annotations__ = {
-        parameters.name_of(recipe, parameter): property_of(parameter, update=_updater(recipe, parameter))
-        for recipe in RECIPES.values() for parameter in recipe.parameters}
+        **{parameters.name_of(recipe, parameter): property_of(parameter, update=_updater(recipe, parameter))
+           for recipe in RECIPES.values() for parameter in recipe.parameters},
+        'frame': PointerProperty(type=bpy.types.Object, name="Axis Object", update=_change_frame,
+                                 description="Its place and axes count in place of the shape's own; the shape follows it")}
 
 
 def draw(layout, data, is_net_out=False):
@@ -75,6 +90,10 @@ def draw(layout, data, is_net_out=False):
         return
     texts.draw_note(layout, recipe.label, icon='PROPERTIES')
     column = layout.column(align=True)
+    if recipe.frame:
+        row = column.row(align=True)
+        row.prop(parameters.of(data), 'frame', text=recipe.frame)
+        row.operator("splinewright.axis_from_edge", text="", icon='EDGESEL')
     for parameter in recipe.parameters:
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'

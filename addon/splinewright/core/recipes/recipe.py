@@ -50,6 +50,8 @@ class Recipe:
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points: "one curve"; make() takes a list of their Definitions
     is_beside: bool = False             # what it makes is put beside its first input, not over it
+    frame: str = ""                     # what an object is called that may be chosen for its place and axes alone:
+                                        # make() takes their matrix (4, 4) in the space of the shape, or None, as `frame`
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one
 
     @property

@@ -17,8 +17,8 @@ _SWEEP = Parameter("sweep", "Sweep", "Angle about the axis; 360° closes it", 2 
                    unit='ROTATION')
 _CAPS = Parameter("caps", "Caps", "Close it by discs", True)
 _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
-_AXIS = Parameter("axis", "Axis", "Of the object, through its origin and the offset", "z", choices=tuple(
-    (name, name.upper(), f"The {name} axis of the object") for name in _AXES))
+_AXIS = Parameter("axis", "Axis", "Of the axis object, or of its own, through the origin and the offset", "z", choices=tuple(
+    (name, name.upper(), f"The {name} axis of the axis object, or of its own where there is none") for name in _AXES))
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9,
                        unit='LENGTH')
 #: A profile whose points lie nearer to a plane than this part of its width lies in it.
@@ -81,9 +81,18 @@ def _patches(patches):
     return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
 
 
-def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z):
-    turn, through = _turn(sweep), (offset_x, offset_y, offset_z)
-    return _patches([sc.build.revolve(curve, through, _AXES[axis], start, turn) for curve in _curves(inputs[0])])
+def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, frame=None):
+    through, direction = axis_of(axis, (offset_x, offset_y, offset_z), frame)
+    return _patches([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs[0])])
+
+
+def axis_of(axis, offset, frame=None):
+    """(a point of an axis, its direction) in the space of the shape. frame: (4, 4) of the axis object there, or None."""
+    frame = np.eye(4) if frame is None else frame
+    direction = frame[:3, :3] @ _AXES[axis]
+    if not np.abs(direction).max() > 0.0:
+        raise Refusal("the axis object has a scale of 0: it shows no direction")
+    return frame[:3, :3] @ np.array(offset) + frame[:3, 3], direction
 
 
 def suggested_axis(definition):
@@ -131,7 +140,8 @@ FROM_CURVES = (
     Recipe("revolve", "Revolve", "The surface of a curve that turns about an axis; it follows when the curve is edited",
            (_AXIS, _START, _SWEEP, *(
                Parameter(f"offset_{name}", f"Offset {name.upper()}", f"The axis lies so far along {name} from the origin", 0.0,
-                         unit='LENGTH') for name in _AXES)), _revolve, is_surface=True, resolution=12, inputs=("one curve",)),
+                         unit='LENGTH') for name in _AXES)), _revolve, is_surface=True, resolution=12, inputs=("one curve",),
+           frame="Axis Object"),
     Recipe("extrude", "Extrude",
            "The surface of a curve that moves along a vector; it follows when the curve is edited",
            tuple(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')

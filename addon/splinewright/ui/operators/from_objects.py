@@ -4,10 +4,11 @@ from contextlib import suppress
 
 import bpy
 import numpy as np
+from bpy.props import StringProperty
 from mathutils import Matrix
 
 from ...bridge import derived, follow, shape
-from ...core.failures import FAILURES
+from ...core.failures import FAILURES, Refusal
 from ...core.recipes.surface_recipes import suggested_axis
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import hand, recipe_props
@@ -49,17 +50,29 @@ class _FromObjects:
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
             hand.note(self, 'piece', sources[0])
         new_shapes.settle(self)
-        if recipe.kind == 'revolve' and not self.properties.is_property_set('axis'):
+        if recipe.frame and not self.properties.is_property_set('frame'):
+            self.frame = _beside(context)
+        if recipe.kind == 'revolve' and not self.frame and not self.properties.is_property_set('axis'):
             self._suggest_axis(sources[0], context)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
-            ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get())
+            ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get(),
+                                   self._frames(context))
         except FAILURES as error:
             return reports.failed(self, error, sources[0].name)
         if recipe.is_beside:
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)
         return {'FINISHED'}
+
+    def _frames(self, context):
+        """The object of which the place and axes count, if there is to be one, in a tuple. Raises Refusal."""
+        if not self.recipe.frame or not self.frame:
+            return ()
+        frame = context.scene.objects.get(self.frame)
+        if frame is None:
+            raise Refusal(f"there is no object named {self.frame} in this scene")
+        return (frame,)
 
     def _suggest_axis(self, source, context):
         """What cannot be read is refused where it is used."""
@@ -69,6 +82,8 @@ class _FromObjects:
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
+        if self.recipe.frame:
+            layout.prop_search(self, "frame", context.scene, "objects")
         for parameter in self.recipe.parameters:
             if parameter.name == 'piece':
                 draw_number(layout, self, parameter.name)
@@ -81,6 +96,12 @@ def _sources(context):
     """The selected objects that a shape can be made from, the active one first."""
     chosen = [ob for ob in context.selected_objects if derived.is_possible(ob)]
     return sorted(chosen, key=lambda ob: ob != context.object)
+
+
+def _beside(context):
+    """The name of the one selected object that no shape can be made from, or ""."""
+    others = [ob for ob in context.selected_objects if not derived.is_possible(ob)]
+    return others[0].name if len(others) == 1 else ""
 
 
 def _below(source, ob):
@@ -104,6 +125,9 @@ def _label(recipe):
 def _class_for(recipe):
     annotations = {parameter.name: recipe_props.property_of(parameter, **_MORE.get(parameter.name, {}))
                    for parameter in recipe.parameters}
+    if recipe.frame:
+        annotations['frame'] = StringProperty(name=recipe.frame, options={'SKIP_SAVE'}, description=(
+            "Object whose place and axes count in place of the profile's own: at first what is selected beside the profile"))
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
     faces = (new_shapes.Faces,) if recipe.is_surface else ()
     return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (*faces, _FromObjects, bpy.types.Operator), {

@@ -1,0 +1,106 @@
+"""Turn a surface of revolution about an edge of a mesh that is clicked in the view."""
+
+import bpy
+from bpy.props import FloatVectorProperty, StringProperty
+from mathutils import Matrix, Vector
+
+from ...bridge import follow, recipes, shape
+from ...bridge.file_state import state
+from ...core.failures import FAILURES, Refusal
+from .. import edge_picking
+from . import polls, reports
+from .pick_piece import PASSED, redraw
+
+_HINT = "Click an edge of a mesh to turn about it   |   Esc, Right Mouse: Cancel"
+
+
+class SPLINEWRIGHT_OT_axis_from_edge(bpy.types.Operator):
+    bl_idname = "splinewright.axis_from_edge"
+    bl_label = "Axis From Edge"
+    bl_description = ("Click an edge of a mesh in the 3D view: the active surface of revolution turns about it, and follows an "
+                      "empty that is put there")
+    bl_options = {'REGISTER', 'UNDO'}
+
+    start: FloatVectorProperty(name="Start", description="Where the edge begins, in the world", subtype='TRANSLATION',
+                               options={'SKIP_SAVE'})
+    end: FloatVectorProperty(name="End", description="Where the edge ends, in the world", subtype='TRANSLATION',
+                             default=(0.0, 0.0, 1.0), options={'SKIP_SAVE'})
+    parent: StringProperty(name="Moves With", description="Object that takes the axis along; empty: none",
+                           options={'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        ob = context.object
+        if not shape.has_shape(ob) or ob.data.library or recipes.kind(ob.data) != 'revolve':
+            cls.poll_message_set("Select a shape that Revolve made")
+            return False
+        return True
+
+    def invoke(self, context, event):
+        context.window_manager.modal_handler_add(self)
+        context.window.cursor_modal_set('EYEDROPPER')
+        context.workspace.status_text_set(_HINT)
+        self._look(context, event)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type in PASSED:
+            return {'PASS_THROUGH'}
+        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        if event.type in ('MOUSEMOVE', 'LEFTMOUSE'):
+            self._look(context, event)
+        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or state.edge is None:
+            return {'RUNNING_MODAL'}
+        self.parent, self.start, self.end = state.edge
+        self.cancel(context)
+        return self.execute(context)
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        state.edge = None
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        redraw()
+
+    def _look(self, context, event):
+        state.edge = edge_picking.edge_at(context, event.mouse_x, event.mouse_y, context.object)
+        redraw()
+
+    def execute(self, context):
+        ob, axis = context.object, None
+        try:
+            axis = _put_axis(context, ob, Vector(self.start), Vector(self.end), self.parent)
+            follow.set_frame(ob.data, axis, context.evaluated_depsgraph_get(),
+                             {'axis': 'z', 'offset_x': 0.0, 'offset_y': 0.0, 'offset_z': 0.0})
+        except FAILURES as error:
+            if axis is not None:
+                bpy.data.objects.remove(axis)
+            return reports.failed(self, error, ob.name)
+        beside = f" beside {self.parent}" if self.parent else ""
+        return reports.finished(self, reports.Said(f"{ob.name} turns about {axis.name}{beside}"))
+
+
+def _put_axis(context, ob, start, end, parent):
+    """A new empty whose z leads from start to end. Raises Refusal."""
+    along = end - start
+    if not along.length > 0.0:
+        raise Refusal("the edge has no length: it shows no direction")
+    holder = context.scene.objects.get(parent) if parent else None
+    if parent and holder is None:
+        raise Refusal(f"there is no object named {parent} in this scene")
+    axis = bpy.data.objects.new(f"{ob.name} Axis", None)
+    axis.empty_display_type, axis.empty_display_size = 'SINGLE_ARROW', along.length
+    for collection in ob.users_collection:
+        collection.objects.link(axis)
+    if holder is not None:
+        axis.parent, axis.matrix_parent_inverse = holder, holder.matrix_world.inverted_safe()
+    axis.matrix_basis = Matrix.Translation(start) @ along.to_track_quat('Z', 'Y').to_matrix().to_4x4()
+    context.view_layer.update()
+    return axis
+
+
+CLASSES = (SPLINEWRIGHT_OT_axis_from_edge,)
