@@ -7,8 +7,6 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bpy_extras import view3d_utils
-from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
@@ -35,11 +33,6 @@ def value():
     return shape().data.splinewright.value
 
 
-def pixel_of(view, point):
-    place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, Vector(point))
-    return round(view.region.x + place.x), round(view.region.y + place.y)
-
-
 def added(view, operator):
     with view.override():
         empty_file()
@@ -56,7 +49,7 @@ def near(found, wanted):
 
 def is_seen(view, at):
     """Whether nothing lies before the point of the patch at these parameters."""
-    x, y = pixel_of(view, value().evaluate(*at))
+    x, y = view.pixel_of(value().evaluate(*at))
     with view.override():
         found = part('ui.picking').parameters_at(view.region, view.region.data, (x - view.region.x, y - view.region.y),
                                                  [shape()], bpy.context.evaluated_depsgraph_get())
@@ -73,7 +66,7 @@ def on_a_patch(view):
     view.press('TAB')
     yield from into_net()
     plain = picture("net")
-    view.move(*pixel_of(view, before.evaluate(u, v)))
+    view.move(*view.pixel_of(before.evaluate(u, v)))
     view.press('R', ctrl=True)
     yield from until(lambda: near(aimed(), (u, v)) and aimed().direction == 'U', "what is at the mouse is shown")
     yield from redrawn()
@@ -110,7 +103,7 @@ def on_a_curve(view):
     u = start + 0.3 * (end - start)
     view.press('TAB')
     yield from into_net()
-    view.move(*pixel_of(view, before.evaluate(u)))
+    view.move(*view.pixel_of(before.evaluate(u)))
     view.press('R', ctrl=True)
     yield from until(lambda: near(aimed(), (u,)), "what is at the mouse is shown")
     yield from redrawn()

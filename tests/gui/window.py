@@ -14,6 +14,8 @@ import zlib
 
 import bpy
 import numpy as np
+from bpy_extras import view3d_utils
+from mathutils import Vector
 
 # Blender's own screenshot is black under software rendering in 4.3 and 5.2; Xvfb keeps its picture in a file.
 FRAME = os.path.join(os.environ['XVFB_FRAMES'], 'Xvfb_screen0')
@@ -120,6 +122,11 @@ class View:
     def move(self, x=None, y=None):
         self.x, self.y = self.x if x is None else x, self.y if y is None else y
         self.window.event_simulate('MOUSEMOVE', 'NOTHING', x=self.x, y=self.y)
+
+    def pixel_of(self, point):
+        """Where a point of the world is drawn, in pixels of the window."""
+        place = view3d_utils.location_3d_to_region_2d(self.region, self.region.data, Vector(point))
+        return round(self.region.x + place.x), round(self.region.y + place.y)
 
     def press(self, key, text="", **modifiers):
         """A key or button; `text` is the character it types."""
