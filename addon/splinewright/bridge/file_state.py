@@ -24,7 +24,9 @@ class FileState:
     sights: dict = field(default_factory=dict)          # of a shape's data-block what bridge.sights keeps, until it changes
     handed: tuple = ()                                  # the ended_operators() when ui.editing looked at copies last
     seen: tuple = ()                                    # those when Blender told of a change, or drew
-    began: tuple = ()                                   # those when points of a curve were copied
+    began: tuple = ()                                   # those when points of a net were copied
+    awaited: tuple = None                               # those when rows were seen that are being cut in
+    was_undone: bool = False                            # whether something was since Blender drew
     status: str = ""                                    # what ui.messages says in the status bar
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last

@@ -306,6 +306,21 @@ def awaken():
             bpy.context.view_layer.objects.active = ob
 
 
+def take_up():
+    """A timer: nets take up rows that were cut in when the operator has ended, which may slide them until then, and rows
+    that are gone with the faces beside them, for which others are to be made."""
+    waiting = [ob for ob in nets() if ob.mode == 'EDIT' and live.is_waiting(ob)]
+    if waiting and ended_operators() == state.awaited:
+        return _LOOK
+    for ob in waiting:
+        live.pull(ob)
+    return None
+
+
+#: Seconds until take_up() looks again.
+_LOOK = 0.02
+
+
 def hand_over():
     """Where points were duplicated and that was called off, the points themselves are selected, not their copies.
 

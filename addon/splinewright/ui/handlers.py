@@ -6,6 +6,7 @@ from bpy.app.handlers import persistent
 from ..bridge import follow, keyed, recipes, versions
 from ..bridge.file_state import ended_operators, forget, key, look_again, state
 from ..bridge.net import live
+from ..bridge.net.growing import Moment
 from . import editing, errands, messages, saving, texts
 
 #: Seconds after the last move until a shape gets its exact normals.
@@ -46,6 +47,7 @@ def undone(*_):
     for known in (state.touched, state.selected, state.drawn, state.sights, state.shown):
         known.clear()
     state.handed = state.began = ended_operators()
+    state.was_undone = True
     editing.awaken()
     editing.find_nets()
     follow.scan()
@@ -60,7 +62,7 @@ def loaded(*_):
     forget()
     undone()
     recipes.show_new((*bpy.data.meshes, *bpy.data.curves))
-    state.is_scanned = True
+    state.is_scanned, state.was_undone = True, False
 
 
 def _look_through():
@@ -130,20 +132,34 @@ def _first_look():
 
 def _follow_nets(changed):
     """Bring the shapes of changed nets up to date; the data-blocks that were written."""
-    written = set()
+    written, is_idle = set(), _is_idle()
     for ob in editing.nets():
         if ob.mode == 'EDIT':
             state.kept.discard(key(ob))
             if ob.data in changed:
-                written.add(live.pull(ob))
+                written.add(live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY))
                 if live.note(ob):
                     _soon(editing.hand_over, 0.0)
+                if live.is_waiting(ob):
+                    _take_up_after(None if is_idle else ended_operators())
         elif key(ob) not in state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
             _soon(editing.sweep, 0.0)
     written.discard(None)
     if written:
         _later(editing.settle)
     return written
+
+
+def _is_idle():
+    """Whether no operator is in the middle of something: one has ended since Blender told of a change or drew, or is
+    repeated with other settings, which undo comes before."""
+    return bpy.app.background or state.was_undone or ended_operators() != state.seen
+
+
+def _take_up_after(ended):
+    """Let nets take up what waits when other operators have ended than these."""
+    state.awaited = ended
+    _soon(editing.take_up, 0.0)
 
 
 def _put_back_after_failure():
@@ -172,9 +188,11 @@ def _changed_blocks(updates):
 def _pull_all():
     for ob in editing.nets():
         if ob.mode == 'EDIT':
-            live.pull(ob)
+            live.pull(ob, Moment.TOLD)
             if live.note(ob):
                 _soon(editing.hand_over_now, 0.0)
+            if live.is_waiting(ob):
+                _take_up_after(None)
         else:
             _soon(editing.sweep, 0.0)
 
@@ -222,6 +240,7 @@ def unregister():
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).remove(handler)
     messages.take_back()
-    for function in (_first_look, _serve, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now):
+    for function in (_first_look, _serve, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
+                     editing.take_up):
         if bpy.app.timers.is_registered(function):
             bpy.app.timers.unregister(function)

@@ -79,7 +79,7 @@ def take_back():
 
 def draw():
     """Called by Blender for each 3D view."""
-    state.seen = ended_operators()
+    state.seen, state.was_undone = ended_operators(), False
     lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
     if not lines:
         return

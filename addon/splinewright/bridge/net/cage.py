@@ -5,6 +5,8 @@ import bpy
 import numpy as np
 
 from ...core.net import strays
+from ...core.net.cage import Cage
+from ...core.net.grown import STRAY, copy_of
 from ...core.net.reading import ChangedNet, Present
 from .. import mesh_edges
 
@@ -12,6 +14,8 @@ WEIGHT = "weight"
 NUMBER = "splinewright_vertex"
 #: What copies of a vertex have, and what Blender makes between two has not.
 _SEAL = "splinewright_vertex_seal"
+#: The number of a vertex that was passed over once for all.
+_STRAY = -1
 
 
 def make(name, net):
@@ -42,53 +46,165 @@ def _without_sides(edges, faces):
     return edges[~np.isin(*known)]
 
 
-def present(ob, count):
-    """The Present vertices of a net that was made of so many, in Edit Mode or not. Raises ChangedNet."""
+def present(ob, net):
+    """The Present vertices of a net's object or Mesh, in Edit Mode or not. Raises ChangedNet."""
     vertices = _Vertices(ob)
-    numbers = vertices.values('INT', NUMBER)
+    return Present(_numbers(vertices, net), vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
+
+
+def _numbers(vertices, net):
+    """(m,): the vertices of the net that those that are there carry the numbers of, -1 for none."""
+    numbers, count = vertices.values('INT', NUMBER), len(net.rows)
     if numbers is None:
         raise ChangedNet("the net has lost the numbers of its points, by which they are told apart: undo that")
-    if not np.array_equal(np.sort(numbers), np.arange(count)):
-        seals = vertices.values('FLOAT', _SEAL)
-        numbers = numbers if seals is None else strays.of_net(numbers, seals, strays.seals(count))
-    return Present(numbers, vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
+    numbers = numbers.astype(np.int64) - net.first
+    if np.array_equal(np.sort(numbers), np.arange(count)):
+        return numbers
+    seals = vertices.values('FLOAT', _SEAL)
+    if seals is None:
+        return np.where(numbers < count, numbers, -1)
+    return strays.of_net(numbers, seals, strays.seals(count, net.first))
+
+
+def runs(mesh, net, found):
+    """The one core.net.cage.Cage of a Mesh. found: (n,) of each vertex of the net the slot of its own, or -1."""
+    vertices = _Vertices(mesh)
+    numbers, carried = _numbers(vertices, net), vertices.values('INT', NUMBER)
+    is_own = np.zeros(len(numbers), bool)
+    is_own[found[found >= 0]] = True
+    numbers = np.where(is_own | (numbers < 0), numbers, copy_of(numbers))
+    numbers[carried == _STRAY] = STRAY
+    weights = vertices.values('FLOAT', WEIGHT)
+    weights = np.ones(len(numbers), np.float32) if weights is None else weights
+    return [Cage(numbers, vertices.positions(), weights, vertices.links, vertices.corners)]
+
+
+def carried(mesh):
+    """(m,) the numbers that the vertices of a net carry, whatever they stand for."""
+    numbers = _Vertices(mesh).values('INT', NUMBER)
+    return np.empty(0, np.int64) if numbers is None else numbers
+
+
+def everything(mesh):
+    """Bytes of all that a net says."""
+    vertices = _Vertices(mesh)
+    for values in (vertices.values('INT', NUMBER), vertices.values('FLOAT', _SEAL), vertices.values('FLOAT', WEIGHT),
+                   vertices.positions(), vertices.links()):
+        yield b"" if values is None else values.tobytes()
+    for corners in vertices.corners():
+        yield repr(corners).encode()
+
+
+def renumber(mesh, net, numbers, cages):
+    """Let the vertices of a Mesh be those of a net, where they are: the number of each there, -1 for none, and smaller ones
+    for copies, and strays."""
+    (own,), seals = numbers, strays.seals(len(net.rows), net.first)
+    known = np.where(own == STRAY, -1, np.where(own < -1, copy_of(own), own))
+    vertices = _Vertices(mesh)
+    vertices.set_values('INT', NUMBER, np.where(known < 0, _STRAY, known + net.first))
+    vertices.set_values('FLOAT', _SEAL, np.where(known < 0, 1, seals[np.maximum(known, 0)]))
+    vertices.tell()
+
+
+def place(mesh, net, numbers, cages, new):
+    """Put the vertices of a Mesh to where a net has them; as of renumber()."""
+    (own,), vertices = numbers, _Vertices(mesh)
+    positions, weights = vertices.positions(), vertices.values('FLOAT', WEIGHT)
+    known = own >= 0
+    positions[known] = net.single[own[known]]
+    vertices.set_positions(positions)
+    if weights is not None:
+        weights[known] = net.single_weights[own[known]]
+        vertices.set_values('FLOAT', WEIGHT, weights)
+    vertices.tell()
+
+
+def make_faces(mesh, faces):
+    """Make faces, by their slots, in Edit Mode: out of it a net is on its way out of the file."""
+    if mesh.is_editmode:
+        edited = bmesh.from_edit_mesh(mesh)
+        edited.verts.ensure_lookup_table()
+        for corners in faces:
+            edited.faces.new([edited.verts[slot] for slot in corners])
+        bmesh.update_edit_mesh(mesh)
 
 
 class _Vertices:
     """The vertices of a Mesh, from where they are now: Edit Mode has its own."""
 
-    def __init__(self, ob):
-        self._ob = ob
-        self._edited = bmesh.from_edit_mesh(ob.data) if ob.mode == 'EDIT' else None
+    def __init__(self, block):
+        """block: the Mesh, or the object that has it, which is faster in Edit Mode."""
+        self._ob, self._mesh = (None, block) if isinstance(block, bpy.types.Mesh) else (block, block.data)
+        self._edited = bmesh.from_edit_mesh(self._mesh) if self._mesh.is_editmode else None
 
     def values(self, kind, name):
         """(m,) of an attribute, or None where there is none of that kind."""
         dtype = np.float32 if kind == 'FLOAT' else np.int32
         if self._edited is not None:
-            layers = self._edited.verts.layers
-            layer = (layers.float if kind == 'FLOAT' else layers.int).get(name)
+            layer = self._layer(kind, name)
             return None if layer is None else np.array([vertex[layer] for vertex in self._edited.verts], dtype)
-        attribute = self._ob.data.attributes.get(name)
-        if attribute is None or attribute.domain != 'POINT' or attribute.data_type != kind:
+        attribute = self._attribute(kind, name)
+        if attribute is None:
             return None
         values = np.empty(len(attribute.data), dtype)
         attribute.data.foreach_get('value', values)
         return values
 
+    def set_values(self, kind, name, values):
+        """Write an attribute that is there."""
+        if self._edited is not None:
+            layer = self._layer(kind, name)
+            for vertex, value in zip(self._edited.verts, values.tolist()) if layer is not None else ():
+                vertex[layer] = value
+        elif self._attribute(kind, name) is not None:
+            dtype = np.float32 if kind == 'FLOAT' else np.int32
+            self._attribute(kind, name).data.foreach_set('value', np.ascontiguousarray(values, dtype))
+
+    def _layer(self, kind, name):
+        layers = self._edited.verts.layers
+        return (layers.float if kind == 'FLOAT' else layers.int).get(name)
+
+    def _attribute(self, kind, name):
+        attribute = self._mesh.attributes.get(name)
+        return attribute if attribute and attribute.domain == 'POINT' and attribute.data_type == kind else None
+
     def positions(self):
+        if self._edited is not None and self._ob is None:
+            return np.array([vertex.co[:] for vertex in self._edited.verts], np.float32).reshape(-1, 3)
         if self._edited is not None:
             self._ob.update_from_editmode()
-        flat = np.empty(3 * len(self._ob.data.vertices), np.float32)
-        self._ob.data.vertices.foreach_get('co', flat)
+        flat = np.empty(3 * len(self._mesh.vertices), np.float32)
+        self._mesh.vertices.foreach_get('co', flat)
         return flat.reshape(-1, 3)
+
+    def set_positions(self, positions):
+        if self._edited is None:
+            self._mesh.vertices.foreach_set('co', positions.ravel())
+            return
+        for vertex, position in zip(self._edited.verts, positions.tolist()):
+            vertex.co = position
 
     def links(self):
         if self._edited is not None:
             self._edited.verts.index_update()
             return np.array([[vertex.index for vertex in edge.verts] for edge in self._edited.edges], np.int64)
-        flat = np.empty(2 * len(self._ob.data.edges), np.int32)
-        self._ob.data.edges.foreach_get('vertices', flat)
+        flat = np.empty(2 * len(self._mesh.edges), np.int32)
+        self._mesh.edges.foreach_get('vertices', flat)
         return flat.reshape(-1, 2)
+
+    def corners(self):
+        """Of each face the slots of its vertices."""
+        if self._edited is None:
+            return [tuple(face.vertices) for face in self._mesh.polygons]
+        self._edited.verts.index_update()
+        return [tuple(vertex.index for vertex in face.verts) for face in self._edited.faces]
+
+    def tell(self):
+        """Let Blender know of what was written."""
+        if self._edited is None:
+            self._mesh.update()
+        else:
+            bmesh.update_edit_mesh(self._mesh, loop_triangles=False, destructive=False)
 
 
 def selects_vertices(ob):

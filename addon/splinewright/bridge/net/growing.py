@@ -1,14 +1,24 @@
-"""A net of curves gains and loses points in Blender's Edit Mode: net and shape take up what became of them.
+"""A net gains and loses points in Blender's Edit Mode, of patches whole rows: net and shape take up what became of them.
 
 The points get the numbers of the stage that comes of it, and but for points that are being appended the places that they
 have in it: a knot that was inserted moves its neighbours.
 """
 
+from enum import IntEnum
+
 import numpy as np
 
-from ...core.net import grown, reading
+from ...core.net import grown, grown_cage, reading
 from ..file_state import look_again
-from . import net_splines, stages
+from . import net_object, stages
+
+
+class Moment(IntEnum):
+    """What goes on while a net is read."""
+
+    BUSY = 0                            # an operator may go on moving points by itself
+    TOLD = 1                            # Blender tells of what has ended: nothing may be made in a cage
+    FREE = 2
 
 
 def choose(data, current):
@@ -49,35 +59,56 @@ def _before(stage, numbers):
 def settle(data, current):
     """Pass over what was extruded and called off once for all: it is no point either when the one it is of moves away."""
     runs = _runs(data, current.net)
-    numbers = grown.settled(runs)
+    numbers = _core(current.net).settled(runs)
     if numbers is not None:
         _write(data, current.net, numbers, runs)
 
 
-def grow(data, current, definition, slots):
+def grow(data, current, definition, found, moment):
     """Whether a net that has gained or lost points is of another stage now, which the session has then.
 
-    definition: what the net says by the points that are there; slots: theirs, as of core.net.reading. Raises Refusal or an
-    error of the library, and nothing has changed, where there is no such shape.
+    definition: what the net says by the points that are there; found: the core.net.reading.Reading of them. Where the
+    moment is not right, current.is_waiting says that there is something to take up: while an operator is busy rows are
+    appended only. Raises Refusal or an error of the library, and nothing has changed, where there is no such shape.
     """
-    runs = net_splines.runs(data, current.net, slots)
-    result = grown.grow(current.net, definition, runs)
+    current.is_waiting = False
+    if not definition.has_curves and not found.extra and (found.slots >= 0).all():
+        return False
+    kind = net_object.kind_of(data)
+    runs = kind.runs(data, current.net, found.slots)
+    result = _core(current.net).grow(current.net, definition, runs)
     if result is None:
+        return False
+    current.is_waiting = moment < _least(definition, result)
+    if current.is_waiting:
         return False
     stage = stages.after(current.stages, current.stage, result, stages.digest(data))
     stages.keep(data, current.stages)
     _write(data, stage.net, result.numbers, runs)
     if not len(result.added):
-        net_splines.place(data, stage.net, result.numbers, [run.is_turned for run in runs],
-                          set(np.flatnonzero(result.origins == grown.NEW).tolist()))
+        kind.place(data, stage.net, result.numbers, runs, set(np.flatnonzero(result.origins == grown.NEW).tolist()))
+    if result.faces:
+        kind.make_faces(data, result.faces)
     current.take_stage(stage)
     return True
 
 
+def _least(definition, result):
+    """The first Moment at which that can be taken up."""
+    if definition.has_curves or len(result.added):
+        return Moment.BUSY
+    return Moment.FREE if result.faces else Moment.TOLD
+
+
+def _core(net):
+    return grown if net.definition.has_curves else grown_cage
+
+
 def _runs(data, net):
-    return net_splines.runs(data, net, reading.slots(net, net_splines.present(data, net)))
+    kind = net_object.kind_of(data)
+    return kind.runs(data, net, reading.slots(net, kind.present(data, net)))
 
 
 def _write(data, net, numbers, runs):
-    net_splines.renumber(data, net, numbers, [run.is_turned for run in runs])
+    net_object.kind_of(data).renumber(data, net, numbers, runs)
     look_again(data)

@@ -16,10 +16,12 @@ from ...core.net import exact_net, reading
 from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import ended_operators, look_again, state
 from . import free_net, growing, net_object, settings_number, stages
+from .growing import Moment
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
 _PAUSE = 0.25
+_WAITS = "the shape takes up the new rows when the slide has ended"
 
 
 class Session:
@@ -27,9 +29,10 @@ class Session:
 
     def __init__(self, net):
         self.made_with = net
-        self.stages = {0: stages.Stage(net)}    # by their first numbers; of curves
+        self.stages = {0: stages.Stage(net)}    # by their first numbers
         self.stage = self.stages[0]
         self.extra = 0                          # how many points are passed over
+        self.is_waiting = False                 # whether there are rows that growing.grow() is to take up later
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
@@ -46,6 +49,8 @@ class Session:
     def take_stage(self, stage):
         """Take this for the stage of the net that is at hand."""
         self.stage = stage
+        self.faces = None
+        self._patch_sets.clear()
         self.show(stage.net)
 
     def take(self, exact, slots):
@@ -166,7 +171,7 @@ def trust():
             del state.sessions[token]
 
 
-def pull(ob):
+def pull(ob, moment=Moment.FREE):
     """Bring the shape of a net up to date. Returns its data-block if it changed, else None.
 
     Of what cannot be read or shown the shape keeps what it has; problem() says why. Whatever goes wrong is kept in words:
@@ -176,7 +181,7 @@ def pull(ob):
     look_again(net)
     problems.tell(net, problems.STRAYS, "")
     try:
-        data, is_changed, problem = _pulled(ob)
+        data, is_changed, problem = _pulled(ob, moment)
     except Exception as error:
         problems.tell(net, problems.NET, told(error))
         return None
@@ -184,7 +189,7 @@ def pull(ob):
     return data if is_changed else None
 
 
-def _pulled(ob):
+def _pulled(ob, moment):
     """(the data-block of a net's shape, whether it changed, what it does not take of the net)."""
     net_object.require_whole(ob)
     owner = net_object.shape_of(ob)
@@ -193,10 +198,12 @@ def _pulled(ob):
     if not net_object.is_current(ob):
         return None, False, "this net is of an earlier time: its shape has changed since, and follows it no more"
     data, current = owner.data, session(ob.data)
-    follow = _follow_points if free_net.is_free(ob.data) else _follow
     is_shown_otherwise = _show_as_noted(data, ob, current)
     try:
-        is_changed, problem = follow(data, ob, current)
+        if free_net.is_free(ob.data):
+            is_changed, problem = _follow_points(data, ob, current)
+        else:
+            is_changed, problem = _follow(data, ob, current, moment)
     except Exception as error:
         is_changed, problem = False, told(error)
     return data, is_changed or is_shown_otherwise, problem
@@ -228,7 +235,7 @@ def note_settings(data):
         settings_number.write(held, session(held.data).number_of(settings.values(data)))
 
 
-def _follow(data, ob, current):
+def _follow(data, ob, current, moment):
     """Bring a shape up to date; whether it changed, and what it does not take."""
     can_grow = _can_grow(ob)
     if can_grow:
@@ -236,7 +243,7 @@ def _follow(data, ob, current):
     found, refused = _read(data, ob, current), ""
     if can_grow:
         try:
-            if growing.grow(ob.data, current, exact_net.read(current.net, found.state), found.slots):
+            if growing.grow(ob.data, current, exact_net.read(current.net, found.state), found, moment):
                 found = _read(data, ob, current)
         except FAILURES as error:
             refused = sentence(error)
@@ -244,7 +251,10 @@ def _follow(data, ob, current):
         state.began = state.seen        # they ended before points were copied: another is at work
     current.extra = found.extra
     current.take(found.state, found.slots)
-    problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, (current.stage.note, found.note))))
+    if current.is_waiting:
+        found = found._replace(problem="", note=_WAITS if moment == Moment.BUSY else "")
+    notes = current.stage.note, found.note
+    problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     definition = exact_net.read(current.net, found.state)
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
@@ -286,7 +296,7 @@ def pass_over(ob):
 def _can_grow(ob):
     """Whether a net that is made of a definition may gain and lose points."""
     owner = net_object.shape_of(ob)
-    return owner is not None and isinstance(ob.data, bpy.types.Curve) and not recipes.has(owner.data)
+    return owner is not None and not recipes.has(owner.data)
 
 
 def problem(ob):
@@ -297,6 +307,12 @@ def problem(ob):
 def note(ob):
     """What the shape passes over, or ""."""
     return problems.of(ob.data, problems.STRAYS)
+
+
+def is_waiting(ob):
+    """Whether there are rows in a net that were cut in, or are gone, and are taken up a moment later."""
+    current = known_session(ob.data)
+    return current is not None and current.is_waiting
 
 
 def unread(ob):

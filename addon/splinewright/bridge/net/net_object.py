@@ -84,9 +84,12 @@ def make(shape, definition, net, scene):
 
 def present(ob, net):
     """The core.net.reading.Present points of a net object made of a Net. Raises ChangedNet."""
-    if isinstance(ob.data, bpy.types.Curve):
-        return net_splines.present(ob.data, net)
-    return cage.present(ob, len(net.rows))
+    return net_splines.present(ob.data, net) if isinstance(ob.data, bpy.types.Curve) else cage.present(ob, net)
+
+
+def kind_of(data):
+    """The module by which a net's data-block is read and written: net_splines or cage."""
+    return net_splines if isinstance(data, bpy.types.Curve) else cage
 
 
 def is_current(ob):

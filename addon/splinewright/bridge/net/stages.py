@@ -1,4 +1,4 @@
-"""What a net of curves became each time that it gained or lost points: its stages.
+"""What a net became each time that it gained or lost points: its stages.
 
 The points carry the numbers of the stage they are of, so that Edit Mode's undo brings that back with them. Stages are kept
 beside the net and never go; the first is what the net was made from. This is the one door to what is stored of them.
@@ -7,13 +7,14 @@ beside the net and never go; the first is what the net was made from. This is th
 import hashlib
 from dataclasses import dataclass, field, replace
 
+import bpy
 import numpy as np
 
 from ...core import definition as definitions
 from ...core.failures import Refusal
 from ...core.net.exact_net import Net
 from .. import store
-from . import net_object, net_splines
+from . import net_object
 
 _STAGES = 'stages'
 #: Whole numbers that float32 holds.
@@ -47,19 +48,19 @@ def stored(data, made_with):
         raise net_object.damaged("its stages are none")
     for name in group.keys():
         try:
-            stage = _decoded(int(name), group[name])
+            stage = _decoded(data, int(name), group[name])
         except (Refusal, LookupError, TypeError, ValueError, AttributeError, OverflowError) as error:
             raise net_object.damaged(error) from error
         found[stage.net.first] = stage
     return found
 
 
-def _decoded(first, group):
+def _decoded(data, first, group):
     definition = store.valid(group['definition'])
-    if not definition.has_curves or not 0 < first < _MOST or type(group['note']) is not str:
+    if definition.has_curves != isinstance(data, bpy.types.Curve) or not 0 < first < _MOST or type(group['note']) is not str:
         raise Refusal("a stage of it is none")
     net = replace(net_object.net_of(definition), first=first)
-    count = len(net.spline_points[0])
+    count = net.point_count
     origins, added = (np.array(group[name], dtype=np.int64) for name in ('origins', 'added'))
     if origins.shape != (count,) or added.ndim != 1 or not ((0 <= added) & (added < count)).all():
         raise Refusal("a stage of it has other points than it should")
@@ -85,7 +86,9 @@ def _write(data, stage):
 
 def at_hand(data, stages):
     """The Stage that most points of a net's data-block are of."""
-    carried = net_splines.carried(data)
+    if len(stages) == 1:
+        return stages[0]
+    carried = net_object.kind_of(data).carried(data)
     counts = {first: int(((carried >= first) & (carried < stage.end)).sum()) for first, stage in stages.items()}
     return stages[max(counts, key=lambda first: (counts[first], first))]
 
@@ -110,10 +113,9 @@ def after(stages, parent, grown, answered):
     return known
 
 
-def digest(curve):
+def digest(data):
     """What tells from each other what is found in Blender."""
     found = hashlib.sha256()
-    for part in net_splines.everything(curve):
+    for part in net_object.kind_of(data).everything(data):
         found.update(part)
     return found.hexdigest()[:32]
-

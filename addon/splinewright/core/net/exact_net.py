@@ -84,6 +84,11 @@ class Net:
             first = last
         return weighted
 
+    @property
+    def point_count(self):
+        """How many points have a number in Blender: handles of Bezier points have none of their own."""
+        return len(self.spline_points[0]) if self.definition.has_curves else len(self.rows)
+
     @cached_property
     def spline_points(self):
         """Of curves: (the first vertex of each point, whether it is a Bezier point, which has three)."""

@@ -10,6 +10,7 @@ import numpy as np
 from .. import parameters
 from ..failures import Refusal
 from ..library import sc
+from . import knot_steps
 
 
 class Edited(NamedTuple):
@@ -56,12 +57,7 @@ def inserted(edited, place, times):
     if _is_chain(curve):
         return edited._replace(curve=_refined_chain(curve, place, times), order=np.arange(len(order) + times))
     _require_finite(curve)
-    nurbs = curve.to_nurbs()
-    first = int(order[place])
-    averages = _averages(nurbs)
-    for part in range(1, times + 1):
-        knot = averages[first] + (averages[first + 1] - averages[first]) * part / (times + 1)
-        nurbs = nurbs.insert_knot(_free_knot(nurbs, knot))
+    nurbs = knot_steps.inserted(curve.to_nurbs(), [(int(order[place]), part / (times + 1)) for part in range(1, times + 1)])
     wanted = np.insert(order.astype(float), place + 1, np.full(times, np.nan))
     return edited._replace(curve=nurbs, order=_matched(curve, nurbs, wanted))
 
@@ -86,7 +82,7 @@ def removed(edited, place):
         return turned(removed(turned(edited), len(order) - 1))
     if is_end:
         return edited._replace(curve=_ended_earlier(curve), order=order[:-1])
-    found = _without_a_knot(curve, _averages(curve.to_nurbs())[order[place]])
+    found = knot_steps.without_a_knot(curve, knot_steps.averages(curve.to_nurbs())[order[place]])
     wanted = np.delete(order.astype(float), place)
     return edited._replace(curve=found.value, order=_matched(curve, found.value, wanted), error=edited.error + found.error)
 
@@ -188,13 +184,8 @@ def _require_finite(curve):
 
 def _longer_polygon(curve, point):
     """With a span as long as the last."""
-    knots, degree = curve.knots, curve.degree
-    if knots[-1] == knots[-1 - degree]:
-        step = knots[-1] - knots[knots < knots[-1]][-1]
-        longer = np.append(knots[:-degree], np.full(degree + 1, knots[-1] + step))
-    else:
-        longer = np.append(knots, knots[-1] + np.diff(np.unique(knots))[-1])
-    return sc.NurbsCurve(degree, longer, np.vstack([curve.points, _apart(point.position, curve.points[0])]),
+    return sc.NurbsCurve(curve.degree, knot_steps.longer(curve.knots, curve.degree),
+                         np.vstack([curve.points, _apart(point.position, curve.points[0])]),
                          np.append(curve.weights, point.weight))
 
 
@@ -218,64 +209,12 @@ def _ended_earlier(curve):
     points, weights = curve.points[:-1], curve.weights[:-1]
     if isinstance(curve, sc.BezierCurve):
         return sc.BezierCurve(points, weights)
-    knots, degree = curve.knots, curve.degree
-    inner = parameters.inner_knots(curve)
-    if not len(inner):
-        return sc.NurbsCurve(degree - 1, knots[1:-1], points, weights)
-    if knots[-1] != knots[-1 - degree]:
-        return sc.NurbsCurve(degree, knots[:-1], points, weights)
-    is_simple = (knots == inner[-1]).sum() == 1
-    end = inner[-1] if is_simple else knots[-1]
-    return sc.NurbsCurve(degree, np.append(knots[:-degree - 2], np.full(degree + 1, end)), points, weights)
-
-
-def _averages(curve):
-    """Of each control point the average of its knots; of periodic curves once around, and the first again."""
-    knots, degree = curve.knots, curve.degree
-    if not curve.periodic:
-        return np.array([knots[i + 1:i + degree + 1].mean() for i in range(len(curve.points))])
-    count, period = len(knots) - 1, knots[-1] - knots[0]
-    at = np.arange(count + 1)[:, None] + np.arange(1 - degree, 1)
-    return (knots[at % count] + period * (at // count)).mean(1)
-
-
-def _free_knot(curve, knot):
-    """The parameter itself, or where there is a knot already the middle of the span beside it."""
-    start, end = curve.domain
-    if curve.periodic:
-        knot = start + (knot - start) % (end - start)
-    ends = np.concatenate([[start], parameters.inner_knots(curve), [end]])
-    knot = min(max(knot, start), end)
-    nearest = int(np.abs(ends - knot).argmin())
-    if abs(ends[nearest] - knot) > 1e-9 * (end - start):
-        return float(knot)
-    nearest = min(nearest, len(ends) - 2)
-    return float(ends[nearest] + (ends[nearest + 1] - ends[nearest]) / 2)
-
-
-def _without_a_knot(curve, place):
-    """The curve without the inner knot that is nearest to a parameter; of lower degree where it has none."""
-    inner = parameters.inner_knots(curve)
-    if not len(inner):
-        return curve.reduce(1)
-    start, end = curve.domain
-    if curve.periodic:
-        place = start + (place - start) % (end - start)
-    return curve.remove_knot(float(inner[np.abs(inner - place).argmin()]), 1)
+    return sc.NurbsCurve(*knot_steps.earlier(curve), points, weights)
 
 
 def _matched(before, after, wanted):
-    """Of each point of the net its control point now. wanted: those that it was before, not-a-number for new ones.
-
-    The points of periodic curves may begin elsewhere: as many as can are to be where they were.
-    """
-    if not _is_periodic(after):
-        return np.arange(len(wanted))
-    known = np.flatnonzero(np.isfinite(wanted))
-    was = before.points[wanted[known].astype(int)]
-    count = len(after.points)
-    far = [np.linalg.norm(after.points[(known + turn) % count] - was, axis=1).sum() for turn in range(count)]
-    return (np.arange(count) + int(np.argmin(far))) % count
+    """Of each point of the net its control point now; wanted: as of knot_steps.matched()."""
+    return knot_steps.matched(before.points, after.points, wanted) if _is_periodic(after) else np.arange(len(wanted))
 
 
 # Chains with tangents ------------------------------------------------------------------------------
