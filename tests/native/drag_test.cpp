@@ -83,16 +83,18 @@ BezierPatch sheet(double from) {
 
 TEST(Drag, MovesWhatPatchesShareOnce) {
   // The sheets meet where x = 2, but for z.
-  std::vector<glm::dvec4> right(sheet(2.0).points().begin(), sheet(2.0).points().end());
-  for (int j = 0; j < 3; ++j) right[j] = sheet(0.0).points()[6 + j];
-  const std::vector<AnyPatch> both{sheet(0.0), BezierPatch::make(3, 3, right)};
+  const BezierPatch neighbour = sheet(2.0);
+  std::vector<glm::dvec4> right(neighbour.points().begin(), neighbour.points().end());
+  const BezierPatch first = sheet(0.0);
+  for (int j = 0; j < 3; ++j) right[j] = first.points()[6 + j];
+  const std::vector<AnyPatch> both{first, BezierPatch::make(3, 3, right)};
   for (const bool merged : {true, false}) {
     const PatchSet set = PatchSet::of(both, merged);
     const PatchSet moved = dragged(set, 1, 0.1, 0.5, kBy);
-    const auto& left_points = nurbs_of(moved.patch(0)).points();
-    const auto& right_points = nurbs_of(moved.patch(1)).points();
+    const auto left_points = nurbs_of(moved.patch(0)).points();
+    const auto right_points = nurbs_of(moved.patch(1)).points();
     for (int j = 0; j < 3; ++j) EXPECT_EQ(left_points[6 + j], right_points[j]);
-    for (int i = 0; i < 6; ++i) EXPECT_EQ(left_points[i], sheet(0.0).points()[i]);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(left_points[i], first.points()[i]);
     EXPECT_EQ(dragged(BezierPatch::make(3, 3, right), 0.1, 0.5, kBy), std::get<BezierPatch>(moved.patch(1)));
   }
 }
