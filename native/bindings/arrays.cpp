@@ -244,6 +244,20 @@ std::vector<glm::dvec3> vectors(const Doubles& values, const char* name, int dim
   return rows;
 }
 
+glm::dvec3 vector_of(const py::object& value, const char* name) {
+  const Doubles array = real_array(value, name);
+  if (array.ndim() != 1 || (array.shape(0) != 2 && array.shape(0) != 3)) {
+    throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + ", (2,) or (3,) is expected");
+  }
+  const glm::dvec3 vector(array.at(0), array.at(1), array.shape(0) == 3 ? array.at(2) : 0.0);
+  for (int k = 0; k < 3; ++k) {
+    if (std::isfinite(vector[k])) continue;
+    throw InvalidShape(std::string(name) + splinecore::index_text(k) + " = " + splinecore::text_of(vector[k]) +
+                       " is not finite");
+  }
+  return vector;
+}
+
 std::vector<double> optional_numbers(const py::object& value, const char* name) {
   return value.is_none() ? std::vector<double>() : numbers(value, name);
 }

@@ -71,6 +71,9 @@ std::vector<glm::dvec4> rows_of_four(const Doubles& points, const char* name, in
 /// Vectors of two or three columns.
 std::vector<glm::dvec3> vectors(const Doubles& values, const char* name, int dimensions);
 
+/// One vector of two or three numbers. @throws InvalidShape if one is not finite.
+glm::dvec3 vector_of(const py::object& value, const char* name);
+
 std::vector<double> numbers(const py::object& value, const char* name);
 
 /// The same; none at all for None.

@@ -1,4 +1,5 @@
 #include "arrays.hpp"
+#include "class_of.hpp"
 #include "curve_methods.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
@@ -33,12 +34,6 @@ struct Curvatures {
   py::array_t<double> principal;
   py::array_t<double> directions;
 };
-
-/// A class that was bound before.
-template <class Shape>
-py::class_<Shape> class_of(const py::module_& module, const char* name) {
-  return py::reinterpret_borrow<py::class_<Shape>>(module.attr(name));
-}
 
 std::span<double> numbers_in(py::array_t<double>& array) {
   return {array.mutable_data(), static_cast<std::size_t>(array.size())};

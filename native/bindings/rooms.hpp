@@ -15,6 +15,7 @@ void bind_conics(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 void bind_measure(pybind11::module_& module);
+void bind_drags(pybind11::module_& module);
 void bind_primitives(pybind11::module_& module);
 void bind_patch_joins(pybind11::module_& module);
 void bind_formula(pybind11::module_& module);

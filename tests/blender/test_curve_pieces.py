@@ -141,7 +141,8 @@ def test_every_verb_is_in_the_menu_and_in_the_sidebar():
 
     class Self:
         layout = Layout()
-    for draw in (tools.SPLINEWRIGHT_MT_curve.draw, tools.SPLINEWRIGHT_PT_curve_tools.draw):
+    by_mouse = ['insert_here', 'pull_here']
+    for draw, above in ((tools.SPLINEWRIGHT_MT_curve.draw, []), (tools.SPLINEWRIGHT_PT_curve_tools.draw, by_mouse)):
         drawn.clear()
         draw(Self, bpy.context)
-        assert drawn == [f"splinewright.{name}" for name in listed]
+        assert drawn == [f"splinewright.{name}" for name in (*above, *listed)]

@@ -21,7 +21,7 @@ MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remo
 TOLD_LATE = {('touched', 'adopt_transform')}
 MENDED |= {f"patch_{name}" for name in MENDED}
 #: They open a dialog, or work on the view.
-NOT_RUN = {'pick_piece', 'insert_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt'}
+NOT_RUN = {'pick_piece', 'insert_here', 'pull_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt'}
 
 
 def made(name):

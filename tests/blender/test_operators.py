@@ -11,7 +11,7 @@ from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
 VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Clamp', 'Convert', 'Detach', 'Edit', 'Export', 'Extract',
-         'Extrude', 'Follow', 'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Raise', 'Remove', 'Renew',
+         'Extrude', 'Follow', 'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Pull', 'Raise', 'Remove', 'Renew',
          'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp', 'Write'}
 
 

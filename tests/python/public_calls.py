@@ -55,6 +55,10 @@ CURVE = {
     "torsion": lambda one, at: one.torsion(inside(one.domain)),
     "frenet_frame": lambda one, at: one.frenet_frame(inside(one.domain)),
 }
+DRAGGED = {
+    "dragged": lambda one, at: [one.dragged(middle(one.domain), xyz(at, 0.5)),
+                                one.dragged(middle(one.domain), xyz(at, 0.5), (0, 0), locality=2)],
+}
 COPIES = {"__copy__": lambda one, at: copy.copy(one), "__deepcopy__": lambda one, at: copy.deepcopy(one)}
 EQUAL = COPIES | {"__eq__": lambda one, at: one == pickle.loads(pickle.dumps(one)),
                   "__hash__": lambda one, at: hash(one)}
@@ -132,6 +136,7 @@ PATCH = {
     "isocurve": lambda one, at: [one.isocurve(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
     "boundary": lambda one, at: [one.boundary(side) for side in SIDES],
     "continuity_to": lambda one, at: one.continuity_to("v_end", one, "v_start"),
+    "dragged": lambda one, at: one.dragged(*map(middle, one.domain), xyz(at, 0.5)),
 }
 RATIONAL_PATCH = {
     "with_points": lambda one, at: one.with_points(one.points),
@@ -167,6 +172,7 @@ PATCH_SET = {
     "flipped": lambda one, at: one.flipped(),
     "edge_counts": lambda one, at: one.edge_counts(),
     "seams": lambda one, at: one.seams(),
+    "dragged": lambda one, at: one.dragged(0, *map(middle, one[0].domain), xyz(at, 0.5)),
     "__len__": lambda one, at: len(one),
     "__getitem__": lambda one, at: one[0],
     "area": lambda one, at: one.area(tolerance=1e-2),
@@ -210,9 +216,9 @@ CONIC = {
 }
 
 METHODS = {
-    "NurbsCurve": CURVE | RATIONAL | NURBS_CURVE | VALUE,
-    "BezierCurve": CURVE | RATIONAL | BEZIER_CURVE | VALUE,
-    "HermiteCurve": CURVE | HERMITE_CURVE | VALUE,
+    "NurbsCurve": CURVE | DRAGGED | RATIONAL | NURBS_CURVE | VALUE,
+    "BezierCurve": CURVE | DRAGGED | RATIONAL | BEZIER_CURVE | VALUE,
+    "HermiteCurve": CURVE | DRAGGED | HERMITE_CURVE | VALUE,
     "PowerCurve": CURVE | POWER_CURVE | VALUE,
     "NurbsPatch": PATCH | RATIONAL_PATCH | NURBS_PATCH | VALUE,
     "BezierPatch": PATCH | RATIONAL_PATCH | BEZIER_PATCH | VALUE,

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..bridge import settings, shape, store
+from ..bridge import recipes, settings, shape, store
 from ..bridge.file_state import state
 from ..bridge.net import live, net_object, selection
 from . import editing
@@ -20,6 +20,14 @@ def shapes(context):
     """The shapes whose nets are edited, or those that are selected in Object Mode."""
     obs = editing.nets_in_edit_mode(context) or (context.selected_objects if context.mode == 'OBJECT' else [])
     return [owner for owner in map(shape_of, obs) if owner is not None]
+
+
+def is_free(ob):
+    """Whether the definition of a shape may be changed by hand: it is not linked, nor does it come of a recipe."""
+    try:
+        return not ob.data.library and not recipes.has(ob.data)
+    except store.UnreadableDefinition:
+        return False
 
 
 def pieces_of_points(ob):

@@ -1,15 +1,17 @@
-"""Tab, Ctrl+J and Ctrl+R on shapes and nets. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J, Ctrl+R and Alt+G on shapes and nets. The operators' polls let the keys pass for everything else."""
 
 import bpy
 
-#: Keymap, operator, key, control; the first that applies is taken.
+#: Keymap, operator, key, what is held with it; the first that applies is taken.
 _ITEMS = (
-    ('Object Non-modal', "splinewright.edit_net", 'TAB', False),
-    ('Object Non-modal', "splinewright.edit_source", 'TAB', False),
-    ('Object Non-modal', "splinewright.leave_net", 'TAB', False),
-    ('Object Mode', "splinewright.join", 'J', True),
-    ('Mesh', "splinewright.insert_here", 'R', True),
-    ('Curve', "splinewright.insert_here", 'R', True),
+    ('Object Non-modal', "splinewright.edit_net", 'TAB', None),
+    ('Object Non-modal', "splinewright.edit_source", 'TAB', None),
+    ('Object Non-modal', "splinewright.leave_net", 'TAB', None),
+    ('Object Mode', "splinewright.join", 'J', 'ctrl'),
+    ('Mesh', "splinewright.insert_here", 'R', 'ctrl'),
+    ('Curve', "splinewright.insert_here", 'R', 'ctrl'),
+    ('Mesh', "splinewright.pull_here", 'G', 'alt'),
+    ('Curve', "splinewright.pull_here", 'G', 'alt'),
 )
 
 _made = []
@@ -33,9 +35,9 @@ def register():
     config = bpy.context.window_manager.keyconfigs.addon
     if config is None:                  # in background
         return
-    for name, operator, key, control in _ITEMS:
+    for name, operator, key, held in _ITEMS:
         keymap = config.keymaps.new(name=name)
-        _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', ctrl=control)))
+        _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', **({held: True} if held else {}))))
 
 
 def unregister():

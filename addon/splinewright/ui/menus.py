@@ -95,7 +95,8 @@ def _draw_convert(self, context):
 
 #: Names of operators and menus, with what they concern, in groups.
 _ENTRIES = (
-    (('edit_net', kinds.SHAPES), ('insert_here', kinds.SHAPES), ('set_knots', kinds.SHAPES), ('pick_piece', kinds.SHAPES),
+    (('edit_net', kinds.SHAPES), ('insert_here', kinds.SHAPES), ('pull_here', kinds.SHAPES),
+     ('set_knots', kinds.SHAPES), ('pick_piece', kinds.SHAPES),
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
@@ -164,6 +165,7 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
         layout.operator("splinewright.renew_net", icon='FILE_REFRESH')
         layout.separator()
         layout.operator("splinewright.insert_here")
+        layout.operator("splinewright.pull_here")
         layout.operator("splinewright.set_knots")
         layout.operator("splinewright.point_to_infinity")
         layout.operator("splinewright.point_from_infinity")

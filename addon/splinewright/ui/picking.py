@@ -19,12 +19,18 @@ def views():
             for region in area.regions if region.type == 'WINDOW' and region.data]
 
 
+def area_at(x, y):
+    """(area, region, its RegionView3D) of the 3D view at a pixel of the window, or None over anything else."""
+    for area, region, view in views():
+        if region.x <= x < region.x + region.width and region.y <= y < region.y + region.height:
+            return area, region, view
+    return None
+
+
 def view_at(x, y):
     """(region, its RegionView3D) of the 3D view at a pixel of the window, or None over anything else."""
-    for _, region, view in views():
-        if region.x <= x < region.x + region.width and region.y <= y < region.y + region.height:
-            return region, view
-    return None
+    found = area_at(x, y)
+    return found and found[1:]
 
 
 def on_screen(region, view, matrix, points):
@@ -116,6 +122,15 @@ def parameters_at(region, view, pixel, obs, depsgraph):
     if not near or not (nearest := min(near, key=lambda found: found[0]))[0] <= within:
         return None
     return nearest[1:]
+
+
+def pointed_at(event, obs, depsgraph):
+    """parameters_at() at the mouse, in the 3D view that is there; None over anything else."""
+    found = view_at(event.mouse_x, event.mouse_y)
+    if found is None:
+        return None
+    region, view = found
+    return parameters_at(region, view, (event.mouse_x - region.x, event.mouse_y - region.y), obs, depsgraph)
 
 
 def _on_curves(region, view, pixel, ob):

@@ -145,7 +145,7 @@ def renumber(curve, net, numbers, runs):
     """Let the points of a Curve be those of a net, where they are: numbers of each spline's points there, -1 for none,
     and smaller ones for copies; runs: runs() of it."""
     seals = strays.seals(len(net.spline_points[0]), net.first)
-    for spline, own, over in zip(curve.splines, numbers, (run.turned for run in runs)):
+    for spline, own, over in zip(curve.splines, numbers, (run.is_turned for run in runs)):
         points = _points_of(spline)
         carried = np.where(own == STRAY, -1, np.where(own < -1, copy_of(own), own))
         tilts = (np.maximum(carried, 0) + net.first).astype(np.float32)
@@ -158,7 +158,7 @@ def place(curve, net, numbers, runs, new):
     """Put the points of a Curve to where a net has them; as of renumber(). new: points that had no handles before."""
     first, are_smooth = net.spline_points[0], np.concatenate([spline.smooth or (False,) * spline.count
                                                               for spline in net.splines])
-    for spline, own, over in zip(curve.splines, numbers, (run.turned for run in runs)):
+    for spline, own, over in zip(curve.splines, numbers, (run.is_turned for run in runs)):
         points = _points_of(spline)
         for i in np.flatnonzero(own >= 0).tolist():
             vertex, point = int(first[own[i]]), points[i]

@@ -42,7 +42,16 @@ def select(ob, net, vertices):
 
 
 def move(ob, net, vertices, rows):
-    """Give vertices positions and weights, rows (k, 4); they are kept in float64 beside the net.
+    """place(), and the numbers are kept in float64 beside the net."""
+    net_object.require_whole(ob)
+    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else (
+        np.asarray(vertices) + net.first)
+    place(ob, net, vertices, rows)
+    net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
+
+
+def place(ob, net, vertices, rows):
+    """Give vertices positions and weights, rows (k, 4), as Blender holds them.
 
     Raises Refusal where the net cannot be read, or a vertex is not there.
     """
@@ -50,9 +59,6 @@ def move(ob, net, vertices, rows):
     slots = _slots(ob, net)[vertices]
     if (slots < 0).any():
         raise ChangedNet("a point of the net is not there any more")
-    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else (
-        np.asarray(vertices) + net.first)
-    net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
     by_slot = dict(zip(slots.tolist(), rows.tolist()))
     if _is_curve(ob):
         net_splines.move(ob.data, by_slot)

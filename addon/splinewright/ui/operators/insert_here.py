@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...bridge import recipes, store, surveys
+from ...bridge import surveys
 from ...bridge.file_state import state
 from ...core import aiming
 from ...core.failures import FAILURES
@@ -26,9 +26,9 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
         shapes = hand.shapes(context)
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
-        elif not any(map(_is_free, shapes)):
+        elif not any(map(hand.is_free, shapes)):
             cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
-        return any(map(_is_free, shapes))
+        return any(map(hand.is_free, shapes))
 
     def invoke(self, context, event):
         problem = editing.unread(editing.nets_in_edit_mode(context))
@@ -78,22 +78,10 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
         redraw()
 
 
-def _is_free(ob):
-    try:
-        return not ob.data.library and not recipes.has(ob.data)
-    except store.UnreadableDefinition:
-        return False
-
-
 def _found(context, event, in_middle):
     """(object, number of its piece, its parameters) at the mouse, or in the middle of the span there; or None."""
-    view = picking.view_at(event.mouse_x, event.mouse_y)
-    if view is None:
-        return None
-    region, view = view
-    pixel = event.mouse_x - region.x, event.mouse_y - region.y
-    obs = [ob for ob in hand.shapes(context) if _is_free(ob) and ob.visible_get()]
-    found = picking.parameters_at(region, view, pixel, obs, context.evaluated_depsgraph_get())
+    obs = [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
+    found = picking.pointed_at(event, obs, context.evaluated_depsgraph_get())
     if found is None or not in_middle:
         return found
     ob, number, parameters = found

@@ -1,0 +1,78 @@
+"""What is pulled at: the points of a net in Edit Mode, which its shape follows, or a shape in Object Mode."""
+
+import numpy as np
+
+from ..core.failures import Refusal
+from ..core.net import exact_net
+from . import recipes, shape, store
+from .net import live, net_object, selection
+
+_FARTHEST = float(np.finfo(np.float32).max)
+
+
+class HeldShape:
+    """A shape whose definition is another at every step."""
+
+    def __init__(self, ob):
+        recipes.require_free(ob.data)
+        self._data = ob.data
+        self.definition = store.read(ob.data)
+
+    def show(self, definition):
+        shape.set_definition(self._data, definition)
+
+    def put_back(self):
+        shape.set_definition(self._data, self.definition)
+
+    #: In the end a definition is shown as at every step.
+    write = show
+
+
+class HeldNet:
+    """A net in Edit Mode. Raises Refusal where the shape has not what the net shows."""
+
+    def __init__(self, ob):
+        owner = net_object.shape_of(ob)
+        if owner is None:
+            raise Refusal("the shape of this net was deleted, or is in no scene")
+        recipes.require_free(owner.data)
+        live.pull(ob)
+        if live.problem(ob):
+            raise Refusal(live.problem(ob))
+        current = live.session(ob.data)
+        self._ob, self._net, self._weights = ob, current.net, current.state.weights
+        self._start = self._now = current.state.positions
+        self.definition = exact_net.read(current.net, current.state)
+        self._first = self._positions(self.definition)
+
+    def show(self, definition):
+        """In single precision, as a drag in Edit Mode does."""
+        self._place(selection.place, self._target(definition))
+
+    def put_back(self):
+        self._place(selection.place, self._start)
+
+    def write(self, definition):
+        """With all digits, and the shape is up to date."""
+        self._place(selection.move, self._target(definition))
+        live.pull(self._ob)
+        if live.problem(self._ob):
+            raise Refusal(live.problem(self._ob))
+
+    def _target(self, definition):
+        """(n, 3): where the vertices go; those that stay are where they were, to the last digit."""
+        positions = self._positions(definition)
+        if not (np.abs(positions) <= _FARTHEST).all():
+            raise Refusal("a control point would lie farther away than Blender's Edit Mode reaches (3.4e38)")
+        return np.where((positions == self._first).all(1)[:, None], self._start, positions)
+
+    def _positions(self, definition):
+        net = net_object.net_of(definition)
+        if not np.array_equal(net.origins, self._net.origins):
+            raise Refusal("the net is of another time than its shape: use Renew Net first")
+        return net.positions
+
+    def _place(self, how, target):
+        vertices = np.flatnonzero((target != self._now).any(1))
+        how(self._ob, self._net, vertices, np.column_stack([target, self._weights])[vertices])
+        self._now = target

@@ -1,0 +1,265 @@
+"""Pull a shape by the point at the mouse: the control points follow by the least change."""
+
+import math
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, FloatProperty, FloatVectorProperty, IntProperty, StringProperty
+from bpy_extras import view3d_utils
+from mathutils import Vector
+
+from ...bridge import pulling, store, surveys
+from ...bridge.file_state import state
+from ...bridge.net import net_object
+from ...core import decimals, parameters, patch_verbs, verbs
+from ...core import pulling as pulls
+from ...core.failures import FAILURES, Refusal, sentence
+from .. import editing, hand, picking
+from ..pull_keys import Keys
+from ..pull_overlay import Pull
+from . import reports
+from .pick_piece import PASSED, redraw
+
+_STEPS = {'WHEELUPMOUSE': 0.5, 'WHEELDOWNMOUSE': -0.5}
+#: The mouse has not been moved where it is nearer to where it was pressed, in pixels.
+_STILL = 3.0
+_AIMING = "Press on the shape and pull   |   Esc, Right Mouse: Cancel"
+_PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: steps   |   "
+            "Wheel: how many points follow   |   T: keep the tangent   |   Esc, Right Mouse: Cancel")
+
+
+class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
+    bl_idname = "splinewright.pull_here"
+    bl_label = "Pull Shape"
+    bl_description = ("Take hold of any point of a curve or patch and pull: it goes where it is pulled to, and the "
+                      "control points follow with the least change")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    shape_name: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    piece: IntProperty(name="Piece", description="Which piece of the shape, counted from 1", default=1, min=1,
+                       options={'SKIP_SAVE'})
+    parameter_u: FloatProperty(name="Parameter U", description="Where on the curve or patch it is pulled", default=0.5,
+                               precision=5, step=1, options={'SKIP_SAVE'})
+    parameter_v: FloatProperty(name="Parameter V", description="Where on the patch it is pulled", default=0.5,
+                               precision=5, step=1, options={'SKIP_SAVE'})
+    vector: FloatVectorProperty(name="Move", description="By what the point is moved, in the world", size=3,
+                                subtype='TRANSLATION', precision=5, options={'SKIP_SAVE'})
+    locality: FloatProperty(
+        name="Locality", description="How few control points follow: 0 for all that the point depends on, with more those "
+        "nearest to it do it alone", default=0.0, min=0.0, soft_max=10.0, step=50)
+    keep_tangent: BoolProperty(
+        name="Keep Tangent", description="The derivative of the curve at the point stays as it is")
+
+    @classmethod
+    def poll(cls, context):
+        shapes = hand.shapes(context)
+        if not shapes:
+            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+        elif not any(map(hand.is_free, shapes)):
+            cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
+        return any(map(hand.is_free, shapes))
+
+    # From here on: with numbers.
+
+    def execute(self, context):
+        ob = self._owner(context)
+        if ob is None:
+            return reports.cancelled(self, "the shape that was pulled is not in hand any more")
+        try:
+            held = _held(context, ob)
+            held.write(self._pulled(held.definition, ob))
+        except FAILURES as error:
+            return reports.failed(self, error, ob.name)
+        return reports.finished(self, reports.Said(f"Pulled {ob.name} by {np.linalg.norm(self._typed()):.4g}"))
+
+    def draw(self, context):
+        ob = self._owner(context)
+        column = self.layout.column()
+        column.use_property_split, column.use_property_decorate = True, False
+        for name in ('vector', 'locality', *(('keep_tangent',) if ob and ob.type == 'CURVE' else ())):
+            column.prop(self, name)
+        if ob and hand.count_of(ob.data) > 1:
+            column.prop(self, 'piece')
+        column.prop(self, 'parameter_u')
+        if ob and ob.type == 'MESH':
+            column.prop(self, 'parameter_v')
+
+    def _owner(self, context):
+        """The shape in hand that was pulled; the active one where none was."""
+        shapes = [ob for ob in hand.shapes(context) if hand.is_free(ob)]
+        named = [ob for ob in shapes if ob.name == self.shape_name]
+        active = [ob for ob in shapes if ob == hand.shape_of(context.object)]
+        found = named if self.shape_name else active or shapes
+        return found[0] if found else None
+
+    def _typed(self):
+        return np.array([decimals.typed(number) for number in self.vector])
+
+    def _pulled(self, definition, ob):
+        pieces = verbs.pieces_of(definition)
+        verbs.require_piece(pieces, self.piece)
+        piece = pieces[self.piece - 1]
+        axes = [piece] if definition.has_curves else [patch_verbs.Along(piece, axis) for axis in 'uv']
+        at = [parameters.snapped(number, parameters.knots_of(axis))
+              for number, axis in zip((self.parameter_u, self.parameter_v), axes)]
+        return pulls.pulled(definition, self.piece - 1, at, _into(ob) @ self._typed(), self.locality,
+                            self.keep_tangent and definition.has_curves)
+
+    # From here on: by the mouse.
+
+    def invoke(self, context, event):
+        problem = editing.unread(editing.nets_in_edit_mode(context))
+        if problem:
+            return reports.cancelled(self, problem)
+        self._drag = None
+        context.window_manager.modal_handler_add(self)
+        context.window.cursor_modal_set('CROSSHAIR')
+        context.workspace.status_text_set(_AIMING)
+        self._aim(context, event)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if self._drag is None and event.type in PASSED:
+            return {'PASS_THROUGH'}
+        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self._put_back()
+            self.cancel(context)
+            return {'CANCELLED'}
+        if self._drag is not None:
+            return self._pull(context, event)
+        self._aim(context, event)
+        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or not self.shape_name:
+            return {'RUNNING_MODAL'}
+        return self._grab(context, event)
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        state.pulled = None
+        if self._drag is not None:
+            self._drag.area.header_text_set(None)
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        redraw()
+
+    def _aim(self, context, event):
+        """Find the point at the mouse, and show it with the control points that would follow."""
+        state.pulled, self.shape_name, self.vector = None, "", (0.0, 0.0, 0.0)
+        obs = [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
+        try:
+            found = picking.pointed_at(event, obs, context.evaluated_depsgraph_get())
+            if found is not None:
+                ob, self.piece, at = found
+                self.parameter_u, self.parameter_v = (*at, 0.0)[:2]
+                state.pulled = self._aimed_at(ob, at)
+                self.shape_name = ob.name
+        except FAILURES:
+            state.pulled = None             # such a shape shows nothing to take hold of
+        redraw()
+
+    def _aimed_at(self, ob, at):
+        """The Pull of a shape that has not been moved yet."""
+        before = store.read(ob.data)
+        by = np.array([max(before.size, 1e-30), 0.0, 0.0])
+        after = pulls.pulled(before, self.piece - 1, at, by, self.locality, self.keep_tangent and before.has_curves)
+        start = surveys.pieces_of(ob.data)[self.piece - 1].evaluate(*at)
+        return Pull(ob.name, start, start, pulls.followers(after, before)[0], pulls.followers(before, after)[1])
+
+    def _grab(self, context, event):
+        ob = self._owner(context)
+        try:
+            self._drag = _Drag(event, ob, _held(context, ob), state.pulled.start)
+        except FAILURES as error:
+            self.cancel(context)
+            return reports.failed(self, error, ob.name)
+        context.window.cursor_modal_set('SCROLL_XY')
+        context.workspace.status_text_set(_PULLING)
+        return self._pull(context, event)
+
+    def _pull(self, context, event):
+        drag = self._drag
+        if event.type in _STEPS:
+            self.locality = max(self.locality + _STEPS[event.type], 0.0)
+        elif event.type == 'T' and event.value == 'PRESS':
+            self.keep_tangent = not self.keep_tangent
+        elif not drag.keys.take(event) and drag.ends(event):
+            return self._let_go(context)
+        self.vector = drag.vector(event)
+        problem = ""
+        try:
+            after = self._pulled(drag.held.definition, drag.ob)
+            drag.held.show(after)
+            points, parts = pulls.followers(drag.held.definition, after)
+            end = state.pulled.start + _into(drag.ob) @ self._typed()
+            state.pulled = state.pulled._replace(end=end, followers=points, parts=parts)
+        except FAILURES as error:
+            problem = f"  {sentence(error)}"
+        length = np.linalg.norm(self._typed())
+        drag.area.header_text_set(
+            f"Pull {length:.4g} ({', '.join(f'{part:.4g}' for part in self.vector)}){drag.keys.words()}"
+            f"   Locality {self.locality:.1f}{'   tangent kept' if self.keep_tangent else ''}{problem}")
+        redraw()
+        return {'RUNNING_MODAL'}
+
+    def _let_go(self, context):
+        self._put_back()
+        self.cancel(context)
+        return self.execute(context) if any(self.vector) else {'CANCELLED'}
+
+    def _put_back(self):
+        if self._drag is not None:
+            self._drag.held.put_back()
+
+
+class _Drag:
+    """A point of a shape at the mouse, in the plane of the view through it."""
+
+    def __init__(self, event, ob, held, start):
+        self.ob, self.held, self.keys = ob, held, Keys()
+        self.area, self._region, self._view = picking.area_at(event.mouse_x, event.mouse_y)
+        self._anchor = ob.matrix_world @ Vector(start)
+        self._pressed = np.array([event.mouse_x, event.mouse_y])
+        self._begin = self._place(event)
+        self._was_released = False
+
+    def vector(self, event):
+        """By what the point is to be moved, in the world."""
+        sight = view3d_utils.region_2d_to_vector_3d(self._region, self._view, self._pixel(event))
+        self.keys.snaps = event.ctrl
+        step = 10.0 ** math.floor(math.log10(max(self._view.view_distance, 1e-30))) / 10.0
+        return self.keys.vector(self._place(event) - self._begin, np.array(sight), step)
+
+    def ends(self, event):
+        """Whether the mouse lets go: a click without a move holds on until the next one."""
+        if event.type in ('RET', 'NUMPAD_ENTER'):
+            return event.value == 'PRESS'
+        if event.type != 'LEFTMOUSE':
+            return False
+        is_still = np.hypot(event.mouse_x - self._pressed[0], event.mouse_y - self._pressed[1]) < _STILL
+        if event.value == 'RELEASE' and not self._was_released:
+            self._was_released = True
+            return not is_still or bool(self.keys.typed)
+        return event.value == 'PRESS' and self._was_released
+
+    def _pixel(self, event):
+        return event.mouse_x - self._region.x, event.mouse_y - self._region.y
+
+    def _place(self, event):
+        place = view3d_utils.region_2d_to_location_3d(self._region, self._view, self._pixel(event), self._anchor)
+        return np.array(place)
+
+
+def _held(context, ob):
+    """What is pulled at: the net of a shape where that is edited."""
+    nets = [net for net in editing.nets_in_edit_mode(context) if net_object.shape_of(net) == ob]
+    return pulling.HeldNet(nets[0]) if nets else pulling.HeldShape(ob)
+
+
+def _into(ob):
+    """(3, 3): vectors of the world into the space of an object."""
+    matrix = np.array(ob.matrix_world, dtype=np.float64)[:3, :3]
+    if not abs(np.linalg.det(matrix)) > 0.0:
+        raise Refusal("the object is scaled to nothing: it cannot be pulled")
+    return np.linalg.inv(matrix)
+
+
+CLASSES = (SPLINEWRIGHT_OT_pull_here,)

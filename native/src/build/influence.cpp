@@ -1,0 +1,72 @@
+#include "influence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "splinecore/basis/hermite.hpp"
+#include "splinecore/basis/samples.hpp"
+
+namespace splinecore {
+
+Influence Influence::at(const KnotVector& knots, double u, const char* name) {
+  Stencil at(knots, 1);
+  at.move_to(knots.admit(u, Side::right, {}, name), Side::right);
+  const auto count = static_cast<std::size_t>(knots.count());
+  Influence found{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
+  for (std::size_t j = 0; j < at.weights(0).size(); ++j) {
+    const std::size_t i = (at.first() + j) % count;
+    found.value[i] += at.weights(0)[j];
+    found.slope[i] += at.weights(1)[j];
+  }
+  return found;
+}
+
+bool make_rational(Influence& plain, std::span<const glm::dvec4> points) {
+  constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+  double size = 0.0;
+  for (const glm::dvec4& point : points) size = std::max(size, std::abs(point.w));
+  double weight = 0.0;
+  double slope = 0.0;
+  double terms = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double w = points[i].w / size;
+    plain.value[i] *= w;
+    weight += plain.value[i];
+    terms += std::abs(plain.value[i]);
+    if (plain.slope.empty()) continue;
+    plain.slope[i] *= w;
+    slope += plain.slope[i];
+  }
+  if (!(std::abs(weight) > kRounding * terms)) return false;
+  for (double& value : plain.value) value /= weight;
+  for (std::size_t i = 0; i < plain.slope.size(); ++i) {
+    plain.slope[i] = (plain.slope[i] - plain.value[i] * slope) / weight;
+  }
+  return true;
+}
+
+HermiteInfluence HermiteInfluence::at(std::span<const double> parameters, double u, const char* name) {
+  const std::size_t count = parameters.size();
+  const Influence chain = Influence::at(hermite_knots({parameters.begin(), parameters.end()}), u, name);
+  HermiteInfluence found;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double before = i == 0 ? 0.0 : (parameters[i] - parameters[i - 1]) / 3.0;
+    const double after = i + 1 == count ? 0.0 : (parameters[i + 1] - parameters[i]) / 3.0;
+    found.before.push_back(i == 0 ? after : before);
+    found.after.push_back(i + 1 == count ? before : after);
+    const auto add = [&](const std::vector<double>& bezier, std::vector<double>& of_point, std::vector<double>& incoming,
+                         std::vector<double>& outgoing) {
+      const double arriving = i == 0 ? 0.0 : bezier[3 * i - 1];
+      const double leaving = i + 1 == count ? 0.0 : bezier[3 * i + 1];
+      of_point.push_back(arriving + bezier[3 * i] + leaving);
+      incoming.push_back(-before * arriving);
+      outgoing.push_back(after * leaving);
+    };
+    add(chain.value, found.points.value, found.incoming.value, found.outgoing.value);
+    add(chain.slope, found.points.slope, found.incoming.slope, found.outgoing.slope);
+  }
+  return found;
+}
+
+}  // namespace splinecore
