@@ -155,13 +155,13 @@ def test_the_preferences_show_the_keys_as_the_user_has_them(wanted, monkeypatch)
     layout, items = drawn(wanted, monkeypatch)
     found = {item.idname: (keymap, item) for keymap, item in items}
     assert set(found) == {"splinewright.edit_net", "splinewright.edit_source", "splinewright.leave_net",
-                          "splinewright.join", "splinewright.insert_here"}
+                          "splinewright.join", "splinewright.insert_here", "splinewright.pie"}
     keymap, item = found["splinewright.join"]
     assert (item.type, item.ctrl, item.active) == ('J', True, True)
     keymap.keymap_items.remove(item)
     try:
         layout, items = drawn(wanted, monkeypatch)
-        assert len(items) == 5 and any("splinewright.join has no key" in text for text in layout.texts)
+        assert len(items) == 7 and any("splinewright.join has no key" in text for text in layout.texts)
     finally:
         keymap.restore_to_default()
 

@@ -37,6 +37,7 @@ class FileState:
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
+    weighing: tuple = None                              # while weights change by the mouse: a ui.weight_overlay.Weighing
     was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode; of ui.detour
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: tuple = ()                               # the ended_operators() when one was looked at; of ui.join_notice

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import aim_overlay, axis_overlay, messages, numbers_overlay, overlay, sights_overlay
+from . import aim_overlay, axis_overlay, messages, numbers_overlay, overlay, sights_overlay, weight_overlay
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (
@@ -11,6 +11,7 @@ _DRAWS = (
     (numbers_overlay.draw_outline, 'POST_VIEW'), (numbers_overlay.draw, 'POST_PIXEL'),
     (aim_overlay.draw, 'POST_VIEW'),
     (axis_overlay.draw, 'POST_VIEW'),
+    (weight_overlay.draw, 'POST_PIXEL'),
     (messages.draw, 'POST_PIXEL'),
 )
 

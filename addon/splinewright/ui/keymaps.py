@@ -1,15 +1,17 @@
-"""Tab, Ctrl+J and Ctrl+R on shapes and nets. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J, Ctrl+R and Shift+Q on shapes and nets. The operators' polls let the keys pass for everything else."""
 
 import bpy
 
-#: Keymap, operator, key, control; the first that applies is taken.
+#: Keymap, operator, key and a modifier; the first that applies is taken.
 _ITEMS = (
-    ('Object Non-modal', "splinewright.edit_net", 'TAB', False),
-    ('Object Non-modal', "splinewright.edit_source", 'TAB', False),
-    ('Object Non-modal', "splinewright.leave_net", 'TAB', False),
-    ('Object Mode', "splinewright.join", 'J', True),
-    ('Mesh', "splinewright.insert_here", 'R', True),
-    ('Curve', "splinewright.insert_here", 'R', True),
+    ('Object Non-modal', "splinewright.edit_net", 'TAB', ''),
+    ('Object Non-modal', "splinewright.edit_source", 'TAB', ''),
+    ('Object Non-modal', "splinewright.leave_net", 'TAB', ''),
+    ('Object Mode', "splinewright.join", 'J', 'ctrl'),
+    ('Mesh', "splinewright.insert_here", 'R', 'ctrl'),
+    ('Curve', "splinewright.insert_here", 'R', 'ctrl'),
+    ('Mesh', "splinewright.pie", 'Q', 'shift'),
+    ('Curve', "splinewright.pie", 'Q', 'shift'),
 )
 
 _made = []
@@ -33,9 +35,9 @@ def register():
     config = bpy.context.window_manager.keyconfigs.addon
     if config is None:                  # in background
         return
-    for name, operator, key, control in _ITEMS:
-        keymap = config.keymaps.new(name=name)
-        _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', ctrl=control)))
+    for name, operator, key, modifier in _ITEMS:
+        keymap, held = config.keymaps.new(name=name), {modifier: True} if modifier else {}
+        _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', **held)))
 
 
 def unregister():

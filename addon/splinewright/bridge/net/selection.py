@@ -46,18 +46,29 @@ def move(ob, net, vertices, rows):
 
     Raises Refusal where the net cannot be read, or a vertex is not there.
     """
-    net_object.require_whole(ob)
-    slots = _slots(ob, net)[vertices]
-    if (slots < 0).any():
-        raise ChangedNet("a point of the net is not there any more")
+    _require_there(ob, net, vertices)
     numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else (
         np.asarray(vertices) + net.first)
     net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
-    by_slot = dict(zip(slots.tolist(), rows.tolist()))
+    show(ob, net, vertices, rows)
+
+
+def show(ob, net, vertices, rows):
+    """move() in float32 only, for what a drag passes."""
+    by_slot = dict(zip(_require_there(ob, net, vertices).tolist(), rows.tolist()))
     if _is_curve(ob):
         net_splines.move(ob.data, by_slot)
     else:
         cage.move(ob, by_slot)
+
+
+def _require_there(ob, net, vertices):
+    """(k,): the slots of vertices."""
+    net_object.require_whole(ob)
+    slots = _slots(ob, net)[vertices]
+    if (slots < 0).any():
+        raise ChangedNet("a point of the net is not there any more")
+    return slots
 
 
 def hand_over(ob, net):
