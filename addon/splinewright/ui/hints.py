@@ -7,7 +7,7 @@ from ..bridge.file_state import state
 from . import editing, keymaps, preferences
 
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
-_WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot", "splinewright.pie": "Pie"}
+_WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot", "splinewright.pie": "Pie Menu"}
 
 
 def said(context):

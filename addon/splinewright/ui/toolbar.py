@@ -1,5 +1,6 @@
 """Tools of ours in the toolbar of 3D views, while there is something for them to be used on."""
 
+from pathlib import Path
 from typing import NamedTuple
 
 import bpy
@@ -7,6 +8,7 @@ from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
 
 from . import editing, hand
 
+_ICONS = Path(__file__).resolve().parent.parent / "icons"
 _NETS = ('EDIT_MESH', 'EDIT_CURVE')
 #: They are shown behind this one of Blender's.
 _BEFORE = "builtin.transform"
@@ -30,10 +32,10 @@ class Tool(NamedTuple):
 
 _TOOLS = (
     Tool("insert_knot", "Insert Knot", "Click the curve or patch where a knot is to be; it is shown at the mouse. Ctrl takes "
-         "the middle of the span", 'ops.mesh.offset_edge_loops_slide', "splinewright.insert_here", (("at_once", True),),
+         "the middle of the span", "insert_knot", "splinewright.insert_here", (("at_once", True),),
          modifiers=('ctrl',), shown=("direction",), modes=(*_NETS, 'OBJECT')),
     Tool("weight", "Weight", "Drag a control point sideways to change its weight, and those of all selected ones if it is among "
-         "them", 'ops.curve.radius', "splinewright.weight_here", (("at_mouse", True), ("is_drag", True)), cursor='MOVE_X'),
+         "them", "weight", "splinewright.weight_here", (("at_mouse", True), ("is_drag", True)), cursor='MOVE_X'),
 )
 
 
@@ -47,25 +49,30 @@ def _keys(tool):
 def _draw_settings(tool):
     def draw(context, layout, active):
         properties = active.operator_properties(tool.operator)
-        if isinstance(context.object.data, bpy.types.Mesh):
+        if context.object is not None and context.object.type == 'MESH':
             for name in tool.shown:
                 layout.row().prop(properties, name, expand=True)
     return draw
 
 
-def id_of(tool):
-    return f"splinewright.{tool.name}"
+def _icon(name):
+    """What Blender calls an icon: one of ours, or of its own."""
+    return name if name.startswith("ops.") else str(_ICONS / name)
 
 
 def _class_of(tool, mode):
     """Blender's class for a tool in a mode."""
     body = {
-        'bl_space_type': 'VIEW_3D', 'bl_context_mode': mode, 'bl_idname': id_of(tool), 'bl_label': tool.label,
-        'bl_description': tool.description, 'bl_icon': tool.icon, 'bl_keymap': tuple(_keys(tool)),
+        'bl_space_type': 'VIEW_3D', 'bl_context_mode': mode, 'bl_idname': _id(tool.name), 'bl_label': tool.label,
+        'bl_description': tool.description, 'bl_icon': _icon(tool.icon), 'bl_keymap': tuple(_keys(tool)),
         'bl_cursor': tool.cursor, 'bl_options': {'KEYMAP_FALLBACK'}, 'bl_operator': tool.operator}
     if tool.shown:
         body['draw_settings'] = staticmethod(_draw_settings(tool))
     return type(f"SPLINEWRIGHT_TOOL_{tool.name}_{mode.lower()}", (bpy.types.WorkSpaceTool,), body)
+
+
+def _id(name):
+    return f"splinewright.{name}"
 
 
 class _Section:
@@ -107,7 +114,7 @@ def _is_wanted(context, mode):
 def is_active(context, name):
     """Whether a tool of ours is the one in use."""
     active = context.workspace.tools.from_space_view3d_mode(context.mode, create=False)
-    return active is not None and active.idname == f"splinewright.{name}"
+    return active is not None and active.idname == _id(name)
 
 
 def settings(context, name):

@@ -76,8 +76,8 @@ class SPLINEWRIGHT_OT_weight_here(bpy.types.Operator):
         elif event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
             self.cancel(context)
             return {'CANCELLED'}
-        elif self._is_over(event):
-            return self._confirmed(context)
+        elif self._is_over(event) and (event.type == 'LEFTMOUSE' or not self._problem):
+            return self._confirmed(context)         # Return takes no number of which the header says why not
         elif not self._takes(event) and event.type in PASSED:
             return {'PASS_THROUGH'}
         self._show(context, event)
