@@ -1,4 +1,4 @@
-"""Pack the add-on: sources, the manual, the module's Python files and every compiled module, with one version."""
+"""Pack the add-on: sources, the manual, icons, the module's Python files and every compiled module, with one version."""
 
 import argparse
 import ast
@@ -7,6 +7,7 @@ import re
 import zipfile
 from pathlib import Path
 
+import make_icons
 import make_manual
 
 ADDON = Path(__file__).parent / "splinewright"
@@ -49,6 +50,8 @@ def content(version, modules, bindings):
     sizes = {path.name: path.stat().st_size for path in compiled}
     yield Path("splinewright/splinecore/modules.json"), json.dumps(sizes, indent=1).encode()
     yield Path("splinewright/LICENSE"), LICENSE.read_bytes()
+    for name, data in make_icons.content():
+        yield Path("splinewright/icons") / name, data
     for path, data in make_manual.content():
         yield Path("splinewright/manual") / path, data
 

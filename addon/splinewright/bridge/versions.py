@@ -53,3 +53,8 @@ def point_shader():
     except ValueError:
         return 'UNIFORM_COLOR'
     return 'POINT_UNIFORM_COLOR'
+
+
+def runs_modal(window):
+    """Whether an operator is under way in a window; before 4.2 nobody knows."""
+    return bool(getattr(window, 'modal_operators', ()))

@@ -27,7 +27,11 @@ class Aim(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    aimed = state.aimed
+    show(state.aimed)
+
+
+def show(aimed):
+    """Draw an Aim, if there is one, into the 3D view at hand."""
     ob = bpy.context.view_layer.objects.get(aimed.name) if aimed else None
     if not shape.has_shape(ob):
         return

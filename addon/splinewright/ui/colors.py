@@ -6,6 +6,8 @@ from . import preferences
 
 #: Of a seam whose continuity is not known.
 _UNKNOWN = (0.5, 0.5, 0.5, 1.0)
+#: What is in the way, or is not as one would think.
+WARNING = (1.0, 0.45, 0.2, 1.0)
 #: Of ui.sights_overlay.
 CURVE = (0.3, 0.65, 1.0, 1.0)
 KNOTS, RIM = (1.0, 1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 1.0)

@@ -167,6 +167,7 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
         layout.operator("splinewright.insert_here")
         layout.operator("splinewright.pull_here")
         layout.operator("splinewright.set_knots")
+        layout.operator("splinewright.weight_here")
         layout.operator("splinewright.point_to_infinity")
         layout.operator("splinewright.point_from_infinity")
         layout.separator()

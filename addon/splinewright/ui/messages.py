@@ -8,10 +8,10 @@ from gpu_extras.batch import batch_for_shader
 from ..bridge import problems, shape
 from ..bridge.file_state import ended_operators, state
 from ..bridge.net import live, net_object
-from . import editing
+from . import colors, editing
 
 #: What is in the way, and what is good to know.
-WARNING, NOTE = (1.0, 0.45, 0.2, 1.0), (0.9, 0.9, 0.9, 1.0)
+WARNING, NOTE = colors.WARNING, (0.9, 0.9, 0.9, 1.0)
 _BEHIND = (0.0, 0.0, 0.0, 0.7)
 #: In pixels of an interface that is not scaled.
 _SIZE, _LINE, _MARGIN = 13, 19, 12

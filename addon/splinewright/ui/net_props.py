@@ -7,7 +7,7 @@ import numpy as np
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
 
 from ..bridge.file_state import look_again
-from ..bridge.net import live, selection
+from ..bridge.net import live, selection, weighing
 from ..core import decimals
 from ..core.failures import Refusal
 from . import editing
@@ -120,25 +120,19 @@ def _move(ob, vertices, rows):
 
 def _get_weight(self):
     ob, vertices = chosen(self.id_data)
-    points = _with_weight(self.id_data, vertices) if ob else []
+    points = weighing.weighted(self.id_data, vertices) if ob else []
     return float(_exact_rows(self.id_data, points)[:, 3].mean()) if points else 1.0
 
 
 def _set_weight(self, weight):
     data = self.id_data
     ob, vertices = _chosen_now(data)
-    vertices = np.array(_with_weight(data, vertices) if ob else [], np.int64)
+    vertices = np.array(weighing.weighted(data, vertices) if ob else [], np.int64)
     rows = _exact_rows(data, vertices) if ob else np.empty((0, 4))
     different = rows[:, 3].astype(np.float32) != np.float32(weight)
     if different.any():
         rows[:, 3] = decimals.typed(weight)
         _move(ob, vertices[different].tolist(), rows[different])
-
-
-def _with_weight(data, vertices):
-    """Those of the vertices that are points and may be given a weight."""
-    vertices = np.array(vertices, np.int64)
-    return vertices[live.session(data).net.weighted[vertices]].tolist()
 
 
 class SplinewrightNet(bpy.types.PropertyGroup):

@@ -38,6 +38,8 @@ def _strokes(ob, current):
     net, points = current.net, current.points
     for axis, pairs in enumerate(net.lines):
         yield strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5)
+    yield strokes.points(points[(current.state.weights < 0) & net.are_points & (current.slots >= 0)],
+                         lambda: colors.WARNING, lambda: _theme().vertex_size + 9)
     yield strokes.arrows([(points[foot], points[head]) for foot, head in net.arrows], colors.of_arrows)
     if ob.type == 'MESH':
         yield from _of_selection(ob, current)

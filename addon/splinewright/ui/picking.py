@@ -7,6 +7,7 @@ import numpy as np
 from bpy_extras import view3d_utils
 
 from ..bridge import mesh_layers, mesh_looks, store, surveys
+from ..bridge.net import live
 from ..core import aiming
 
 #: How near to a curve or a number the mouse must be, in pixels.
@@ -124,13 +125,32 @@ def parameters_at(region, view, pixel, obs, depsgraph):
     return nearest[1:]
 
 
-def pointed_at(event, obs, depsgraph):
-    """parameters_at() at the mouse, in the 3D view that is there; None over anything else."""
-    found = view_at(event.mouse_x, event.mouse_y)
+def pointed_at(x, y, obs, depsgraph):
+    """parameters_at() at a pixel of the window, in the 3D view that is there; None over anything else."""
+    found = view_at(x, y)
     if found is None:
         return None
     region, view = found
-    return parameters_at(region, view, (event.mouse_x - region.x, event.mouse_y - region.y), obs, depsgraph)
+    return parameters_at(region, view, (x - region.x, y - region.y), obs, depsgraph)
+
+
+def point_at(region, view, pixel, nets):
+    """(net, vertex) of the control point with a weight that is nearest to a pixel of a region, or None where none is near."""
+    found = [hit for ob in nets if ob.visible_get() for hit in [_nearest_point(region, view, pixel, ob)] if hit]
+    return min(found, key=lambda hit: hit[0])[1:] if found else None
+
+
+def _nearest_point(region, view, pixel, ob):
+    """(distance in pixels, net, vertex), or None."""
+    session = live.known_session(ob.data)
+    there = np.flatnonzero(session.net.weighted & (session.slots >= 0)) if session else []
+    if not len(there):
+        return None
+    distances = np.linalg.norm(on_screen(region, view, ob.matrix_world, session.points[there]) - pixel, axis=1)
+    if not np.nanmin(distances, initial=np.inf) <= _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0):
+        return None
+    i = int(np.nanargmin(distances))
+    return distances[i], ob, int(there[i])
 
 
 def _on_curves(region, view, pixel, ob):

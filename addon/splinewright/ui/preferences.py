@@ -46,6 +46,10 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
     color_g1: _color("G1", (1.0, 0.9, 0.1), "Seams where tangent planes agree")
     color_g2: _color("G2", (0.1, 0.8, 0.25), "Seams where curvatures agree")
 
+    show_hints: BoolProperty(
+        name="Keys in the Status Bar", description="While a net is edited, say in the status bar which keys do what there",
+        default=True)
+
     curve_resolution: _steps("Resolution of Curves", "a new curve")
     surface_mode: settings.mode_property()
     surface_resolution: _steps("Resolution of Surfaces", "a new surface along u and v")
@@ -61,6 +65,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
         layout.label(text=f"Native library splinecore {library.sc.__version__} is loaded", icon='CHECKMARK')
         _draw_help(layout)
         self._draw_new_shapes(_section(layout, "New Shapes"))
+        _section(layout, "Nets").prop(self, "show_hints")
         _draw_keys(layout, context)
         self._draw_colors(_section(layout, "Colours"), context)
 

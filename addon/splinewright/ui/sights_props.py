@@ -22,6 +22,7 @@ class SplinewrightSights(bpy.types.PropertyGroup):
     polygon: _switch("Control Net", "Draw control polygons of curves and control nets of surfaces in Object Mode")
     points_behind: _switch("Points Behind", "Show the points and lines of nets that lie behind the shape, too",
                            update=_points_behind_changed)
+    weights: _switch("Weight Dial", "Show a dial around selected points of nets; drag it to change their weights")
     knots: _switch("Knots", "Mark the knots of curves, and draw the lines on surfaces where their spans meet")
     isocurves: _switch("Isocurves", "Draw lines on surfaces along which u or v stays the same")
     isocurve_count: IntProperty(

@@ -55,6 +55,13 @@ def is_refused(name, obs):
     return name in _REFUSING and bool(shapes) and all(_REFUSING[name](ob.data) for ob in shapes)
 
 
+def refused_by_all(names, obs):
+    """Those of the verbs that none of the shapes can have done. What asks its poll() is not among them."""
+    verbs = [name for name in names if works_on_nets(name)]
+    refused = [_refused(ob, (("", verbs),), len(obs)) for ob in obs]
+    return {name for name in names if refused and all(name in of_one for of_one in refused)}
+
+
 def _refused(ob, groups, count):
     """Names of operators that would be refused for an object, of so many that are selected."""
     if why_not(ob.data):

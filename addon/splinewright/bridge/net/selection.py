@@ -43,11 +43,10 @@ def select(ob, net, vertices):
 
 def move(ob, net, vertices, rows):
     """place(), and the numbers are kept in float64 beside the net."""
-    net_object.require_whole(ob)
-    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else (
-        np.asarray(vertices) + net.first)
-    place(ob, net, vertices, rows)
+    _require_there(ob, net, vertices)
+    numbers = free_net.numbers(ob.data)[vertices] if free_net.is_free(ob.data) else np.asarray(vertices) + net.first
     net_object.add_typed(ob.data, np.column_stack([numbers, rows]))
+    place(ob, net, vertices, rows)
 
 
 def place(ob, net, vertices, rows):
@@ -55,15 +54,20 @@ def place(ob, net, vertices, rows):
 
     Raises Refusal where the net cannot be read, or a vertex is not there.
     """
-    net_object.require_whole(ob)
-    slots = _slots(ob, net)[vertices]
-    if (slots < 0).any():
-        raise ChangedNet("a point of the net is not there any more")
-    by_slot = dict(zip(slots.tolist(), rows.tolist()))
+    by_slot = dict(zip(_require_there(ob, net, vertices).tolist(), rows.tolist()))
     if _is_curve(ob):
         net_splines.move(ob.data, by_slot)
     else:
         cage.move(ob, by_slot)
+
+
+def _require_there(ob, net, vertices):
+    """(k,): the slots of vertices."""
+    net_object.require_whole(ob)
+    slots = _slots(ob, net)[vertices]
+    if (slots < 0).any():
+        raise ChangedNet("a point of the net is not there any more")
+    return slots
 
 
 def hand_over(ob, net):

@@ -1,6 +1,7 @@
 """Insert a knot by a click on the shape: where it would lie is shown at the mouse."""
 
 import bpy
+from bpy.props import BoolProperty, EnumProperty
 
 from ...bridge import surveys
 from ...bridge.file_state import state
@@ -21,6 +22,10 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
                       "there")
     bl_options = {'REGISTER'}
 
+    direction: EnumProperty(name="Along", description="Which knots of a patch", options={'SKIP_SAVE'}, items=(
+        ('U', "U", "A knot along u"), ('V', "V", "A knot along v"), ('BOTH', "Both", "A knot each way")))
+    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # where the mouse is, or leave the key to others
+
     @classmethod
     def poll(cls, context):
         shapes = hand.shapes(context)
@@ -28,13 +33,17 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(hand.is_free, shapes)):
             cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
-        return any(map(hand.is_free, shapes))
+        return is_possible(context)
 
     def invoke(self, context, event):
+        if self.at_once and aimed_at(context, event.mouse_x, event.mouse_y, self.direction) is None:
+            return {'PASS_THROUGH', 'CANCELLED'}
         problem = editing.unread(editing.nets_in_edit_mode(context))
         if problem:
             return reports.cancelled(self, problem)
-        self._direction, self._snaps = 0, False
+        if self.at_once:
+            return _insert(aimed_at(context, event.mouse_x, event.mouse_y, self.direction, event.ctrl))
+        self._snaps = False
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('CROSSHAIR')
         self._aim(context, event)
@@ -42,7 +51,7 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
 
     def modal(self, context, event):
         if event.type in _STEPS and self._is_on_patch():
-            self._direction = (self._direction + _STEPS[event.type]) % len(_DIRECTIONS)
+            self.direction = _DIRECTIONS[(_DIRECTIONS.index(self.direction) + _STEPS[event.type]) % len(_DIRECTIONS)]
         elif event.type in PASSED:
             return {'PASS_THROUGH'}
         if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
@@ -52,9 +61,9 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
         self._aim(context, event)
         if event.type not in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') or event.value != 'PRESS' or not state.aimed:
             return {'RUNNING_MODAL'}
-        aimed, direction = state.aimed, _DIRECTIONS[self._direction]
+        aimed = state.aimed
         self.cancel(context)
-        return _insert(aimed, direction)
+        return _insert(aimed)
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
@@ -68,20 +77,29 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
 
     def _aim(self, context, event):
         """Find what is at the mouse, with Ctrl the middle of the span there, and show it."""
-        try:
-            found = _found(context, event, self._snaps and event.ctrl)
-        except FAILURES:
-            found = None                # such a shape shows nothing to point at
-        direction = _DIRECTIONS[self._direction]
-        state.aimed = aim_overlay.Aim(found[0].name, found[1], found[2], direction) if found else None
+        state.aimed = aimed_at(context, event.mouse_x, event.mouse_y, self.direction, self._snaps and event.ctrl)
         context.workspace.status_text_set(_status(state.aimed))
         redraw()
 
 
-def _found(context, event, in_middle):
-    """(object, number of its piece, its parameters) at the mouse, or in the middle of the span there; or None."""
+def is_possible(context):
+    """Whether a shape in hand takes knots."""
+    return any(map(hand.is_free, hand.shapes(context)))
+
+
+def aimed_at(context, x, y, direction, in_middle=False):
+    """The Aim at a pixel of the window, or in the middle of the span there; None where nothing is to be pointed at."""
+    try:
+        found = _found(context, x, y, in_middle)
+    except FAILURES:
+        return None                     # such a shape shows nothing to point at
+    return aim_overlay.Aim(found[0].name, found[1], found[2], direction) if found else None
+
+
+def _found(context, x, y, in_middle):
+    """(object, number of its piece, its parameters), or None."""
     obs = [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
-    found = picking.pointed_at(event, obs, context.evaluated_depsgraph_get())
+    found = picking.pointed_at(x, y, obs, context.evaluated_depsgraph_get())
     if found is None or not in_middle:
         return found
     ob, number, parameters = found
@@ -97,13 +115,13 @@ def _status(aimed):
     return f"Knot at {numbers}   |   Click: insert   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel"
 
 
-def _insert(aimed, direction):
+def _insert(aimed):
     """By the operator whose panel then has the numbers."""
     if len(aimed.parameters) == 1:
         return bpy.ops.splinewright.insert_knot('EXEC_DEFAULT', True, piece=aimed.number, parameter=aimed.parameters[0])
     u, v = aimed.parameters
     return bpy.ops.splinewright.patch_insert_knot(
-        'EXEC_DEFAULT', True, piece=aimed.number, direction=direction, parameter_u=u, parameter_v=v)
+        'EXEC_DEFAULT', True, piece=aimed.number, direction=aimed.direction, parameter_u=u, parameter_v=v)
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here,)

@@ -146,7 +146,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         state.pulled, self.shape_name, self.vector = None, "", (0.0, 0.0, 0.0)
         obs = [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
         try:
-            found = picking.pointed_at(event, obs, context.evaluated_depsgraph_get())
+            found = picking.pointed_at(event.mouse_x, event.mouse_y, obs, context.evaluated_depsgraph_get())
             if found is not None:
                 ob, self.piece, at = found
                 self.parameter_u, self.parameter_v = (*at, 0.0)[:2]

@@ -1,0 +1,94 @@
+"""What tools show in the 3D view: where a knot would lie, and a dial around the selected points for their weights."""
+
+import bpy
+import numpy as np
+from mathutils import Matrix, Vector
+
+from ..bridge import sights
+from ..bridge.file_state import state
+from ..bridge.net import live, weighing
+from . import aim_overlay, editing, toolbar
+from .operators import insert_here, weight_here
+
+_DIAL = 0.28
+
+
+class SPLINEWRIGHT_GT_aim(bpy.types.Gizmo):
+    """The knot at the mouse. It is never hit: clicks are the tool's."""
+
+    bl_idname = "SPLINEWRIGHT_GT_aim"
+    __slots__ = ('aim',)
+
+    def setup(self):
+        self.aim = None
+
+    def test_select(self, context, location):
+        x, y = context.region.x + location[0], context.region.y + location[1]
+        aim = insert_here.aimed_at(context, x, y, toolbar.settings(context, "insert_knot").direction)
+        if aim != self.aim:
+            self.aim = aim
+            context.area.tag_redraw()
+        return -1
+
+    def draw(self, context):
+        if state.aimed is None:         # which is drawn by others
+            aim_overlay.show(self.aim)
+
+
+class SPLINEWRIGHT_GGT_aim(bpy.types.GizmoGroup):
+    bl_idname = "SPLINEWRIGHT_GGT_aim"
+    bl_label = "Knot at the Mouse"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'WINDOW'
+    bl_options = {'3D', 'PERSISTENT'}
+
+    @classmethod
+    def poll(cls, context):
+        return toolbar.is_active(context, "insert_knot") and insert_here.is_possible(context)
+
+    def setup(self, context):
+        self.gizmos.new(SPLINEWRIGHT_GT_aim.bl_idname)
+
+
+class SPLINEWRIGHT_GGT_weight(bpy.types.GizmoGroup):
+    bl_idname = "SPLINEWRIGHT_GGT_weight"
+    bl_label = "Weights of Points"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'WINDOW'
+    bl_options = {'3D', 'PERSISTENT', 'SHOW_MODAL_ALL'}
+
+    @classmethod
+    def poll(cls, context):
+        nets = editing.nets_in_edit_mode(context)
+        if not nets or not (sights.of(context.scene).weights or toolbar.is_active(context, "weight")):
+            return False
+        return context.space_data.show_gizmo and middle(context) is not None
+
+    def setup(self, context):
+        dial = self.gizmos.new('GIZMO_GT_dial_3d')
+        dial.target_set_operator(weight_here.SPLINEWRIGHT_OT_weight_here.bl_idname).is_drag = True
+        dial.color, dial.alpha = (0.95, 0.95, 0.95), 0.6
+        dial.color_highlight, dial.alpha_highlight = (1.0, 0.8, 0.2), 1.0
+        dial.line_width, dial.scale_basis, dial.use_draw_value = 3.0, _DIAL, False
+
+    def draw_prepare(self, context):
+        at = middle(context)
+        if at is not None:
+            facing = context.region_data.view_rotation.to_matrix().to_4x4()
+            self.gizmos[0].matrix_basis = Matrix.Translation(at) @ facing
+
+
+def middle(context):
+    """The mean in the world of the selected points that have weights, or None where there are none."""
+    found = [_in_world(ob, vertices) for ob in editing.nets_in_edit_mode(context) if weight_here.has_weights(ob)
+             for vertices, _ in [weighing.of_selected(ob)] if vertices]
+    at = np.concatenate(found).mean(0) if found else None
+    return Vector(at) if at is not None and np.isfinite(at).all() else None
+
+
+def _in_world(ob, vertices):
+    matrix = np.array(ob.matrix_world, dtype=np.float64)
+    return live.session(ob.data).points[vertices] @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+CLASSES = (SPLINEWRIGHT_GT_aim, SPLINEWRIGHT_GGT_aim, SPLINEWRIGHT_GGT_weight)

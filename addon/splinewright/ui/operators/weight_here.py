@@ -1,0 +1,259 @@
+"""Change the weights of the selected points of nets: by the mouse, by typed numbers, or in the panel."""
+
+from contextlib import suppress
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty
+
+from ...bridge import recipes
+from ...bridge.file_state import state
+from ...bridge.net import live, net_object, selection, weighing
+from ...core import decimals, typed_number
+from ...core.failures import FAILURES, Refusal, sentence
+from .. import editing, picking, weight_overlay
+from . import reports
+from .pick_piece import PASSED, redraw
+
+#: Pixels, of an interface that is not scaled, over which a weight doubles; with Shift ten times as many.
+_DOUBLES, _FINE = 150.0, 0.1
+#: What Ctrl rounds to.
+_STEP = 0.1
+_KEYS = "Move: less, more   |   Digits: the weight   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
+
+
+class SPLINEWRIGHT_OT_weight_here(bpy.types.Operator):
+    bl_idname = "splinewright.weight_here"
+    bl_label = "Change Weight"
+    bl_description = ("Change the weights of the selected control points by moving the mouse sideways, or type a number; above "
+                      "1 pulls the shape nearer, below 0 pushes it away")
+    bl_options = {'REGISTER', 'UNDO', 'BLOCKING', 'GRAB_CURSOR_X'}
+
+    kind: EnumProperty(name="Change", description="What becomes of the weights", options={'SKIP_SAVE'}, items=(
+        ('SET', "Set", "All get one weight"), ('SCALE', "Scale", "All are multiplied by one number")))
+    weight: FloatProperty(name="Weight", description="The weight of all selected points; not 0", default=1.0, precision=4,
+                          step=10, options={'SKIP_SAVE'})
+    factor: FloatProperty(name="Factor", description="What weights are multiplied by; not 0", default=1.0, precision=4,
+                          step=10, options={'SKIP_SAVE'})
+    at_mouse: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})         # begin with the point there, or leave the key to others
+    is_drag: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # a button is held until it is over
+    by_hand: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        nets = editing.nets_in_edit_mode(context)
+        if not nets:
+            cls.poll_message_set("Edit the net of a Splinewright shape first")
+        elif not any(map(has_weights, nets)):
+            cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
+        return any(map(has_weights, nets))
+
+    def draw(self, context):
+        self.layout.row().prop(self, "kind", expand=True)
+        self.layout.prop(self, "weight" if self.kind == 'SET' else "factor")
+
+    def invoke(self, context, event):
+        if self.at_mouse and not _take_in_hand(context, event):
+            return {'PASS_THROUGH', 'CANCELLED'}
+        problem = editing.unread(editing.nets_in_edit_mode(context)) or _why_none(context)
+        if problem:
+            return reports.cancelled(self, problem)
+        self.by_hand = True
+        self._before = _chosen(context)
+        weights = np.concatenate([weights for _, _, weights in self._before])
+        self._is_one = bool((weights == weights[0]).all())
+        self._base = float(weights[0]) if self._is_one else 1.0
+        self._moved, self._typed, self._problem = 0.0, typed_number.Typed(), ""
+        self._area, self._x = context.area, event.mouse_x
+        context.window_manager.modal_handler_add(self)
+        self._show(context, event)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type == 'MOUSEMOVE':
+            self._moved += (event.mouse_x - self._x) * (_FINE if event.shift else 1.0)
+            self._x = event.mouse_x
+        elif event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        elif self._is_over(event) and (event.type == 'LEFTMOUSE' or not self._problem):
+            return self._confirmed(context)         # Return takes no number of which the header says why not
+        elif not self._takes(event) and event.type in PASSED:
+            return {'PASS_THROUGH'}
+        self._show(context, event)
+        return {'RUNNING_MODAL'}
+
+    def _is_over(self, event):
+        if self.is_drag and event.type == 'LEFTMOUSE':
+            return event.value == 'RELEASE' and not str(self._typed)        # who types lets the button go
+        return event.type in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') and event.value == 'PRESS'
+
+    def _takes(self, event):
+        """Whether a key is part of a number."""
+        if event.value != 'PRESS' or event.ctrl or event.alt:
+            return False
+        if event.type == 'BACK_SPACE':
+            self._typed = typed_number.shortened(self._typed)
+            return True
+        longer = typed_number.after(self._typed, event.ascii) if event.ascii else None
+        self._typed = longer or self._typed
+        return longer is not None
+
+    def _show(self, context, event):
+        """Give the points the weights that the mouse or the keys say, and tell of it."""
+        self._choose(event)
+        self._problem = ""
+        if self._is_as_before():
+            _put_back(self._before)
+        else:
+            try:
+                _put(self._before, self._numbers, is_passing=True)
+            except FAILURES as error:
+                self._problem = sentence(error)
+        text = self._text()
+        region, _ = picking.view_at(event.mouse_x, event.mouse_y) or (context.region, None)
+        x = min(max(event.mouse_x, region.x), region.x + 0.8 * region.width)
+        state.weighing = weight_overlay.Weighing(region.as_pointer(), x, event.mouse_y, text, self._is_odd())
+        if self._area is not None:
+            self._area.header_text_set(": ".join(filter(None, (text, self._problem))))
+        context.workspace.status_text_set(_KEYS)
+        redraw()
+
+    def _choose(self, event):
+        """Set kind, weight and factor."""
+        if str(self._typed):
+            self.kind, self.weight = 'SET', self._typed.number or 0.0
+            return
+        scale = bpy.context.preferences.system.ui_scale
+        step = (_STEP * (_FINE if event.shift else 1.0)) if event.ctrl else 0.0
+        number = moved(self._base, self._moved / (_DOUBLES * scale), step)
+        self.kind = 'SET' if self._is_one else 'SCALE'
+        setattr(self, "weight" if self._is_one else "factor", number)
+
+    def _is_as_before(self):
+        """Whether nothing was said: not what was typed."""
+        return not str(self._typed) and abs(self._moved) < 1.0
+
+    def _is_odd(self):
+        return bool(self._problem) or (self.weight if self.kind == 'SET' else self.factor) <= 0.0
+
+    def _text(self):
+        typed = str(self._typed)
+        if self.kind == 'SCALE':
+            return f"Weights × {self.factor:.4g}"
+        return f"Weight {typed or f'{self.weight:.4g}'}"
+
+    def _numbers(self, weights):
+        """What becomes of weights (k,). Raises Refusal where that is 0."""
+        number = decimals.typed(self.weight if self.kind == 'SET' else self.factor)
+        if number == 0.0:
+            raise Refusal("a weight of 0 would take the point out of the shape: Send to Infinity makes it a direction")
+        return np.full(len(weights), number) if self.kind == 'SET' else weights * number
+
+    def _confirmed(self, context):
+        self._end(context)
+        if self._is_as_before():
+            _put_back(self._before)
+            return {'CANCELLED'}
+        return self._done(self._before, is_refused_for_good=True)
+
+    def execute(self, context):
+        why = _why_none(context)
+        if why:
+            return reports.cancelled(self, why)
+        return self._done(_chosen(context), is_refused_for_good=not self.by_hand)
+
+    def _done(self, chosen, is_refused_for_good):
+        try:
+            _put(chosen, self._numbers)
+        except FAILURES as error:
+            _put_back(chosen)
+            if is_refused_for_good:
+                return reports.cancelled(self, sentence(error))
+            return reports.finished(self, reports.Said("Nothing changed", warnings=(sentence(error),)))
+        count = sum(len(vertices) for _, vertices, _ in chosen)
+        text = f"{self.weight:.4g}" if self.kind == 'SET' else f"× {self.factor:.4g}"
+        return reports.finished(self, reports.Said(f"Weight of {count} points: {text}" if count > 1 else f"Weight: {text}"))
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        self._end(context)
+        _put_back(self._before)
+
+    def _end(self, context):
+        state.weighing = None
+        with suppress(ReferenceError):
+            if self._area is not None:
+                self._area.header_text_set(None)
+        context.workspace.status_text_set(None)
+        redraw()
+
+
+def moved(base, doublings, step=0.0):
+    """A weight that the mouse has moved, as short as it is shown: its sign stays, and it is never 0. step: what it is
+    rounded to, 0 for nothing."""
+    number = base * 2.0 ** min(max(doublings, -60.0), 60.0)
+    if step:
+        number = max(round(abs(number) / step), 1) * step * (1.0 if base > 0.0 else -1.0)
+    return float(f"{number:.4g}")
+
+
+def has_weights(ob):
+    """Whether points of a net may be given weights."""
+    owner = net_object.shape_of(ob)
+    return owner is not None and not recipes.has(owner.data)
+
+
+def _chosen(context):
+    """[(name of a net, its selected points that have weights, these)]"""
+    nets = filter(has_weights, editing.nets_in_edit_mode(context))
+    found = [(ob.name, *weighing.of_selected(ob)) for ob in nets]
+    return [one for one in found if one[1]]
+
+
+def _why_none(context):
+    """Why there is no weight to change, or ""."""
+    if _chosen(context):
+        return ""
+    if any(selection.selected(ob, session.net) for ob in editing.nets_in_edit_mode(context)
+           if (session := live.known_session(ob.data))):
+        return "the selected points have no weights: tangents, directions at infinity and points of cubic chains have none"
+    return "select points of the net"
+
+
+def _put(chosen, numbers, is_passing=False):
+    """numbers: gives the weights of those that were."""
+    for name, vertices, weights in chosen:
+        ob = bpy.data.objects.get(name)
+        if ob is not None:
+            weighing.put(ob, vertices, numbers(weights), is_passing)
+
+
+def _put_back(chosen):
+    for one in chosen:
+        with suppress(*FAILURES):       # live.problem() tells of it
+            _put([one], lambda weights: weights, is_passing=True)
+
+
+def _take_in_hand(context, event):
+    """Whether there is a point at the mouse; it is selected then, alone unless it was among the selected ones."""
+    view = picking.view_at(event.mouse_x, event.mouse_y)
+    nets = list(filter(has_weights, editing.nets_in_edit_mode(context)))
+    if view is None:
+        return False
+    region, view = view
+    found = picking.point_at(region, view, (event.mouse_x - region.x, event.mouse_y - region.y), nets)
+    if found is None:
+        return False
+    ob, vertex = found
+    session = live.session(ob.data)
+    if vertex not in selection.selected(ob, session.net):
+        for other in editing.nets_in_edit_mode(context):
+            if (known := live.known_session(other.data)):
+                with suppress(Refusal):
+                    selection.select(other, known.net, [vertex] if other == ob else [])
+        bpy.ops.ed.undo_push(message="Select")
+    return True
+
+
+CLASSES = (SPLINEWRIGHT_OT_weight_here,)

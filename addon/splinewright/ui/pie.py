@@ -1,0 +1,48 @@
+"""What is done most with a net, around the mouse."""
+
+import bpy
+
+from . import editing, hand, tools
+
+#: Of curves and of patches: left, right, below, above, and the corners from the upper left one on.
+_CURVE = ("insert_here", "weight_here", "leave_net", "raise_degree", "split_curve", "make_periodic", "point_to_infinity",
+          "set_knots")
+_PATCH = ("insert_here", "weight_here", "leave_net", "patch_raise_degree", "patch_split", "patch_make_periodic",
+          "point_to_infinity", "set_knots")
+_ICONS = {'leave_net': 'CHECKMARK'}
+
+
+class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_pie"
+    bl_label = "Splinewright"
+
+    def draw(self, context):
+        pie = self.layout.menu_pie()
+        pie.operator_context = 'INVOKE_REGION_WIN'
+        names = _CURVE if isinstance(context.object.data, bpy.types.Curve) else _PATCH
+        refused = tools.refused_by_all(names, hand.shapes(context))
+        for name in names:
+            row = pie.row()
+            row.enabled = name not in refused
+            row.operator(f"splinewright.{name}", text=tools.text_of(name), icon=_ICONS.get(name, 'NONE'))
+
+
+class SPLINEWRIGHT_OT_pie(bpy.types.Operator):
+    bl_idname = "splinewright.pie"
+    bl_label = "Net Pie"
+    bl_description = "What is done most with a net, around the mouse"
+    bl_options = {'INTERNAL'}
+
+    @classmethod
+    def poll(cls, context):
+        if not editing.nets_in_edit_mode(context):
+            cls.poll_message_set("Edit the net of a Splinewright shape first")
+            return False
+        return True
+
+    def invoke(self, context, event):
+        bpy.ops.wm.call_menu_pie('INVOKE_DEFAULT', name=SPLINEWRIGHT_MT_pie.bl_idname)
+        return {'FINISHED'}
+
+
+CLASSES = (SPLINEWRIGHT_MT_pie, SPLINEWRIGHT_OT_pie)

@@ -1,0 +1,284 @@
+"""Tools while a net is out: weights in the hand, the toolbar, the pie and the hints. The gestures are tried in a window."""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+import pytest
+
+from layouts import Layout
+from shapes import VALUES, add, enter, numbers_of, op, require_exact, select
+from support import part, splinecore as sc
+
+live, typed_number, weight_here, weighing = (part(name) for name in (
+    'bridge.net.live', 'core.typed_number', 'ui.operators.weight_here', 'bridge.net.weighing'))
+WEIGHTED = ('rational cubic', 'nurbs', 'periodic', 'nurbs patch', 'bezier patch', 'teapot')
+
+
+def value():
+    return bpy.data.objects["shape"].data.splinewright.value
+
+
+def pool():
+    return part('bridge.store').read(bpy.data.objects["shape"].data).pool
+
+
+def in_hand(name, count=1):
+    """The net of a shape, its first points with weights selected, and these."""
+    add(VALUES[name]())
+    held = enter()
+    chosen = np.flatnonzero(numbers_of(held).weighted)[:count].tolist()
+    select(held, *chosen)
+    return held, numbers_of(held).rows[chosen]
+
+
+@pytest.mark.parametrize('count', (1, 2))
+@pytest.mark.parametrize('name', WEIGHTED)
+def test_weights_are_set_as_typed_and_undo_is_one_step(name, count):
+    held, rows = in_hand(name, count)
+    before, old = value(), pool()
+    assert op(bpy.ops.splinewright.weight_here, weight=0.7) == {'FINISHED'}
+    now = pool()
+    assert (now[rows, 3] == 0.7).all(), "as it was typed, not as float32 has it"
+    assert np.array_equal(np.delete(now[:, 3], rows), np.delete(old[:, 3], rows)) and np.array_equal(now[:, :3], old[:, :3])
+    require_exact(bpy.data.objects["shape"])
+    bpy.ops.ed.undo()
+    assert value() == before and bpy.context.mode.startswith('EDIT')
+    bpy.ops.ed.redo()
+    assert (pool()[rows, 3] == 0.7).all()
+
+
+@pytest.mark.parametrize('name', WEIGHTED)
+def test_weights_are_multiplied_each_for_itself(name):
+    held, rows = in_hand(name, 3)
+    before = pool()[rows, 3]
+    assert op(bpy.ops.splinewright.weight_here, kind='SCALE', factor=1.25) == {'FINISHED'}
+    assert np.array_equal(pool()[rows, 3], before * 1.25)
+
+
+@pytest.mark.parametrize('settings', ({'weight': 0.0}, {'kind': 'SCALE', 'factor': 0.0}))
+@pytest.mark.parametrize('name', ('rational cubic', 'nurbs patch'))
+def test_a_weight_of_zero_is_refused_and_nothing_changed(name, settings):
+    held, _ = in_hand(name)
+    before = value()
+    with pytest.raises(RuntimeError, match="Send to Infinity"):
+        op(bpy.ops.splinewright.weight_here, **settings)
+    assert value() == before and live.problem(held) == ""
+    # In the panel of the last operator, where another number may do, it stays.
+    assert op(bpy.ops.splinewright.weight_here, by_hand=True, **settings) == {'FINISHED'}
+    assert value() == before
+
+
+def test_a_negative_weight_is_taken_by_a_curve():
+    held, rows = in_hand('rational cubic')
+    assert op(bpy.ops.splinewright.weight_here, weight=-0.5) == {'FINISHED'}
+    assert pool()[rows, 3] == -0.5 and live.problem(held) == ""
+
+
+def test_what_a_patch_does_not_take_is_refused_and_its_weights_are_as_they_were():
+    add(sc.BezierPatch([[(0, 0, 0), (1, 0, 0)], [(0, 1, 0), (1, 1, 1)]]))
+    held = enter()
+    select(held, 0)
+    before, weights = value(), weighing.of_selected(held)[1]
+    with pytest.raises(RuntimeError, match="infinity"):
+        op(bpy.ops.splinewright.weight_here, weight=-3.0)           # the middle goes there
+    assert value() == before and live.problem(held) == ""
+    assert np.array_equal(weighing.of_selected(held)[1], weights)
+    require_exact(bpy.data.objects["shape"])
+
+
+def test_what_has_no_weights_is_refused_in_words():
+    operator = bpy.ops.splinewright.weight_here
+    assert not operator.poll()
+    bpy.ops.mesh.primitive_cube_add()
+    bpy.ops.object.mode_set(mode='EDIT')
+    with pytest.raises(RuntimeError, match="net of a Splinewright shape"):
+        operator()
+    bpy.ops.object.mode_set(mode='OBJECT')
+    add(VALUES['hermite']())
+    held = enter()
+    select(held, 0, 1)
+    with pytest.raises(RuntimeError, match="tangents, directions at infinity and points of cubic chains"):
+        op(operator)
+    select(held)
+    with pytest.raises(RuntimeError, match="select points of the net"):
+        op(operator)
+
+
+def test_a_net_of_points_of_a_recipe_has_no_weights():
+    op(bpy.ops.splinewright.add_catmull_rom)
+    enter()
+    with pytest.raises(RuntimeError, match="Make Editable"):
+        op(bpy.ops.splinewright.weight_here)
+
+
+def test_what_a_drag_passes_leaves_nothing_behind():
+    """Hundreds of moves of the mouse would slow down every later one."""
+    held, rows = in_hand('nurbs', 2)
+    before = value()
+    chosen = [(held.name, *weighing.of_selected(held))]
+    typed = len(part('bridge.net.net_object').typed(held.data))
+    for factor in np.linspace(0.5, 3, 50):
+        weight_here._put(chosen, lambda weights: weights * factor, is_passing=True)
+        assert np.allclose(pool()[rows, 3], chosen[0][2] * factor, rtol=1e-7)
+    weight_here._put_back(chosen)
+    assert value() == before and len(part('bridge.net.net_object').typed(held.data)) == typed
+
+
+@pytest.mark.parametrize('base', (1.0, 0.3, -2.0, 1e-3))
+def test_the_mouse_never_makes_a_weight_zero_or_turns_its_sign(base):
+    for doublings in (-1e9, -3, -0.2, 0, 0.1, 2, 1e9):
+        for step in (0, 0.1, 0.01):
+            number = weight_here.moved(base, doublings, step)
+            assert number * base > 0 and np.isfinite(number) and float(f"{number:.4g}") == number
+            assert not step or abs(round(number / step) - number / step) < 1e-6 * max(abs(number / step), 1)
+    assert weight_here.moved(1.0, 1.0) == 2.0 and weight_here.moved(0.7, 0.1, 0.1) == 0.8
+
+
+def test_numbers_are_typed_as_in_blenders_own_gestures():
+    def after(text):
+        typed = typed_number.Typed()
+        for character in text:
+            typed = typed_number.shortened(typed) if character == '<' else typed_number.after(typed, character) or typed
+        return typed
+    for text, number in (("2", 2.0), ("0.5", 0.5), (".5", 0.5), ("0,25", 0.25), ("1.2.3", 1.23), ("1x2", 12.0), ("3-", -3.0),
+                         ("-4", -4.0), ("--4", 4.0), ("12<", 1.0), ("", None), ("-", None), (".", None), ("7<<", None)):
+        assert after(text).number == number, text
+    assert str(after("1-<")) == "" or str(after("1-<")) == "-"
+    assert str(after("-<")) == "", "nothing is typed any more"
+
+
+def test_a_point_is_found_where_it_is_seen():
+    picking = part('ui.picking')
+    held, _ = in_hand('nurbs')
+    region = SimpleNamespace(width=200, height=200)
+    view = SimpleNamespace(perspective_matrix=np.diag([0.25, 0.25, 0.25, 1.0]))
+    points = live.session(held.data).points
+    for vertex in range(len(points)):
+        pixel = 100 + 25 * points[vertex, :2]
+        found, nearest = picking.point_at(region, view, pixel + (0.01, 0), [held])
+        assert found == held and np.allclose(points[nearest, :2], points[vertex, :2], atol=0.02)
+    assert picking.point_at(region, view, (1000, 1000), [held]) is None
+    assert picking.point_at(region, view, (100, 100), []) is None
+
+
+@pytest.fixture
+def toolbar():
+    """The toolbar with our tools, which it has not in background until there are keymaps."""
+    found = part('ui.toolbar')
+    is_there = bool(found._sections)
+    if not is_there:
+        bpy.context.window_manager.keyconfigs.update()
+        found.register()
+    assert found._sections
+    yield found
+    if not is_there:
+        found.unregister()
+
+
+def listed(mode):
+    """Names of the tools that Blender shows in a mode."""
+    from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active as panel
+    found = panel._tools_flatten(list(panel.tools_from_context(bpy.context, mode)))
+    return [item.idname for item in found if item is not None]
+
+
+OURS = ["splinewright.insert_knot", "splinewright.weight"]
+
+
+def test_tools_are_there_for_nets_and_shapes_and_nothing_else(toolbar):
+    assert not set(OURS) & {*listed('OBJECT'), *listed('EDIT_MESH')}
+    add(VALUES['nurbs patch']())
+    assert [name for name in listed('OBJECT') if name in OURS] == OURS[:1]
+    enter()
+    assert [name for name in listed('EDIT_MESH') if name in OURS] == OURS
+    bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
+    bpy.ops.mesh.primitive_cube_add()
+    bpy.ops.object.mode_set(mode='EDIT')
+    assert not set(OURS) & set(listed('EDIT_MESH')) and "builtin.transform" in listed('EDIT_MESH')
+
+
+def test_tools_of_ours_go_without_a_trace(toolbar):
+    from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active as panel
+    config = bpy.context.window_manager.keyconfigs
+
+    def census():
+        return ({mode: [getattr(item, 'idname', item) for item in panel._tools_flatten(panel._tools[mode])]
+                 for mode in ('EDIT_MESH', 'EDIT_CURVE', 'OBJECT')},
+                [len(which.keymaps) for which in (config.default, config.addon)])
+    with_ours = census()
+    toolbar.unregister()
+    without = census()
+    toolbar.register()
+    assert census() == with_ours
+    toolbar.unregister()
+    assert census() == without and with_ours != without
+    toolbar.register()
+
+
+def test_icons_of_tools_are_such_as_blender_takes(toolbar):
+    folder = Path(bpy.utils.system_resource('DATAFILES', path="icons"))     # where Blender looks; ours have whole paths
+    for tool in toolbar._TOOLS:
+        assert bpy.app.icons.new_triangles_from_file(str(folder / f"{toolbar._icon(tool.icon)}.dat")) > 0
+
+
+class Pie(Layout):
+    def menu_pie(self):
+        return self._part()
+
+    def _part(self, *_, **__):
+        return Pie(self)
+
+    row = _part
+
+
+def pie():
+    layout = Pie()
+    part('ui.pie').SPLINEWRIGHT_MT_pie.draw(SimpleNamespace(layout=layout), bpy.context)
+    return layout
+
+
+@pytest.mark.parametrize('name, grey', (
+    ('nurbs', set()), ('periodic', {"make_periodic"}), ('nurbs patch', set()), ('teapot', set())))
+def test_the_pie_has_eight_entries_and_what_would_be_refused_is_grey(name, grey):
+    add(VALUES[name]())
+    enter()
+    layout = pie()
+    assert len(layout.operators) == len(set(layout.operators)) == 8
+    assert set(layout.disabled) == {f"splinewright.{name}" for name in grey}
+    assert bpy.ops.splinewright.pie.poll()
+
+
+def test_the_key_of_the_pie_is_left_to_others_elsewhere():
+    bpy.ops.mesh.primitive_cube_add()
+    bpy.ops.object.mode_set(mode='EDIT')
+    assert not bpy.ops.splinewright.pie.poll()
+
+
+@pytest.fixture
+def keys():
+    keymaps = part('ui.keymaps')
+    if not keymaps.of_user():           # they come late in background
+        keymaps.register()
+    bpy.context.window_manager.keyconfigs.update()
+
+
+@pytest.mark.parametrize('name', ('nurbs', 'nurbs patch'))
+def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
+    hints, state = part('ui.hints'), part('bridge.file_state').state
+    assert hints.said(bpy.context) == []
+    add(VALUES[name]())
+    enter()
+    assert hints.said(bpy.context) == [
+        (["EVENT_TAB"], "Done"), (["EVENT_CTRL", "EVENT_R"], "Insert Knot"), (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
+    state.status = "a problem"
+    try:
+        assert hints.said(bpy.context) == [], "problems have the first right"
+    finally:
+        state.status = ""
+    part('ui.preferences').get().show_hints = False
+    try:
+        assert hints.said(bpy.context) == []
+    finally:
+        part('ui.preferences').get().show_hints = True

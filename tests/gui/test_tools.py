@@ -1,0 +1,301 @@
+"""Tools in the view of a net: a knot by the tool's click, weights by dragging points and the dial, the pie, hints."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+from bpy_extras import view3d_utils
+from mathutils import Vector
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import (View, empty_file, in_net, into_net, mean_difference, nets, out_of_net, part, redrawn, run, save_picture,
+                    select_points, until)
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+STATE = part('bridge.file_state').state
+NAMES = []
+
+
+def picture(name):
+    return save_picture(OUTPUT / f"tools-{name}.png")
+
+
+def value():
+    return bpy.data.objects[NAMES[-1]].data.splinewright.value
+
+
+def pixel_of(view, point):
+    place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, Vector(point))
+    return round(view.region.x + place.x), round(view.region.y + place.y)
+
+
+def added(view, operator):
+    with view.override():
+        empty_file()
+        operator('EXEC_DEFAULT', True)
+        NAMES.append(bpy.context.object.name)
+        bpy.ops.view3d.view_selected()
+    view.move(420, 420)
+    yield from redrawn()
+    view.press('TAB')
+    yield from into_net()
+
+
+def choose(view, name):
+    with view.override():
+        bpy.ops.wm.tool_set_by_id(name=name)
+    yield from redrawn()
+
+
+def chosen():
+    ob = nets()[0]
+    return part('bridge.net.selection').selected(ob, part('bridge.net.live').session(ob.data).net)
+
+
+def weights():
+    return np.asarray(value().weights) if value().weights is not None else np.ones(np.shape(value().points)[:-1])
+
+
+def point(i):
+    ob = nets()[0]
+    return Vector(part('bridge.net.live').session(ob.data).points[i])
+
+
+def knots_by_the_tool(view):
+    """The knot is shown without any click; a click puts it there; beside the shape it selects."""
+    yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
+    before = value()
+    start, end = before.domain
+    picture("toolbar")
+    yield from choose(view, "splinewright.insert_knot")
+    view.move(*pixel_of(view, point(1)))
+    view.press('LEFTMOUSE')
+    yield from until(lambda: chosen() == [1], "a click beside the curve selects")
+    yield from redrawn()
+    plain = picture("insert-none")
+    u = start + 0.3 * (end - start)
+    view.move(*pixel_of(view, before.evaluate(u)))
+    yield from redrawn()
+    yield from until(lambda: mean_difference(picture("insert"), plain) > 0.002, "the knot is shown at the mouse")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: value() != before, "a click inserts")
+    yield from into_net()
+    after = value()
+    assert len(after.knots) == len(before.knots) + 1 and np.abs(np.asarray(after.knots) - u).min() < 0.05
+    picture("inserted")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: value() == before, "Ctrl+Z takes it back")
+    yield from into_net()
+    print("knots by the tool", flush=True)
+
+
+def press(view, at):
+    view.move(*at)
+    yield from redrawn()
+    view.window.event_simulate('LEFTMOUSE', 'PRESS', x=view.x, y=view.y)
+    yield from redrawn()
+
+
+def drag(view, at, by):
+    yield from press(view, at)
+    for step in range(1, 6):
+        view.move(at[0] + by * step // 5, at[1])
+        yield from redrawn()
+
+
+def release(view):
+    view.window.event_simulate('LEFTMOUSE', 'RELEASE', x=view.x, y=view.y)
+
+
+def weights_by_the_tool(view):
+    """A point that is dragged sideways: Esc, the button let go, a click that only selects."""
+    yield from choose(view, "splinewright.weight")
+    before, i = value(), 2
+    place = pixel_of(view, point(i))
+    yield from drag(view, place, 120)
+    yield from until(lambda: STATE.weighing is not None and weights()[i] > 1.2, "the curve follows the weight")
+    picture("weight-drag")
+    view.press('ESC')
+    yield from until(lambda: STATE.weighing is None, "Esc ends it")
+    assert value() == before
+    release(view)
+    yield from redrawn()
+    yield from drag(view, place, -120)
+    release(view)
+    yield from until(lambda: STATE.weighing is None and weights()[i] < 0.8, "the button lets it go")
+    assert chosen() == [i] and float(f"{weights()[i]:.4g}") == weights()[i], "the number that was shown"
+    yield from redrawn()
+    picture("weight-dial")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: value() == before, "Ctrl+Z takes the weight back")
+    yield from until(in_net, "the net")
+    yield from redrawn()
+    yield from press(view, pixel_of(view, point(4)))
+    release(view)
+    yield from until(lambda: chosen() == [4] and STATE.weighing is None, "a click selects")
+    assert value() == before
+    print("weights by the tool", flush=True)
+
+
+def weights_by_the_dial(view):
+    """The ring around the selected point is dragged, also where its switch shows it with another tool."""
+    yield from choose(view, "builtin.select_box")
+    select_points(2)
+    yield from redrawn()
+    plain, before = picture("no-dial"), value()
+    bpy.context.scene.splinewright_sights.weights = True
+    yield from redrawn()
+    yield from until(lambda: mean_difference(picture("dial"), plain) > 0.002, "the dial")
+    x, y = pixel_of(view, point(2))
+    places = [(x + reach, y) for reach in range(14, 40, 2)]
+
+    def is_hit():
+        return bool(STATE.weighing)
+    for place in places:
+        yield from press(view, place)
+        if is_hit():
+            break
+        release(view)
+        yield from redrawn()
+        select_points(2)
+        yield from redrawn()
+    assert is_hit(), "the dial is nowhere"
+    view.move(x + 150, y)
+    yield from until(lambda: weights()[2] > 1.2, "the curve follows the dial")
+    for key, text in (('ZERO', "0"), ('PERIOD', "."), ('FIVE', "5")):
+        view.press(key, text)
+    yield from until(lambda: weights()[2] == 0.5, "the number that was typed")
+    picture("dial-typed")
+    release(view)
+    view.press('RET')
+    yield from until(lambda: STATE.weighing is None, "Return ends it")
+    assert weights()[2] == 0.5
+    view.press('Z', ctrl=True)
+    yield from until(lambda: value() == before, "Ctrl+Z takes it back")
+    yield from until(in_net, "the net")
+    bpy.context.scene.splinewright_sights.weights = False
+    yield from redrawn()
+    print("weights by the dial", flush=True)
+
+
+def weights_by_the_menu(view):
+    """Without a button held: a negative weight is drawn as a warning, 0 is refused."""
+    before = value()
+    select_points(2)
+    yield from redrawn()
+    view.move(*pixel_of(view, point(2)))
+    with view.override():
+        bpy.ops.splinewright.weight_here('INVOKE_DEFAULT', True)
+    yield from until(lambda: STATE.weighing, "it began")
+    for key, text in (('THREE', "3"), ('MINUS', "-")):
+        view.press(key, text)
+    yield from until(lambda: weights()[2] == -3.0, "a negative weight")
+    yield from redrawn()
+    picture("negative")
+    assert STATE.weighing.is_warning
+    for _ in range(2):
+        view.press('BACK_SPACE')
+    view.press('ZERO', "0")
+    yield from until(lambda: STATE.weighing.text == "Weight 0", "a weight of 0")
+    assert STATE.weighing.is_warning
+    yield from redrawn()
+    picture("zero")
+    view.press('RET')
+    yield from redrawn()
+    assert STATE.weighing, "Return does not take what the header says no to"
+    view.press('ESC')
+    yield from until(lambda: STATE.weighing is None, "Esc ends it")
+    assert value() == before
+    print("weights by the menu", flush=True)
+
+
+def the_pie(view):
+    """Its key, and the entry to the left."""
+    view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height // 2)
+    yield from redrawn()
+    plain = picture("no-pie")
+    view.press('Q', shift=True)
+    yield from until(lambda: mean_difference(picture("pie"), plain) > 0.3, "the pie")
+    yield from redrawn()
+    picture("pie")
+    view.move(view.x - 120, view.y)
+    yield from redrawn()
+    view.press('LEFTMOUSE')
+    yield from redrawn()
+    view.move(*pixel_of(view, value().evaluate(sum(value().domain) / 2)))
+    yield from until(lambda: STATE.aimed is not None, "Insert Knot by Click was the entry to the left")
+    view.press('ESC')
+    yield from until(lambda: STATE.aimed is None, "Esc ends it")
+    print("the pie", flush=True)
+
+
+def hints(view):
+    """The line of keys is there while the net is, and switched off by the preferences."""
+    status = np.s_[-22:, :500]
+    yield from redrawn()
+    out = picture("hints")[status]
+    view.press('TAB')
+    yield from out_of_net()
+    yield from until(lambda: mean_difference(picture("no-hints")[status], out) > 0.5, "they go with the net")
+    gone = picture("no-hints")[status]
+    view.press('TAB')
+    yield from into_net()
+    yield from until(lambda: mean_difference(picture("hints")[status], gone) > 0.5, "they come with the net")
+    preferences = part('ui.preferences').get()
+    preferences.show_hints = False
+    yield from until(lambda: mean_difference(picture("hints-off")[status], gone) < 0.3, "the preferences switch them off")
+    preferences.show_hints = True
+    view.press('TAB')
+    yield from out_of_net()
+    print("hints", flush=True)
+
+
+def on_a_patch(view):
+    """Isocurves at the mouse, along what the header says; a plain mesh has neither tools nor their keys."""
+    yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
+    before = value()
+    (u0, u1), (v0, v1) = before.domain
+    yield from choose(view, "splinewright.insert_knot")
+    settings = part('ui.toolbar').settings(bpy.context, "insert_knot")
+    settings.direction = 'BOTH'
+    view.move(*pixel_of(view, before.evaluate(0.6 * u0 + 0.4 * u1, 0.3 * v0 + 0.7 * v1)))
+    yield from redrawn()
+    yield from redrawn()
+    picture("patch")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: value() != before, "a click inserts")
+    yield from into_net()
+    assert [len(after) - len(knots) for after, knots in zip(value().knots, before.knots)] == [1, 1]
+    yield from choose(view, "splinewright.weight")
+    view.press('TAB')
+    yield from out_of_net()
+    with view.override():
+        bpy.ops.mesh.primitive_cube_add()
+        bpy.ops.object.mode_set(mode='EDIT')
+        bpy.ops.view3d.view_selected()
+    yield from redrawn()
+    picture("cube")
+    bpy.ops.mesh.select_all(action='DESELECT')
+    yield from redrawn()
+    cube = bpy.context.object
+    view.move(*pixel_of(view, cube.matrix_world @ cube.data.vertices[7].co))
+    view.press('LEFTMOUSE')
+    yield from until(lambda: cube.data.total_vert_sel == 1, "a click on a cube selects, whatever tool is chosen")
+    print("on a patch", flush=True)
+
+
+def steps():
+    view = View()
+    yield from knots_by_the_tool(view)
+    yield from weights_by_the_tool(view)
+    yield from weights_by_the_dial(view)
+    yield from weights_by_the_menu(view)
+    yield from the_pie(view)
+    yield from hints(view)
+    yield from on_a_patch(view)
+    print("tools were used:", bpy.app.version_string, flush=True)
+
+
+run(steps())
