@@ -156,12 +156,12 @@ def test_the_preferences_show_the_keys_as_the_user_has_them(wanted, monkeypatch)
     found = {item.idname: (keymap, item) for keymap, item in items}
     assert set(found) == {"splinewright.edit_net", "splinewright.edit_source", "splinewright.leave_net",
                           "splinewright.join", "splinewright.insert_here", "splinewright.pull_here", "splinewright.pie"}
-    keymap, item = found["splinewright.join"]
+    count, (keymap, item) = len(items), found["splinewright.join"]
     assert (item.type, item.ctrl, item.active) == ('J', True, True)
     keymap.keymap_items.remove(item)
     try:
         layout, items = drawn(wanted, monkeypatch)
-        assert len(items) == 7 and any("splinewright.join has no key" in text for text in layout.texts)
+        assert len(items) == count - 1 and any("splinewright.join has no key" in text for text in layout.texts)
     finally:
         keymap.restore_to_default()
 
