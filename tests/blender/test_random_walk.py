@@ -43,7 +43,7 @@ class Walk:
         return [getattr(self, name) for name in names], odds / odds.sum()
 
     #: How often a step is chosen; others have 1.
-    ODDS = {'move_points': 8, 'edit': 6, 'undo': 3, 'add': 2, 'redo': 2, 'add_native': 1.5, 'leave': 0.6, 'delete': 0.5,
+    ODDS = {'move_points': 8, 'edit': 6, 'gesture': 4, 'undo': 3, 'add': 2, 'redo': 2, 'add_native': 1.5, 'leave': 0.6, 'delete': 0.5,
             'to_native': 0.5, 'leave_otherwise': 0.4, 'by_hand': 0.4, 'detach': 0.3, 'paste': 0.3, 'harm_the_net': 0.3,
             'delete_a_shape_whatever_the_mode': 0.3, 'exclude_a_collection': 0.2, 'remesh': 0.1, 'save': 0.1,
             'bring_from_a_file': 0.1, 'delete_the_net': 0.1, 'reopen': 0.05, 'toggle_the_add_on': 0.05, 'new_file': 0.01}
@@ -157,6 +157,34 @@ class Walk:
             self.op(bpy.ops.mesh.delete, type='VERT')
         elif bpy.context.mode == 'EDIT_CURVE':
             self.op(bpy.ops.curve.subdivide)
+
+    def edit_gesture(self):
+        """Points more or less, sensibly or not, by what Blender has for it."""
+        count = int(self.random.integers(1, 4))
+        way = tuple(self.random.uniform(-0.5, 0.5, 3))
+        session = next((live.known_session(ob.data) for ob in editing.nets_in_edit_mode(bpy.context)), None)
+        if session is None or len(session.net.rows) > LARGEST:
+            return
+        if bpy.context.mode == 'EDIT_MESH':
+            mesh = bpy.ops.mesh
+            mesh.select_mode(type=str(self.random.choice(['VERT', 'EDGE', 'FACE'])))
+            if self.random.random() < 0.6:
+                self.op(mesh.loop_multi_select, ring=bool(self.random.integers(2)))
+            self.any((lambda: self.op(mesh.extrude_region_move, TRANSFORM_OT_translate={'value': way}),
+                      lambda: self.op(mesh.subdivide_edgering, number_cuts=count),
+                      lambda: self.op(mesh.subdivide, number_cuts=count),
+                      lambda: self.op(mesh.dissolve_edges), lambda: self.op(mesh.delete, type='EDGE'),
+                      lambda: self.op(mesh.delete, type='FACE'), lambda: self.op(mesh.duplicate)))()
+        elif bpy.context.mode == 'EDIT_CURVE':
+            curve = bpy.ops.curve
+            if self.random.random() < 0.4:
+                curve.de_select_last()
+            self.any((lambda: self.op(curve.extrude_move, TRANSFORM_OT_translate={'value': way}),
+                      lambda: self.op(curve.subdivide, number_cuts=count), lambda: self.op(curve.make_segment),
+                      lambda: self.op(curve.split), lambda: self.op(curve.delete, type='VERT'),
+                      lambda: self.op(curve.delete, type='SEGMENT'), lambda: self.op(curve.dissolve_verts),
+                      lambda: self.op(curve.cyclic_toggle), lambda: self.op(curve.switch_direction),
+                      lambda: self.op(curve.duplicate)))()
 
     def edit_delete_the_net(self):
         for ob in list(editing.nets())[:1]:
