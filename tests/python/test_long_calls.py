@@ -84,7 +84,7 @@ def test_a_call_in_the_middle_of_its_work_hears_ctrl_c():
     import signal
     import time
 
-    start = time.perf_counter()
+    start = time.process_time()
     patch = sc.BezierPatch(random_points(20, 20, seed=1))
     u = np.linspace(0, 1, 2_000_000)
     old = signal.signal(signal.SIGALRM, signal.default_int_handler)
@@ -95,7 +95,7 @@ def test_a_call_in_the_middle_of_its_work_hears_ctrl_c():
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, old)
-    assert time.perf_counter() - start < 2
+    assert time.process_time() - start < 2
 
 
 def test_many_threads_read_one_value():
