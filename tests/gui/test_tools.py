@@ -37,6 +37,7 @@ def added(view, operator):
         operator('EXEC_DEFAULT', True)
         NAMES.append(bpy.context.object.name)
         bpy.ops.view3d.view_selected()
+    view.area.spaces.active.region_3d.view_distance = 2.5 * max(bpy.context.object.dimensions)     # versions differ
     view.move(420, 420)
     yield from redrawn()
     view.press('TAB')
@@ -260,7 +261,9 @@ def on_a_patch(view):
     yield from choose(view, "splinewright.insert_knot")
     settings = part('ui.toolbar').settings(bpy.context, "insert_knot")
     settings.direction = 'BOTH'
-    view.move(*pixel_of(view, before.evaluate(0.6 * u0 + 0.4 * u1, 0.3 * v0 + 0.7 * v1)))
+    grid = [(u, v) for u in np.linspace(u0, u1, 9)[1:-1] for v in np.linspace(v0, v1, 10)[1:-1]]
+    view.move(*next(pixel for pixel in (pixel_of(view, before.evaluate(*at)) for at in grid)
+                    if part('ui.operators.insert_here').aimed_at(bpy.context, *pixel, 'BOTH')))
     yield from redrawn()
     yield from redrawn()
     picture("patch")
@@ -275,6 +278,7 @@ def on_a_patch(view):
         bpy.ops.mesh.primitive_cube_add()
         bpy.ops.object.mode_set(mode='EDIT')
         bpy.ops.view3d.view_selected()
+    view.area.spaces.active.region_3d.view_distance = 12.0
     yield from redrawn()
     picture("cube")
     bpy.ops.mesh.select_all(action='DESELECT')
