@@ -37,7 +37,7 @@ def added(view, operator):
         operator('EXEC_DEFAULT', True)
         NAMES.append(bpy.context.object.name)
         bpy.ops.view3d.view_selected()
-    view.area.spaces.active.region_3d.view_distance = 2.5 * max(bpy.context.object.dimensions)     # versions differ
+    view.area.spaces.active.region_3d.view_distance = 1.4 * max(bpy.context.object.dimensions)     # versions differ
     view.move(420, 420)
     yield from redrawn()
     view.press('TAB')
@@ -65,7 +65,7 @@ def point(i):
 
 
 def knots_by_the_tool(view):
-    """The knot is shown without any click; a click puts it there; beside the shape it selects."""
+    """The knot is shown without any click; a click puts it there; on a point it selects."""
     yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
     before = value()
     start, end = before.domain
@@ -73,10 +73,10 @@ def knots_by_the_tool(view):
     yield from choose(view, "splinewright.insert_knot")
     view.move(*pixel_of(view, point(1)))
     view.press('LEFTMOUSE')
-    yield from until(lambda: chosen() == [1], "a click beside the curve selects")
+    yield from until(lambda: chosen() == [1], "a click on a point selects")
     yield from redrawn()
     plain = picture("insert-none")
-    u = start + 0.3 * (end - start)
+    u = start + 0.15 * (end - start)
     view.move(*pixel_of(view, before.evaluate(u)))
     yield from redrawn()
     yield from until(lambda: mean_difference(picture("insert"), plain) > 0.002, "the knot is shown at the mouse")
