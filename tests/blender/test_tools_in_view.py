@@ -161,6 +161,9 @@ def test_a_point_is_found_where_it_is_seen():
         assert found == held and np.allclose(points[nearest, :2], points[vertex, :2], atol=0.02)
     assert picking.point_at(region, view, (1000, 1000), [held]) is None
     assert picking.point_at(region, view, (100, 100), []) is None
+    pixel = 100 + 25 * points[0, :2]
+    assert picking.point_at(region, view, pixel, [held], lambda net: net.rows > 0) != (held, 0)
+    assert picking.point_at(region, view, pixel + (0, 7.9), [held], within=0.01) is None
 
 
 @pytest.fixture

@@ -104,7 +104,8 @@ FACTS = {'by span': (versions.sampling.by_span, samples_by_span, (5, 0, 0), None
          'layers': (versions.actions_have_layers, keys_lie_in_layers, (4, 4, 0), None),
          'presets': (versions.has_skip_preset, knows_what_presets_skip, (4, 2, 0), None),
          'files': (versions.drops_files, lambda: hasattr(bpy.types, 'SPLINEWRIGHT_FH_bpt'), (4, 2, 0), None),
-         'failed saves': (versions.tells_of_failed_saves, lambda: 'save_post_fail' in dir(bpy.app.handlers), (4, 2, 0), None)}
+         'failed saves': (versions.tells_of_failed_saves, lambda: 'save_post_fail' in dir(bpy.app.handlers), (4, 2, 0), None),
+         'modal': (versions.knows_modal_operators, lambda: hasattr(bpy.context.window, 'modal_operators'), (4, 2, 0), None)}
 
 
 @pytest.mark.parametrize('fact, measured, start, end', FACTS.values(), ids=FACTS)
@@ -118,7 +119,7 @@ def test_every_fact_is_measured():
     public = {name for name in vars(versions) if not name.startswith('_')} - {'bpy', 'gpu', 'cache', 'native'}
     assert public == {'sampling', 'keeps_exact_normals', 'has_auto_smooth', 'wants_face_totals', 'uvs_are_attributes',
                       'marks_are_attributes', 'actions_have_layers', 'has_skip_preset', 'drops_files', 'tells_of_failed_saves',
-                      'point_shader'}           # of which a window tells
+                      'knows_modal_operators', 'point_shader'}          # of which a window tells
     assert versions.sampling._fields == ('by_span', 'polygon_at_1')
 
 

@@ -37,6 +37,7 @@ def added(view, operator):
         operator('EXEC_DEFAULT', True)
         NAMES.append(bpy.context.object.name)
         bpy.ops.view3d.view_selected()
+    view.area.spaces.active.region_3d.view_distance = 1.4 * max(bpy.context.object.dimensions)     # versions differ
     view.move(420, 420)
     yield from redrawn()
     view.press('TAB')
@@ -64,7 +65,7 @@ def point(i):
 
 
 def knots_by_the_tool(view):
-    """The knot is shown without any click; a click puts it there; beside the shape it selects."""
+    """The knot is shown without any click; a click puts it there; on a point it selects."""
     yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
     before = value()
     start, end = before.domain
@@ -72,10 +73,10 @@ def knots_by_the_tool(view):
     yield from choose(view, "splinewright.insert_knot")
     view.move(*pixel_of(view, point(1)))
     view.press('LEFTMOUSE')
-    yield from until(lambda: chosen() == [1], "a click beside the curve selects")
+    yield from until(lambda: chosen() == [1], "a click on a point selects")
     yield from redrawn()
     plain = picture("insert-none")
-    u = start + 0.3 * (end - start)
+    u = start + 0.15 * (end - start)
     view.move(*pixel_of(view, before.evaluate(u)))
     yield from redrawn()
     yield from until(lambda: mean_difference(picture("insert"), plain) > 0.002, "the knot is shown at the mouse")
@@ -260,7 +261,9 @@ def on_a_patch(view):
     yield from choose(view, "splinewright.insert_knot")
     settings = part('ui.toolbar').settings(bpy.context, "insert_knot")
     settings.direction = 'BOTH'
-    view.move(*pixel_of(view, before.evaluate(0.6 * u0 + 0.4 * u1, 0.3 * v0 + 0.7 * v1)))
+    grid = [(u, v) for u in np.linspace(u0, u1, 9)[1:-1] for v in np.linspace(v0, v1, 10)[1:-1]]
+    view.move(*next(pixel for pixel in (pixel_of(view, before.evaluate(*at)) for at in grid)
+                    if part('ui.operators.insert_here').aimed_at(bpy.context, *pixel, 'BOTH')))
     yield from redrawn()
     yield from redrawn()
     picture("patch")
@@ -275,6 +278,7 @@ def on_a_patch(view):
         bpy.ops.mesh.primitive_cube_add()
         bpy.ops.object.mode_set(mode='EDIT')
         bpy.ops.view3d.view_selected()
+    view.area.spaces.active.region_3d.view_distance = 12.0
     yield from redrawn()
     picture("cube")
     bpy.ops.mesh.select_all(action='DESELECT')

@@ -145,7 +145,7 @@ def test_a_polynomial_curve_stays_one(curve):
 def test_calls_of_modelling_take_a_hundred_random_points():
     rng = np.random.default_rng(4)
     wild = sc.NurbsCurve(9, np.r_[[0] * 9, range(92), [91] * 9], rng.normal(size=(100, 3)), rng.uniform(0.1, 4, 100))
-    wild.elevate(3).largest_distance(wild.with_points(wild.points + 0.1))
-    wild.reduce(2)
-    wild.remove_knots(0.5)
-    wild.join(wild, "C2").value.joints()
+    assert np.isclose(wild.elevate(3).largest_distance(wild.with_points(wild.points + 0.1)), 0.1 * math.sqrt(3), rtol=1e-6)
+    assert wild.reduce(2).value.degree == 7
+    assert wild.remove_knots(0.5).error <= 0.5
+    assert all(found.c >= 2 for _, found in wild.join(wild, "C2").value.joints())

@@ -44,6 +44,9 @@ drops_files = hasattr(bpy.types, 'FileHandler')
 #: 4.2.0, not 3.4.1: it tells of a save that failed.
 tells_of_failed_saves = hasattr(bpy.app.handlers, 'save_post_fail')
 
+#: 4.2.0, not 3.4.1: a window tells which operators are under way in it.
+knows_modal_operators = 'modal_operators' in bpy.types.Window.bl_rna.properties
+
 
 @cache
 def point_shader():
@@ -53,8 +56,3 @@ def point_shader():
     except ValueError:
         return 'UNIFORM_COLOR'
     return 'POINT_UNIFORM_COLOR'
-
-
-def runs_modal(window):
-    """Whether an operator is under way in a window; before 4.2 nobody knows."""
-    return bool(getattr(window, 'modal_operators', ()))

@@ -24,7 +24,7 @@ class SPLINEWRIGHT_GT_aim(bpy.types.Gizmo):
 
     def test_select(self, context, location):
         x, y = context.region.x + location[0], context.region.y + location[1]
-        aim = insert_here.aimed_at(context, x, y, toolbar.settings(context, "insert_knot").direction)
+        aim = insert_here.aimed_by_tool(context, x, y, toolbar.settings(context, "insert_knot").direction)
         if aim != self.aim:
             self.aim = aim
             context.area.tag_redraw()

@@ -12,14 +12,21 @@ _WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert 
 
 def said(context):
     """[(icons of keys, words)] for what is at hand; none while something else is going on."""
-    if not preferences.get().show_hints or state.status or versions.runs_modal(context.window):
+    if not preferences.get().show_hints or state.status or _is_busy(context.window):
         return []
-    if state.aimed or state.weighing or state.picking or not editing.nets_in_edit_mode(context):
+    if not editing.nets_in_edit_mode(context):
         return []
     room = 'Curve' if context.mode == 'EDIT_CURVE' else 'Mesh'
     items = [(item, operator) for keymap, item, operator in keymaps.of_user()
              if item and item.active and operator in _WORDS and keymap.name in (room, 'Object Non-modal')]
     return [(_icons(item), _WORDS[operator]) for item, operator in items]
+
+
+def _is_busy(window):
+    """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
+    if versions.knows_modal_operators and window.modal_operators:
+        return True
+    return bool(state.aimed or state.weighing or state.picking)
 
 
 def _icons(item):

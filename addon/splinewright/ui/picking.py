@@ -134,20 +134,22 @@ def pointed_at(x, y, obs, depsgraph):
     return parameters_at(region, view, (x - region.x, y - region.y), obs, depsgraph)
 
 
-def point_at(region, view, pixel, nets):
-    """(net, vertex) of the control point with a weight that is nearest to a pixel of a region, or None where none is near."""
-    found = [hit for ob in nets if ob.visible_get() for hit in [_nearest_point(region, view, pixel, ob)] if hit]
-    return min(found, key=lambda hit: hit[0])[1:] if found else None
+def point_at(region, view, pixel, nets, are_meant=lambda net: net.rows >= 0, within=_NEAR):
+    """(net, vertex) of what is nearest to a pixel of a region among the points and handles of nets, or None where nothing
+    is near. are_meant: gives (n,) bool for a core.net.Net; within: pixels of an interface that is not scaled."""
+    found = [hit for ob in nets if ob.visible_get() for hit in [_nearest_point(region, view, pixel, ob, are_meant)] if hit]
+    nearest = min(found, key=lambda hit: hit[0], default=(np.inf,))
+    return nearest[1:] if nearest[0] <= within * max(bpy.context.preferences.system.ui_scale, 1.0) else None
 
 
-def _nearest_point(region, view, pixel, ob):
+def _nearest_point(region, view, pixel, ob, are_meant):
     """(distance in pixels, net, vertex), or None."""
     session = live.known_session(ob.data)
-    there = np.flatnonzero(session.net.weighted & (session.slots >= 0)) if session else []
+    there = np.flatnonzero(are_meant(session.net) & (session.slots >= 0)) if session else []
     if not len(there):
         return None
     distances = np.linalg.norm(on_screen(region, view, ob.matrix_world, session.points[there]) - pixel, axis=1)
-    if not np.nanmin(distances, initial=np.inf) <= _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0):
+    if np.isnan(distances).all():
         return None
     i = int(np.nanargmin(distances))
     return distances[i], ob, int(there[i])

@@ -5,6 +5,7 @@ import rna_keymap_ui
 from bpy.props import BoolProperty, FloatVectorProperty, IntProperty
 
 from ..bridge import settings
+from ..bridge.file_state import state
 from ..core import library
 from . import addresses, keymaps, manual, texts
 
@@ -32,6 +33,12 @@ def _steps(name, of_what):
                        default=0, min=0, max=4096, soft_max=64)
 
 
+def _redraw_status_bar(_self, context):
+    """Blender does it where the text is set."""
+    for window in context.window_manager.windows:
+        window.workspace.status_text_set(state.status or None)
+
+
 class SplinewrightPreferences(bpy.types.AddonPreferences):
     bl_idname = _NAME
 
@@ -48,7 +55,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
 
     show_hints: BoolProperty(
         name="Keys in the Status Bar", description="While a net is edited, say in the status bar which keys do what there",
-        default=True)
+        default=True, update=_redraw_status_bar)
 
     curve_resolution: _steps("Resolution of Curves", "a new curve")
     surface_mode: settings.mode_property()

@@ -12,6 +12,8 @@ from . import reports
 from .pick_piece import PASSED, redraw
 
 _DIRECTIONS = ('U', 'V', 'BOTH')
+#: Pixels, of an interface that is not scaled, that belong to a point.
+_ON_POINT = 8.0
 _STEPS = {'WHEELUPMOUSE': 1, 'WHEELDOWNMOUSE': -1}
 
 
@@ -36,13 +38,14 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
         return is_possible(context)
 
     def invoke(self, context, event):
-        if self.at_once and aimed_at(context, event.mouse_x, event.mouse_y, self.direction) is None:
+        aimed = aimed_by_tool(context, event.mouse_x, event.mouse_y, self.direction, event.ctrl) if self.at_once else None
+        if self.at_once and aimed is None:
             return {'PASS_THROUGH', 'CANCELLED'}
         problem = editing.unread(editing.nets_in_edit_mode(context))
         if problem:
             return reports.cancelled(self, problem)
         if self.at_once:
-            return _insert(aimed_at(context, event.mouse_x, event.mouse_y, self.direction, event.ctrl))
+            return _insert(aimed)
         self._snaps = False
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('CROSSHAIR')
@@ -94,6 +97,15 @@ def aimed_at(context, x, y, direction, in_middle=False):
     except FAILURES:
         return None                     # such a shape shows nothing to point at
     return aim_overlay.Aim(found[0].name, found[1], found[2], direction) if found else None
+
+
+def aimed_by_tool(context, x, y, direction, in_middle=False):
+    """aimed_at(); None at a point of a curve's net, which is selected by a click."""
+    view = picking.view_at(x, y)
+    curves = [ob for ob in editing.nets_in_edit_mode(context) if ob.type == 'CURVE']
+    if view and picking.point_at(*view, (x - view[0].x, y - view[0].y), curves, within=_ON_POINT):
+        return None
+    return aimed_at(context, x, y, direction, in_middle)
 
 
 def _found(context, x, y, in_middle):

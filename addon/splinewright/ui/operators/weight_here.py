@@ -242,7 +242,8 @@ def _take_in_hand(context, event):
     if view is None:
         return False
     region, view = view
-    found = picking.point_at(region, view, (event.mouse_x - region.x, event.mouse_y - region.y), nets)
+    pixel = event.mouse_x - region.x, event.mouse_y - region.y
+    found = picking.point_at(region, view, pixel, nets, lambda net: net.weighted)
     if found is None:
         return False
     ob, vertex = found
