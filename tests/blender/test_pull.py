@@ -173,6 +173,33 @@ def test_several_pulls_after_other_edits_keep_what_does_not_move():
     assert after.pool[3:].tobytes() == before.pool[3:].tobytes()
 
 
+def test_a_net_that_has_gained_points_is_pulled_with_them():
+    ob = add(value_of('uniform'))
+    net = enter()
+    select(net, 2, 3)
+    assert bpy.ops.curve.subdivide('EXEC_DEFAULT', True) == {'FINISHED'}
+    live.pull(net)
+    before = pieces(ob)[0]
+    assert len(before.points) == 9
+    u = float(np.float32(before.knots[5]))
+    assert pull(ob, at=[u]) == {'FINISHED'}
+    after = pieces(ob)[0]
+    assert len(after.points) == 9 and np.allclose(after.evaluate(u) - before.evaluate(u), BY, atol=1e-6)
+    require_exact(ob)
+
+
+def test_both_nets_that_are_out_can_be_pulled():
+    first, second = add(value_of('nurbs'), "first"), add(value_of('uniform'), "second")
+    activate(first, second)
+    enter()
+    before = [store.read(ob.data) for ob in (first, second)]
+    assert pull(second, shape_name="second") == {'FINISHED'}
+    assert [moved_rows(old, store.read(ob.data)).any() for old, ob in zip(before, (first, second))] == [False, True]
+    assert pull(first, shape_name="first") == {'FINISHED'}
+    assert moved_rows(before[0], store.read(first.data)).any()
+    refused("not in hand", shape_name="third", vector=BY)
+
+
 def refused(words, **settings):
     with pytest.raises(RuntimeError, match=words):
         run('pull_here', **settings)

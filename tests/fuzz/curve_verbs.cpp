@@ -1,6 +1,8 @@
 #include "curve_steps.hpp"
 #include "finding.hpp"
 #include "shapes.hpp"
+#include "splinecore/build/drag.hpp"
+#include "splinecore/convert/to_hermite.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/distance.hpp"
@@ -84,6 +86,18 @@ constexpr CurveStep kVerbs[] = {
     [](Bytes&, NurbsCurve& curve) { curve = standard_form(curve); },
     [](Bytes& bytes, NurbsCurve& curve) { curve = transformed(curve, matrix(bytes)); },
     [](Bytes& bytes, NurbsCurve& curve) { curve = curve.with_points(points(bytes, curve.points().size())); },
+    [](Bytes& bytes, NurbsCurve& curve) {
+      const double u = parameter(bytes, curve.knot_vector());
+      Drag drag{vector(bytes), {}};
+      if (bytes.flag()) drag.tangent_by = vector(bytes);
+      Following following{{}, bytes.flag() ? bytes.number() : 0.0};
+      if (bytes.flag()) following.factors = numbers(bytes, curve.points().size());
+      curve = dragged(curve, u, drag, following);
+    },
+    [](Bytes& bytes, NurbsCurve& curve) {
+      const HermiteCurve chain = to_hermite(curve);
+      curve = dragged(chain, bytes.within(chain.nurbs().domain()), {vector(bytes), {}}).nurbs();
+    },
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "finding.hpp"
 #include "patch_steps.hpp"
 #include "shapes.hpp"
+#include "splinecore/build/drag.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/convert/to_hermite.hpp"
 #include "splinecore/patch/degree.hpp"
@@ -101,6 +102,13 @@ constexpr PatchStep kVerbs[] = {
       patch = moebius(patch, along, bytes.number());
     },
     [](Bytes& bytes, NurbsPatch& patch) { patch = patch.with_points(points(bytes, patch.points().size())); },
+    [](Bytes& bytes, NurbsPatch& patch) {
+      const double u = parameter(bytes, patch.knot_vector(Axis::u));
+      const double v = parameter(bytes, patch.knot_vector(Axis::v));
+      const glm::dvec3 by = vector(bytes);
+      patch = bytes.flag() ? dragged(to_hermite(patch), u, v, by).nurbs()
+                           : dragged(patch, u, v, by, {{}, bytes.flag() ? bytes.number() : 0.0});
+    },
     [](Bytes& bytes, NurbsPatch& patch) {
       const Border side = border(bytes);
       const Border other_side = border(bytes);

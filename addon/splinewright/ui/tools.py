@@ -93,9 +93,9 @@ def draw_verbs(layout, groups, context, fits):
     if reason:
         texts.draw_note(layout, reason)
     obs = list(filter(fits, hand.shapes(context))) or [active]
-    row = layout.row(align=True)
+    column = layout.column(align=True)
     for name in ('insert_here', 'pull_here'):       # by the mouse
-        row.operator(f"splinewright.{name}", text=text_of(name))
+        column.operator(f"splinewright.{name}", text=text_of(name))
     draw_panel(layout, groups, [_refused(ob, groups, len(obs)) for ob in obs])
 
 

@@ -1,6 +1,7 @@
 """Pull a shape by the point at the mouse: the control points follow by the least change."""
 
 import math
+from contextlib import suppress
 
 import bpy
 import numpy as np
@@ -25,7 +26,8 @@ _STEPS = {'WHEELUPMOUSE': 0.5, 'WHEELDOWNMOUSE': -0.5}
 _STILL = 3.0
 _AIMING = "Press on the shape and pull   |   Esc, Right Mouse: Cancel"
 _PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: steps   |   "
-            "Wheel: how many points follow   |   T: keep the tangent   |   Esc, Right Mouse: Cancel")
+            "Wheel: how many points follow   |   {}Esc, Right Mouse: Cancel")
+_OF_CURVES = "T: keep the tangent   |   "
 
 
 class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
@@ -136,7 +138,8 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         """Also called by Blender, where another file is opened meanwhile."""
         state.pulled = None
         if self._drag is not None:
-            self._drag.area.header_text_set(None)
+            with suppress(ReferenceError):      # its area may be gone
+                self._drag.area.header_text_set(None)
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         redraw()
@@ -172,14 +175,14 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             self.cancel(context)
             return reports.failed(self, error, ob.name)
         context.window.cursor_modal_set('SCROLL_XY')
-        context.workspace.status_text_set(_PULLING)
+        context.workspace.status_text_set(_PULLING.format(_OF_CURVES if ob.type == 'CURVE' else ""))
         return self._pull(context, event)
 
     def _pull(self, context, event):
         drag = self._drag
         if event.type in _STEPS:
             self.locality = max(self.locality + _STEPS[event.type], 0.0)
-        elif event.type == 'T' and event.value == 'PRESS':
+        elif event.type == 'T' and event.value == 'PRESS' and drag.ob.type == 'CURVE':
             self.keep_tangent = not self.keep_tangent
         elif not drag.keys.take(event) and drag.ends(event):
             return self._let_go(context)
@@ -193,12 +196,15 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             state.pulled = state.pulled._replace(end=end, followers=points, parts=parts)
         except FAILURES as error:
             problem = f"  {sentence(error)}"
-        length = np.linalg.norm(self._typed())
-        drag.area.header_text_set(
-            f"Pull {length:.4g} ({', '.join(f'{part:.4g}' for part in self.vector)}){drag.keys.words()}"
-            f"   Locality {self.locality:.1f}{'   tangent kept' if self.keep_tangent else ''}{problem}")
+        drag.area.header_text_set(self._header(drag) + problem)
         redraw()
         return {'RUNNING_MODAL'}
+
+    def _header(self, drag):
+        kept = "   Tangent kept" if self.keep_tangent and drag.ob.type == 'CURVE' else ""
+        numbers = ", ".join(f"{part:.4g}" for part in self.vector)
+        length = np.linalg.norm(self._typed())
+        return f"Pull {length:.4g} ({numbers}){drag.keys.words()}   Locality {self.locality:.1f}{kept}"
 
     def _let_go(self, context):
         self._put_back()

@@ -1,0 +1,193 @@
+"""Alt+G in a net, the mouse pressed on the shape and dragged, keys, Esc: the point goes where it is pulled to."""
+
+import itertools
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+from bpy_extras import view3d_utils
+from mathutils import Vector
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+NAMES = []
+
+
+def picture(name):
+    return save_picture(OUTPUT / f"pull-{name}.png")
+
+
+def pulled():
+    return part('bridge.file_state').state.pulled
+
+
+def shape():
+    return bpy.data.objects[NAMES[-1]]
+
+
+def value():
+    return shape().data.splinewright.value
+
+
+def led():
+    """The vector by which the point was led from where it was."""
+    return np.array(pulled().end) - pulled().start
+
+
+def pixel_of(view, point):
+    place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, Vector(point))
+    return round(view.region.x + place.x), round(view.region.y + place.y)
+
+
+def added(view, operator):
+    with view.override():
+        empty_file()
+        operator('EXEC_DEFAULT', True)
+        NAMES.append(bpy.context.object.name)
+        bpy.ops.view3d.view_selected()
+    view.move(420, 420)
+    yield from redrawn()
+
+
+def is_seen(view, at):
+    """Whether nothing lies before the point of the patch at these parameters."""
+    x, y = pixel_of(view, value().evaluate(*at))
+    with view.override():
+        found = part('ui.picking').parameters_at(view.region, view.region.data, (x - view.region.x, y - view.region.y),
+                                                 [shape()], bpy.context.evaluated_depsgraph_get())
+    return found is not None and np.allclose(found[2], at, atol=0.02)
+
+
+def button(view, value):
+    view.window.event_simulate('LEFTMOUSE', value, x=view.x, y=view.y)
+
+
+def pixels_away(view, point, x, y):
+    """How far a point of the shape is seen from a pixel."""
+    return np.hypot(*np.subtract(pixel_of(view, point), (x, y)))
+
+
+def grabbed(view, x, y):
+    """Steps until the point at a pixel is taken hold of, and the mouse was moved a little with it."""
+    view.move(x, y)
+    view.press('G', alt=True)
+    yield from until(lambda: pulled() and np.array_equal(pulled().start, pulled().end), "what is at the mouse is shown")
+    button(view, 'PRESS')
+    view.move(x + 12, y + 9)
+    yield from until(lambda: pulled() and np.linalg.norm(led()) > 0, "it is pulled")
+
+
+def dragged_to(view, before, at, x, y):
+    """Steps until the shape goes through a pixel at the parameters."""
+    view.move(x, y)
+    yield from until(lambda: value() != before and pixels_away(view, value().evaluate(*at), x, y) < 3, "the shape follows")
+
+
+def on_a_patch(view):
+    yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
+    before = value()
+    (u0, u1), (v0, v1) = before.domain
+    grid = itertools.product(np.linspace(u0, u1, 12)[2:-2], np.linspace(v0, v1, 14)[3:-3])
+    at = next(at for at in grid if is_seen(view, at))
+    view.press('TAB')
+    yield from into_net()
+    plain = picture("net")
+    x, y = pixel_of(view, before.evaluate(*at))
+    yield from grabbed(view, x, y)
+    yield from dragged_to(view, before, at, x + 40, y + 70)
+    yield from redrawn()
+    assert mean_difference(picture("dragging"), plain) > 0.5
+    assert 0 < len(pulled().followers) and pulled().parts.max() == 1
+    view.press('ESC')
+    yield from until(lambda: pulled() is None and value() == before, "Esc puts everything back")
+    button(view, 'RELEASE')
+    yield from redrawn()
+    assert mean_difference(picture("put-back"), plain) < 0.3
+    yield from grabbed(view, x, y)
+    yield from dragged_to(view, before, at, x + 40, y + 70)
+    button(view, 'RELEASE')
+    yield from until(lambda: pulled() is None, "letting go ends it")
+    yield from redrawn()
+    assert value() != before and pixels_away(view, value().evaluate(*at), x + 40, y + 70) < 3
+    after = value()
+    picture("pulled")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: value() == before, "Ctrl+Z takes it back")
+    yield from into_net()
+    view.press('Z', ctrl=True, shift=True)
+    yield from until(lambda: value() == after, "Shift+Ctrl+Z does it again")
+    view.press('TAB')
+    yield from out_of_net()
+    print("on a patch", flush=True)
+
+
+def on_a_curve(view):
+    """An axis, a number and Enter; the wheel."""
+    yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
+    before = value()
+    start, end = before.domain
+    u = start + 0.3 * (end - start)
+    view.press('TAB')
+    yield from into_net()
+    x, y = pixel_of(view, before.evaluate(u))
+    yield from grabbed(view, x, y)
+    count = pulled().parts.sum()
+    for _ in range(6):
+        view.wheel_up()
+    yield from until(lambda: pulled().parts.sum() < 0.9 * count, "the wheel lets fewer follow")
+    view.press('Z')
+    yield from until(lambda: led()[2] != 0 and not led()[:2].any(), "Z keeps to the axis")
+    for key, text in (('ONE', "1"), ('PERIOD', "."), ('FIVE', "5")):
+        view.press(key, text)
+    yield from until(lambda: np.array_equal(led(), (0, 0, 1.5)), "the number is the distance")
+    yield from redrawn()
+    picture("curve")
+    view.press('RET')
+    yield from until(lambda: pulled() is None and value() != before, "Enter ends it")
+    button(view, 'RELEASE')
+    yield from redrawn()
+    operator = bpy.context.window_manager.operators[-1]
+    assert operator.bl_idname == 'SPLINEWRIGHT_OT_pull_here' and tuple(operator.vector) == (0, 0, 1.5)
+    u = operator.parameter_u
+    assert np.allclose(value().evaluate(u) - before.evaluate(u), (0, 0, 1.5), atol=1e-6)
+    view.press('TAB')
+    yield from out_of_net()
+    print("on a curve", flush=True)
+
+
+def in_object_mode(view):
+    """A click holds on until the next one; no net is out."""
+    before, u = value(), float(np.mean(value().domain))
+    x, y = pixel_of(view, before.evaluate(u))
+    view.move(x, y)
+    with view.override():
+        bpy.ops.splinewright.pull_here('INVOKE_DEFAULT')
+    view.move(x, y)
+    yield from until(lambda: pulled() is not None, "what is at the mouse is shown")
+    button(view, 'PRESS')
+    button(view, 'RELEASE')
+    view.move(x + 30, y - 50)
+    yield from until(lambda: value() != before, "the shape follows")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: pulled() is None, "the second click ends it")
+    assert bpy.context.mode == 'OBJECT'
+    after = value()
+    view.press('Z', ctrl=True)
+    yield from until(lambda: value() == before, "Ctrl+Z takes it back")
+    assert after != before
+    print("in Object Mode", flush=True)
+
+
+def steps():
+    view = View()
+    yield from on_a_patch(view)
+    yield from on_a_curve(view)
+    yield from in_object_mode(view)
+    print("shapes were pulled by the mouse:", bpy.app.version_string, flush=True)
+
+
+run(steps())
