@@ -8,7 +8,7 @@ import pytest
 from cages import choose, cut, delete, dissolve, extrude, held, mesh, slots, value, vertices
 from shapes import add, enter, leave, move, op, points, require_exact
 from support import part, splinecore as sc
-from test_grown_patches import followed, nurbs, started, told
+from test_grown_patches import followed, nurbs, started, taken_up, told
 
 live = part('bridge.net.live')
 #: Of 'four around a corner': gaps and rows that go on from one patch to the next.
@@ -110,6 +110,32 @@ def test_borders_that_are_one_curve_with_other_knots_are_not_cut():
                 bpy.ops.ed.undo()
         leave()
         bpy.data.objects.remove(bpy.data.objects["shape"])
+
+
+def with_a_pole():
+    """A patch of which a row is one point."""
+    net = points(4, 4)
+    net[0] = net[0, 0]
+    return sc.PatchSet.from_patches([sc.BezierPatch(net), sc.BezierPatch(points(2, 2) + 5)])
+
+
+@pytest.mark.parametrize('place', (0, 1, 2))
+@pytest.mark.parametrize('axis', (0, 1))
+def test_faces_beside_a_pole_are_parted_where_rows_are_cut_in(place, axis):
+    add(with_a_pole())
+    enter()
+    before = value()
+    assert len(set(vertices(0, 0, 0))) == 1
+    for times in (1, 2):
+        cut((0, axis, place))
+        if live.is_waiting(held()):
+            assert taken_up() == value() != before
+        after = followed()
+        assert after[0].points.shape[axis] == 4 + times and after[1] == before[1]
+        assert nurbs(after[0]).largest_distance(nurbs(before[0])) < 1e-12
+    dissolve((0, axis, 2))
+    assert followed()[0].points.shape[axis] == 5
+    leave()
 
 
 @pytest.mark.parametrize('place', (1, 2, 3))

@@ -30,6 +30,11 @@ def net():
     return part('bridge.net.live').session(nets()[0].data).net
 
 
+def place_of(vertices):
+    """The middle of vertices of the net, as it is now."""
+    return part('bridge.net.live').session(nets()[0].data).points[vertices].astype(float).mean(0)
+
+
 def row(axis, place):
     """The vertices of a row of the net."""
     return np.take(part('core.net.cage_rows').grids(net())[0], place, axis).tolist()
@@ -84,8 +89,12 @@ def extruded(view, axis, end, x, y):
     """E on a border, the mouse away, a click."""
     before, (ended, count) = value(), (len(bpy.context.window_manager.operators), vertex_count())
     border = row(axis, end)
-    select_points(*border)
+    with view.override():
+        bpy.ops.mesh.select_all('EXEC_DEFAULT', True, action='DESELECT')
+    go_to(view, place_of(border[1:3]))
     yield from redrawn()
+    view.press('LEFTMOUSE', alt=True)
+    yield from until(lambda: sorted(selected()) == sorted(border), "Alt+click takes the border")
     view.press('E')
     yield from until(lambda: vertex_count() == count + len(border), "E makes copies")
     for _ in range(3):
@@ -141,7 +150,7 @@ def undo_until_clean(view, count):
 def loop_cut(view, axis, place, slide, end='LEFTMOUSE'):
     """Ctrl+R over an edge between two rows, a click, the mouse along the edge, and a click or a key that ends it."""
     before, count, ended = value(), vertex_count(), len(bpy.context.window_manager.operators)
-    ends = net().positions[[row(axis, place)[2], row(axis, place + 1)[2]]]
+    ends = np.array([place_of([row(axis, at)[2]]) for at in (place, place + 1)])
     go_to(view, ends.mean(0))
     yield from redrawn()
     view.press('R', ctrl=True)
@@ -218,7 +227,6 @@ def steps():
         bpy.ops.mesh.select_mode(type='EDGE')
     select_points(*inner)
     yield from redrawn()
-    go_to(view, net().positions[inner[2]])
     with view.override():
         bpy.ops.mesh.dissolve_edges('EXEC_DEFAULT', True)
     yield from until(lambda: size()[0] == seen[-1].points.shape[0] - 1, "a row less")

@@ -119,11 +119,15 @@ def place(mesh, net, numbers, cages, new):
     vertices.tell()
 
 
-def make_faces(mesh, faces):
-    """Make faces, by their slots, in Edit Mode: out of it a net is on its way out of the file."""
+def mend(mesh, faces, parted):
+    """Make faces, by their slots, and let others go, in Edit Mode: out of it a net is on its way out of the file."""
     if mesh.is_editmode:
         edited = bmesh.from_edit_mesh(mesh)
+        edited.verts.index_update()
         edited.verts.ensure_lookup_table()
+        corners_of = {face: frozenset(vertex.index for vertex in face.verts) for face in edited.faces} if parted else {}
+        for face in [face for face, corners in corners_of.items() if corners in parted]:
+            edited.faces.remove(face)
         for corners in faces:
             edited.faces.new([edited.verts[slot] for slot in corners])
         bmesh.update_edit_mesh(mesh)

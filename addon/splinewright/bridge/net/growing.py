@@ -88,7 +88,7 @@ def grow(data, current, definition, found, moment):
     if not len(result.added):
         kind.place(data, stage.net, result.numbers, runs, set(np.flatnonzero(result.origins == grown.NEW).tolist()))
     if result.faces:
-        kind.make_faces(data, result.faces)
+        kind.mend(data, result.faces, result.parted)
     current.take_stage(stage)
     return True
 

@@ -59,26 +59,36 @@ def grids(net):
 def plans(net, cage):
     """Of each patch its Plan; None where it is not told what happened to rows of the net. Raises Refusal where it is, and
     cannot be."""
-    whole, slots = grids(net), cage.slots(len(net.rows))
+    whole, slots, fringes = grids(net), cage.slots(len(net.rows)), list(_fringes(cage))
+    if (slots >= 0).all() and not fringes and not (cage.numbers == NEW).any():
+        return None                     # as at every step of a drag beside copies
     periodic = [piece.periodic or (False, False) for piece in net.definition.pieces]
     found = [_without_gone(grid, slots) for grid in whole]
     if any(plan is None for plan in found) or not _are_rows(found, whole, slots):
         return None
     if not _cut(cage, found, periodic):
         return None
-    _extruded(cage, found, periodic, _counts(net))
+    _extruded(cage, fringes, found, periodic, _counts(net))
     _require_seams(found, whole)
     return found
 
 
 def _without_gone(grid, slots):
-    """The Plan of a patch without the rows that are gone; None where there are points gone that are no rows."""
+    """The Plan of a patch without the rows that are gone; None where there are points gone that are no rows. A pole stays
+    where other rows that run into it go."""
     gone = (grid >= 0) & (slots[grid] < 0)
-    rows = [(gone | (grid < 0)).all(1 - axis) & gone.any(1 - axis) for axis in (0, 1)]
-    if rows[0].all() or rows[1].all() or not np.array_equal(gone, (rows[0][:, None] | rows[1]) & (grid >= 0)):
+    stays = ~gone & ((grid < 0) | _are_poles(grid, 0) | _are_poles(grid, 1))
+    rows = [(gone | stays).all(1 - axis) & gone.any(1 - axis) for axis in (0, 1)]
+    if rows[0].all() or rows[1].all() or not np.array_equal(gone, (rows[0][:, None] | rows[1]) & ~stays):
         return None
     kept = np.where(grid < 0, -1, slots[grid])[~rows[0]][:, ~rows[1]]
     return Plan(tuple(Axis(np.flatnonzero(row).tolist()) for row in rows), kept)
+
+
+def _are_poles(grid, axis):
+    """Whether the row of each vertex along an axis is one point."""
+    rows = np.moveaxis(grid, axis, 0)
+    return np.moveaxis(np.broadcast_to((rows == rows[:, :1]).all(1)[:, None], rows.shape), 0, axis)
 
 
 def _are_rows(found, whole, slots):
@@ -102,6 +112,12 @@ class _Ways:
             self._known[one, other] = chain
             self._known[other, one] = chain[::-1] if chain else chain
         return self._known[one, other]
+
+    def through(self, one, other, count):
+        """between(); at a pole so many times that."""
+        if min(one, other) < 0:
+            return None
+        return [one] * count if one == other else self.between(one, other)
 
 
 def _pairs(slots, axis, periodic):
@@ -128,14 +144,15 @@ def _cut(cage, found, periodic):
                 elif counts != {0}:
                     lengths[i, axis, place] = counts.pop()
                     for pair in pairs:
-                        by_pair[frozenset(pair)].append(((i, axis, place), pair))
+                        if min(pair) >= 0 and pair[0] != pair[1]:
+                            by_pair[frozenset(pair)].append(((i, axis, place), pair))
     if any(frozenset(pair) in by_pair for pair in halves):
         raise Refusal(_HALF)
     if halves:
         return False
     fractions = _fractions(cage, ways, by_pair, lengths)
-    return all(_with_chains(cage, ways, plan, periodic[i], {key[1:]: value for key, value in fractions.items() if key[0] == i})
-               for i, plan in enumerate(found))
+    by_patch = [{gap[1:]: told for gap, told in fractions.items() if gap[0] == i} for i in range(len(found))]
+    return all(_with_chains(cage, ways, plan, gaps) for plan, gaps in zip(found, by_patch))
 
 
 def _fractions(cage, ways, by_pair, lengths):
@@ -180,7 +197,7 @@ def _where(cage, chains, count):
     return (found if (np.diff(found) > 1e-3).all() else even).tolist()
 
 
-def _with_chains(cage, ways, plan, periodic, gaps):
+def _with_chains(cage, ways, plan, gaps):
     """Put the new vertices of a patch among its slots, of gaps {(axis, place): (fractions, is_mirrored)}; whether they are
     all told."""
     for axis in (0, 1):
@@ -192,9 +209,9 @@ def _with_chains(cage, ways, plan, periodic, gaps):
         for place, row in enumerate(rows):
             parts.append(row[None])
             if place in own:
-                pairs = list(zip(row.tolist(), rows[(place + 1) % len(rows)].tolist()))
-                chains = [ways.between(*pair) if min(pair) >= 0 else None for pair in pairs]
-                if any(chain is None or len(chain) != len(gaps[axis, place][0]) for chain in chains):
+                count = len(gaps[axis, place][0])
+                chains = [ways.through(*pair, count) for pair in zip(row.tolist(), rows[(place + 1) % len(rows)].tolist())]
+                if any(chain is None or len(chain) != count for chain in chains):
                     return False
                 parts.append(np.array(chains).T)
         plan.slots = np.moveaxis(np.concatenate(parts), 0, axis)
@@ -218,9 +235,9 @@ def _counts(net):
     return found
 
 
-def _extruded(cage, found, periodic, counts):
+def _extruded(cage, fringes, found, periodic, counts):
     """Take up the rows that were extruded from borders, each beside all patches that it is a border of."""
-    for fringe in _fringes(cage):
+    for fringe in fringes:
         sides = [(plan, axis, end) for plan, around in zip(found, periodic) for axis in (0, 1) for end in (0, -1)
                  if not around[axis] and _is_open(cage, counts, np.take(plan.slots, end, axis), fringe)]
         covered = {slot for plan, axis, end in sides for slot in np.take(plan.slots, end, axis).tolist()}
@@ -238,13 +255,14 @@ def _is_open(cage, counts, border, fringe):
     if len(set(own)) < 2 or not set(own) <= set(fringe):
         return False
     numbers = cage.numbers[own].tolist()
-    return min(numbers) >= 0 and all(counts[frozenset(pair)] == 1 for pair in zip(numbers, numbers[1:]) if pair[0] != pair[1])
+    sides = [pair for pair in zip(numbers, numbers[1:]) if pair[0] != pair[1]]
+    return min(numbers) >= 0 and all(counts[frozenset(pair)] == 1 for pair in sides)
 
 
 def _fringes(cage):
     """Of each group of copies that are connected, and with what they are copies of, {slot: slot of its copy}; those are
     left out that lie where they were made."""
-    own = {int(number): slot for slot, number in enumerate(cage.numbers.tolist()) if number >= 0}
+    own = {number: slot for slot, number in enumerate(cage.numbers.tolist()) if number >= 0}
     copies = {}
     for slot in np.flatnonzero((cage.numbers < NEW) & (cage.numbers != STRAY)).tolist():
         origin = own.get(copy_of(int(cage.numbers[slot])))
@@ -258,7 +276,8 @@ def _fringes(cage):
                 group[slot] = copies.pop(slot)
                 ahead += cage.beside[slot]
         fringe = {origin: slot for slot, origin in group.items()}
-        if len(fringe) == len(group) and any((cage.places[one] != cage.places[other]).any() for one, other in fringe.items()):
+        is_moved = any((cage.places[one] != cage.places[other]).any() for one, other in fringe.items())
+        if is_moved and len(fringe) == len(group):
             yield fringe
 
 

@@ -65,7 +65,8 @@ class Grown:
     origins: np.ndarray                 # (n,) of each point the number of the one it was, or was copied from, or NEW
     added: np.ndarray                   # numbers of points that were appended, where nothing else was done
     note: str
-    faces: tuple = ()                   # of a cage: slots of each face that is to be made, where a row left a gap
+    faces: tuple = ()                   # of a cage: slots of each face that is to be made
+    parted: frozenset = frozenset()     # of a cage: of each face that is to go for those the set of its slots
 
 
 def grow(net, definition, runs):

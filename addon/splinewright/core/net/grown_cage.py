@@ -31,7 +31,7 @@ def grow(net, definition, cages):
     patches = definitions.to_patch_set(definition)
     edits = [_carried_out(patches[i], plan, cage) for i, plan in enumerate(plans)]
     slots, made = _put_together(definition, plans, edits)
-    faces = _missing_faces(cage, slots, made, any(plan.is_torn for plan in plans))
+    faces = _other_faces(cage, slots, made, any(plan.is_torn for plan in plans))
     error = max(edit.error for edit in edits)
     return _told(cage, plans, slots, made, _note(plans, error if error > _NOTHING * definition.size else 0.0), faces)
 
@@ -39,7 +39,8 @@ def grow(net, definition, cages):
 def settled(cages):
     """As of grown.settled(): copies beside what they are copies of, that lie where that is."""
     (cage,) = cages
-    numbers, own = cage.numbers.copy(), {int(number): slot for slot, number in enumerate(cage.numbers.tolist()) if number >= 0}
+    numbers = cage.numbers.copy()
+    own = {number: slot for slot, number in enumerate(numbers.tolist()) if number >= 0}
     for slot in np.flatnonzero((numbers < NEW) & (numbers != STRAY)).tolist():
         origin = own.get(copy_of(int(numbers[slot])))
         if origin is not None and (cage.places[slot] == cage.places[origin]).all():
@@ -100,7 +101,8 @@ def _along(edited, plan, cage):
     for is_extruded, end in ((axis.before, 0), (axis.after, -1)):
         if is_extruded:
             row = np.take(plan.slots, end, edited.axis)
-            edited = row_edits.appended(edited, cage.places[row].astype(np.float64), cage.weights[row].astype(np.float64), not end)
+            points, weights = cage.places[row].astype(np.float64), cage.weights[row].astype(np.float64)
+            edited = row_edits.appended(edited, points, weights, not end)
     return edited
 
 
@@ -132,16 +134,19 @@ def _piece(edit, rows):
                  tuple(np.array(knots) for knots in edit.patch.knots))
 
 
-def _missing_faces(cage, slots, made, is_torn):
-    """The faces, by their slots, that are to be made where a row left a gap. Raises Refusal unless the cage else connects
-    what the definition connects."""
+def _other_faces(cage, slots, made, is_torn):
+    """(faces that are to be made, by their slots, faces that are to go): where a row left a gap, and where a face has to
+    be parted, as beside a pole. Raises Refusal unless the cage else connects what the definition connects."""
     own = set(slots.tolist())
     there = {face for face in cage.faces if face <= own}
-    wanted = [tuple(slots[list(corners)].tolist()) for corners in patch_net.make(made).faces]
-    missing = tuple(corners for corners in wanted if frozenset(corners) not in there)
-    if missing and not is_torn or there - set(map(frozenset, wanted)):
+    wanted = {frozenset(corners): corners for corners in
+              (tuple(slots[list(corners)].tolist()) for corners in patch_net.make(made).faces)}
+    missing, others = [face for face in wanted if face not in there], there - set(wanted)
+    parted = {face: [part for part in missing if part < face] for face in others}
+    is_told = all(parts and face == frozenset().union(*parts) for face, parts in parted.items())
+    if not is_told or not is_torn and len(missing) > len({part for parts in parted.values() for part in parts}):
         raise Refusal("points are connected otherwise than rows of patches are: the shape has them as they were")
-    return missing
+    return tuple(wanted[face] for face in missing), frozenset(others)
 
 
 def _told(cage, plans, slots, made, note, faces):
@@ -154,4 +159,4 @@ def _told(cage, plans, slots, made, note, faces):
         now = now_of.get(copy_of(int(cage.numbers[slot])), NEW)
         numbers[slot] = copy_of(now) if now != NEW else NEW
     added = np.flatnonzero(was < NEW) if all(axis.only_appends for plan in plans for axis in plan.axes) else []
-    return Grown(patch_net.make(made), (numbers,), origins, np.array(added, dtype=np.int64), note, faces)
+    return Grown(patch_net.make(made), (numbers,), origins, np.array(added, dtype=np.int64), note, *faces)
