@@ -290,6 +290,30 @@ def on_a_patch(view):
     print("on a patch", flush=True)
 
 
+def switched_off(view):
+    """The add-on goes while a tool of its is in use, and comes again."""
+    cube = bpy.context.object
+    part('ui').unregister()
+    bpy.ops.mesh.select_all(action='DESELECT')
+    view.move(view.x + 40, view.y + 40)
+    yield from redrawn()
+    picture("switched-off")
+    yield from choose(view, "builtin.select_box")
+    view.move(*pixel_of(view, cube.matrix_world @ cube.data.vertices[7].co))
+    view.press('LEFTMOUSE')
+    yield from until(lambda: cube.data.total_vert_sel == 1, "a click selects")
+    part('ui').register()
+    yield from redrawn()
+    bpy.ops.object.mode_set(mode='OBJECT')
+    yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
+    yield from choose(view, "splinewright.weight")
+    yield from drag(view, pixel_of(view, point(2)), 120)
+    yield from until(lambda: weights()[2] > 1.2, "the tool works again")
+    release(view)
+    yield from until(lambda: STATE.weighing is None, "the button lets it go")
+    print("switched off and on", flush=True)
+
+
 def steps():
     view = View()
     yield from knots_by_the_tool(view)
@@ -299,6 +323,7 @@ def steps():
     yield from the_pie(view)
     yield from hints(view)
     yield from on_a_patch(view)
+    yield from switched_off(view)
     print("tools were used:", bpy.app.version_string, flush=True)
 
 
