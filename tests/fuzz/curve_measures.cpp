@@ -3,6 +3,7 @@
 #include "curve_steps.hpp"
 #include "finding.hpp"
 #include "shapes.hpp"
+#include "splinecore/base/points.hpp"
 #include "splinecore/basis/functions.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -120,9 +121,11 @@ constexpr CurveStep kMeasures[] = {
     },
     [](Bytes& bytes, NurbsCurve& curve) { check_functions(bytes, curve); },
     [](Bytes&, NurbsCurve& curve) {
-      for (const glm::dvec4& p : curve.homogeneous_points()) {
-        demand_finite<double>(std::span(glm::value_ptr(p), 4), "a homogeneous point");
-      }
+      attempt([&] {
+        for (const glm::dvec4& p : finite_homogeneous(curve.points())) {
+          demand_finite<double>(std::span(glm::value_ptr(p), 4), "a homogeneous point");
+        }
+      });
     },
 };
 

@@ -3,6 +3,7 @@
 #include "finding.hpp"
 #include "patch_steps.hpp"
 #include "shapes.hpp"
+#include "splinecore/base/points.hpp"
 #include "splinecore/exchange/json.hpp"
 #include "splinecore/measure/area.hpp"
 #include "splinecore/measure/patch_curvature.hpp"
@@ -116,9 +117,11 @@ constexpr PatchStep kMeasures[] = {
       demand(from_json(to_json(document)) == document, "a patch's text is read as another");
     },
     [](Bytes&, NurbsPatch& patch) {
-      for (const glm::dvec4& p : patch.homogeneous_points()) {
-        demand_finite<double>(std::span(glm::value_ptr(p), 4), "a homogeneous point");
-      }
+      attempt([&] {
+        for (const glm::dvec4& p : finite_homogeneous(patch.points())) {
+          demand_finite<double>(std::span(glm::value_ptr(p), 4), "a homogeneous point");
+        }
+      });
     },
 };
 

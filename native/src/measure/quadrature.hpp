@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "splinecore/base/approximation.hpp"
+#include "splinecore/base/errors.hpp"
 #include "splinecore/base/interval.hpp"
 
 namespace splinecore {
@@ -128,7 +129,7 @@ bool refine(State<Dimension>& state, double target, Rule& rule) {
 /// The integral over all cells: `rule(cell)` gives the Sum by Gauss's rule. Cells are halved where this
 /// changes the result, until all changes together are within the tolerance, relative to the value, or within
 /// rounding. The error is those changes, which for smooth functions is far above the truth, and rounding.
-/// @throws ToleranceNotReached if that takes more than `most` cells.
+/// @throws ToleranceNotReached if that takes more than `most` cells, InvalidShape where the rule gives no numbers.
 template <std::size_t Dimension, class Rule>
 Approximation<double> adaptive_integral(const std::vector<Cell<Dimension>>& cells, Rule rule, double tolerance,
                                         std::size_t most, const std::string& what) {
@@ -140,6 +141,9 @@ Approximation<double> adaptive_integral(const std::vector<Cell<Dimension>>& cell
   double before = HUGE_VAL;
   while (true) {
     state.add_up();
+    if (!std::isfinite(state.sum.value) || !std::isfinite(state.sum.magnitude)) {
+      throw InvalidShape(what + ": points and weights differ too much in size for it");
+    }
     const double rounding = kRounding * state.sum.magnitude;
     const double wanted = tolerance * std::abs(state.sum.value);
     const double target = std::max(kCaution * wanted, rounding);
