@@ -43,13 +43,20 @@ def insert_knot():
             (line([(48, 205), (108, 205)], 13) + line([(78, 175), (78, 235)], 13), _GREEN)]
 
 
+def pull():
+    """A curve that is drawn up by an arrow."""
+    curve = cubic((32, 50), (120, 50), (80, 150), (128, 150), 10) + cubic((128, 150), (176, 150), (136, 50), (224, 50), 10)[1:]
+    return [(line(curve, 13), _WHITE), (line([(128, 150), (128, 225)], 13), _GREEN),
+            (fan([(128, 245), (158, 200), (98, 200)]), _GREEN)]
+
+
 def weight():
     """A weight of a scale."""
     handle = [(128 + 25 * math.cos(turn / 8 * math.pi), 188 + 25 * math.sin(turn / 8 * math.pi)) for turn in range(17)]
     return [(line(handle, 13), _WHITE), (fan([(84, 168), (172, 168), (204, 40), (52, 40)]), _LILAC)]
 
 
-ICONS = (insert_knot, weight)
+ICONS = (insert_knot, pull, weight)
 
 
 def packed(parts):

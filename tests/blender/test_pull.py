@@ -278,7 +278,9 @@ def test_keys_mean_axes_distances_and_steps():
     keys.take(key('Z'))
     assert np.allclose(keys.vector(free, sight, 0.1), (0.3, 0, 0.5))
     assert not keys.take(key('A', "a")) and not keys.take(key('ONE', "1", 'RELEASE'))
-    for text in ("-", ".", "1.2.3"):
+    keys = typed(key('ONE', "1"), key('PERIOD', "."))
+    assert not keys.take(key('PERIOD', ".")) and keys.distance == 1
+    for text in ("-", ".", "9" * 400):
         keys = typed(*(key('KEY', letter) for letter in text))
         assert keys.distance is None and np.array_equal(keys.vector(free, sight, 0.1), free)
     assert "along X" in typed(key('X'), *digits).words() and "[1.5|]" in typed(*digits).words()

@@ -187,13 +187,13 @@ def listed(mode):
     return [item.idname for item in found if item is not None]
 
 
-OURS = ["splinewright.insert_knot", "splinewright.weight"]
+OURS = ["splinewright.insert_knot", "splinewright.pull", "splinewright.weight"]
 
 
 def test_tools_are_there_for_nets_and_shapes_and_nothing_else(toolbar):
     assert not set(OURS) & {*listed('OBJECT'), *listed('EDIT_MESH')}
     add(VALUES['nurbs patch']())
-    assert [name for name in listed('OBJECT') if name in OURS] == OURS[:1]
+    assert [name for name in listed('OBJECT') if name in OURS] == OURS[:2]
     enter()
     assert [name for name in listed('EDIT_MESH') if name in OURS] == OURS
     bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
@@ -274,7 +274,8 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
     add(VALUES[name]())
     enter()
     assert hints.said(bpy.context) == [
-        (["EVENT_TAB"], "Done"), (["EVENT_CTRL", "EVENT_R"], "Insert Knot"), (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
+        (["EVENT_TAB"], "Done"), (["EVENT_CTRL", "EVENT_R"], "Insert Knot"), (["EVENT_ALT", "EVENT_G"], "Pull Shape"),
+        (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
     state.status = "a problem"
     try:
         assert hints.said(bpy.context) == [], "problems have the first right"

@@ -7,8 +7,6 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bpy_extras import view3d_utils
-from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
@@ -38,11 +36,6 @@ def led():
     return np.array(pulled().end) - pulled().start
 
 
-def pixel_of(view, point):
-    place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, Vector(point))
-    return round(view.region.x + place.x), round(view.region.y + place.y)
-
-
 def added(view, operator):
     with view.override():
         empty_file()
@@ -55,7 +48,7 @@ def added(view, operator):
 
 def is_seen(view, at):
     """Whether nothing lies before the point of the patch at these parameters."""
-    x, y = pixel_of(view, value().evaluate(*at))
+    x, y = view.pixel_of(value().evaluate(*at))
     with view.override():
         found = part('ui.picking').parameters_at(view.region, view.region.data, (x - view.region.x, y - view.region.y),
                                                  [shape()], bpy.context.evaluated_depsgraph_get())
@@ -68,7 +61,7 @@ def button(view, value):
 
 def pixels_away(view, point, x, y):
     """How far a point of the shape is seen from a pixel."""
-    return np.hypot(*np.subtract(pixel_of(view, point), (x, y)))
+    return np.hypot(*np.subtract(view.pixel_of(point), (x, y)))
 
 
 def grabbed(view, x, y):
@@ -96,7 +89,7 @@ def on_a_patch(view):
     view.press('TAB')
     yield from into_net()
     plain = picture("net")
-    x, y = pixel_of(view, before.evaluate(*at))
+    x, y = view.pixel_of(before.evaluate(*at))
     yield from grabbed(view, x, y)
     yield from dragged_to(view, before, at, x + 40, y + 70)
     yield from redrawn()
@@ -125,6 +118,36 @@ def on_a_patch(view):
     print("on a patch", flush=True)
 
 
+def by_the_tool(view):
+    """A press on the shape pulls at once."""
+    yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
+    before = value()
+    (u0, u1), (v0, v1) = before.domain
+    grid = itertools.product(np.linspace(u0, u1, 12)[2:-2], np.linspace(v0, v1, 14)[3:-3])
+    at = next(at for at in grid if is_seen(view, at))
+    view.press('TAB')
+    yield from into_net()
+    with view.override():
+        bpy.ops.wm.tool_set_by_id(name="splinewright.pull")
+    yield from redrawn()
+    x, y = view.pixel_of(before.evaluate(*at))
+    view.move(x, y)
+    yield from redrawn()
+    picture("tool")
+    button(view, 'PRESS')
+    yield from until(lambda: pulled() is not None, "a press takes hold of the shape")
+    yield from dragged_to(view, before, at, x - 30, y + 60)
+    button(view, 'RELEASE')
+    yield from until(lambda: pulled() is None, "letting go ends it")
+    yield from redrawn()
+    picture("by-the-tool")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: value() == before, "Ctrl+Z takes it back")
+    view.press('TAB')
+    yield from out_of_net()
+    print("by the tool", flush=True)
+
+
 def on_a_curve(view):
     """An axis, a number and Enter; the wheel."""
     yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
@@ -133,7 +156,7 @@ def on_a_curve(view):
     u = start + 0.3 * (end - start)
     view.press('TAB')
     yield from into_net()
-    x, y = pixel_of(view, before.evaluate(u))
+    x, y = view.pixel_of(before.evaluate(u))
     yield from grabbed(view, x, y)
     count = pulled().parts.sum()
     for _ in range(6):
@@ -162,7 +185,7 @@ def on_a_curve(view):
 def in_object_mode(view):
     """A click holds on until the next one; no net is out."""
     before, u = value(), float(np.mean(value().domain))
-    x, y = pixel_of(view, before.evaluate(u))
+    x, y = view.pixel_of(before.evaluate(u))
     view.move(x, y)
     with view.override():
         bpy.ops.splinewright.pull_here('INVOKE_DEFAULT')
@@ -185,6 +208,7 @@ def in_object_mode(view):
 def steps():
     view = View()
     yield from on_a_patch(view)
+    yield from by_the_tool(view)
     yield from on_a_curve(view)
     yield from in_object_mode(view)
     print("shapes were pulled by the mouse:", bpy.app.version_string, flush=True)

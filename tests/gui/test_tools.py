@@ -6,7 +6,6 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bpy_extras import view3d_utils
 from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -24,11 +23,6 @@ def picture(name):
 
 def value():
     return bpy.data.objects[NAMES[-1]].data.splinewright.value
-
-
-def pixel_of(view, point):
-    place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, Vector(point))
-    return round(view.region.x + place.x), round(view.region.y + place.y)
 
 
 def added(view, operator):
@@ -71,13 +65,13 @@ def knots_by_the_tool(view):
     start, end = before.domain
     picture("toolbar")
     yield from choose(view, "splinewright.insert_knot")
-    view.move(*pixel_of(view, point(1)))
+    view.move(*view.pixel_of(point(1)))
     view.press('LEFTMOUSE')
     yield from until(lambda: chosen() == [1], "a click on a point selects")
     yield from redrawn()
     plain = picture("insert-none")
     u = start + 0.15 * (end - start)
-    view.move(*pixel_of(view, before.evaluate(u)))
+    view.move(*view.pixel_of(before.evaluate(u)))
     yield from redrawn()
     yield from until(lambda: mean_difference(picture("insert"), plain) > 0.002, "the knot is shown at the mouse")
     view.press('LEFTMOUSE')
@@ -114,7 +108,7 @@ def weights_by_the_tool(view):
     """A point that is dragged sideways: Esc, the button let go, a click that only selects."""
     yield from choose(view, "splinewright.weight")
     before, i = value(), 2
-    place = pixel_of(view, point(i))
+    place = view.pixel_of(point(i))
     yield from drag(view, place, 120)
     yield from until(lambda: STATE.weighing is not None and weights()[i] > 1.2, "the curve follows the weight")
     picture("weight-drag")
@@ -133,7 +127,7 @@ def weights_by_the_tool(view):
     yield from until(lambda: value() == before, "Ctrl+Z takes the weight back")
     yield from until(in_net, "the net")
     yield from redrawn()
-    yield from press(view, pixel_of(view, point(4)))
+    yield from press(view, view.pixel_of(point(4)))
     release(view)
     yield from until(lambda: chosen() == [4] and STATE.weighing is None, "a click selects")
     assert value() == before
@@ -149,7 +143,7 @@ def weights_by_the_dial(view):
     bpy.context.scene.splinewright_sights.weights = True
     yield from redrawn()
     yield from until(lambda: mean_difference(picture("dial"), plain) > 0.002, "the dial")
-    x, y = pixel_of(view, point(2))
+    x, y = view.pixel_of(point(2))
     places = [(x + reach, y) for reach in range(14, 40, 2)]
 
     def is_hit():
@@ -186,7 +180,7 @@ def weights_by_the_menu(view):
     before = value()
     select_points(2)
     yield from redrawn()
-    view.move(*pixel_of(view, point(2)))
+    view.move(*view.pixel_of(point(2)))
     with view.override():
         bpy.ops.splinewright.weight_here('INVOKE_DEFAULT', True)
     yield from until(lambda: STATE.weighing, "it began")
@@ -225,7 +219,7 @@ def the_pie(view):
     yield from redrawn()
     view.press('LEFTMOUSE')
     yield from redrawn()
-    view.move(*pixel_of(view, value().evaluate(sum(value().domain) / 2)))
+    view.move(*view.pixel_of(value().evaluate(sum(value().domain) / 2)))
     yield from until(lambda: STATE.aimed is not None, "Insert Knot by Click was the entry to the left")
     view.press('ESC')
     yield from until(lambda: STATE.aimed is None, "Esc ends it")
@@ -262,7 +256,7 @@ def on_a_patch(view):
     settings = part('ui.toolbar').settings(bpy.context, "insert_knot")
     settings.direction = 'BOTH'
     grid = [(u, v) for u in np.linspace(u0, u1, 9)[1:-1] for v in np.linspace(v0, v1, 10)[1:-1]]
-    view.move(*next(pixel for pixel in (pixel_of(view, before.evaluate(*at)) for at in grid)
+    view.move(*next(pixel for pixel in (view.pixel_of(before.evaluate(*at)) for at in grid)
                     if part('ui.operators.insert_here').aimed_at(bpy.context, *pixel, 'BOTH')))
     yield from redrawn()
     yield from redrawn()
@@ -284,7 +278,7 @@ def on_a_patch(view):
     bpy.ops.mesh.select_all(action='DESELECT')
     yield from redrawn()
     cube = bpy.context.object
-    view.move(*pixel_of(view, cube.matrix_world @ cube.data.vertices[7].co))
+    view.move(*view.pixel_of(cube.matrix_world @ cube.data.vertices[7].co))
     view.press('LEFTMOUSE')
     yield from until(lambda: cube.data.total_vert_sel == 1, "a click on a cube selects, whatever tool is chosen")
     print("on a patch", flush=True)
@@ -299,7 +293,7 @@ def switched_off(view):
     yield from redrawn()
     picture("switched-off")
     yield from choose(view, "builtin.select_box")
-    view.move(*pixel_of(view, cube.matrix_world @ cube.data.vertices[7].co))
+    view.move(*view.pixel_of(cube.matrix_world @ cube.data.vertices[7].co))
     view.press('LEFTMOUSE')
     yield from until(lambda: cube.data.total_vert_sel == 1, "a click selects")
     part('ui').register()
@@ -307,7 +301,7 @@ def switched_off(view):
     bpy.ops.object.mode_set(mode='OBJECT')
     yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
     yield from choose(view, "splinewright.weight")
-    yield from drag(view, pixel_of(view, point(2)), 120)
+    yield from drag(view, view.pixel_of(point(2)), 120)
     yield from until(lambda: weights()[2] > 1.2, "the tool works again")
     release(view)
     yield from until(lambda: STATE.weighing is None, "the button lets it go")

@@ -1,5 +1,6 @@
 """A number that is typed while something is dragged."""
 
+import math
 from typing import NamedTuple
 
 
@@ -15,6 +16,8 @@ class Typed(NamedTuple):
         try:
             value = float(self.digits)
         except ValueError:
+            return None
+        if not math.isfinite(value):
             return None
         return -value if self.is_negative else value
 

@@ -7,7 +7,8 @@ from ..bridge.file_state import state
 from . import editing, keymaps, preferences
 
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
-_WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot", "splinewright.pie": "Pie Menu"}
+_WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot",
+          "splinewright.pull_here": "Pull Shape", "splinewright.pie": "Pie Menu"}
 
 
 def said(context):
@@ -26,7 +27,7 @@ def _is_busy(window):
     """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
     if versions.knows_modal_operators and window.modal_operators:
         return True
-    return bool(state.aimed or state.weighing or state.picking)
+    return bool(state.aimed or state.pulled or state.weighing or state.picking)
 
 
 def _icons(item):

@@ -1,8 +1,8 @@
 """What keys say while a shape is pulled at: an axis, a distance, whether it snaps."""
 
-import math
-
 import numpy as np
+
+from ..core import typed_number
 
 _AXES = ('X', 'Y', 'Z')
 #: An axis that is seen from its end to this part follows what the mouse says in the plane of the view.
@@ -13,7 +13,7 @@ class Keys:
     """Between two moves of the mouse."""
 
     def __init__(self):
-        self.axis, self.typed, self.snaps = "", "", False
+        self.axis, self.typed, self.snaps = "", typed_number.Typed(), False
 
     def take(self, event):
         """Whether an event was a key of these."""
@@ -22,23 +22,17 @@ class Keys:
         if event.type in _AXES:
             self.axis = "" if self.axis == event.type else event.type
         elif event.type == 'BACK_SPACE':
-            self.typed = self.typed[:-1]
-        elif event.unicode == "-":
-            self.typed = self.typed[1:] if self.typed.startswith("-") else "-" + self.typed
-        elif event.unicode and event.unicode in "0123456789.,":
-            self.typed += event.unicode.replace(",", ".")
+            self.typed = typed_number.shortened(self.typed)
         else:
-            return False
+            longer = typed_number.after(self.typed, event.unicode) if event.unicode else None
+            self.typed = longer or self.typed
+            return longer is not None
         return True
 
     @property
     def distance(self):
         """What was typed, or None where that is no number yet."""
-        try:
-            number = float(self.typed)
-        except ValueError:
-            return None
-        return number if math.isfinite(number) else None
+        return self.typed.number
 
     def vector(self, free, sight, step):
         """The vector of the world that is meant, where the mouse leads along `free`, at right angles to the direction
@@ -61,5 +55,5 @@ class Keys:
 
     def words(self):
         """What the header says of them."""
-        return "".join([f"  along {self.axis}" if self.axis else "", f"  [{self.typed}|]" if self.typed else "",
+        return "".join([f"  along {self.axis}" if self.axis else "", f"  [{self.typed}|]" if str(self.typed) else "",
                         "  in steps" if self.snaps else ""])

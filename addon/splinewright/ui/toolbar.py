@@ -34,6 +34,9 @@ _TOOLS = (
     Tool("insert_knot", "Insert Knot", "Click the curve or patch where a knot is to be; it is shown at the mouse. Ctrl takes "
          "the middle of the span", "insert_knot", "splinewright.insert_here", (("at_once", True),),
          modifiers=('ctrl',), shown=("direction",), modes=(*_NETS, 'OBJECT')),
+    Tool("pull", "Pull Shape", "Press anywhere on the curve or patch and pull: it goes where it is pulled to, and the control "
+         "points follow with the least change", "pull", "splinewright.pull_here", (("at_once", True),),
+         shown=("locality",), modes=(*_NETS, 'OBJECT')),
     Tool("weight", "Weight", "Drag a control point sideways to change its weight, and those of all selected ones if it is among "
          "them", "weight", "splinewright.weight_here", (("at_mouse", True), ("is_drag", True)), cursor='MOVE_X'),
 )

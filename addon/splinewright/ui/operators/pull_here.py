@@ -24,6 +24,8 @@ from .pick_piece import PASSED, redraw
 _STEPS = {'WHEELUPMOUSE': 0.5, 'WHEELDOWNMOUSE': -0.5}
 #: The mouse has not been moved where it is nearer to where it was pressed, in pixels.
 _STILL = 3.0
+#: As near to a point of a net a press selects it, in pixels.
+_ON_POINT = 8.0
 _AIMING = "Press on the shape and pull   |   Esc, Right Mouse: Cancel"
 _PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: steps   |   "
             "Wheel: how many points follow   |   {}Esc, Right Mouse: Cancel")
@@ -51,6 +53,8 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         "nearest to it do it alone", default=0.0, min=0.0, soft_max=10.0, step=50)
     keep_tangent: BoolProperty(
         name="Keep Tangent", description="The derivative of the curve at the point stays as it is")
+
+    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # where the mouse is pressed, or leave the key to others
 
     @classmethod
     def poll(cls, context):
@@ -110,6 +114,8 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
     # From here on: by the mouse.
 
     def invoke(self, context, event):
+        if self.at_once and not self._is_at(context, event):
+            return {'PASS_THROUGH', 'CANCELLED'}
         problem = editing.unread(editing.nets_in_edit_mode(context))
         if problem:
             return reports.cancelled(self, problem)
@@ -118,7 +124,16 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         context.window.cursor_modal_set('CROSSHAIR')
         context.workspace.status_text_set(_AIMING)
         self._aim(context, event)
-        return {'RUNNING_MODAL'}
+        return self._grab(context, event) if self.at_once else {'RUNNING_MODAL'}
+
+    def _is_at(self, context, event):
+        """Whether the mouse is over a shape that can be pulled, and at no point of a net, which is selected by a click."""
+        view = picking.view_at(event.mouse_x, event.mouse_y)
+        nets = editing.nets_in_edit_mode(context)
+        if view and picking.point_at(*view, (event.mouse_x - view[0].x, event.mouse_y - view[0].y), nets, within=_ON_POINT):
+            return False
+        self._aim(context, event)
+        return bool(self.shape_name)
 
     def modal(self, context, event):
         if self._drag is None and event.type in PASSED:
@@ -243,7 +258,7 @@ class _Drag:
         is_still = np.hypot(event.mouse_x - self._pressed[0], event.mouse_y - self._pressed[1]) < _STILL
         if event.value == 'RELEASE' and not self._was_released:
             self._was_released = True
-            return not is_still or bool(self.keys.typed)
+            return not is_still or bool(str(self.keys.typed))
         return event.value == 'PRESS' and self._was_released
 
     def _pixel(self, event):
