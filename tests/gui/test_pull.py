@@ -12,6 +12,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+#: Of a picture what is well inside the 3D view: the bars around it settle as they like.
+WITHIN = np.s_[120:700, 60:1000]
 NAMES = []
 
 
@@ -99,7 +101,7 @@ def on_a_patch(view):
     yield from until(lambda: pulled() is None and value() == before, "Esc puts everything back")
     button(view, 'RELEASE')
     yield from redrawn()
-    assert mean_difference(picture("put-back"), plain) < 0.3
+    assert mean_difference(picture("put-back")[WITHIN], plain[WITHIN]) < 0.3
     yield from grabbed(view, x, y)
     yield from dragged_to(view, before, at, x + 40, y + 70)
     button(view, 'RELEASE')
