@@ -11,6 +11,8 @@ from .library import sc
 
 #: For continuity, in the order in which it asks for more.
 SMOOTHNESS = ('C0', 'G1', 'C1', 'G2', 'C2')
+#: Which patch gives way.
+MOVES = ('second', 'first', 'both')
 SIDES = tuple(patch_curves.SIDES)
 #: Places along a side at which the distance of two is taken.
 _PLACES = np.linspace(0.0, 1.0, 9)

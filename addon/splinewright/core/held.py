@@ -1,0 +1,74 @@
+"""Continuity that holds: seams of patches that are made smooth anew whenever a side of theirs has moved (lecture row S21)."""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from . import patch_joints
+from .failures import Refusal
+from .library import sc
+from .patch_curves import SIDES
+
+#: How often all seams are gone through where they share patches.
+_ROUNDS = 12
+#: What moves less, as a part of the shape's size, was there already; what still moves more after all rounds contradicts itself.
+_ROUNDING, _AGREED = 1e-14, 1e-9
+
+
+class Held(NamedTuple):
+    """A seam that holds: (patch counted from 0, side) of both, what they share there, and which gives way."""
+
+    first: tuple
+    second: tuple
+    smoothness: str
+    moves: str
+
+
+def require_valid(held, count):
+    """Raises Refusal unless a seam is one of a shape of so many patches."""
+    for patch, side in (held.first, held.second):
+        if type(patch) is not int or not 0 <= patch < count or side not in SIDES:
+            raise Refusal("a seam that holds is none of the shape's")
+    if held.first == held.second or held.smoothness not in patch_joints.SMOOTHNESS or held.moves not in patch_joints.MOVES:
+        raise Refusal("a seam that holds says nothing that is known")
+
+
+def applied(definition, seams):
+    """The definition with these Held seams made to hold; itself where they do. Raises Refusal where one takes other knots,
+    or they contradict one another."""
+    pool, size = definition.pool.copy(), definition.size
+    for _ in range(_ROUNDS):
+        moved = max((_made_to_hold(definition, pool, held, size) for held in seams), default=0.0)
+        if moved <= _AGREED * size:
+            break
+    else:
+        raise Refusal("the seams that are to hold contradict one another: release one of them")
+    return definition if np.array_equal(pool, definition.pool) else replace(definition, pool=pool)
+
+
+def _made_to_hold(definition, pool, held, size):
+    """Move the rows of the pool beside a seam; how far."""
+    pieces = [definition.pieces[patch] for patch, _ in (held.first, held.second)]
+    patches = [_patch(piece, pool) for piece in pieces]
+    joined = sc.build.join_patches(patches[0], held.first[1], patches[1], held.second[1], held.smoothness, held.moves)
+    farthest = 0.0
+    for piece, before, after in zip(pieces, patches, (joined.first, joined.second)):
+        if after.points.shape != before.points.shape or not all(map(np.array_equal, after.knots, before.knots)):
+            raise Refusal("the patches beside a seam that is to hold have other knots or degrees now: release it, and hold it anew")
+        rows = np.dstack([after.points, after.weights])
+        change = np.abs(rows - pool[piece.indices]).max(-1)
+        is_moved = change > _ROUNDING * size
+        pool[piece.indices[is_moved]] = rows[is_moved]
+        farthest = max(farthest, float(change.max()))
+    return farthest
+
+
+def _patch(piece, pool):
+    """The NurbsPatch of a piece with its points from a pool."""
+    rows = pool[piece.indices]
+    if piece.kind == 'bezier':
+        return sc.BezierPatch(rows[..., :3], rows[..., 3]).to_nurbs()
+    if piece.kind != 'nurbs':
+        raise Refusal("seams of Hermite patches do not hold: make them NURBS patches first")
+    return sc.NurbsPatch(piece.degree, piece.knots, rows[..., :3], rows[..., 3], piece.periodic)
