@@ -2,7 +2,7 @@
 
 from ..core import verbs
 from ..core.failures import Refusal
-from . import curve_pieces, mesh_attributes, mesh_looks, recipes, shape, store, write_mesh
+from . import curve_pieces, held, mesh_attributes, mesh_looks, recipes, shape, store, write_mesh
 from .look import Look
 
 
@@ -66,6 +66,7 @@ def _put_patches(data, before, changed):
     # A patch of the same number is the same one; and uneven looks lie where they lay.
     if changed.parents != tuple(range(len(before.pieces))) and not uneven:
         give_looks(data, [looks.get(parent, Look()) for parent in changed.parents])
+    held.carry(data, changed.parents)
 
 
 def give_looks(data, of_pieces):

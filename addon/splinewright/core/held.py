@@ -34,9 +34,33 @@ def require_valid(held, count):
         raise Refusal("a seam that holds says nothing that is known")
 
 
+def are_one(definition, held):
+    """Whether the two sides of a seam are one edge: the same rows of the pool."""
+    sides = [_border(definition.pieces[patch], side) for patch, side in (held.first, held.second)]
+    return any(np.array_equal(sides[0], other) for other in (sides[1], sides[1][::-1]))
+
+
+def _border(piece, side):
+    axis, end = side.split('_')
+    return np.take(piece.indices, 0 if end == 'start' else -1, 'uv'.index(axis))
+
+
+def carried(seams, parents, definition):
+    """Those of the seams that are seams of a definition still whose pieces came of the pieces with these numbers."""
+    found = []
+    for held in seams:
+        now = [[i for i, parent in enumerate(parents) if parent == patch] for patch, _ in (held.first, held.second)]
+        if all(len(numbers) == 1 for numbers in now):
+            moved = held._replace(first=(now[0][0], held.first[1]), second=(now[1][0], held.second[1]))
+            found += [moved] if are_one(definition, moved) else []
+    return tuple(found)
+
+
 def applied(definition, seams):
     """The definition with these Held seams made to hold; itself where they do. Raises Refusal where one takes other knots,
     or they contradict one another."""
+    if not all(are_one(definition, held) for held in seams):
+        raise Refusal("a seam that is to hold is none any more: release it")
     pool, size = definition.pool.copy(), definition.size
     for _ in range(_ROUNDS):
         moved = max((_made_to_hold(definition, pool, held, size) for held in seams), default=0.0)

@@ -1,10 +1,11 @@
 """How smoothly a shape goes on, curves at their joints and patches at their seams, in the sidebar."""
 
+import itertools
 import math
 
 import bpy
 
-from ..bridge import shape, store, surveys
+from ..bridge import held, shape, store, surveys
 from ..bridge.net import live, net_object
 from . import colors, hand, texts
 from .sub_panel import SubPanel
@@ -42,7 +43,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
         if hand.count_of(data) > 1:
             self.layout.prop(data.splinewright, "show_numbers")
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
-        _draw_joints(self.layout, survey)
+        _draw_joints(self.layout, survey, _holds(self.layout, data) if is_surface else itertools.repeat(None))
 
 
 def _draw_in_columns(layout, items):
@@ -52,12 +53,32 @@ def _draw_in_columns(layout, items):
         layout.label(text=item)
 
 
-def _draw_joints(layout, survey):
-    for joint in survey.joints:
+def _holds(layout, data):
+    """For each seam what draws its button: it holds, or may."""
+    try:
+        known = {frozenset((seam.first, seam.second)): seam for seam in held.read(data)}
+    except store.UnreadableDefinition as error:
+        texts.draw_problem(layout, str(error))
+        known = {}
+    return [(seam, known.get(frozenset((seam.first, seam.second)))) for seam in surveys.seams_of(data)[0]]
+
+
+def _draw_hold(layout, seam, holds):
+    operator = layout.operator("splinewright.release_seam" if holds else "splinewright.hold_seam",
+                               text=holds.smoothness if holds else "", icon='LOCKED' if holds else 'UNLOCKED')
+    (first, operator.first_side), (second, operator.second_side) = seam.first, seam.second
+    operator.first, operator.second = first + 1, second + 1
+
+
+def _draw_joints(layout, survey, seams):
+    for joint, seam in zip(survey.joints, seams):
         box = layout.box().column(align=True)
         row = box.split(factor=0.6) if len(joint.name) <= _SHORT else box
         row.label(text=joint.name)
+        row = row.row(align=True)
         row.label(text=kind(joint))
+        if seam and seam[0].first != seam[0].second:
+            _draw_hold(row, *seam)
         _draw_in_columns(box, numbers(joint))
     hidden = survey.count - len(survey.joints)
     if hidden:

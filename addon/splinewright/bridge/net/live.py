@@ -15,7 +15,7 @@ from ...core.library import sc
 from ...core.net import exact_net, reading
 from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import ended_operators, look_again, state
-from . import free_net, growing, net_object, settings_number, stages
+from . import free_net, growing, holding, net_object, settings_number, stages
 from .growing import Moment
 
 
@@ -36,6 +36,7 @@ class Session:
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
+        self.placed = holding.Placed()
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
@@ -49,7 +50,7 @@ class Session:
     def take_stage(self, stage):
         """Take this for the stage of the net that is at hand."""
         self.stage = stage
-        self.faces = None
+        self.faces, self.placed = None, holding.Placed()
         self._patch_sets.clear()
         self.show(stage.net)
 
@@ -71,6 +72,7 @@ class Session:
     def trust(self):
         """Undo may have put back any earlier state of the shape."""
         self.faces = self.pool = None
+        self.placed = holding.Placed()
 
     def wrote(self, data, faces):
         """The shape has these faces now."""
@@ -258,6 +260,10 @@ def _follow(data, ob, current, moment):
     definition = exact_net.read(current.net, found.state)
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
+    try:
+        definition = holding.followed(data, ob, current, definition)
+    except FAILURES as error:
+        refused = refused or sentence(error)
     return _show(data, definition, current), refused or found.problem
 
 

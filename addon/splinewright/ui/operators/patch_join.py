@@ -13,10 +13,10 @@ from .. import hand
 from . import polls, reports
 from .pick_piece import draw_number
 
-_WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
+WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
           'C2': "They share the first two derivatives across the edge"}
-_MOVES = (('second', "The Other", "The second patch moves to the first"),
+JOIN_MOVES = (('second', "The Other", "The second patch moves to the first"),
           ('first', "The First", "The first patch moves"), ('both', "Both", "Each as little as it must"))
 
 
@@ -40,8 +40,8 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
-                             items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS])
-    moves: EnumProperty(name="Moves", description="Which patch gives way", items=_MOVES)
+                             items=[(name, name, WORDS[name]) for name in patch_joints.SMOOTHNESS])
+    moves: EnumProperty(name="Moves", description="Which patch gives way", items=JOIN_MOVES)
     first: _number_property("Patch", "Which patch of the active shape")
     first_side: _side_property("it")
     second: _number_property("Other Patch", "Which other patch of it, or of the other shape")

@@ -1,0 +1,56 @@
+"""Seams that hold while a net is out: points that no hand moved follow, and the net shows them where they are.
+
+What they were placed from is kept until the gesture that moved them has ended: so it may move them again and again, and where
+it is called off they are where they were.
+"""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ...core import held as seams_that_hold
+from .. import held
+from ..file_state import ended_operators
+from . import selection
+
+
+@dataclass(eq=False)
+class Placed:
+    """Rows of the pool that were placed in a gesture: as the net has them in float32, and from where."""
+
+    shown: dict = field(default_factory=dict)
+    origins: dict = field(default_factory=dict)
+    ended: tuple = ()                   # the ended_operators() at that time
+
+
+def followed(data, ob, current, definition):
+    """A definition, as the net says it, in which the seams of its shape hold. Raises Refusal or an error of the library."""
+    seams = held.read(data)
+    if not seams:
+        return definition
+    placed = current.placed
+    if placed.ended != ended_operators():
+        placed = current.placed = Placed(ended=ended_operators())
+    start = replace(definition, pool=_as_before(definition.pool, placed))
+    after = seams_that_hold.applied(start, seams)
+    _show(ob, current, definition.pool, after.pool)
+    for row in np.flatnonzero((after.pool != start.pool).any(1)).tolist():
+        placed.shown[row], placed.origins[row] = after.pool[row].astype(np.float32), start.pool[row]
+    return after
+
+
+def _as_before(pool, placed):
+    """The pool with rows where they were that lie as they were placed."""
+    before = pool.copy()
+    for row, shown in placed.shown.items():
+        if (pool[row].astype(np.float32) == shown).all():
+            before[row] = placed.origins[row]
+    return before
+
+
+def _show(ob, current, before, after):
+    rows = np.flatnonzero((before.astype(np.float32) != after.astype(np.float32)).any(1))
+    net = current.net
+    vertices = np.flatnonzero(np.isin(net.rows, rows) & net.are_points & (current.slots >= 0))
+    if len(vertices):
+        selection.place(ob, net, vertices, after[net.rows[vertices]])

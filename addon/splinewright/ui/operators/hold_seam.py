@@ -1,0 +1,104 @@
+"""Seams of patches hold while either side is edited, until they are released."""
+
+import bpy
+from bpy.props import EnumProperty, IntProperty
+
+from ...bridge import held, joining, replacing, store
+from ...core import patch_joints
+from ...core.failures import FAILURES, Refusal
+from ...core.held import Held, are_one
+from ...core.patch_curves import SIDES
+from .. import editing, hand
+from . import reports
+from .patch_join import JOIN_MOVES, WORDS, told
+
+_SIDES = [(name, words.title(), f"Where {words[0]} {words[2:]}s") for name, words in SIDES.items()]
+
+
+def _patch(of):
+    return IntProperty(name="Patch", description=f"{of}, counted from 1", default=1, min=1, options={'SKIP_SAVE'})
+
+
+def _side():
+    return EnumProperty(name="Side", description="Which side of it", items=_SIDES, options={'SKIP_SAVE'})
+
+
+class _OnSeam:
+    """With a seam of the active shape, or of the one whose net is edited, which then comes out anew."""
+
+    @classmethod
+    def poll(cls, context):
+        ob = hand.shape_of(context.object)
+        if ob is None or not replacing.is_patch_shape(ob):
+            cls.poll_message_set("Select a patch shape, or edit its net")
+            return False
+        if context.mode != 'OBJECT' and not editing.nets_in_edit_mode(context):
+            cls.poll_message_set("Leave the present mode first")
+            return False
+        return True
+
+    def execute(self, context):
+        nets = editing.nets_in_edit_mode(context)
+        problem = editing.unread(nets)
+        if problem:
+            return reports.cancelled(self, problem)
+        ob = hand.shape_of(context.object)
+        try:
+            said = self.work(ob)
+        except FAILURES as error:
+            return reports.failed(self, error, ob.name)
+        warnings = editing.anew(context, nets) if nets else ()
+        return reports.finished(self, reports.Said(f"{ob.name}: {said}", warnings=warnings))
+
+    def sides(self):
+        return (self.first - 1, self.first_side), (self.second - 1, self.second_side)
+
+
+class SPLINEWRIGHT_OT_hold_seam(_OnSeam, bpy.types.Operator):
+    bl_idname = "splinewright.hold_seam"
+    bl_label = "Hold Seam"
+    bl_description = ("Make two patches go on as one another where their sides are one edge, and let that hold while either is "
+                      "edited, until it is released")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
+                             items=[(name, name, WORDS[name]) for name in patch_joints.SMOOTHNESS])
+    moves: EnumProperty(name="Moves", description="Which patch gives way", items=JOIN_MOVES)
+    first: _patch("One patch")
+    first_side: _side()
+    second: _patch("The other patch")
+    second_side: _side()
+
+    def work(self, ob):
+        replacing.require_changeable(ob.data)
+        seam = Held(*self.sides(), self.continuity, self.moves)
+        definition = store.read(ob.data)
+        if max(self.first, self.second) > len(definition.pieces) or not are_one(definition, seam):
+            raise Refusal("these sides are not one edge: use Join Patches first")
+        choices = (patch_joints.Choice(number + 1, side) for number, side in self.sides())
+        found = joining.join_patches(ob, None, *choices, self.continuity, self.moves)
+        held.hold(ob.data, seam)
+        return f"{told(found)}; {self.continuity} holds from now on"
+
+
+class SPLINEWRIGHT_OT_release_seam(_OnSeam, bpy.types.Operator):
+    bl_idname = "splinewright.release_seam"
+    bl_label = "Release Seam"
+    bl_description = "Let the sides of a seam be edited each for itself again"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    first: _patch("One patch")
+    first_side: _side()
+    second: _patch("The other patch")
+    second_side: _side()
+
+    def work(self, ob):
+        try:
+            held.release(ob.data, *self.sides())
+        except store.UnreadableDefinition:
+            held.write(ob.data, ())
+            return "all seams are released: what held was damaged"
+        return "the seam is released"
+
+
+CLASSES = (SPLINEWRIGHT_OT_hold_seam, SPLINEWRIGHT_OT_release_seam)

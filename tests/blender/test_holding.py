@@ -1,0 +1,186 @@
+"""Seams that hold: either side is edited in the net, the other goes along, live, through undo and redo."""
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import add, enter, leave, move, numbers_of, op, require_exact, select
+from support import part, splinecore as sc
+from test_files import reopen, save
+
+held, live, net_object, store = (part(name) for name in ('bridge.held', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
+
+
+def neighbours(count=2):
+    rng = np.random.default_rng(4)
+    u, v = np.meshgrid(np.arange(6.0), np.arange(5.0), indexing='ij')
+    knots = [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [0, 0, 0, 0, 1, 2, 2, 2, 2]
+    made = []
+    for i in range(count):
+        points = np.stack([u + 5 * i, v, np.zeros_like(u)], -1) + rng.uniform(-0.2, 0.2, (6, 5, 3))
+        if i:
+            points[0] = made[-1].points[-1]
+        made.append(sc.NurbsPatch((3, 3), knots, points))
+    return sc.PatchSet.from_patches(made)
+
+
+def shape():
+    return bpy.data.objects["shape"]
+
+
+def value():
+    return shape().data.splinewright.value
+
+
+def hold(continuity='G1', moves='second', first=1, second=2):
+    assert op(bpy.ops.splinewright.hold_seam, continuity=continuity, moves=moves, first=first, first_side='u_end', second=second,
+              second_side='u_start') == {'FINISHED'}
+
+
+def require_smooth(continuity='G1', first=0, second=1):
+    found = sc.seam_continuity(value()[first], 'u_end', value()[second], 'u_start')
+    assert (found.c if continuity[0] == 'C' else found.g) >= int(continuity[1]), found
+    require_exact(shape())
+
+
+def row(patch, i):
+    """The vertices of a row of a patch across u in the net."""
+    net = numbers_of(bpy.context.object)
+    vertices = {int(row): vertex for vertex, row in enumerate(net.rows)}
+    return [vertices[int(at)] for at in net.definition.pieces[patch].indices[i]]
+
+
+def followed():
+    bpy.context.object.data.update_tag()
+    bpy.context.view_layer.update()
+    assert live.problem(bpy.context.object) == ""
+    net, there = numbers_of(bpy.context.object), net_object.present(bpy.context.object, numbers_of(bpy.context.object))
+    own = store.read(shape().data).pool[net.rows[net.rows >= 0], :3]
+    assert np.allclose(there.positions()[net.rows >= 0], own, atol=1e-5)
+
+
+@pytest.mark.parametrize('moves', ('second', 'first', 'both'))
+@pytest.mark.parametrize('continuity', ('G1', 'C1', 'G2', 'C2'))
+def test_a_seam_holds_while_either_side_is_edited(continuity, moves):
+    add(neighbours())
+    hold(continuity, moves)
+    require_smooth(continuity)
+    held_net = enter()
+    for patch, i, way in ((0, 2, (0, 0, 1)), (1, 2, (0, 0.3, -1)), (0, 5, (0, 0, 0.5)), (0, 4, (0, 0, 0.7)), (1, 1, (0, 0, -0.4))):
+        before = value()
+        select(held_net, row(patch, i)[1:4])
+        move(*way)
+        followed()
+        require_smooth(continuity)
+        assert value() != before or patch == 1 or i == 4
+    leave()
+    require_smooth(continuity)
+
+
+def test_undo_and_redo_lead_through_what_went_along():
+    add(neighbours())
+    hold()
+    net = enter()
+    seen = [value()]
+    for i, height in ((4, 1.0), (5, 0.5), (3, -1.0)):
+        select(net, row(0, i))
+        move(0, 0, height)
+        followed()
+        seen.append(value())
+    for expected in seen[-2::-1]:
+        op(bpy.ops.ed.undo)
+        for _ in range(3):
+            if np.abs(value()[0].points - expected[0].points).max() < 1e-6:
+                break
+            bpy.ops.ed.undo()
+        assert np.abs(value()[0].points - expected[0].points).max() < 1e-6
+        assert np.abs(value()[1].points - expected[1].points).max() < 1e-5
+        require_smooth()
+    leave()
+
+
+def test_what_was_released_is_free_again():
+    add(neighbours())
+    hold()
+    op(bpy.ops.splinewright.release_seam, first=2, first_side='u_start', second=1, second_side='u_end')
+    net = enter()
+    other = value()[1]
+    select(net, row(0, 4))
+    move(0, 0, 1)
+    assert value()[1] == other and sc.seam_continuity(value()[0], 'u_end', value()[1], 'u_start').g == 0
+    leave()
+
+
+def test_it_is_held_and_released_while_the_net_is_out():
+    add(neighbours())
+    enter()
+    hold('G2')
+    net = bpy.context.object
+    assert net.mode == 'EDIT'
+    select(net, row(0, 4))
+    move(0, 0, 1)
+    followed()
+    require_smooth('G2')
+    op(bpy.ops.splinewright.release_seam, first=1, first_side='u_end', second=2, second_side='u_start')
+    net = bpy.context.object
+    select(net, row(0, 4))
+    move(0, 0, 1)
+    assert sc.seam_continuity(value()[0], 'u_end', value()[1], 'u_start').g == 0
+    leave()
+
+
+def test_three_in_a_row_and_a_file(tmp_path):
+    add(neighbours(3))
+    hold('G1', first=1, second=2)
+    hold('G1', first=2, second=3)
+    save(tmp_path / "held.blend")
+    reopen(tmp_path / "held.blend")
+    bpy.context.view_layer.objects.active = shape()
+    shape().select_set(True)
+    net = enter()
+    select(net, row(0, 4))
+    move(0, 0, 1)
+    followed()
+    require_smooth(first=0, second=1)
+    require_smooth(first=1, second=2)
+    leave()
+
+
+def test_verbs_keep_or_end_it_and_what_cannot_hold_is_said():
+    add(neighbours())
+    hold()
+    assert len(held.read(shape().data)) == 1
+    op(bpy.ops.splinewright.patch_raise_degree, direction='V')
+    assert len(held.read(shape().data)) == 1
+    net = enter()
+    select(net, row(0, 4))
+    move(0, 0, 1)
+    followed()
+    require_smooth()
+    leave()
+    op(bpy.ops.splinewright.patch_reverse, direction='U', piece=1)
+    assert held.read(shape().data) == ()
+
+
+@pytest.mark.parametrize('damage', ("{", "[1]", "[[0, \"u_end\", 9, \"u_start\", \"G1\", \"second\"]]", "[[0, 1, 2, 3, 4, 5]]"))
+def test_damage_is_a_sentence_and_can_be_released(damage):
+    add(neighbours())
+    shape().data[held.KEY] = damage
+    with pytest.raises(store.UnreadableDefinition, match="release"):
+        held.read(shape().data)
+    net = enter()
+    select(net, row(0, 4))
+    move(0, 0, 1)
+    assert "release" in live.problem(net)
+    undone = value()
+    op(bpy.ops.splinewright.leave_net)
+    assert undone is not None
+
+
+def test_sides_that_are_no_edge_are_refused():
+    add(neighbours())
+    with pytest.raises(RuntimeError, match="not one edge"):
+        bpy.ops.splinewright.hold_seam(first=1, first_side='u_start', second=2, second_side='u_start')
+    with pytest.raises(RuntimeError, match="not one edge"):
+        bpy.ops.splinewright.hold_seam(first=1, first_side='u_end', second=3, second_side='u_start')
+    assert held.read(shape().data) == ()
