@@ -66,3 +66,13 @@ CALLS = {
 @given(rows, number, number, number)
 def test_every_result_is_finite_or_refused(name, points, a, b, c):
     assert_finite_or_refused(lambda: CALLS[name](points, a, b, c))
+
+
+@pytest.mark.parametrize("size", [1e-60, 1e60, 1e155, 1e200, 1e290])
+def test_normals_of_a_patch_of_any_size(size):
+    rng = np.random.default_rng(8)
+    points, weights = rng.random((4, 5, 3)), rng.uniform(0.5, 2, (4, 5))
+    u = np.linspace(0, 1, 7)
+    expected = sc.BezierPatch(points, weights).evaluate_grid_with_normals(u, u)[1]
+    found = sc.BezierPatch(points * size, weights).evaluate_grid_with_normals(u, u)[1]
+    assert np.allclose(np.linalg.norm(found, axis=-1), 1, rtol=1e-14) and np.allclose(found, expected, rtol=0, atol=1e-12)

@@ -81,6 +81,21 @@ void add_product(Series<glm::dvec3>& sum, const Series<glm::dvec4>& w, const Ser
   }
 }
 
+/// With its largest coordinate about 1, by a power of two.
+glm::dvec3 scaled(const glm::dvec3& vector) {
+  const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+  if (!(largest > 0.0) || !is_finite(vector)) return glm::dvec3(0.0);
+  const int exponent = -std::ilogb(largest);
+  return {std::ldexp(vector.x, exponent), std::ldexp(vector.y, exponent), std::ldexp(vector.z, exponent)};
+}
+
+/// Across two derivatives whose product is too large for a number; zero where they are so themselves.
+glm::dvec3 across(const glm::dvec3& su, const glm::dvec3& sv) {
+  const glm::dvec3 normal = glm::cross(scaled(su), scaled(sv));
+  const double length = glm::length(normal);
+  return length > 0.0 ? normal / length : glm::dvec3(0.0);
+}
+
 /// From the parameter across the span on the side asked for, or back into the domain.
 double step_inward(const KnotVector& knots, double u, Side side) {
   const Interval span = knots.span_interval(knots.span_of(u, side));
@@ -102,6 +117,7 @@ glm::dvec3 NormalFinder::at(double u, double v, const glm::dvec3& su, const glm:
                             PatchOptions options) const {
   const glm::dvec3 normal = glm::cross(su, sv);
   const double length = glm::length(normal);
+  if (!std::isfinite(length)) return across(su, sv);
   return length > negligible_ ? normal / length : limit(u, v, options);
 }
 
@@ -128,6 +144,7 @@ glm::dvec3 NormalFinder::limit(double u, double v, PatchOptions options) const {
   const double negligible = local.weight * (rounding / std::abs(a)) * (local.offset / std::abs(b));
   for (const glm::dvec3& normal : normals) {
     const double length = glm::length(normal);
+    if (!std::isfinite(length)) break;
     if (length > negligible) return (point[0].w < 0.0 ? -normal : normal) / length;
   }
   return glm::dvec3(0.0);
