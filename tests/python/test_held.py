@@ -80,10 +80,13 @@ def test_only_rows_beside_the_seam_of_the_patch_that_gives_way_move():
 
 def test_what_cannot_hold_is_refused_in_words():
     definition, seams = joined(2, 'G1', 'second')
-    finer = definitions.from_value(sc.PatchSet.from_patches(
-        [definitions.to_patch_set(definition)[0].to_nurbs().insert_knot('v', 0.5), definitions.to_patch_set(definition)[1]]))
-    with pytest.raises(failures.Refusal, match="other knots"):
+    one, other = (definitions.to_patch_set(definition)[i] for i in (0, 1))
+    finer = definitions.from_value(sc.PatchSet.from_patches([one.to_nurbs().insert_knot('v', 0.5), other]))
+    with pytest.raises(failures.Refusal, match="none any more"):
         held_seams.applied(finer, seams)
+    narrow = sc.NurbsPatch((1, 3), ([0, 0, 1, 1], other.knots[1]), other.points[:2], other.weights[:2])
+    with pytest.raises(failures.Refusal, match="other knots or degrees"):
+        held_seams.applied(definitions.from_value(sc.PatchSet.from_patches([one, narrow])), seams)
     for wrong in (Held((0, 'u_end'), (2, 'u_start'), 'G1', 'second'), Held((0, 'top'), (1, 'u_start'), 'G1', 'second'),
                   Held((0, 'u_end'), (0, 'u_end'), 'G1', 'second'), Held((0, 'u_end'), (1, 'u_start'), 'G9', 'second'),
                   Held((0, 'u_end'), (1, 'u_start'), 'G1', 'none'), Held((-1, 'u_end'), (1, 'u_start'), 'G1', 'first')):

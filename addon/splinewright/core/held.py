@@ -35,14 +35,17 @@ def require_valid(held, count):
 
 
 def are_one(definition, held):
-    """Whether the two sides of a seam are one edge: the same rows of the pool."""
+    """Whether the two sides of a seam, or of a core.seams.Seam, are one edge of two patches: the same rows of the pool."""
+    if held.first[0] == held.second[0]:
+        return False
     sides = [_border(definition.pieces[patch], side) for patch, side in (held.first, held.second)]
     return any(np.array_equal(sides[0], other) for other in (sides[1], sides[1][::-1]))
 
 
 def _border(piece, side):
     axis, end = side.split('_')
-    return np.take(piece.indices, 0 if end == 'start' else -1, 'uv'.index(axis))
+    net = piece.indices[0] if piece.kind == 'hermite' else piece.indices
+    return np.take(net, 0 if end == 'start' else -1, 'uv'.index(axis))
 
 
 def carried(seams, parents, definition):

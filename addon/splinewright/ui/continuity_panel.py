@@ -5,8 +5,9 @@ import math
 
 import bpy
 
-from ..bridge import held, shape, store, surveys
+from ..bridge import held, replacing, shape, store, surveys
 from ..bridge.net import live, net_object
+from ..core.held import are_one
 from . import colors, hand, texts
 from .sub_panel import SubPanel
 
@@ -60,10 +61,15 @@ def _holds(layout, data):
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
         known = {}
-    return [(seam, known.get(frozenset((seam.first, seam.second)))) for seam in surveys.seams_of(data)[0]]
+    can_hold = replacing.can_change(data)
+    definition = store.read(data)
+    return [(seam, known.get(frozenset((seam.first, seam.second))), can_hold and are_one(definition, seam))
+            for seam in surveys.seams_of(data)[0]]
 
 
-def _draw_hold(layout, seam, holds):
+def _draw_hold(layout, seam, holds, can_hold):
+    layout = layout.row()
+    layout.enabled = can_hold
     operator = layout.operator("splinewright.release_seam" if holds else "splinewright.hold_seam",
                                text=holds.smoothness if holds else "", icon='LOCKED' if holds else 'UNLOCKED')
     (first, operator.first_side), (second, operator.second_side) = seam.first, seam.second
@@ -77,7 +83,7 @@ def _draw_joints(layout, survey, seams):
         row.label(text=joint.name)
         row = row.row(align=True)
         row.label(text=kind(joint))
-        if seam and seam[0].first != seam[0].second:
+        if seam:
             _draw_hold(row, *seam)
         _draw_in_columns(box, numbers(joint))
     hidden = survey.count - len(survey.joints)
