@@ -20,8 +20,9 @@ MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remo
 #: Only the work itself tells whether what was changed was moved as a whole.
 TOLD_LATE = {('touched', 'adopt_transform')}
 MENDED |= {f"patch_{name}" for name in MENDED}
-#: They open a dialog, or work on the view.
-NOT_RUN = {'pick_piece', 'insert_here', 'pull_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt'}
+#: They open a dialog, work on the view, or are told by the panel what is meant.
+NOT_RUN = {'pick_piece', 'insert_here', 'pull_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt',
+           'hold_seam', 'release_seam'}
 
 
 def made(name):
