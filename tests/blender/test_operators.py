@@ -10,9 +10,10 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Clamp', 'Convert', 'Detach', 'Edit', 'Export', 'Extract',
-         'Extrude', 'Follow', 'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Pull', 'Raise', 'Remove', 'Renew',
-         'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp', 'Write'}
+VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Change', 'Clamp', 'Convert', 'Detach', 'Edit', 'Export', 'Extract',
+         'Extrude', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Pull', 'Raise', 'Release',
+         'Remove', 'Renew', 'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp',
+         'Write'}
 
 
 def kind_of(name):

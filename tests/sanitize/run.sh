@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds everything under sanitizers and runs it: GoogleTest and pytest under address and undefined behaviour,
 # shared values under the thread sanitizer, and the fuzz targets.
-#   run.sh BUILD CACHE               what finds most in some minutes
+#   run.sh BUILD CACHE               what finds most in some minutes, the same every time
 #   run.sh BUILD CACHE full          every test, and the fuzz targets for ten minutes each
 #   run.sh BUILD CACHE fuzz SECONDS [TARGET...]
 # CACHE keeps compiled files, and what the fuzz targets found worth keeping, from one run to the next.
@@ -125,30 +125,39 @@ thread_python() {
     "$python" -m pytest -q -p no:cacheprovider tests/python/test_shared_values.py
 }
 
-# fuzz_one SECONDS TARGET      For long it goes on behind what it finds, from what earlier runs kept, too; in a short
-# run the same inputs come in the same order every time, and the first finding ends it.
+# How many inputs a target gets that are the same, in the same order, on every machine.
+few() {
+  case "$1" in
+    json) echo 30000 ;; formula) echo 10000 ;; curve) echo 3000 ;; build) echo 2000 ;; tessellation) echo 300 ;;
+    *) echo 1000 ;;
+  esac
+}
+
+# fuzz_one SECONDS|few TARGET      For seconds it goes on behind what it finds, from what earlier runs kept, too.
 fuzz_one() {
-  local seconds=$1 found=$build/fuzz/$2 flags=(-seed=1)
-  local corpus=$found/corpus
+  local long=$1 found=$build/fuzz/$2 flags corpus
   rm -rf "$found"
-  if [ "$seconds" -ge 60 ]; then
-    flags=(-fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1)
+  if [ "$long" = few ]; then
+    flags=(-seed=1 -reload=0 -runs="$(few "$2")")
+    corpus=$found/corpus
+  else
+    flags=(-fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 -max_total_time="$long")
     corpus=$cache/fuzz/$2
   fi
   mkdir -p "$corpus" "$found"
   ASAN_OPTIONS=allocator_may_return_null=0 nice "$asan/tests/fuzz/fuzz_$2" "${flags[@]}" \
-    -max_total_time="$seconds" -max_len=300 -timeout=120 -rss_limit_mb=3000 -malloc_limit_mb=1500 \
+    -max_len=300 -timeout=120 -rss_limit_mb=3000 -malloc_limit_mb=1500 \
     -artifact_prefix="$found/" "$corpus" "tests/data/fuzz/$2" >"$found/log" 2>&1 || true
   echo "$2: $(grep -aE '^#[0-9]+' "$found/log" | tail -n 1 | tr '\t' ' ')"
   ls "$found" | grep -vxE 'log|corpus' | sed "s#^#  found $found/#"
 }
 
-# fuzz SECONDS TARGET...      two at a time; fails where one crashed or never ran, not where an input only took long
+# fuzz SECONDS|few TARGET...      two at a time; fails where one crashed or never ran, not where an input only took long
 fuzz() {
-  local seconds=$1; shift
-  heading "Fuzz targets, $seconds s each"
-  export -f fuzz_one; export build asan cache
-  printf '%s\n' "$@" | xargs -P 2 -I{} bash -c 'fuzz_one "$@"' fuzz_one "$seconds" {}
+  local long=$1; shift
+  heading "Fuzz targets, $([ "$long" = few ] && echo "a few inputs" || echo "$long s") each"
+  export -f fuzz_one few; export build asan cache
+  printf '%s\n' "$@" | xargs -P 2 -I{} bash -c 'fuzz_one "$@"' fuzz_one "$long" {}
   local target folder
   for target in "$@"; do
     folder=$build/fuzz/$target
@@ -175,7 +184,7 @@ case "$part" in
     native_tests "$slow_native"
     python_tests "${quick_python[@]}"
     thread_tests
-    fuzz 15 "${targets[@]}"
+    fuzz few "${targets[@]}"
     ;;
   full)
     build_with address "$asan" splinecore_tests splinewright_replay _splinecore fuzzers

@@ -16,7 +16,7 @@ _HINT = "Click an edge of a mesh to turn about it   |   Esc, Right Mouse: Cancel
 
 class SPLINEWRIGHT_OT_axis_from_edge(bpy.types.Operator):
     bl_idname = "splinewright.axis_from_edge"
-    bl_label = "Axis From Edge"
+    bl_label = "Take Axis From Edge"
     bl_description = ("Click an edge of a mesh in the 3D view: the active surface of revolution turns about it, and follows an "
                       "empty that is put there")
     bl_options = {'REGISTER', 'UNDO'}
