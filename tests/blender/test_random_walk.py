@@ -158,6 +158,14 @@ class Walk:
         elif bpy.context.mode == 'EDIT_CURVE':
             self.op(bpy.ops.curve.subdivide)
 
+    def select_whole(self, is_ring):
+        """The rings or the loops of the selected edges."""
+        mesh = bpy.ops.mesh
+        if 'loop_multi_select' in dir(mesh):        # later versions have one for each
+            self.op(mesh.loop_multi_select, ring=is_ring)
+        else:
+            self.op(mesh.select_edge_ring_multi if is_ring else mesh.select_edge_loop_multi)
+
     def edit_gesture(self):
         """Points more or less, sensibly or not, by what Blender has for it."""
         count = int(self.random.integers(1, 4))
@@ -169,7 +177,7 @@ class Walk:
             mesh = bpy.ops.mesh
             mesh.select_mode(type=str(self.random.choice(['VERT', 'EDGE', 'FACE'])))
             if self.random.random() < 0.6:
-                self.op(mesh.loop_multi_select, ring=bool(self.random.integers(2)))
+                self.select_whole(bool(self.random.integers(2)))
             self.any((lambda: self.op(mesh.extrude_region_move, TRANSFORM_OT_translate={'value': way}),
                       lambda: self.op(mesh.subdivide_edgering, number_cuts=count),
                       lambda: self.op(mesh.subdivide, number_cuts=count),
