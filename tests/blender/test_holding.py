@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
+from layouts import drawn_by
 from shapes import add, enter, leave, move, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
 from test_files import reopen, save
@@ -146,7 +147,7 @@ def test_three_in_a_row_and_a_file(tmp_path):
     leave()
 
 
-def test_verbs_keep_or_end_it_and_what_cannot_hold_is_said():
+def test_verbs_keep_it_or_say_that_they_end_it(capfd):
     add(neighbours())
     hold()
     assert len(held.read(shape().data)) == 1
@@ -159,10 +160,10 @@ def test_verbs_keep_or_end_it_and_what_cannot_hold_is_said():
     require_smooth()
     leave()
     op(bpy.ops.splinewright.patch_reverse, direction='U', piece=1)
-    assert held.read(shape().data) == ()
+    assert held.read(shape().data) == () and "a seam holds no more" in capfd.readouterr().out
 
 
-@pytest.mark.parametrize('damage', ("{", "[1]", "[[0, \"u_end\", 9, \"u_start\", \"G1\", \"second\"]]", "[[0, 1, 2, 3, 4, 5]]"))
+@pytest.mark.parametrize('damage', ("{", "[1]", "[[0, \"u_end\", 9, \"u_start\", \"G1\", \"second\"]]", "[[0, 1, 2, 3, 4, 5]]", "[" * 100_000, "null", 5, [1, 2], {}))
 def test_damage_is_a_sentence_and_can_be_released(damage):
     add(neighbours())
     shape().data[held.KEY] = damage
@@ -172,9 +173,42 @@ def test_damage_is_a_sentence_and_can_be_released(damage):
     select(net, row(0, 4))
     move(0, 0, 1)
     assert "release" in live.problem(net)
-    undone = value()
-    op(bpy.ops.splinewright.leave_net)
-    assert undone is not None
+    leave()
+    assert op(bpy.ops.splinewright.patch_raise_degree, direction='V') == {'FINISHED'}
+    assert held.read(shape().data) == ()
+
+
+def test_damage_is_released_in_the_panel():
+    add(neighbours())
+    shape().data[held.KEY] = "["
+    drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context)
+    assert "splinewright.release_seam" in drawn.operators and any("release them" in text for text in drawn.texts)
+    op(bpy.ops.splinewright.release_seam)
+    assert held.KEY not in shape().data.keys()
+
+
+def test_shapes_that_are_joined_keep_what_holds_in_each():
+    add(neighbours(), "other").location.y = 9
+    hold('C1')
+    add(neighbours())
+    hold('G2')
+    bpy.data.objects["other"].select_set(True)
+    op(bpy.ops.splinewright.join)
+    assert [(seam.first[0], seam.second[0], seam.smoothness) for seam in held.read(shape().data)] == [(0, 1, 'G2'), (2, 3, 'C1')]
+
+
+def test_another_value_keeps_what_is_a_seam_in_it_and_a_plain_mesh_holds_nothing():
+    add(neighbours(3))
+    hold('G1', first=1, second=2)
+    hold('G1', first=2, second=3)
+    shape().data.splinewright.value = sc.PatchSet.from_patches([value()[0], value()[1]])
+    assert len(held.read(shape().data)) == 1
+    shape().data.splinewright.value = value()[0]
+    assert held.read(shape().data) == () and held.KEY not in shape().data.keys()
+    shape().data.splinewright.value = neighbours()
+    hold()
+    op(bpy.ops.splinewright.detach)
+    assert held.KEY not in shape().data.keys()
 
 
 def test_sides_that_are_no_edge_are_refused():

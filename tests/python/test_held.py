@@ -70,6 +70,28 @@ def test_several_seams_in_a_row_hold_together(smoothness, moves):
         require_smooth(held_seams.applied(shaken(definition, seed), seams), seams)
 
 
+def resized(definition, size, offset):
+    pool = definition.pool.copy()
+    pool[:, :3] = pool[:, :3] * size + offset
+    return definition.__class__(definition.form, pool, definition.pieces)
+
+
+@pytest.mark.parametrize('rational', (False, True))
+@pytest.mark.parametrize('size, offset', ((1e-150, 0), (1e-20, 0), (1e-6, 0), (1e20, 0), (1e150, 0), (1, 1e6), (1e-3, 1e4), (1, -1e8)))
+@pytest.mark.parametrize('smoothness, moves', [('C0', 'second'), ('G1', 'second'), ('C1', 'both'), ('G2', 'first'), ('C2', 'second')])
+def test_a_seam_holds_at_every_size_and_far_away(smoothness, moves, size, offset, rational):
+    definition, seams = joined(3 if moves == 'second' else 2, smoothness, moves, rational=rational)
+    there = resized(definition, size, offset)
+    for seed in range(2):
+        moved = resized(shaken(definition, seed), size, offset)
+        expected = held_seams.applied(shaken(definition, seed), seams)
+        after = held_seams.applied(moved, seams)
+        digits = max(1e-10, 1e-14 * abs(offset) / size * 1e2)
+        assert np.allclose((after.pool[:, :3] - offset) / size, expected.pool[:, :3], rtol=0, atol=digits)
+        assert np.allclose(after.pool[:, 3], expected.pool[:, 3], rtol=1e-9)
+    assert np.abs(held_seams.applied(there, seams).pool - there.pool).max() <= 1e-13 * max(size, abs(offset), 1)
+
+
 def test_only_rows_beside_the_seam_of_the_patch_that_gives_way_move():
     definition, seams = joined(2, 'G1', 'second')
     moved = shaken(definition, 1, part=0.3)

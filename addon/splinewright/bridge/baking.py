@@ -88,8 +88,7 @@ def bake(data, take):
     """Put a Mesh or Curve that moves by itself in the place of a shape's; that new data-block."""
     baked = data.copy()
     baked.name = f"{data.name} Baked"
-    store.remove(baked)
-    recipes.remove(baked)
+    shape.detach(baked)
     if isinstance(baked, bpy.types.Mesh):
         write_mesh.let_normals_turn(baked)
     _add_keys(baked, take)

@@ -69,7 +69,8 @@ def attach(ob, source, depsgraph):
 
 def set_parameters(data, changes, depsgraph):
     """Change parameters of what is made from objects, by name. Raises, and changes nothing, where nothing comes of it."""
-    _make_anew(data, recipes.read(data), changes, recipes.read(data).frames, depsgraph)
+    stored = recipes.read(data)
+    _make_anew(data, stored, changes, stored.frames, depsgraph)
 
 
 def set_frame(data, frame, depsgraph, changes=()):

@@ -10,23 +10,27 @@ from . import store
 KEY = "splinewright_held"
 
 
-def read(data):
-    """The Helds of a shape. Raises UnreadableDefinition where what is stored is none."""
+def read(data, count=None):
+    """The Helds of a shape. Raises UnreadableDefinition where what is stored is none. count: of its patches, where it is
+    known."""
     if KEY not in data.keys():
         return ()
     try:
-        seams = _stored(data)
+        seams = tuple(Held((a, side), (b, other), smoothness, moves)
+                      for a, side, b, other, smoothness, moves in json.loads(data[KEY]))
         for seam in seams:
-            held.require_valid(seam, len(store.read(data).pieces))
-    except (Refusal, TypeError, ValueError) as error:
+            held.require_valid(seam, len(store.read(data).pieces) if count is None else count)
+    except (Refusal, TypeError, ValueError, RecursionError) as error:
         raise store.UnreadableDefinition(f"The seams of {data.name} that hold are damaged: release them ({error})") from error
     return seams
 
 
-def _stored(data):
-    """Raises TypeError or ValueError."""
-    return tuple(Held((a, side), (b, other), smoothness, moves)
-                 for a, side, b, other, smoothness, moves in json.loads(data[KEY]))
+def known(data, count=None):
+    """read(), and none where they are damaged."""
+    try:
+        return read(data, count)
+    except store.UnreadableDefinition:
+        return ()
 
 
 def write(data, seams):
@@ -38,22 +42,31 @@ def write(data, seams):
 
 def hold(data, seam):
     """Let a seam hold from now on, in place of what was said of it before."""
-    write(data, (*without(read(data), seam.first, seam.second), seam))
+    write(data, (*_without(read(data), seam.first, seam.second), seam))
 
 
 def release(data, first, second):
-    write(data, without(read(data), first, second))
+    write(data, _without(read(data), first, second))
 
 
-def without(seams, first, second):
+def _without(seams, first, second):
     return tuple(seam for seam in seams if {seam.first, seam.second} != {first, second})
 
 
-def carry(data, parents):
-    """After a verb: the pieces came of those with these numbers. What was damaged is dropped."""
-    if KEY in data.keys():
-        try:
-            before = _stored(data)
-        except (TypeError, ValueError):
-            before = ()
-        write(data, held.carried(before, parents, store.read(data)))
+def of_all(blocks):
+    """The Helds of several shapes, numbered as their patches are one after the other."""
+    found, count = (), 0
+    for data in blocks:
+        found += held.shifted(known(data), count)
+        count += len(store.read(data).pieces)
+    return found
+
+
+def carry(data, seams, parents=None):
+    """After a shape was given other pieces: they came of those with these numbers, by default of those with their own, and
+    these seams held."""
+    if seams:
+        definition = store.read(data)
+        parents = range(len(definition.pieces)) if parents is None else parents
+        seams = held.carried(seams, parents, definition)
+    write(data, seams)

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..core import joints, patch_joints, transform
 from ..core.failures import Refusal, blenders_refusals
-from . import blocks, curve_pieces, mesh_attributes, mesh_looks, recipes, replacing, shape, store, write_mesh
+from . import blocks, curve_pieces, held, mesh_attributes, mesh_looks, recipes, replacing, shape, store, write_mesh
 from .look import Look
 
 
@@ -20,6 +20,7 @@ def join(active, others):
     belongings = _belongings([active, *others])
     shape.set_definition(active.data, definition)
     _give(active, definition, belongings)
+    held.write(active.data, belongings.seams)
     _remove(others)
 
 
@@ -92,6 +93,7 @@ def join_patches(active, other, first, second, smoothness, moves):
     belongings = _belongings([active, other])
     shape.set_definition(active.data, found.changed.definition)
     _give(active, found.changed.definition, belongings)
+    held.carry(active.data, belongings.seams, found.changed.parents)
     _remove([other])
     return found
 
@@ -131,6 +133,7 @@ class _Belongings(NamedTuple):
 
     materials: list
     pieces: list                # for each piece a Look, or of a curve what curve_pieces.of() gives
+    seams: tuple                # that hold
     painted: list               # (mesh_attributes.Kept, the first of its patches, how many it has) of each mesh with any
 
 
@@ -149,7 +152,7 @@ def _belongings(obs):
         if kept is not None:
             painted.append((kept, len(pieces), len(definition.pieces)))
         pieces += [_in_whole(slots, known.get(i, Look())) for i in range(len(definition.pieces))]
-    return _Belongings(materials, pieces, painted)
+    return _Belongings(materials, pieces, held.of_all([ob.data for ob in obs]), painted)
 
 
 def _in_whole(slots, look):

@@ -8,7 +8,7 @@ import numpy as np
 from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.library import sc
-from . import blocks, fineness, problems, recipes, settings, stamp, store, write_curve, write_mesh
+from . import blocks, fineness, held, problems, recipes, settings, stamp, store, write_curve, write_mesh
 from .file_state import key, state
 
 
@@ -62,7 +62,9 @@ def set_value(data, value):
     Raises TypeError or ValueError, and changes nothing, if the value does not fit.
     """
     recipes.require_free(data)
+    seams = held.known(data)
     set_definition(data, definitions.from_value(value))
+    held.carry(data, seams)
 
 
 def set_definition(data, definition, progress=no_progress, around=None):
@@ -137,6 +139,7 @@ def detach(data):
         raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
     store.remove(data)
     recipes.remove(data)
+    held.write(data, ())
 
 
 def is_touched(data):

@@ -12,8 +12,10 @@ from .patch_curves import SIDES
 
 #: How often all seams are gone through where they share patches.
 _ROUNDS = 12
-#: What moves less, as a part of the shape's size, was there already; what still moves more after all rounds contradicts itself.
-_ROUNDING, _AGREED = 1e-14, 1e-9
+#: What moves less, as a part of the largest number, was there already.
+_ROUNDING = 16 * np.finfo(np.float64).eps
+#: What still moves more after all rounds, as a part of the shape's size or of its weights, contradicts itself.
+_AGREED = 1e-9
 
 
 class Held(NamedTuple):
@@ -48,6 +50,12 @@ def _border(piece, side):
     return np.take(net, 0 if end == 'start' else -1, 'uv'.index(axis))
 
 
+def shifted(seams, count):
+    """Seams of patches before which there are so many more now."""
+    return tuple(seam._replace(first=(seam.first[0] + count, seam.first[1]), second=(seam.second[0] + count, seam.second[1]))
+                 for seam in seams)
+
+
 def carried(seams, parents, definition):
     """Those of the seams that are seams of a definition still whose pieces came of the pieces with these numbers."""
     found = []
@@ -64,30 +72,34 @@ def applied(definition, seams):
     or they contradict one another."""
     if not all(are_one(definition, held) for held in seams):
         raise Refusal("a seam that is to hold is none any more: release it")
-    pool, size = definition.pool.copy(), definition.size
+    pool = definition.pool.copy()
+    finite = pool[pool[:, 3] != 0]
+    reach, weight = np.abs(finite[:, :3]).max(initial=0.0), np.abs(finite[:, 3]).max(initial=0.0)
+    rounding = _ROUNDING * np.array([reach, reach, reach, weight])
+    agreed = np.maximum(_AGREED * np.array([definition.size] * 3 + [weight]), 4 * rounding)
     for _ in range(_ROUNDS):
-        moved = max((_made_to_hold(definition, pool, held, size) for held in seams), default=0.0)
-        if moved <= _AGREED * size:
+        moved = [_made_to_hold(definition, pool, held, rounding) for held in seams]
+        if (np.array(moved).reshape(-1, 4) <= agreed).all():
             break
     else:
         raise Refusal("the seams that are to hold contradict one another: release one of them")
     return definition if np.array_equal(pool, definition.pool) else replace(definition, pool=pool)
 
 
-def _made_to_hold(definition, pool, held, size):
-    """Move the rows of the pool beside a seam; how far."""
+def _made_to_hold(definition, pool, held, rounding):
+    """Move the rows of the pool beside a seam that are off by more than rounding (4,); (4,) how far."""
     pieces = [definition.pieces[patch] for patch, _ in (held.first, held.second)]
     patches = [_patch(piece, pool) for piece in pieces]
     joined = sc.build.join_patches(patches[0], held.first[1], patches[1], held.second[1], held.smoothness, held.moves)
-    farthest = 0.0
+    farthest = np.zeros(4)
     for piece, before, after in zip(pieces, patches, (joined.first, joined.second)):
         if after.points.shape != before.points.shape or not all(map(np.array_equal, after.knots, before.knots)):
             raise Refusal("the patches beside a seam that is to hold have other knots or degrees now: release it, and hold it anew")
         rows = np.dstack([after.points, after.weights])
-        change = np.abs(rows - pool[piece.indices]).max(-1)
-        is_moved = change > _ROUNDING * size
+        change = np.abs(rows - pool[piece.indices])
+        is_moved = (change > rounding).any(-1)
         pool[piece.indices[is_moved]] = rows[is_moved]
-        farthest = max(farthest, float(change.max()))
+        farthest = np.maximum(farthest, change.max((0, 1)))
     return farthest
 
 

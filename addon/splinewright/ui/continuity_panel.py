@@ -60,6 +60,7 @@ def _holds(layout, data):
         known = {frozenset((seam.first, seam.second)): seam for seam in held.read(data)}
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
+        layout.operator("splinewright.release_seam", text="Release All")
         known = {}
     can_hold = replacing.can_change(data)
     definition = store.read(data)

@@ -6,9 +6,6 @@ from mathutils import Vector
 
 from . import picking
 
-#: How near to an edge the mouse must be, in pixels, where the mesh has no faces there.
-_NEAR = 18.0
-
 
 def edge_at(context, x, y, but):
     """(name of the object, start, end in the world) of the edge at a pixel of the window; None where there is none. `but` is
@@ -21,12 +18,13 @@ def edge_at(context, x, y, but):
     depsgraph = context.evaluated_depsgraph_get()
     candidates = _hit(context, region, view, pixel, depsgraph, but) or _loose(context, depsgraph, but)
     nearest, within = None, np.inf
+    near = picking.near()
     for ob, edges, is_face in candidates:
         ends = _ends(ob.evaluated_get(depsgraph).data, edges)
         flat = picking.on_screen(region, view, ob.matrix_world, ends.reshape(-1, 3)).reshape(-1, 2, 2)
         distances = np.array([picking.distance(line, pixel) for line in flat])
         i = int(np.argmin(distances)) if len(distances) else -1
-        if i >= 0 and distances[i] < within and (is_face or distances[i] <= _NEAR):
+        if i >= 0 and distances[i] < within and (is_face or distances[i] <= near):
             nearest, within = (ob.name, *(tuple(ob.matrix_world @ Vector(end)) for end in ends[i])), distances[i]
     return nearest
 

@@ -14,6 +14,11 @@ from ..core import aiming
 _NEAR = 18.0
 
 
+def near(pixels=_NEAR):
+    """So many pixels of an interface that is not scaled, in those of this one."""
+    return pixels * max(bpy.context.preferences.system.ui_scale, 1.0)
+
+
 def views():
     """(area, region, its RegionView3D) of every 3D view of the window."""
     return [(area, region, region.data) for area in bpy.context.window.screen.areas if area.type == 'VIEW_3D'
@@ -49,11 +54,8 @@ def piece_at(region, view, pixel, obs, depsgraph):
     if hits:
         nearest = min(hits, key=lambda hit: hit.distance)
         return nearest.ob, nearest.number
-    near = [hit for ob in obs for hit in [_line_at(region, view, pixel, ob)] if hit]
-    if not near:
-        return None
-    _, ob, number = min(near, key=lambda hit: hit[0])
-    return ob, number
+    lines = [hit for ob in obs for hit in [_line_at(region, view, pixel, ob)] if hit]
+    return min(lines, key=lambda hit: hit[0])[1:] if lines else None
 
 
 class _Hit(NamedTuple):
@@ -90,8 +92,7 @@ def _line_at(region, view, pixel, ob):
     distances = [min([distance(on_screen(region, view, ob.matrix_world, line), pixel) for line in lines], default=np.inf)
                  for lines in shown]
     nearest = int(np.argmin(distances))
-    within = _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0)
-    return (distances[nearest], ob, nearest + 1) if distances[nearest] <= within else None
+    return (distances[nearest], ob, nearest + 1) if distances[nearest] <= near() else None
 
 
 def distance(line, pixel):
@@ -118,11 +119,9 @@ def parameters_at(region, view, pixel, obs, depsgraph):
             return None
         piece = surveys.pieces_of(nearest.ob.data)[nearest.number - 1]
         return nearest.ob, nearest.number, aiming.of_domain(piece, nearest.fractions)
-    near = [found for ob in obs if ob.type == 'CURVE' for found in _on_curves(region, view, pixel, ob)]
-    within = _NEAR * max(bpy.context.preferences.system.ui_scale, 1.0)
-    if not near or not (nearest := min(near, key=lambda found: found[0]))[0] <= within:
-        return None
-    return nearest[1:]
+    found = [one for ob in obs if ob.type == 'CURVE' for one in _on_curves(region, view, pixel, ob)]
+    nearest = min(found, key=lambda one: one[0], default=(np.inf,))
+    return nearest[1:] if nearest[0] <= near() else None
 
 
 def pointed_at(x, y, obs, depsgraph):
@@ -139,7 +138,7 @@ def point_at(region, view, pixel, nets, are_meant=lambda net: net.rows >= 0, wit
     is near. are_meant: gives (n,) bool for a core.net.Net; within: pixels of an interface that is not scaled."""
     found = [hit for ob in nets if ob.visible_get() for hit in [_nearest_point(region, view, pixel, ob, are_meant)] if hit]
     nearest = min(found, key=lambda hit: hit[0], default=(np.inf,))
-    return nearest[1:] if nearest[0] <= within * max(bpy.context.preferences.system.ui_scale, 1.0) else None
+    return nearest[1:] if nearest[0] <= near(within) else None
 
 
 def _nearest_point(region, view, pixel, ob, are_meant):

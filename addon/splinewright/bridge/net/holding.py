@@ -25,7 +25,7 @@ class Placed:
 
 def followed(data, ob, current, definition):
     """A definition, as the net says it, in which the seams of its shape hold. Raises Refusal or an error of the library."""
-    seams = held.read(data)
+    seams = held.read(data, len(definition.pieces))
     if not seams:
         return definition
     placed = current.placed

@@ -9,17 +9,16 @@ from ...bridge.file_state import state
 from ...core.failures import FAILURES, Refusal
 from .. import edge_picking
 from . import polls, reports
-from .pick_piece import PASSED, redraw
-
-_HINT = "Click an edge of a mesh to turn about it   |   Esc, Right Mouse: Cancel"
+from .pointing import Pointing, redraw
 
 
-class SPLINEWRIGHT_OT_axis_from_edge(bpy.types.Operator):
+class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.axis_from_edge"
     bl_label = "Take Axis From Edge"
     bl_description = ("Click an edge of a mesh in the 3D view: the active surface of revolution turns about it, and follows an "
                       "empty that is put there")
     bl_options = {'REGISTER', 'UNDO'}
+    hint = "Click an edge of a mesh to turn about it   |   Esc, Right Mouse: Cancel"
 
     start: FloatVectorProperty(name="Start", description="Where the edge begins, in the world", subtype='TRANSLATION',
                                options={'SKIP_SAVE'})
@@ -39,36 +38,20 @@ class SPLINEWRIGHT_OT_axis_from_edge(bpy.types.Operator):
         return True
 
     def invoke(self, context, event):
-        context.window_manager.modal_handler_add(self)
-        context.window.cursor_modal_set('EYEDROPPER')
-        context.workspace.status_text_set(_HINT)
-        self._look(context, event)
-        return {'RUNNING_MODAL'}
+        return self.begin(context, event)
 
-    def modal(self, context, event):
-        if event.type in PASSED:
-            return {'PASS_THROUGH'}
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
-        if event.type in ('MOUSEMOVE', 'LEFTMOUSE'):
-            self._look(context, event)
-        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or state.edge is None:
-            return {'RUNNING_MODAL'}
+    def forget(self):
+        state.edge = None
+
+    def look(self, context, event):
+        state.edge = edge_picking.edge_at(context, event.mouse_x, event.mouse_y, context.object)
+        redraw()
+        return state.edge is not None
+
+    def clicked(self, context):
         self.parent, self.start, self.end = state.edge
         self.cancel(context)
         return self.execute(context)
-
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
-        state.edge = None
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        redraw()
-
-    def _look(self, context, event):
-        state.edge = edge_picking.edge_at(context, event.mouse_x, event.mouse_y, context.object)
-        redraw()
 
     def execute(self, context):
         ob, axis = context.object, None

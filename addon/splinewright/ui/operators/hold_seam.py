@@ -10,7 +10,7 @@ from ...core.held import Held, are_one
 from ...core.patch_curves import SIDES
 from .. import editing, hand
 from . import reports
-from .patch_join import JOIN_MOVES, WORDS, told
+from .patch_join import came_apart, continuity_property, moves_property, told
 
 _SIDES = [(name, words.title(), f"Where {words[0]} {words[2:]}s") for name, words in SIDES.items()]
 
@@ -44,10 +44,10 @@ class _OnSeam:
             return reports.cancelled(self, problem)
         ob = hand.shape_of(context.object)
         try:
-            said = self.work(ob)
+            said, warnings = self.work(ob)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        warnings = editing.anew(context, nets) if nets else ()
+        warnings = (*warnings, *(editing.anew(context, nets) if nets else ()))
         return reports.finished(self, reports.Said(f"{ob.name}: {said}", warnings=warnings))
 
     def sides(self):
@@ -61,9 +61,8 @@ class SPLINEWRIGHT_OT_hold_seam(_OnSeam, bpy.types.Operator):
                       "edited, until it is released")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
-                             items=[(name, name, WORDS[name]) for name in patch_joints.SMOOTHNESS])
-    moves: EnumProperty(name="Moves", description="Which patch gives way", items=JOIN_MOVES)
+    continuity: continuity_property()
+    moves: moves_property()
     first: _patch("One patch")
     first_side: _side()
     second: _patch("The other patch")
@@ -78,7 +77,7 @@ class SPLINEWRIGHT_OT_hold_seam(_OnSeam, bpy.types.Operator):
         choices = (patch_joints.Choice(number + 1, side) for number, side in self.sides())
         found = joining.join_patches(ob, None, *choices, self.continuity, self.moves)
         held.hold(ob.data, seam)
-        return f"{told(found)}; {self.continuity} holds from now on"
+        return f"{told(found)}; {self.continuity} holds from now on", came_apart(found)
 
 
 class SPLINEWRIGHT_OT_release_seam(_OnSeam, bpy.types.Operator):
@@ -97,8 +96,8 @@ class SPLINEWRIGHT_OT_release_seam(_OnSeam, bpy.types.Operator):
             held.release(ob.data, *self.sides())
         except store.UnreadableDefinition:
             held.write(ob.data, ())
-            return "all seams are released: what held was damaged"
-        return "the seam is released"
+            return "all seams are released: what held was damaged", ()
+        return "the seam is released", ()
 
 
 CLASSES = (SPLINEWRIGHT_OT_hold_seam, SPLINEWRIGHT_OT_release_seam)

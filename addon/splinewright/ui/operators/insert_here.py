@@ -9,7 +9,7 @@ from ...core import aiming
 from ...core.failures import FAILURES
 from .. import aim_overlay, editing, hand, picking
 from . import reports
-from .pick_piece import PASSED, redraw
+from .pointing import PASSED, redraw
 
 _DIRECTIONS = ('U', 'V', 'BOTH')
 #: Pixels, of an interface that is not scaled, that belong to a point.

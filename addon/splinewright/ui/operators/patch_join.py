@@ -13,11 +13,21 @@ from .. import hand
 from . import polls, reports
 from .pick_piece import draw_number
 
-WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
+_WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
           'C2': "They share the first two derivatives across the edge"}
-JOIN_MOVES = (('second', "The Other", "The second patch moves to the first"),
-          ('first', "The First", "The first patch moves"), ('both', "Both", "Each as little as it must"))
+_MOVES = {'second': ("The Other", "The second patch moves to the first"), 'first': ("The First", "The first patch moves"),
+          'both': ("Both", "Each as little as it must")}
+
+
+def continuity_property():
+    return EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
+                        items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS])
+
+
+def moves_property():
+    return EnumProperty(name="Moves", description="Which patch gives way",
+                        items=[(name, *_MOVES[name]) for name in patch_joints.MOVES])
 
 
 def _number_property(name, what):
@@ -39,9 +49,8 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
                       "and how far they moved: two of the active shape, or one of each of two selected shapes")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    continuity: EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
-                             items=[(name, name, WORDS[name]) for name in patch_joints.SMOOTHNESS])
-    moves: EnumProperty(name="Moves", description="Which patch gives way", items=JOIN_MOVES)
+    continuity: continuity_property()
+    moves: moves_property()
     first: _number_property("Patch", "Which patch of the active shape")
     first_side: _side_property("it")
     second: _number_property("Other Patch", "Which other patch of it, or of the other shape")
@@ -65,9 +74,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         hand.note_pair(self, ob, found.changed.parents, parted)
-        seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
-        lost = (f"{seams} with other patches came apart",) if found.came_apart else ()
-        return reports.finished(self, reports.Said(f"{ob.name}: {told(found)}", warnings=lost))
+        return reports.finished(self, reports.Said(f"{ob.name}: {told(found)}", warnings=came_apart(found)))
 
     def _choice(self, which):
         side = getattr(self, f"{which}_side")
@@ -93,6 +100,12 @@ def told(found):
     angle, bend = math.degrees(measured.angle), measured.curvature_difference
     return (f"{sides} are C{measured.c} G{measured.g}, angle {_short(angle)}°, curvatures differ by {_short(bend)}; "
             f"{', '.join(moved) or 'nothing moved'}")
+
+
+def came_apart(found):
+    """What a core.patch_joints.Joined has taken apart, as warnings."""
+    seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
+    return (f"{seams} with other patches came apart",) if found.came_apart else ()
 
 
 def _short(number):

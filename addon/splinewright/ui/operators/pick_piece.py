@@ -7,11 +7,7 @@ from ...bridge import shape
 from ...bridge.file_state import state
 from .. import hand, picking
 from . import polls, reports
-
-#: What goes on meanwhile: the view may be turned.
-PASSED = {'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'WHEELINMOUSE', 'WHEELOUTMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM',
-           'MOUSEROTATE', 'MOUSESMARTZOOM', 'NDOF_MOTION', 'HOME', *(f"NUMPAD_{key}" for key in "0 1 2 3 4 5 6 7 8 9".split()),
-           'NUMPAD_PERIOD', 'NUMPAD_PLUS', 'NUMPAD_MINUS'}
+from .pointing import Pointing, redraw
 
 
 def draw_number(layout, operator, setting):
@@ -23,8 +19,10 @@ def draw_number(layout, operator, setting):
         row.operator("splinewright.pick_for_operator", text="", icon='EYEDROPPER').setting = setting
 
 
-class _Picks:
-    """Modal: the piece at the mouse is shown, and picked() called with its object and number when it is clicked."""
+class _Picks(Pointing):
+    """The piece at the mouse is shown, and picked() called with its object and number when it is clicked."""
+
+    hint = "Click a piece to take its number   |   Esc, Right Mouse: Cancel"
 
     def candidates(self, context):
         """The numbers of pieces by names of objects."""
@@ -39,36 +37,18 @@ class _Picks:
                          if (ob := context.view_layer.objects.get(name)) and ob.visible_get()}
         if not state.picking:
             return reports.cancelled(self, "no shape whose pieces could be picked is to be seen")
-        context.window_manager.modal_handler_add(self)
-        context.window.cursor_modal_set('EYEDROPPER')
-        context.workspace.status_text_set("Click a piece to take its number   |   Esc, Right Mouse: Cancel")
-        self._look(context, event)
-        return {'RUNNING_MODAL'}
+        return self.begin(context, event)
 
-    def modal(self, context, event):
-        if event.type in PASSED:
-            return {'PASS_THROUGH'}
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
-        if event.type in ('MOUSEMOVE', 'LEFTMOUSE'):
-            self._look(context, event)
-        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or not state.hovered:
-            return {'RUNNING_MODAL'}
+    def forget(self):
+        state.picking, state.hovered = {}, ()
+
+    def clicked(self, context):
         name, number = state.hovered
         number, ob = state.picking[name][number - 1], context.view_layer.objects.get(name)
         self.cancel(context)
         return self.picked(context, ob, number)
 
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
-        state.picking, state.hovered = {}, ()
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        redraw()
-
-    def _look(self, context, event):
-        """Find the piece below the mouse."""
+    def look(self, context, event):
         view = picking.view_at(event.mouse_x, event.mouse_y)
         obs = [ob for ob in map(context.view_layer.objects.get, state.picking) if shape.has_shape(ob)]
         found = None
@@ -80,11 +60,7 @@ class _Picks:
         if hovered != state.hovered:
             state.hovered = hovered
             redraw()
-
-
-def redraw():
-    for area, _, _ in picking.views():
-        area.tag_redraw()
+        return bool(hovered)
 
 
 class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):

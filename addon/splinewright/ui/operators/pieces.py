@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from ...bridge import replacing, store
+from ...bridge import held, replacing, store
 from ...bridge.net import net_object
 from ...core import decimals, verbs
 from ...core.failures import FAILURES
@@ -94,7 +94,11 @@ class OnPieces(OnSelected):
         hand.forget_asked()
         for ob in self.chosen(context):
             hand.note(self, 'piece', ob)
+        self._holding = self._count_holding(context)
         return super().execute(context)
+
+    def _count_holding(self, context):
+        return sum(len(held.known(ob.data)) for ob in self.chosen(context))
 
     def work(self, context, ob):
         return self.do(ob, self.verb())
@@ -109,7 +113,10 @@ class OnPieces(OnSelected):
     def after(self, context):
         """Nets that are edited come out again, of the shapes as they are now."""
         nets = editing.nets_in_edit_mode(context)
-        return editing.anew(context, nets) if nets else ()
+        warnings = editing.anew(context, nets) if nets else ()
+        released = self._holding - self._count_holding(context)
+        words = f"{released} seams hold" if released > 1 else "a seam holds"
+        return (*warnings, f"{words} no more") if released > 0 else warnings
 
     def said(self, outcomes):
         return reports.Said(self.summary(outcomes) + told(outcomes.values()))

@@ -19,7 +19,7 @@ from .. import editing, hand, picking
 from ..pull_keys import Keys
 from ..pull_overlay import Pull
 from . import reports
-from .pick_piece import PASSED, redraw
+from .pointing import PASSED, redraw
 
 _STEPS = {'WHEELUPMOUSE': 0.5, 'WHEELDOWNMOUSE': -0.5}
 #: The mouse has not been moved where it is nearer to where it was pressed, in pixels.

@@ -13,7 +13,7 @@ from ...core import decimals, typed_number
 from ...core.failures import FAILURES, Refusal, sentence
 from .. import editing, picking, weight_overlay
 from . import reports
-from .pick_piece import PASSED, redraw
+from .pointing import PASSED, redraw
 
 #: Pixels, of an interface that is not scaled, over which a weight doubles; with Shift ten times as many.
 _DOUBLES, _FINE = 150.0, 0.1

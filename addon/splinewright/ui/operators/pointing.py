@@ -1,0 +1,57 @@
+"""Something in the view is pointed at, and clicked: what operators of that kind have in common."""
+
+from .. import picking
+
+#: What goes on meanwhile: the view may be turned.
+PASSED = {'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'WHEELINMOUSE', 'WHEELOUTMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM',
+           'MOUSEROTATE', 'MOUSESMARTZOOM', 'NDOF_MOTION', 'HOME', *(f"NUMPAD_{key}" for key in "0 1 2 3 4 5 6 7 8 9".split()),
+           'NUMPAD_PERIOD', 'NUMPAD_PLUS', 'NUMPAD_MINUS'}
+
+
+def redraw():
+    for area, _, _ in picking.views():
+        area.tag_redraw()
+
+
+class Pointing:
+    """Modal: what is at the mouse is shown until it is clicked, or called off. `hint` stands in the status bar."""
+
+    hint = ""
+
+    def look(self, context, event):
+        """Find what is at the mouse, and show it; whether there is anything."""
+        raise NotImplementedError
+
+    def forget(self):
+        """Show nothing any more."""
+        raise NotImplementedError
+
+    def clicked(self, context):
+        """What modal() returns when what look() found is clicked; it is shown still."""
+        raise NotImplementedError
+
+    def begin(self, context, event):
+        """What invoke() returns."""
+        context.window_manager.modal_handler_add(self)
+        context.window.cursor_modal_set('EYEDROPPER')
+        context.workspace.status_text_set(self.hint)
+        self.look(context, event)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type in PASSED:
+            return {'PASS_THROUGH'}
+        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        is_found = event.type in ('MOUSEMOVE', 'LEFTMOUSE') and self.look(context, event)
+        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or not is_found:
+            return {'RUNNING_MODAL'}
+        return self.clicked(context)
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        self.forget()
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        redraw()
