@@ -6,21 +6,9 @@ import pytest
 
 from shapes import add, enter, leave, move, op, points
 from support import part, splinecore as sc
-from test_grown_nets import CHAINS, POLYGONS, choose, followed, held, points_of, spline, value, value_of
+from test_grown_nets import CHAINS, POLYGONS, choose, choose_among, followed, held, points_of, spline, value, value_of
 
 live = part('bridge.net.live')
-
-
-def ends_chosen(*ends):
-    """Select an end of each of two splines: 0 or -1."""
-    bpy.ops.curve.select_all(action='DESELECT')
-    for number, place in enumerate(ends):
-        point = points_of(spline(number))[place]
-        for name in ('select', 'select_control_point', 'select_left_handle', 'select_right_handle'):
-            if hasattr(point, name):
-                setattr(point, name, True)
-    held().data.update_tag()
-    bpy.ops.ed.undo_push(message="choose")
 
 
 def two(name):
@@ -40,7 +28,7 @@ def test_f_connects_the_ends_of_two_polygons(name, ends):
     before = two(name)
     add(before)
     enter()
-    ends_chosen(*ends)
+    choose_among(enumerate(ends))
     op(bpy.ops.curve.make_segment)
     [after] = followed()
     assert after.degree == before[0].degree and len(held().data.splines) == 1
@@ -63,7 +51,7 @@ def test_where_polygons_were_connected_the_shapes_stay_but_for_the_spans_beside_
     other = sc.NurbsCurve(3, knots, points(11) + [9, 1, 2], np.linspace(1, 2, 11))
     add([before, other])
     enter()
-    ends_chosen(-1, 0)
+    choose_among(enumerate((-1, 0)))
     op(bpy.ops.curve.make_segment)
     [after] = followed()
     u = np.linspace(0, knots[9], 50)
@@ -79,7 +67,7 @@ def test_f_connects_the_ends_of_two_chains_which_keep_their_shapes(name, ends):
     before = two(name)
     add(before)
     enter()
-    ends_chosen(*ends)
+    choose_among(enumerate(ends))
     op(bpy.ops.curve.make_segment)
     [after] = followed()
     assert isinstance(after, sc.HermiteCurve) and len(held().data.splines) == 1
@@ -101,7 +89,7 @@ def test_curves_that_were_connected_come_apart_by_undo_and_are_parted_again_by_d
     add(two(name))
     enter()
     before = value()
-    ends_chosen(-1, 0)
+    choose_among(enumerate((-1, 0)))
     op(bpy.ops.curve.make_segment)
     after = followed()
     op(bpy.ops.ed.undo)
@@ -124,7 +112,7 @@ def test_ends_that_cannot_be_connected_are_refused_in_words(pair, words):
     add(list(pair))
     enter()
     value_before = value()
-    ends_chosen(-1, 0)
+    choose_among(enumerate((-1, 0)))
     op(bpy.ops.curve.make_segment)
     held().data.update_tag()
     bpy.context.view_layer.update()

@@ -40,8 +40,13 @@ def points_of(of):
 
 def choose(*places, number=0):
     """Select points by their places in a spline, as an undo step."""
+    choose_among((number, place) for place in places)
+
+
+def choose_among(places):
+    """Select points by the number of their spline and their place in it, as an undo step."""
     bpy.ops.curve.select_all(action='DESELECT')
-    for place in places:
+    for number, place in places:
         point = points_of(spline(number))[place]
         if spline(number).type == 'BEZIER':
             point.select_control_point = point.select_left_handle = point.select_right_handle = True

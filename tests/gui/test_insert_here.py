@@ -1,6 +1,5 @@
 """Ctrl+R over a shape or its net, the mouse, the wheel, a click: a knot is where it was shown."""
 
-import itertools
 import os
 import sys
 from pathlib import Path
@@ -9,7 +8,8 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
+from one_shape import added, place_seen, value
+from window import View, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -22,38 +22,8 @@ def aimed():
     return part('bridge.file_state').state.aimed
 
 
-def shape():
-    return bpy.data.objects[NAMES[-1]]
-
-
-NAMES = []
-
-
-def value():
-    return shape().data.splinewright.value
-
-
-def added(view, operator):
-    with view.override():
-        empty_file()
-        operator('EXEC_DEFAULT', True)
-        NAMES.append(bpy.context.object.name)
-        bpy.ops.view3d.view_selected()
-    view.move(420, 420)
-    yield from redrawn()
-
-
 def near(found, wanted):
     return found is not None and np.allclose(found.parameters, wanted, atol=0.05)
-
-
-def is_seen(view, at):
-    """Whether nothing lies before the point of the patch at these parameters."""
-    x, y = view.pixel_of(value().evaluate(*at))
-    with view.override():
-        found = part('ui.picking').parameters_at(view.region, view.region.data, (x - view.region.x, y - view.region.y),
-                                                 [shape()], bpy.context.evaluated_depsgraph_get())
-    return found is not None and np.allclose(found[2], at, atol=0.02)
 
 
 def on_a_patch(view):
@@ -61,8 +31,7 @@ def on_a_patch(view):
     yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
     before = value()
     (u0, u1), (v0, v1) = before.domain
-    grid = itertools.product(np.linspace(u0, u1, 12)[1:-1], np.linspace(v0, v1, 14)[1:-1])
-    u, v = next(at for at in grid if is_seen(view, at))
+    u, v = place_seen(view)
     view.press('TAB')
     yield from into_net()
     plain = picture("net")

@@ -1,6 +1,5 @@
 """Alt+G in a net, the mouse pressed on the shape and dragged, keys, Esc: the point goes where it is pulled to."""
 
-import itertools
 import os
 import sys
 from pathlib import Path
@@ -9,12 +8,12 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
+from one_shape import added, place_seen, value
+from window import View, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: Of a picture what is well inside the 3D view: the bars around it settle as they like.
 WITHIN = np.s_[120:700, 60:1000]
-NAMES = []
 
 
 def picture(name):
@@ -25,36 +24,9 @@ def pulled():
     return part('bridge.file_state').state.pulled
 
 
-def shape():
-    return bpy.data.objects[NAMES[-1]]
-
-
-def value():
-    return shape().data.splinewright.value
-
-
 def led():
     """The vector by which the point was led from where it was."""
     return np.array(pulled().end) - pulled().start
-
-
-def added(view, operator):
-    with view.override():
-        empty_file()
-        operator('EXEC_DEFAULT', True)
-        NAMES.append(bpy.context.object.name)
-        bpy.ops.view3d.view_selected()
-    view.move(420, 420)
-    yield from redrawn()
-
-
-def is_seen(view, at):
-    """Whether nothing lies before the point of the patch at these parameters."""
-    x, y = view.pixel_of(value().evaluate(*at))
-    with view.override():
-        found = part('ui.picking').parameters_at(view.region, view.region.data, (x - view.region.x, y - view.region.y),
-                                                 [shape()], bpy.context.evaluated_depsgraph_get())
-    return found is not None and np.allclose(found[2], at, atol=0.02)
 
 
 def button(view, value):
@@ -85,9 +57,7 @@ def dragged_to(view, before, at, x, y):
 def on_a_patch(view):
     yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
     before = value()
-    (u0, u1), (v0, v1) = before.domain
-    grid = itertools.product(np.linspace(u0, u1, 12)[2:-2], np.linspace(v0, v1, 14)[3:-3])
-    at = next(at for at in grid if is_seen(view, at))
+    at = place_seen(view)
     view.press('TAB')
     yield from into_net()
     plain = picture("net")
@@ -124,9 +94,7 @@ def by_the_tool(view):
     """A press on the shape pulls at once."""
     yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
     before = value()
-    (u0, u1), (v0, v1) = before.domain
-    grid = itertools.product(np.linspace(u0, u1, 12)[2:-2], np.linspace(v0, v1, 14)[3:-3])
-    at = next(at for at in grid if is_seen(view, at))
+    at = place_seen(view)
     view.press('TAB')
     yield from into_net()
     with view.override():

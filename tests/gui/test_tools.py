@@ -9,31 +9,22 @@ import numpy as np
 from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import (View, empty_file, in_net, into_net, mean_difference, nets, out_of_net, part, redrawn, run, save_picture,
+from one_shape import added, value
+from window import (View, in_net, into_net, mean_difference, nets, out_of_net, part, redrawn, run, save_picture,
                     select_points, until)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 STATE = part('bridge.file_state').state
-NAMES = []
 
 
 def picture(name):
     return save_picture(OUTPUT / f"tools-{name}.png")
 
 
-def value():
-    return bpy.data.objects[NAMES[-1]].data.splinewright.value
-
-
-def added(view, operator):
-    with view.override():
-        empty_file()
-        operator('EXEC_DEFAULT', True)
-        NAMES.append(bpy.context.object.name)
-        bpy.ops.view3d.view_selected()
+def net_of(view, operator):
+    """Steps that bring the net of a new shape out, large in the view."""
+    yield from added(view, operator)
     view.area.spaces.active.region_3d.view_distance = 1.4 * max(bpy.context.object.dimensions)     # versions differ
-    view.move(420, 420)
-    yield from redrawn()
     view.press('TAB')
     yield from into_net()
 
@@ -60,7 +51,7 @@ def point(i):
 
 def knots_by_the_tool(view):
     """The knot is shown without any click; a click puts it there; on a point it selects."""
-    yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
+    yield from net_of(view, bpy.ops.splinewright.add_nurbs_curve)
     before = value()
     start, end = before.domain
     picture("toolbar")
@@ -249,7 +240,7 @@ def hints(view):
 
 def on_a_patch(view):
     """Isocurves at the mouse, along what the header says; a plain mesh has neither tools nor their keys."""
-    yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
+    yield from net_of(view, bpy.ops.splinewright.add_nurbs_patch)
     before = value()
     (u0, u1), (v0, v1) = before.domain
     yield from choose(view, "splinewright.insert_knot")
@@ -299,7 +290,7 @@ def switched_off(view):
     part('ui').register()
     yield from redrawn()
     bpy.ops.object.mode_set(mode='OBJECT')
-    yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
+    yield from net_of(view, bpy.ops.splinewright.add_nurbs_curve)
     yield from choose(view, "splinewright.weight")
     yield from drag(view, view.pixel_of(point(2)), 120)
     yield from until(lambda: weights()[2] > 1.2, "the tool works again")
