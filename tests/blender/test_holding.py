@@ -182,7 +182,7 @@ def test_damage_is_released_in_the_panel():
     add(neighbours())
     shape().data[held.KEY] = "["
     drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context)
-    assert "splinewright.release_seam" in drawn.operators and any("release them" in text for text in drawn.texts)
+    assert "splinewright.release_seam" in drawn.operators and any("release it" in text for text in drawn.texts)
     op(bpy.ops.splinewright.release_seam)
     assert held.KEY not in shape().data.keys()
 

@@ -22,7 +22,7 @@ TOLD_LATE = {('touched', 'adopt_transform')}
 MENDED |= {f"patch_{name}" for name in MENDED}
 #: They open a dialog, work on the view, or are told by the panel what is meant.
 NOT_RUN = {'pick_piece', 'insert_here', 'pull_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt',
-           'hold_seam', 'release_seam'}
+           'hold_seam', 'release_seam', 'hold_joint', 'release_joint'}
 
 
 def made(name):

@@ -113,5 +113,5 @@ def test_what_cannot_hold_is_refused_in_words():
                   Held((0, 'u_end'), (0, 'u_end'), 'G1', 'second'), Held((0, 'u_end'), (1, 'u_start'), 'G9', 'second'),
                   Held((0, 'u_end'), (1, 'u_start'), 'G1', 'none'), Held((-1, 'u_end'), (1, 'u_start'), 'G1', 'first')):
         with pytest.raises(failures.Refusal):
-            held_seams.require_valid(wrong, 2)
-    held_seams.require_valid(seams[0], 2)
+            held_seams.require_valid(wrong, definition)
+    held_seams.require_valid(seams[0], definition)

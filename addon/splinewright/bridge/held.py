@@ -1,4 +1,4 @@
-"""Seams that hold, kept as a text beside the definition on a Mesh. read() is the one door."""
+"""Joints and seams that hold, kept as a text beside the definition. read() is the one door."""
 
 import json
 
@@ -10,8 +10,8 @@ from . import store
 KEY = "splinewright_held"
 
 
-def read(data, count=None):
-    """The Helds of a shape. Raises UnreadableDefinition where what is stored is none. count: of its patches, where it is
+def read(data, definition=None):
+    """The Helds of a shape. Raises UnreadableDefinition where what is stored is none. definition: of the shape, where it is
     known."""
     if KEY not in data.keys():
         return ()
@@ -19,16 +19,16 @@ def read(data, count=None):
         seams = tuple(Held((a, side), (b, other), smoothness, moves)
                       for a, side, b, other, smoothness, moves in json.loads(data[KEY]))
         for seam in seams:
-            held.require_valid(seam, len(store.read(data).pieces) if count is None else count)
+            held.require_valid(seam, definition or store.read(data))
     except (Refusal, TypeError, ValueError, RecursionError) as error:
-        raise store.UnreadableDefinition(f"The seams of {data.name} that hold are damaged: release them ({error})") from error
+        raise store.UnreadableDefinition(f"What holds in {data.name} is damaged: release it ({error})") from error
     return seams
 
 
-def known(data, count=None):
+def known(data):
     """read(), and none where they are damaged."""
     try:
-        return read(data, count)
+        return read(data)
     except store.UnreadableDefinition:
         return ()
 
@@ -40,9 +40,14 @@ def write(data, seams):
         del data[KEY]
 
 
+def with_one(data, seam):
+    """The Helds of a shape, and one in place of what was said of it before."""
+    return *_without(read(data), seam.first, seam.second), seam
+
+
 def hold(data, seam):
-    """Let a seam hold from now on, in place of what was said of it before."""
-    write(data, (*_without(read(data), seam.first, seam.second), seam))
+    """Let a seam hold from now on."""
+    write(data, with_one(data, seam))
 
 
 def release(data, first, second):
@@ -54,7 +59,7 @@ def _without(seams, first, second):
 
 
 def of_all(blocks):
-    """The Helds of several shapes, numbered as their patches are one after the other."""
+    """The Helds of several shapes, numbered as their pieces are one after the other."""
     found, count = (), 0
     for data in blocks:
         found += held.shifted(known(data), count)

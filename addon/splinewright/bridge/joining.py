@@ -72,6 +72,7 @@ def join_ends(active, other, first, second, smoothness):
     shape.set_definition(active.data, changed.definition)
     pieces = curve_pieces.carried(belongings.pieces, changed)
     _give(active, changed.definition, belongings._replace(pieces=pieces))
+    held.carry(active.data, belongings.seams, changed.parents)
     _remove([other])
     return definition, changed
 

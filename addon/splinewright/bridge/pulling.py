@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from ..core import held as seams_that_hold
 from ..core.failures import Refusal
 from ..core.net import exact_net
-from . import recipes, shape, store
+from . import held, recipes, shape, store
 from .net import live, net_object, selection
 
 _FARTHEST = float(np.finfo(np.float32).max)
@@ -17,9 +18,10 @@ class HeldShape:
         recipes.require_free(ob.data)
         self._data = ob.data
         self.definition = store.read(ob.data)
+        self._seams = held.read(ob.data, self.definition)
 
     def show(self, definition):
-        shape.set_definition(self._data, definition)
+        shape.set_definition(self._data, seams_that_hold.applied(definition, self._seams))
 
     def put_back(self):
         shape.set_definition(self._data, self.definition)

@@ -47,10 +47,12 @@ def do(data, number, verb, already):
 
 def put(data, before, changed):
     """Write the verbs.Changed of the definition `before`, which the data-block has."""
+    seams = held.known(data)
     if before.has_curves:
         _put_curves(data, before, changed)
     else:
         _put_patches(data, before, changed)
+    held.carry(data, seams, changed.parents)
 
 
 def _put_curves(data, before, changed):
@@ -61,13 +63,11 @@ def _put_curves(data, before, changed):
 
 def _put_patches(data, before, changed):
     looks, uneven = mesh_looks.kept(data)
-    seams = held.known(data)
     with mesh_attributes.moved(data, write_mesh.owner_of(data), uneven, changed.parents, changed.places):
         shape.set_definition(data, changed.definition)
     # A patch of the same number is the same one; and uneven looks lie where they lay.
     if changed.parents != tuple(range(len(before.pieces))) and not uneven:
         give_looks(data, [looks.get(parent, Look()) for parent in changed.parents])
-    held.carry(data, seams, changed.parents)
 
 
 def give_looks(data, of_pieces):

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import joints, parameters, verbs
+from .held_joints import ENDS
 from .library import sc
 
 #: Ends meet if they are nearer to each other than this part of the smaller piece.
@@ -16,11 +17,12 @@ _MOST_NEIGHBOURS = 16
 
 
 class Joint(NamedTuple):
-    """A place where a curve goes on, by itself or by another."""
+    """A place where a curve or patch goes on, by itself or by another."""
 
     name: str                           # where it is, in words
     continuity: object                  # a splinecore Continuity; None at infinity
     degree: int                         # of the curve, or the higher of two: so many derivatives are all
+    sides: tuple = ()                   # both, as in core.held.Held
 
 
 class Survey(NamedTuple):
@@ -57,7 +59,8 @@ class _Inside(NamedTuple):
         is_seam = self.u is None or self.u == nurbs.domain[0]
         where = "seam" if is_seam else f"{self.u:.4g}"
         name = f"{self.piece + 1}: {where}" if len(curves) > 1 else where
-        return _measured(name, nurbs.degree, lambda: _at(nurbs, self.u))
+        sides = ('end', 'start') if is_seam else (float(self.u), float(self.u))
+        return _measured(name, nurbs.degree, [(self.piece, side) for side in sides], lambda: _at(nurbs, self.u))
 
 
 class _Between(NamedTuple):
@@ -71,23 +74,24 @@ class _Between(NamedTuple):
     def joint(self, curves):
         before, after = curves[self.piece].to_nurbs(), curves[self.other].to_nurbs()
         degree = max(before.degree, after.degree)
+        sides = (self.piece, ENDS[self.end]), (self.other, ENDS[self.other_end])
         if (self.end, self.other_end) == (0, 1):
-            return _measured(f"{self.other + 1} → → {self.piece + 1}", degree, lambda: after.continuity_to(before))
+            return _measured(f"{self.other + 1} → → {self.piece + 1}", degree, sides[::-1], lambda: after.continuity_to(before))
         name = f"{self.piece + 1} {'←→'[self.end]} {'→←'[self.other_end]} {self.other + 1}"
         before = before if self.end else before.reversed()
         after = after.reversed() if self.other_end else after
-        return _measured(name, degree, lambda: before.continuity_to(after))
+        return _measured(name, degree, sides, lambda: before.continuity_to(after))
 
 
 def _at(nurbs, u):
     return nurbs.continuity_to(nurbs) if u is None else nurbs.continuity(u)
 
 
-def _measured(name, degree, measure):
+def _measured(name, degree, sides, measure):
     try:
-        return Joint(name, measure(), degree)
+        return Joint(name, measure(), degree, tuple(sides))
     except sc.PointAtInfinity:
-        return Joint(name, None, degree)
+        return Joint(name, None, degree, tuple(sides))
 
 
 def _parameters(curve, ends, near):

@@ -1,16 +1,17 @@
-"""Continuity that holds: seams of patches that are made smooth anew whenever a side of theirs has moved (lecture row S21)."""
+"""Continuity that holds: joints of curves and seams of patches that are made smooth anew whenever a side of theirs has moved."""
 
+import itertools
+import math
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
-from . import patch_joints
+from . import held_joints, held_seams, patch_joints
 from .failures import Refusal
-from .library import sc
 from .patch_curves import SIDES
 
-#: How often all seams are gone through where they share patches.
+#: How often all are gone through where they share pieces.
 _ROUNDS = 12
 #: What moves less, as a part of the largest number, was there already.
 _ROUNDING = 16 * np.finfo(np.float64).eps
@@ -19,7 +20,10 @@ _AGREED = 1e-9
 
 
 class Held(NamedTuple):
-    """A seam that holds: (patch counted from 0, side) of both, what they share there, and which gives way."""
+    """A joint or seam that holds: (piece counted from 0, where on it) of both, what they share there, and which gives way.
+
+    Where: of a patch a side, of a curve 'start', 'end', or of both a knot inside it.
+    """
 
     first: tuple
     second: tuple
@@ -27,31 +31,53 @@ class Held(NamedTuple):
     moves: str
 
 
-def require_valid(held, count):
-    """Raises Refusal unless a seam is one of a shape of so many patches."""
-    for patch, side in (held.first, held.second):
-        if type(patch) is not int or not 0 <= patch < count or side not in SIDES:
-            raise Refusal("a seam that holds is none of the shape's")
-    if held.first == held.second or held.smoothness not in patch_joints.SMOOTHNESS or held.moves not in patch_joints.MOVES:
-        raise Refusal("a seam that holds says nothing that is known")
+def require_valid(held, definition):
+    """Raises Refusal unless this may be a joint or seam of a definition."""
+    for piece, place in (held.first, held.second):
+        if type(piece) is not int or not 0 <= piece < len(definition.pieces) or not _is_place(place, definition.has_curves):
+            raise Refusal("what holds is none of the shape's")
+    if definition.has_curves and held.first[1] not in held_joints.ENDS and held.second != held.first:
+        raise Refusal("a knot holds beside itself only")
+    if (held.first == held.second) != (definition.has_curves and held.first[1] not in held_joints.ENDS):
+        raise Refusal("what holds is a side beside itself")
+    smoothness = held_joints.SMOOTHNESS if definition.has_curves else patch_joints.SMOOTHNESS
+    if held.smoothness not in smoothness or held.moves not in patch_joints.MOVES:
+        raise Refusal("what holds says nothing that is known")
+
+
+def _is_place(place, is_of_curve):
+    if not is_of_curve:
+        return place in SIDES
+    return place in held_joints.ENDS or type(place) is float and math.isfinite(place)
 
 
 def are_one(definition, held):
-    """Whether the two sides of a seam, or of a core.seams.Seam, are one edge of two patches: the same rows of the pool."""
-    if held.first[0] == held.second[0]:
+    """Whether the two sides of a Held, or of a core.seams.Seam, are one: edges with the same rows of the pool, or ends in one
+    place."""
+    return _room(definition).meet(definition, held)
+
+
+def is_there(definition, held):
+    """Whether a joint of curves has both its sides, wherever they are."""
+    try:
+        held_joints.require_possible(definition, held)
+    except Refusal:
         return False
-    sides = [_border(definition.pieces[patch], side) for patch, side in (held.first, held.second)]
-    return any(np.array_equal(sides[0], other) for other in (sides[1], sides[1][::-1]))
+    return True
 
 
-def _border(piece, side):
-    axis, end = side.split('_')
-    net = piece.indices[0] if piece.kind == 'hermite' else piece.indices
-    return np.take(net, 0 if end == 'start' else -1, 'uv'.index(axis))
+def can_hold(definition, first, second):
+    """Whether there is anything that can hold between two sides."""
+    held = Held(first, second, 'C0', 'second')
+    return is_there(definition, held) if definition.has_curves else are_one(definition, held)
+
+
+def _room(definition):
+    return held_joints if definition.has_curves else held_seams
 
 
 def shifted(seams, count):
-    """Seams of patches before which there are so many more now."""
+    """Seams of pieces before which there are so many more now."""
     return tuple(seam._replace(first=(seam.first[0] + count, seam.first[1]), second=(seam.second[0] + count, seam.second[1]))
                  for seam in seams)
 
@@ -60,54 +86,38 @@ def carried(seams, parents, definition):
     """Those of the seams that are seams of a definition still whose pieces came of the pieces with these numbers."""
     found = []
     for held in seams:
-        now = [[i for i, parent in enumerate(parents) if parent == patch] for patch, _ in (held.first, held.second)]
-        if all(len(numbers) == 1 for numbers in now):
-            moved = held._replace(first=(now[0][0], held.first[1]), second=(now[1][0], held.second[1]))
-            found += [moved] if are_one(definition, moved) else []
+        now = [[i for i, parent in enumerate(parents) if parent == piece] for piece, _ in (held.first, held.second)]
+        moved = [held._replace(first=(a, held.first[1]), second=(b, held.second[1])) for a, b in itertools.product(*now)
+                 if held.first != held.second or a == b]
+        moved = [one for one in moved if are_one(definition, one)]
+        found += moved if len(moved) == 1 else []
     return tuple(found)
 
 
-def applied(definition, seams):
-    """The definition with these Held seams made to hold; itself where they do. Raises Refusal where one takes other knots,
-    or they contradict one another."""
-    if not all(are_one(definition, held) for held in seams):
-        raise Refusal("a seam that is to hold is none any more: release it")
+def applied(definition, seams, led=frozenset()):
+    """The definition with these Held made to hold; itself where they do. led: rows of the pool that a hand moves.
+
+    Raises Refusal where one takes other knots, or they contradict one another.
+    """
+    room = _room(definition)
     pool = definition.pool.copy()
     finite = pool[pool[:, 3] != 0]
     reach, weight = np.abs(finite[:, :3]).max(initial=0.0), np.abs(finite[:, 3]).max(initial=0.0)
     rounding = _ROUNDING * np.array([reach, reach, reach, weight])
     agreed = np.maximum(_AGREED * np.array([definition.size] * 3 + [weight]), 4 * rounding)
     for _ in range(_ROUNDS):
-        moved = [_made_to_hold(definition, pool, held, rounding) for held in seams]
+        moved = [_moved(pool, room.made_to_hold(definition, pool, held, led), rounding) for held in seams]
         if (np.array(moved).reshape(-1, 4) <= agreed).all():
             break
     else:
-        raise Refusal("the seams that are to hold contradict one another: release one of them")
+        raise Refusal("what is to hold contradicts itself: release a joint or seam")
     return definition if np.array_equal(pool, definition.pool) else replace(definition, pool=pool)
 
 
-def _made_to_hold(definition, pool, held, rounding):
-    """Move the rows of the pool beside a seam that are off by more than rounding (4,); (4,) how far."""
-    pieces = [definition.pieces[patch] for patch, _ in (held.first, held.second)]
-    patches = [_patch(piece, pool) for piece in pieces]
-    joined = sc.build.join_patches(patches[0], held.first[1], patches[1], held.second[1], held.smoothness, held.moves)
-    farthest = np.zeros(4)
-    for piece, before, after in zip(pieces, patches, (joined.first, joined.second)):
-        if after.points.shape != before.points.shape or not all(map(np.array_equal, after.knots, before.knots)):
-            raise Refusal("the patches beside a seam that is to hold have other knots or degrees now: release it, and hold it anew")
-        rows = np.dstack([after.points, after.weights])
-        change = np.abs(rows - pool[piece.indices])
-        is_moved = (change > rounding).any(-1)
-        pool[piece.indices[is_moved]] = rows[is_moved]
-        farthest = np.maximum(farthest, change.max((0, 1)))
-    return farthest
-
-
-def _patch(piece, pool):
-    """The NurbsPatch of a piece with its points from a pool."""
-    rows = pool[piece.indices]
-    if piece.kind == 'bezier':
-        return sc.BezierPatch(rows[..., :3], rows[..., 3]).to_nurbs()
-    if piece.kind != 'nurbs':
-        raise Refusal("seams of Hermite patches do not hold: make them NURBS patches first")
-    return sc.NurbsPatch(piece.degree, piece.knots, rows[..., :3], rows[..., 3], piece.periodic)
+def _moved(pool, made, rounding):
+    """Move the rows of a pool that are off by more than rounding (4,) to what was made of them; (4,) how far."""
+    rows, values = made
+    change = np.abs(values - pool[rows])
+    is_moved = (change > rounding).any(-1)
+    pool[rows[is_moved]] = values[is_moved]
+    return change.max(0)

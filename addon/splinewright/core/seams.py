@@ -34,7 +34,7 @@ def surveyed(definition, limit):
     """The core.continuity.Survey of a definition of patches."""
     seams, count = seams_of(definition, limit)
     is_one = len(definition.pieces) == 1
-    return Survey(tuple(Joint(_name(seam, is_one), seam.measured, _MORE) for seam in seams), count)
+    return Survey(tuple(Joint(_name(seam, is_one), seam.measured, _MORE, (seam.first, seam.second)) for seam in seams), count)
 
 
 def classes(measured, size):

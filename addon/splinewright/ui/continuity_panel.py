@@ -1,13 +1,13 @@
 """How smoothly a shape goes on, curves at their joints and patches at their seams, in the sidebar."""
 
-import itertools
 import math
 
 import bpy
 
 from ..bridge import held, replacing, shape, store, surveys
 from ..bridge.net import live, net_object
-from ..core.held import are_one
+from ..core import held_joints, parameters
+from ..core.held import can_hold
 from . import colors, hand, texts
 from .sub_panel import SubPanel
 
@@ -44,7 +44,7 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
         if hand.count_of(data) > 1:
             self.layout.prop(data.splinewright, "show_numbers")
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
-        _draw_joints(self.layout, survey, _holds(self.layout, data) if is_surface else itertools.repeat(None))
+        _draw_joints(self.layout, survey, _Locks(self.layout, data))
 
 
 def _draw_in_columns(layout, items):
@@ -54,38 +54,45 @@ def _draw_in_columns(layout, items):
         layout.label(text=item)
 
 
-def _holds(layout, data):
-    """For each seam what draws its button: it holds, or may."""
-    try:
-        known = {frozenset((seam.first, seam.second)): seam for seam in held.read(data)}
-    except store.UnreadableDefinition as error:
-        texts.draw_problem(layout, str(error))
-        layout.operator("splinewright.release_seam", text="Release All")
-        known = {}
-    can_hold = replacing.can_change(data)
-    definition = store.read(data)
-    return [(seam, known.get(frozenset((seam.first, seam.second))), can_hold and are_one(definition, seam))
-            for seam in surveys.seams_of(data)[0]]
+class _Locks:
+    """Of the joints or seams of a shape: whether they hold, or may."""
+
+    def __init__(self, layout, data):
+        self._definition, self._pieces = store.read(data), surveys.pieces_of(data)
+        self._of = "joint" if self._definition.has_curves else "seam"
+        try:
+            self._known = {frozenset((one.first, one.second)): one for one in held.read(data)}
+        except store.UnreadableDefinition as error:
+            texts.draw_problem(layout, str(error))
+            layout.operator(f"splinewright.release_{self._of}", text="Release All")
+            self._known = {}
+        self._can_change = replacing.can_change(data)
+
+    def draw(self, layout, joint):
+        """Its button."""
+        first, second = joint.sides
+        holds = self._known.get(frozenset(joint.sides))
+        layout = layout.row()
+        layout.enabled = self._can_change and (bool(holds) or can_hold(self._definition, first, second))
+        operator = layout.operator(f"splinewright.{'release' if holds else 'hold'}_{self._of}", text=holds.smoothness if holds else "",
+                                   icon='LOCKED' if holds else 'UNLOCKED')
+        operator.first, operator.second = first[0] + 1, second[0] + 1
+        if self._of == "seam":
+            operator.first_side, operator.second_side = first[1], second[1]
+        elif first[1] in held_joints.ENDS:
+            operator.first_end, operator.second_end = first[1], second[1]
+        else:
+            operator.knot = parameters.inner_knots(self._pieces[first[0]]).tolist().index(first[1]) + 1
 
 
-def _draw_hold(layout, seam, holds, can_hold):
-    layout = layout.row()
-    layout.enabled = can_hold
-    operator = layout.operator("splinewright.release_seam" if holds else "splinewright.hold_seam",
-                               text=holds.smoothness if holds else "", icon='LOCKED' if holds else 'UNLOCKED')
-    (first, operator.first_side), (second, operator.second_side) = seam.first, seam.second
-    operator.first, operator.second = first + 1, second + 1
-
-
-def _draw_joints(layout, survey, seams):
-    for joint, seam in zip(survey.joints, seams):
+def _draw_joints(layout, survey, locks):
+    for joint in survey.joints:
         box = layout.box().column(align=True)
         row = box.split(factor=0.6) if len(joint.name) <= _SHORT else box
         row.label(text=joint.name)
         row = row.row(align=True)
         row.label(text=kind(joint))
-        if seam:
-            _draw_hold(row, *seam)
+        locks.draw(row, joint)
         _draw_in_columns(box, numbers(joint))
     hidden = survey.count - len(survey.joints)
     if hidden:

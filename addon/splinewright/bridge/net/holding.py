@@ -1,4 +1,4 @@
-"""Seams that hold while a net is out: points that no hand moved follow, and the net shows them where they are.
+"""Joints and seams that hold while a net is out: points that no hand moved follow, and the net shows them where they are.
 
 What they were placed from is kept until the gesture that moved them has ended: so it may move them again and again, and where
 it is called off they are where they were.
@@ -9,34 +9,61 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ...core import held as seams_that_hold
-from .. import held
+from .. import held, store
 from ..file_state import ended_operators
 from . import selection
 
 
 @dataclass(eq=False)
 class Placed:
-    """Rows of the pool that were placed in a gesture: as the net has them in float32, and from where."""
+    """Rows of the pool that were placed in a gesture: as the net has them in float32, and from where; those that a hand moved."""
 
     shown: dict = field(default_factory=dict)
     origins: dict = field(default_factory=dict)
+    led: set = field(default_factory=set)
     ended: tuple = ()                   # the ended_operators() at that time
 
 
 def followed(data, ob, current, definition):
-    """A definition, as the net says it, in which the seams of its shape hold. Raises Refusal or an error of the library."""
-    seams = held.read(data, len(definition.pieces))
+    """A definition, as the net says it, in which the joints or seams of its shape hold. Raises Refusal or an error of the
+    library."""
+    seams = _kept(data, current, definition) if definition.has_curves else held.read(data, definition)
     if not seams:
         return definition
     placed = current.placed
     if placed.ended != ended_operators():
         placed = current.placed = Placed(ended=ended_operators())
     start = replace(definition, pool=_as_before(definition.pool, placed))
-    after = seams_that_hold.applied(start, seams)
+    if definition.has_curves:
+        placed.led |= _led(store.pool(data), start.pool, definition.pool)
+    after = seams_that_hold.applied(start, seams, placed.led)
     _show(ob, current, definition.pool, after.pool)
     for row in np.flatnonzero((after.pool != start.pool).any(1)).tolist():
         placed.shown[row], placed.origins[row] = after.pool[row].astype(np.float32), start.pool[row]
     return after
+
+
+def _kept(data, current, definition):
+    """The joints of a shape that are there still in what its net became; the others are released, which current.released
+    says."""
+    seams = held.read(data)
+    if not seams:
+        return ()
+    kept = ()
+    if len(definition.pieces) == len(store.read(data).pieces):
+        kept = tuple(joint for joint in seams if seams_that_hold.is_there(definition, joint))
+    if len(kept) < len(seams):
+        held.write(data, kept)
+        current.released = f"{len(seams) - len(kept)} of the joints that held are released: what they joined is not there any more"
+    return kept
+
+
+def _led(shown, start, pool):
+    """The rows that lie elsewhere in the net than the shape has them, and were not placed."""
+    if shown.shape != pool.shape:
+        return set()
+    moved = (shown.astype(np.float32) != pool.astype(np.float32)).any(1)
+    return set(np.flatnonzero(moved & (start == pool).all(1)).tolist())
 
 
 def _as_before(pool, placed):

@@ -37,6 +37,7 @@ class Session:
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
         self.placed = holding.Placed()
+        self.released = ""              # what holds no more since the net came
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
@@ -255,15 +256,16 @@ def _follow(data, ob, current, moment):
     current.take(found.state, found.slots)
     if current.is_waiting:
         found = found._replace(problem="", note=_WAITS if moment == Moment.BUSY else "")
-    notes = current.stage.note, found.note
-    problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     definition = exact_net.read(current.net, found.state)
+    if not recipes.has_points(data):
+        try:
+            definition = holding.followed(data, ob, current, definition)
+        except FAILURES as error:
+            refused = refused or sentence(error)
+    notes = current.stage.note, found.note, current.released
+    problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
-    try:
-        definition = holding.followed(data, ob, current, definition)
-    except FAILURES as error:
-        refused = refused or sentence(error)
     return _show(data, definition, current), refused or found.problem
 
 

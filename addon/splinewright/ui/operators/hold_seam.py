@@ -15,22 +15,24 @@ from .patch_join import came_apart, continuity_property, moves_property, told
 _SIDES = [(name, words.title(), f"Where {words[0]} {words[2:]}s") for name, words in SIDES.items()]
 
 
-def _patch(of):
-    return IntProperty(name="Patch", description=f"{of}, counted from 1", default=1, min=1, options={'SKIP_SAVE'})
+def number_property(what, of):
+    return IntProperty(name=what, description=f"{of}, counted from 1", default=1, min=1, options={'SKIP_SAVE'})
 
 
 def _side():
     return EnumProperty(name="Side", description="Which side of it", items=_SIDES, options={'SKIP_SAVE'})
 
 
-class _OnSeam:
-    """With a seam of the active shape, or of the one whose net is edited, which then comes out anew."""
+class OnWhatHolds:
+    """With what joins pieces of the active shape, or of the one whose net is edited, which then comes out anew."""
+
+    kind, fits = "patch", staticmethod(replacing.is_patch_shape)
 
     @classmethod
     def poll(cls, context):
         ob = hand.shape_of(context.object)
-        if ob is None or not replacing.is_patch_shape(ob):
-            cls.poll_message_set("Select a patch shape, or edit its net")
+        if ob is None or not cls.fits(ob):
+            cls.poll_message_set(f"Select a {cls.kind} shape, or edit its net")
             return False
         if context.mode != 'OBJECT' and not editing.nets_in_edit_mode(context):
             cls.poll_message_set("Leave the present mode first")
@@ -54,7 +56,17 @@ class _OnSeam:
         return (self.first - 1, self.first_side), (self.second - 1, self.second_side)
 
 
-class SPLINEWRIGHT_OT_hold_seam(_OnSeam, bpy.types.Operator):
+def released(data, sides, of):
+    """Release one, or all where what holds is damaged; in words what was done."""
+    try:
+        held.release(data, *sides)
+    except store.UnreadableDefinition:
+        held.write(data, ())
+        return f"all {of}s are released: what held was damaged"
+    return f"the {of} is released"
+
+
+class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
     bl_idname = "splinewright.hold_seam"
     bl_label = "Hold Seam"
     bl_description = ("Make two patches go on as one another where their sides are one edge, and let that hold while either is "
@@ -63,9 +75,9 @@ class SPLINEWRIGHT_OT_hold_seam(_OnSeam, bpy.types.Operator):
 
     continuity: continuity_property()
     moves: moves_property()
-    first: _patch("One patch")
+    first: number_property("Patch", "One patch")
     first_side: _side()
-    second: _patch("The other patch")
+    second: number_property("Patch", "The other patch")
     second_side: _side()
 
     def work(self, ob):
@@ -80,24 +92,19 @@ class SPLINEWRIGHT_OT_hold_seam(_OnSeam, bpy.types.Operator):
         return f"{told(found)}; {self.continuity} holds from now on", came_apart(found)
 
 
-class SPLINEWRIGHT_OT_release_seam(_OnSeam, bpy.types.Operator):
+class SPLINEWRIGHT_OT_release_seam(OnWhatHolds, bpy.types.Operator):
     bl_idname = "splinewright.release_seam"
     bl_label = "Release Seam"
     bl_description = "Let the sides of a seam be edited each for itself again"
     bl_options = {'REGISTER', 'UNDO'}
 
-    first: _patch("One patch")
+    first: number_property("Patch", "One patch")
     first_side: _side()
-    second: _patch("The other patch")
+    second: number_property("Patch", "The other patch")
     second_side: _side()
 
     def work(self, ob):
-        try:
-            held.release(ob.data, *self.sides())
-        except store.UnreadableDefinition:
-            held.write(ob.data, ())
-            return "all seams are released: what held was damaged", ()
-        return "the seam is released", ()
+        return released(ob.data, self.sides(), "seam"), ()
 
 
 CLASSES = (SPLINEWRIGHT_OT_hold_seam, SPLINEWRIGHT_OT_release_seam)

@@ -115,7 +115,8 @@ class OnPieces(OnSelected):
         nets = editing.nets_in_edit_mode(context)
         warnings = editing.anew(context, nets) if nets else ()
         released = self._holding - self._count_holding(context)
-        words = f"{released} seams hold" if released > 1 else "a seam holds"
+        thing = "joint" if any(ob.type == 'CURVE' for ob in self.chosen(context)) else "seam"
+        words = f"{released} {thing}s hold" if released > 1 else f"a {thing} holds"
         return (*warnings, f"{words} no more") if released > 0 else warnings
 
     def said(self, outcomes):

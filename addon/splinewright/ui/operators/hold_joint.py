@@ -1,0 +1,96 @@
+"""Joints of curves hold while either side is edited, until they are released."""
+
+import bpy
+import numpy as np
+from bpy.props import EnumProperty, IntProperty
+
+from ...bridge import held, replacing, shape, store
+from ...core import held_joints, parameters, patch_joints, verbs
+from ...core.failures import Refusal
+from ...core.held import Held, applied
+from .hold_seam import OnWhatHolds, number_property, released
+
+_WORDS = {'C0': "They meet", 'G1': "They share the tangent, too", 'C1': "They share the first derivative",
+          'G2': "They share the osculating circle, too", 'C2': "They share the first two derivatives"}
+_MOVES = {'second': ("The Other", "What begins there moves to what ends there"), 'first': ("The First", "What ends there moves"),
+          'both': ("Both", "Each goes half of the way")}
+
+
+def _end(default):
+    items = [('start', "Start", "Where it begins"), ('end', "End", "Where it ends")]
+    return EnumProperty(name="End", description="Which end of it", items=items, default=default, options={'SKIP_SAVE'})
+
+
+def _knot():
+    return IntProperty(name="Knot", description="Which knot inside the first piece, counted from 1; 0 for the ends", default=0,
+                       min=0, options={'SKIP_SAVE'})
+
+
+class _OnJoint(OnWhatHolds):
+    kind, fits = "curve", staticmethod(replacing.is_curve_shape)
+
+    def sides(self, data):
+        """As of a core.held.Held. Raises Refusal where there are none."""
+        curves = verbs.curves_of(store.read(data))
+        for number in (self.first, self.second):
+            verbs.require_piece(curves, number)
+        if not self.knot:
+            return (self.first - 1, self.first_end), (self.second - 1, self.second_end)
+        knots = parameters.inner_knots(curves[self.first - 1]).tolist()
+        if self.knot > len(knots):
+            raise Refusal(f"piece {self.first} has {len(knots)} knots inside, none of number {self.knot}")
+        return ((self.first - 1, knots[self.knot - 1]),) * 2
+
+
+class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
+    bl_idname = "splinewright.hold_joint"
+    bl_label = "Hold Joint"
+    bl_description = ("Make curves go on as one another at a joint, or a curve as itself, and let that hold while either side is "
+                      "edited, until it is released")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    continuity: EnumProperty(name="Continuity", description="What both sides share there", default='G1',
+                             items=[(name, name, _WORDS[name]) for name in held_joints.SMOOTHNESS])
+    moves: EnumProperty(name="Moves", description="Which side gives way",
+                        items=[(name, *_MOVES[name]) for name in patch_joints.MOVES])
+    first: number_property("Piece", "The one that ends there")
+    first_end: _end('end')
+    second: number_property("Piece", "The one that begins there")
+    second_end: _end('start')
+    knot: _knot()
+
+    def work(self, ob):
+        replacing.require_changeable(ob.data)
+        definition, joint = store.read(ob.data), Held(*self.sides(ob.data), self.continuity, self.moves)
+        held_joints.require_possible(definition, joint)
+        after = applied(definition, held.with_one(ob.data, joint))
+        if after is not definition:
+            shape.set_definition(ob.data, after)
+        held.hold(ob.data, joint)
+        moved = np.linalg.norm((after.pool - definition.pool)[:, :3], axis=1).max()
+        return f"{self.continuity} holds from now on; " + (f"points moved by up to {moved:.2g}" if moved else "nothing moved"), ()
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.row().prop(self, "continuity", expand=True)
+        layout.row().prop(self, "moves", expand=True)
+
+
+class SPLINEWRIGHT_OT_release_joint(_OnJoint, bpy.types.Operator):
+    bl_idname = "splinewright.release_joint"
+    bl_label = "Release Joint"
+    bl_description = "Let both sides of a joint be edited each for itself again"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    first: number_property("Piece", "The one that ends there")
+    first_end: _end('end')
+    second: number_property("Piece", "The one that begins there")
+    second_end: _end('start')
+    knot: _knot()
+
+    def work(self, ob):
+        return released(ob.data, self.sides(ob.data), "joint"), ()
+
+
+CLASSES = (SPLINEWRIGHT_OT_hold_joint, SPLINEWRIGHT_OT_release_joint)
