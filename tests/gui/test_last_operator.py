@@ -80,6 +80,36 @@ def knots_of_another_axis(view):
     print("knots", flush=True)
 
 
+def said(view):
+    """What Blender has reported, as the status bar shows it: it keeps that for its Info editor."""
+    area = next(area for area in view.window.screen.areas if area.type == 'DOPESHEET_EDITOR')
+    area.type = 'INFO'
+    yield from redrawn()
+    with bpy.context.temp_override(window=view.window, area=area, region=next(part for part in area.regions if part.type == 'WINDOW')):
+        bpy.ops.info.select_all(action='SELECT')
+        bpy.ops.info.report_copy()
+    area.type = 'DOPESHEET_EDITOR'
+    return bpy.context.window_manager.clipboard
+
+
+def results_of_changes(view):
+    yield from add_patch(view)
+    with view.override():
+        bpy.ops.splinewright.patch_raise_degree('INVOKE_DEFAULT', True)
+    yield from redrawn()
+    for times, count in ((3, 75), (2, 60)):
+        last().properties.times = times
+        yield from again(view)
+        reports = yield from said(view)
+        assert reports.endswith(f"\nRaised the degree of NURBS Patch: 30 points became {count}\n"), reports
+    last().properties.times = 1
+    last().properties.piece = 4
+    yield from again(view)
+    reports = yield from said(view)
+    assert "piece" in reports.splitlines()[-1] or "1 patch" in reports.splitlines()[-1], reports
+    print("results", flush=True)
+
+
 def preset_of(operator, name, override):
     """The path of a preset of the present settings, made as the button + does."""
     from bl_operators.presets import AddPresetOperator as adding
@@ -178,7 +208,7 @@ def names_of_steps(view):
 
 def steps():
     view = View()
-    for part_of_it in (knots_of_another_axis, presets, presets_of_files, names_of_steps):
+    for part_of_it in (results_of_changes, knots_of_another_axis, presets, presets_of_files, names_of_steps):
         yield from part_of_it(view)
     print("the last operator is shown as it should be:", bpy.app.version_string, flush=True)
 
