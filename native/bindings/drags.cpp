@@ -48,10 +48,11 @@ Shape shape_of(const Patch& patch) {
 const char* const kCurve =
     "The curve with its control points moved as little as can be so that its point at u moves by `by` (3,).\n\n"
     "To bring it to a place, give place - evaluate(u). tangent_by is added to the derivative there: zero keeps it, None\n"
-    "lets it go. Least is the sum of squares of the points' motions, each divided by its factor (n,), 0 for a point that\n"
-    "stays. The larger locality is, the fewer follow: factors are multiplied by what a point counts at u, to this power.\n"
-    "Weights, knots and points at infinity stay, ends that meet go together. InvalidShape where nothing that the point\n"
-    "depends on may move. The NURBS Book, 11.5.";
+    "lets it go; second_by is the same of the second derivative, and needs a tangent_by. Least is the sum of squares of\n"
+    "the points' motions, each divided by its factor (n,), 0 for a point that stays. The larger locality is, the fewer\n"
+    "follow: factors are multiplied by what a point counts at u, to this power. Weights, knots and points at infinity\n"
+    "stay, ends that meet go together. InvalidShape where nothing that the point depends on may move, or too little to\n"
+    "choose the derivatives. The NURBS Book, 11.5.";
 const char* const kHermiteCurve =
     "The chain with points and tangents moved as little as can be so that its point at u moves by `by` (3,).\n\n"
     "As NurbsCurve.dragged(), with factors (3, n) of points, incoming and outgoing tangents. The motion of a tangent is\n"
@@ -67,14 +68,16 @@ const char* const kHermitePatch =
 template <class Curve>
 void bind_curve(py::class_<Curve> cls, const char* text) {
   cls.def("dragged", [](const Curve& self, const py::object& u, const py::object& by, const py::object& tangent_by,
-                        const py::object& factors, const py::object& locality) {
+                        const py::object& second_by, const py::object& factors, const py::object& locality) {
             const double at = real(u, "u");
             Drag drag{vector_of(by, "by"), {}};
             if (!tangent_by.is_none()) drag.tangent_by = vector_of(tangent_by, "tangent_by");
+            if (!second_by.is_none()) drag.second_by = vector_of(second_by, "second_by");
             const Following following = following_of(factors, locality, shape_of(self));
             return unlocked([&] { return splinecore::dragged(self, at, drag, following); });
-          }, py::arg("u"), py::arg("by"), py::arg("tangent_by") = py::none(), py::kw_only(),
-          py::arg("factors") = py::none(), py::arg("locality") = 0.0, text);
+          }, py::arg("u"), py::arg("by"), py::arg("tangent_by") = py::none(),
+          py::arg("second_by") = py::none(), py::kw_only(), py::arg("factors") = py::none(),
+          py::arg("locality") = 0.0, text);
 }
 
 template <class Patch>

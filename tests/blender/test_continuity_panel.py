@@ -28,6 +28,9 @@ class Layout:
     def prop(self, data, name):
         getattr(data, name)
 
+    def operator(self, name, text="", icon='NONE'):
+        return types.SimpleNamespace()
+
     def split(self, factor):
         return self
 

@@ -7,7 +7,7 @@ import pytest
 from shapes import activate, add, require_exact
 from support import part, splinecore as sc, vertices
 
-shape = part('bridge.shape')
+mesh_layers, shape = part('bridge.mesh_layers'), part('bridge.shape')
 #: For each type a value and how it is read.
 VALUES = {'FLOAT': ('value', 0.5), 'INT': ('value', 70_000), 'INT8': ('value', -7), 'BOOLEAN': ('value', True),
           'FLOAT_VECTOR': ('vector', (1.0, 2.0, 3.0)), 'FLOAT_COLOR': ('color', (0.25, 0.5, 0.75, 0.5)),
@@ -149,3 +149,22 @@ def test_there_may_be_as_many_uv_maps_as_blender_takes():
         ob.data.uv_layers.new(name=name)
     refine(ob)
     assert {layer.name for layer in ob.data.uv_layers} - {"UVMap"} == set(names)
+
+
+def test_where_corners_lie_is_kept_for_vertices_where_that_is_enough():
+    """A patch alone needs a quarter of the room; where patches meet, or one is closed, corners of a vertex differ."""
+    def domain_of(value):
+        ob = add(value)
+        refine(ob)
+        corners = mesh_layers.parameters(ob.data)
+        assert corners.shape == (len(ob.data.loops), 3) and 0 <= corners[:, :2].min() and corners[:, :2].max() <= 1
+        assert [attribute.name for attribute in ob.data.attributes].count("parameters") == 1
+        return ob.data.attributes["parameters"].domain
+    patch = sc.BezierPatch(np.random.default_rng(1).random((4, 4, 3)))
+    assert domain_of(patch) == 'POINT'
+    assert domain_of(sc.PatchSet.from_patches(patch.to_nurbs().split('u', 0.5))) == 'CORNER'
+    assert domain_of(sc.build.sphere((0, 0, 0), 1.0)) == 'CORNER'
+    ob = add(patch)
+    run = bpy.ops.splinewright.patch_split
+    assert run('EXEC_DEFAULT', True, direction='U') == {'FINISHED'}
+    assert ob.data.attributes["parameters"].domain == 'CORNER'

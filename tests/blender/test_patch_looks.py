@@ -11,7 +11,7 @@ from shapes import activate, add, op, require_exact
 from support import corner_normals, part, splinecore as sc, vertices
 
 Look = part('bridge.look').Look
-mesh_looks, shape = part('bridge.mesh_looks'), part('bridge.shape')
+mesh_layers, mesh_looks, shape = (part(f'bridge.{name}') for name in ('mesh_layers', 'mesh_looks', 'shape'))
 AT = {'parameter_u': 0.3, 'parameter_v': 0.3}
 
 
@@ -125,9 +125,7 @@ def test_what_is_painted_stays_in_its_place(name, settings, kind):
     assert colour < most and weight < most / 3
     uvs = np.empty(2 * len(ob.data.loops), np.float32)
     ob.data.uv_layers["UVMap"].data.foreach_get('uv', uvs)
-    corners = np.empty(3 * len(ob.data.loops), np.float32)
-    ob.data.attributes["parameters"].data.foreach_get('vector', corners)
-    assert np.array_equal(uvs.reshape(-1, 2), corners.reshape(-1, 3)[:, :2]), "the UV map of a shape is its parameters"
+    assert np.array_equal(uvs.reshape(-1, 2), mesh_layers.parameters(ob.data)[:, :2]), "the UV map of a shape is its parameters"
 
 
 def test_what_is_painted_stays_where_it_is_if_the_mesh_cannot_be_made(monkeypatch):

@@ -88,15 +88,16 @@ constexpr CurveStep kVerbs[] = {
     [](Bytes& bytes, NurbsCurve& curve) { curve = curve.with_points(points(bytes, curve.points().size())); },
     [](Bytes& bytes, NurbsCurve& curve) {
       const double u = parameter(bytes, curve.knot_vector());
-      Drag drag{vector(bytes), {}};
+      Drag drag{vector(bytes), {}, {}};
       if (bytes.flag()) drag.tangent_by = vector(bytes);
+      if (bytes.flag()) drag.second_by = vector(bytes);
       Following following{{}, bytes.flag() ? bytes.number() : 0.0};
       if (bytes.flag()) following.factors = numbers(bytes, curve.points().size());
       curve = dragged(curve, u, drag, following);
     },
     [](Bytes& bytes, NurbsCurve& curve) {
       const HermiteCurve chain = to_hermite(curve);
-      curve = dragged(chain, bytes.within(chain.nurbs().domain()), {vector(bytes), {}}).nurbs();
+      curve = dragged(chain, bytes.within(chain.nurbs().domain()), {vector(bytes), {}, {}}).nurbs();
     },
 };
 

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from one_shape import added, place_seen, value
+from one_shape import added, place_seen, shape, value
 from window import View, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
@@ -152,6 +152,69 @@ def on_a_curve(view):
     print("on a curve", flush=True)
 
 
+def by_tangent_and_circle(view):
+    """D and C on a curve in Object Mode: the point stays where it is, Esc puts back what was pulled."""
+    yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
+    before, u = value(), float(np.mean(value().domain))
+    for key, handle in (('D', 'TANGENT'), ('C', 'CIRCLE')):
+        x, y = view.pixel_of(before.evaluate(u))
+        view.move(x, y)
+        with view.override():
+            bpy.ops.splinewright.pull_here('INVOKE_DEFAULT')
+        view.move(x, y)
+        yield from until(lambda: pulled() is not None, "what is at the mouse is shown")
+        view.press(key)
+        yield from until(lambda: pulled() is not None and len(pulled().lines) > 0, f"{key} shows the handle")
+        button(view, 'PRESS')
+        view.move(x + 30, y - 50)
+        yield from until(lambda: value() != before and np.linalg.norm(led()) > 0, "the shape follows")
+        yield from redrawn()
+        picture(handle.lower())
+        button(view, 'RELEASE')
+        yield from until(lambda: pulled() is None, "letting go ends it")
+        operator = bpy.context.window_manager.operators[-1]
+        u = operator.parameter_u
+        assert operator.handle == handle
+        size = np.abs(before.points).max()
+        assert np.abs(value().evaluate(u) - before.evaluate(u)).max() < 1e-9 * size, "the point stays"
+        gained = value().derivatives(u, 2) - before.derivatives(u, 2)
+        assert np.abs(gained[1 if handle == 'TANGENT' else 2]).max() > 0.1
+        assert handle == 'TANGENT' or np.abs(gained[1]).max() < 1e-9 * size, "the tangent stays, too"
+        view.press('Z', ctrl=True)
+        yield from until(lambda: value() == before, "Ctrl+Z takes it back")
+    print("by tangent and circle", flush=True)
+
+
+def to_a_vertex(view):
+    """With the magnet on, the point goes to a vertex of another object."""
+    before, u = value(), float(np.mean(value().domain))
+    with view.override():
+        bpy.ops.mesh.primitive_cube_add(size=0.5, location=(0.5, 1.5, 1.0))
+        cube = bpy.context.object
+        cube.select_set(False)
+        shape().select_set(True)
+        bpy.context.view_layer.objects.active = shape()
+    tools = bpy.context.scene.tool_settings
+    tools.use_snap, tools.snap_elements = True, {'VERTEX'}
+    x, y = view.pixel_of(before.evaluate(u))
+    corners = np.array([cube.matrix_world @ vertex.co for vertex in cube.data.vertices])
+    eye = np.array(view.region.data.view_matrix.inverted().translation)
+    corner = corners[np.linalg.norm(corners - eye, axis=1).argmin()]
+    yield from grabbed(view, x, y)
+    there_x, there_y = view.pixel_of(corner)
+    middle_x, middle_y = view.pixel_of(corners.mean(0))
+    view.move(there_x + round(0.1 * (middle_x - there_x)), there_y + round(0.1 * (middle_y - there_y)))
+    yield from until(lambda: np.abs(pulled().end - corner).max() < 1e-5, "the point snaps to the corner")
+    yield from redrawn()
+    picture("snapped")
+    button(view, 'RELEASE')
+    yield from until(lambda: pulled() is None, "letting go ends it")
+    u = bpy.context.window_manager.operators[-1].parameter_u
+    assert np.abs(value().evaluate(u) - corner).max() < 1e-5
+    tools.use_snap = False
+    print("to a vertex", flush=True)
+
+
 def in_object_mode(view):
     """A click holds on until the next one; no net is out."""
     before, u = value(), float(np.mean(value().domain))
@@ -181,6 +244,8 @@ def steps():
     yield from by_the_tool(view)
     yield from on_a_curve(view)
     yield from in_object_mode(view)
+    yield from by_tangent_and_circle(view)
+    yield from to_a_vertex(view)
     print("shapes were pulled by the mouse:", bpy.app.version_string, flush=True)
 
 

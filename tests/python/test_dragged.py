@@ -24,11 +24,11 @@ def units(curve):
         yield i, curve.with_points(points)
 
 
-def rows(curve, u):
-    """What each point counts in the point at u and in the derivative, (2, n)."""
-    found = np.zeros((2, len(curve.points)))
+def rows(curve, u, order=1):
+    """What each point counts in the point at u and in the derivatives, (order + 1, n)."""
+    found = np.zeros((order + 1, len(curve.points)))
     for i, unit in units(curve):
-        found[:, i] = unit.derivatives(u, 1)[:, 0]
+        found[:, i] = unit.derivatives(u, order)[:, 0]
     return found
 
 
@@ -89,6 +89,47 @@ def test_a_tangent_stays_or_goes_where_it_is_asked_to(tangent_by):
         assert (np.abs(gained - wanted) <= 1e-11 * size * np.abs(system).sum(1)[:, None]).all()
         count += 1
     assert count > 150
+
+
+def test_a_second_derivative_goes_where_it_is_asked_to():
+    count, tangent_by, second_by = 0, np.zeros(3), np.array([0.5, 1.0, -3.0])
+    for curve in random_curves(29, 300):
+        u = middle(curve)
+        if is_near_infinity(curve, u):
+            continue
+        system = rows(curve, u, 2)
+        sizes = np.abs(system).max(1)[:, None]
+        if not sizes.all() or np.linalg.cond(system / sizes) > 1e4:     # too few finite points, or degree 1
+            continue
+        moved = curve.dragged(u, BY, tangent_by, second_by)
+        wanted = np.array([BY, tangent_by, second_by])
+        expected = least(system, wanted, np.ones(len(curve.points)))
+        size = 10 + np.abs(expected).max()
+        assert np.abs(moved.points - curve.points - expected).max() <= 1e-8 * size
+        gained = moved.derivatives(u, 2) - curve.derivatives(u, 2)
+        assert (np.abs(gained - wanted) <= 1e-10 * size * np.abs(system).sum(1)[:, None]).all()
+        count += 1
+    assert count > 120
+
+
+def test_a_second_derivative_of_a_chain():
+    rng = np.random.default_rng(3)
+    chain = sc.HermiteCurve(rng.normal(size=(4, 3)), rng.normal(size=(4, 2, 3)), [0, 1, 2.5, 3.0])
+    for u in (0.0, 0.4, 1.7, 3.0):
+        gained = chain.dragged(u, (0, 0, 0), (0, 0, 0), (1, 2, 3)).derivatives(u, 2) - chain.derivatives(u, 2)
+        assert np.allclose(gained, [(0, 0, 0), (0, 0, 0), (1, 2, 3)], atol=1e-12)
+
+
+def test_a_second_derivative_that_cannot_be_chosen_is_refused():
+    line = sc.NurbsCurve(1, [0, 0, 1, 1], [[0, 0, 0], [1, 0, 0]])
+    with pytest.raises(sc.InvalidShape, match="the second derivative at u = 0.5 cannot be chosen"):
+        line.dragged(0.5, BY, (0, 0, 0), (0, 0, 1))
+    curve = random_curve(np.random.default_rng(1), degree=3, spans=4)
+    with pytest.raises(sc.InvalidShape, match="without tangent_by"):
+        curve.dragged(middle(curve), BY, None, (0, 0, 1))
+    for wrong in ((1, 2), (0, 0, np.nan), "abc"):
+        with pytest.raises((sc.InvalidShape, TypeError)):
+            curve.dragged(middle(curve), BY, (0, 0, 0), wrong)
 
 
 @pytest.mark.parametrize("size", [1e-150, 1e-30, 1.0, 1e30, 1e150])

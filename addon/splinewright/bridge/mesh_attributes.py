@@ -12,7 +12,7 @@ import numpy as np
 from mathutils.bvhtree import BVHTree
 
 from . import mesh_groups, mesh_layers, mesh_marks, mesh_sharp
-from .mesh_layers import ATTRIBUTES, MOST_UV_MAPS, PARAMETERS, UV_NAME, Layer, read
+from .mesh_layers import ATTRIBUTES, MOST_UV_MAPS, UV_NAME, Layer, read
 
 
 class Kept(NamedTuple):
@@ -30,8 +30,7 @@ class Kept(NamedTuple):
 
 def write_parameters(mesh, tessellation):
     """Keep for each corner of new faces where it lies."""
-    attribute = mesh.attributes.new(PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
-    attribute.data.foreach_set('vector', _parameters(tessellation).ravel())
+    mesh_layers.write_parameters(mesh, _parameters(tessellation))
 
 
 def lies_as(mesh, tessellation):
@@ -70,7 +69,7 @@ def moved(mesh, owner, uneven, parents, places):
 
 
 def _put(mesh, corners, uvs):
-    mesh.attributes[PARAMETERS].data.foreach_set('vector', np.ascontiguousarray(corners, np.float32).ravel())
+    mesh_layers.write_parameters(mesh, corners.astype(np.float32))
     if uvs is not None:
         data, field = mesh_layers.uv_of(mesh.uv_layers[UV_NAME])
         data.foreach_set(field, np.ascontiguousarray(uvs, np.float32).ravel())

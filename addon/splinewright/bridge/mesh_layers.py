@@ -12,7 +12,7 @@ from mathutils.interpolate import poly_3d_calc
 
 from . import versions
 
-#: Corner attribute: u, v in [0, 1] of the patch, and the number of the patch.
+#: Attribute of vertices where all corners of each agree, else of corners: u, v in [0, 1] of the patch, and its number.
 PARAMETERS = "parameters"
 UV_NAME = "UVMap"
 _OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face', 'sharp_edge'}
@@ -62,22 +62,49 @@ def ours(mesh, name, data_type, domain):
     return attribute if is_ours else None
 
 
+def _of_parameters(mesh):
+    """(the attribute, whether it is of vertices); None where the mesh has none."""
+    for domain, collection in (('POINT', mesh.vertices), ('CORNER', mesh.loops)):
+        attribute = ours(mesh, PARAMETERS, 'FLOAT_VECTOR', domain)
+        if attribute is not None and len(attribute.data) == len(collection):
+            return attribute, domain == 'POINT'
+    return None
+
+
 def parameters(mesh):
-    """(c, 3) of PARAMETERS, or None where the mesh has none for its corners."""
-    attribute = ours(mesh, PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
-    if attribute is None or len(attribute.data) != len(mesh.loops):
+    """(c, 3) of PARAMETERS of the corners, or None where the mesh has none."""
+    found = _of_parameters(mesh)
+    if found is None:
         return None
-    return read(attribute.data, 'vector', 3, np.float32)
+    values = read(found[0].data, 'vector', 3, np.float32)
+    return values[corner_vertices(mesh)] if found[1] else values
+
+
+def write_parameters(mesh, corners):
+    """Give the mesh PARAMETERS, (c, 3) of its corners."""
+    vertices = corner_vertices(mesh)
+    of_vertices = np.zeros((len(mesh.vertices), 3), np.float32)
+    of_vertices[vertices] = corners
+    is_of_vertices = np.array_equal(of_vertices[vertices], corners)
+    domain, values = ('POINT', of_vertices) if is_of_vertices else ('CORNER', np.ascontiguousarray(corners, np.float32))
+    attribute = ours(mesh, PARAMETERS, 'FLOAT_VECTOR', domain)
+    if attribute is None:
+        other = _of_parameters(mesh)
+        if other is not None:
+            mesh.attributes.remove(other[0])
+        attribute = mesh.attributes.new(PARAMETERS, 'FLOAT_VECTOR', domain)
+    attribute.data.foreach_set('vector', values.ravel())
 
 
 def parameters_at(mesh, face, point):
     """(u, v) in [0, 1] of the patch at a point of one of its faces, also of an evaluated mesh; None where that has none."""
-    attribute = ours(mesh, PARAMETERS, 'FLOAT_VECTOR', 'CORNER')
-    if attribute is None or face >= len(mesh.polygons):
+    found = _of_parameters(mesh)
+    if found is None or face >= len(mesh.polygons):
         return None
-    polygon = mesh.polygons[face]
+    (attribute, is_of_vertices), polygon = found, mesh.polygons[face]
     weights = poly_3d_calc([mesh.vertices[vertex].co for vertex in polygon.vertices], point)
-    corners = np.array([attribute.data[corner].vector for corner in polygon.loop_indices])
+    numbers = polygon.vertices if is_of_vertices else polygon.loop_indices
+    corners = np.array([attribute.data[number].vector for number in numbers])
     return tuple(np.clip(np.array(weights) @ corners[:, :2], 0.0, 1.0).tolist())
 
 

@@ -69,11 +69,13 @@ class _Locks:
         self._can_change = replacing.can_change(data)
 
     def draw(self, layout, joint):
-        """Its button."""
+        """Its button, if it may hold."""
         first, second = joint.sides
         holds = self._known.get(frozenset(joint.sides))
+        if not holds and not can_hold(self._definition, first, second):
+            return
         layout = layout.row()
-        layout.enabled = self._can_change and (bool(holds) or can_hold(self._definition, first, second))
+        layout.enabled = self._can_change
         operator = layout.operator(f"splinewright.{'release' if holds else 'hold'}_{self._of}", text=holds.smoothness if holds else "",
                                    icon='LOCKED' if holds else 'UNLOCKED')
         operator.first, operator.second = first[0] + 1, second[0] + 1

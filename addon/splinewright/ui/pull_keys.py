@@ -47,6 +47,10 @@ class Keys:
         length = free @ seen / steep if steep > _STEEP else free @ along
         return (round(length / step) * step if self.snaps else length) * along
 
+    def along_axis(self, vector):
+        """What of a vector lies along the axis, where one was chosen."""
+        return (vector @ self._direction(vector)) * self._direction(vector) if self.axis else vector
+
     def _direction(self, free):
         if self.axis:
             return np.eye(3)[_AXES.index(self.axis)]

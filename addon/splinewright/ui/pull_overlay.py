@@ -23,6 +23,7 @@ class Pull(NamedTuple):
     end: np.ndarray                     # (3,) where it is
     followers: np.ndarray               # (k, 3) control points that move
     parts: np.ndarray                   # (k,) how far each moves, from 0 to 1
+    lines: np.ndarray = np.empty((0, 2, 3))     # of the tangent or circle that is pulled
 
 
 def draw():
@@ -41,6 +42,8 @@ def _strokes(pull):
     for step in np.unique(steps).tolist():
         color = (*_COLOR[:3], step / _STEPS)
         yield strokes.points(pull.followers[steps == step], lambda color=color: color, lambda: 8)
+    if len(pull.lines):
+        yield strokes.lines(pull.lines, lambda: _COLOR, 1.5)
     if not np.array_equal(pull.start, pull.end):
         yield strokes.lines(np.array([[pull.start, pull.end]]), lambda: _COLOR, 2.0)
     yield strokes.points(pull.end[None], lambda: _COLOR, lambda: 11)

@@ -24,12 +24,17 @@ bool lie_together(const glm::dvec4& a, const glm::dvec4& b) {
 Motion motion_of(const Movable& movable, double u, const Drag& drag, const Following& following) {
   require_finite(std::span(&drag.by, 1), "by");
   if (drag.tangent_by) require_finite(std::span(&*drag.tangent_by, 1), "tangent_by");
-  return least_change(movable, drag.tangent_by.has_value(), following, "u = " + text_of(u));
+  if (drag.second_by) require_finite(std::span(&*drag.second_by, 1), "second_by");
+  if (drag.second_by && !drag.tangent_by) throw InvalidShape("second_by is given without tangent_by: zero keeps the tangent");
+  const int order = drag.second_by ? 2 : drag.tangent_by ? 1 : 0;
+  return least_change(movable, order, following, "u = " + text_of(u));
 }
 
 glm::dvec3 step_of(const Motion& motion, std::size_t i, const Drag& drag) {
-  const glm::dvec3 step = motion.of_point[i] * drag.by;
-  return drag.tangent_by ? step + motion.of_tangent[i] * *drag.tangent_by : step;
+  glm::dvec3 step = motion[0][i] * drag.by;
+  if (drag.tangent_by) step += motion[1][i] * *drag.tangent_by;
+  if (drag.second_by) step += motion[2][i] * *drag.second_by;
+  return step;
 }
 
 void move(glm::dvec3& vector, const glm::dvec3& step) {
@@ -43,6 +48,7 @@ std::vector<glm::dvec4> dragged_points(const NurbsCurve& curve, double u, const 
   Movable movable(points.size());
   movable.in_point = std::move(influence.value);
   movable.in_tangent = std::move(influence.slope);
+  movable.in_second = std::move(influence.bend);
   for (std::size_t i = 0; i < points.size(); ++i) movable.is_fixed[i] = points[i].w == 0.0;
   if (touches_ends(curve.knot_vector()) && lie_together(points.front(), points.back())) {
     movable.tie(0, static_cast<int>(points.size()) - 1);
@@ -64,6 +70,7 @@ Movable movable_of(const HermiteCurve& curve, double u) {
   const auto put = [&](std::size_t first, const Influence& influence, const std::vector<double>& measure) {
     std::copy(influence.value.begin(), influence.value.end(), movable.in_point.begin() + first);
     std::copy(influence.slope.begin(), influence.slope.end(), movable.in_tangent.begin() + first);
+    std::copy(influence.bend.begin(), influence.bend.end(), movable.in_second.begin() + first);
     std::copy(measure.begin(), measure.end(), movable.measure.begin() + first);
   };
   put(0, at.points, std::vector<double>(count, 1.0));

@@ -79,7 +79,7 @@ PatchInfluence influence_of(const HermitePatch& patch, double u, double v) {
 PatchInfluence influence_of(const NurbsPatch& patch, double u, double v) {
   const Influence along_u = Influence::at(patch.knot_vector(Axis::u), u, "u");
   const Influence along_v = Influence::at(patch.knot_vector(Axis::v), v, "v");
-  Influence net{products(along_u.value, along_v.value), {}};
+  Influence net{products(along_u.value, along_v.value), {}, {}};
   if (!make_rational(net, patch.points())) throw PointAtInfinity(u, v);
   return {std::move(net.value), std::vector<double>(patch.points().size(), 1.0)};
 }
@@ -175,10 +175,10 @@ std::vector<glm::dvec4> dragged_points(const Pool& pool, std::size_t number, con
                                        const glm::dvec3& by, const Following& following) {
   require_finite(std::span(&by, 1), "by");
   const Movable movable = movable_of(pool, pool.patches[number], influence_of(value, at.u, at.v));
-  const Motion motion = least_change(movable, false, following, "u = " + text_of(at.u) + ", v = " + text_of(at.v));
+  const Motion motion = least_change(movable, 0, following, "u = " + text_of(at.u) + ", v = " + text_of(at.v));
   std::vector<glm::dvec4> points(pool.points.begin(), pool.points.end());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec3 step = motion.of_point[i] * by;
+    const glm::dvec3 step = motion[0][i] * by;
     if (step != glm::dvec3(0.0)) points[i] += glm::dvec4(step, 0.0);
   }
   return points;

@@ -10,14 +10,16 @@
 namespace splinecore {
 
 Influence Influence::at(const KnotVector& knots, double u, const char* name) {
-  Stencil at(knots, 1);
+  Stencil at(knots, 2);
   at.move_to(knots.admit(u, Side::right, {}, name), Side::right);
   const auto count = static_cast<std::size_t>(knots.count());
-  Influence found{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
+  const std::vector<double> none(count, 0.0);
+  Influence found{none, none, none};
   for (std::size_t j = 0; j < at.weights(0).size(); ++j) {
     const std::size_t i = (at.first() + j) % count;
     found.value[i] += at.weights(0)[j];
     found.slope[i] += at.weights(1)[j];
+    found.bend[i] += at.weights(2)[j];
   }
   return found;
 }
@@ -28,6 +30,7 @@ bool make_rational(Influence& plain, std::span<const glm::dvec4> points) {
   for (const glm::dvec4& point : points) size = std::max(size, std::abs(point.w));
   double weight = 0.0;
   double slope = 0.0;
+  double bend = 0.0;
   double terms = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double w = points[i].w / size;
@@ -36,12 +39,15 @@ bool make_rational(Influence& plain, std::span<const glm::dvec4> points) {
     terms += std::abs(plain.value[i]);
     if (plain.slope.empty()) continue;
     plain.slope[i] *= w;
+    plain.bend[i] *= w;
     slope += plain.slope[i];
+    bend += plain.bend[i];
   }
   if (!(std::abs(weight) > kRounding * terms)) return false;
   for (double& value : plain.value) value /= weight;
   for (std::size_t i = 0; i < plain.slope.size(); ++i) {
     plain.slope[i] = (plain.slope[i] - plain.value[i] * slope) / weight;
+    plain.bend[i] = (plain.bend[i] - 2.0 * plain.slope[i] * slope - plain.value[i] * bend) / weight;
   }
   return true;
 }
@@ -65,6 +71,7 @@ HermiteInfluence HermiteInfluence::at(std::span<const double> parameters, double
     };
     add(chain.value, found.points.value, found.incoming.value, found.outgoing.value);
     add(chain.slope, found.points.slope, found.incoming.slope, found.outgoing.slope);
+    add(chain.bend, found.points.bend, found.incoming.bend, found.outgoing.bend);
   }
   return found;
 }

@@ -9,17 +9,18 @@
 
 namespace splinecore {
 
-/// What the control points of one axis count at a parameter: in the value there, and in its derivative.
+/// What the control points of one axis count at a parameter: in the value there, and in its first two derivatives.
 struct Influence {
   /// @throws InvalidShape if u is outside the domain.
   static Influence at(const KnotVector& knots, double u, const char* name = "u");
 
   std::vector<double> value;
   std::vector<double> slope;
+  std::vector<double> bend;
 };
 
 /// The same of points with weights; those at infinity count nothing, as they stay.
-/// @param plain  of the same points without weights
+/// @param plain  of the same points without weights; derivatives only where it has any
 /// @return false where the weight is zero, up to rounding
 bool make_rational(Influence& plain, std::span<const glm::dvec4> points);
 

@@ -1,6 +1,7 @@
 #include "least_change.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -11,7 +12,7 @@ namespace splinecore {
 
 namespace {
 
-/// What is left of the tangent's equation beside the point's is rounding, as a part of it, below this.
+/// What is left of an equation beside those before it is rounding, as a part of it, below this.
 constexpr double kDependent = 1e-11;
 
 std::vector<double> factors_of(const Following& following, std::size_t count) {
@@ -33,8 +34,7 @@ std::vector<double> factors_of(const Following& following, std::size_t count) {
 
 /// What moves as one, as one unknown: coefficients for a motion measured as a length.
 struct Unknown {
-  double in_point = 0.0;
-  double in_tangent = 0.0;
+  std::array<double, 3> in{};
   double measure = 0.0;
   int measured = 0;
   double factor = 1.0;
@@ -48,23 +48,23 @@ std::vector<Unknown> unknowns_of(const Movable& movable, const std::vector<doubl
   for (Unknown& unknown : unknowns) unknown.factor = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < factors.size(); ++i) {
     Unknown& unknown = unknowns[movable.leader(static_cast<int>(i))];
-    unknown.in_point += movable.in_point[i];
-    unknown.in_tangent += movable.in_tangent[i];
+    unknown.in[0] += movable.in_point[i];
+    unknown.in[1] += movable.in_tangent[i];
+    unknown.in[2] += movable.in_second[i];
     unknown.measure += movable.measure[i];
     unknown.measured += movable.measure[i] > 0.0 ? 1 : 0;
     unknown.factor = std::min(unknown.factor, movable.is_fixed[i] ? 0.0 : factors[i]);
   }
   for (Unknown& unknown : unknowns) {
-    unknown.in_point /= unknown.length();
-    unknown.in_tangent /= unknown.length();
+    for (double& part : unknown.in) part /= unknown.length();
   }
   return unknowns;
 }
 
-double largest(const std::vector<Unknown>& unknowns, double Unknown::*member) {
+double largest_in_point(const std::vector<Unknown>& unknowns) {
   double size = 0.0;
   for (const Unknown& unknown : unknowns) {
-    if (unknown.factor > 0.0) size = std::max(size, std::abs(unknown.*member));
+    if (unknown.factor > 0.0) size = std::max(size, std::abs(unknown.in[0]));
   }
   return size;
 }
@@ -98,39 +98,64 @@ Row unit_row(std::vector<double> values) {
   return {std::move(values), length * size};
 }
 
-/// A row of length 1 as a part of another and what is left, at right angles to that.
-struct Beside {
-  double shared = 0.0;
-  Row rest;
+/// Rows of length 1, each at right angles to those before, and what the rows of a system are made of.
+struct Orthogonal {
+  std::vector<std::vector<double>> units;
+  std::vector<std::vector<double>> parts;  // of each row, taken as 1 long: of the units up to its own
+  std::vector<double> sizes;               // of the rows
+
+  /// Whether a row is another than those before.
+  bool add(std::vector<double> values) {
+    Row row = unit_row(std::move(values));
+    if (row.size == 0.0) return false;
+    std::vector<double> part(units.size(), 0.0);
+    for (int pass = 0; pass < 2; ++pass) {  // the second takes away what the first left by rounding
+      for (std::size_t k = 0; k < units.size(); ++k) {
+        const double shared = product(units[k], row.unit);
+        for (std::size_t i = 0; i < row.unit.size(); ++i) row.unit[i] -= shared * units[k][i];
+        part[k] += shared;
+      }
+    }
+    Row rest = unit_row(std::move(row.unit));
+    if (!(rest.size > kDependent)) return false;
+    part.push_back(rest.size);
+    units.push_back(std::move(rest.unit));
+    parts.push_back(std::move(part));
+    sizes.push_back(row.size);
+    return true;
+  }
+
+  /// The least solution of the system whose right side is 1 in row k, and 0 in the others.
+  std::vector<double> solution(std::size_t k) const {
+    std::vector<double> along(units.size(), 0.0);
+    std::vector<double> found(units.front().size(), 0.0);
+    for (std::size_t row = k; row < units.size(); ++row) {
+      double right = row == k ? 1.0 : 0.0;
+      for (std::size_t before = k; before < row; ++before) right -= parts[row][before] * along[before];
+      along[row] = right / parts[row][row];
+      for (std::size_t i = 0; i < found.size(); ++i) found[i] += along[row] * units[row][i];
+    }
+    scale(found, 1.0 / sizes[k]);
+    return found;
+  }
 };
 
-Beside beside_of(std::vector<double> row, const std::vector<double>& other) {
-  double shared = 0.0;
-  for (int pass = 0; pass < 2; ++pass) {  // the second takes away what the first left by rounding
-    const double part = product(other, row);
-    for (std::size_t i = 0; i < row.size(); ++i) row[i] -= part * other[i];
-    shared += part;
-  }
-  return {shared, unit_row(std::move(row))};
-}
-
-std::vector<double> row_of(const std::vector<Unknown>& unknowns, const std::vector<double>& roots,
-                           double Unknown::*member) {
+std::vector<double> row_of(const std::vector<Unknown>& unknowns, const std::vector<double>& roots, int order) {
   std::vector<double> row(unknowns.size(), 0.0);
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (roots[i] > 0.0) row[i] = roots[i] * (unknowns[i].*member);
+    if (roots[i] > 0.0) row[i] = roots[i] * unknowns[i].in[order];
   }
   return row;
 }
 
 /// Square roots of the factors, relative to the largest of those that count.
 std::vector<double> roots_of(const std::vector<Unknown>& unknowns, double locality) {
-  const double size = largest(unknowns, &Unknown::in_point);
+  const double size = largest_in_point(unknowns);
   std::vector<double> roots(unknowns.size(), 0.0);
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const Unknown& one = unknowns[i];
-    if (!(one.factor > 0.0) || (one.in_point == 0.0 && one.in_tangent == 0.0)) continue;
-    const double part = size > 0.0 ? std::abs(one.in_point) / size : 1.0;
+    if (!(one.factor > 0.0) || one.in == std::array<double, 3>{}) continue;
+    const double part = size > 0.0 ? std::abs(one.in[0]) / size : 1.0;
     roots[i] = std::sqrt(one.factor) * (locality == 0.0 ? 1.0 : std::pow(part, 0.5 * locality));
   }
   const double most = largest_of(roots);
@@ -141,7 +166,7 @@ std::vector<double> roots_of(const std::vector<Unknown>& unknowns, double locali
 }  // namespace
 
 Movable::Movable(std::size_t count)
-    : in_point(count, 0.0), in_tangent(count, 0.0), measure(count, 0.0), is_fixed(count, 0), leaders_(count) {
+    : in_point(count, 0.0), in_tangent(count, 0.0), in_second(count, 0.0), measure(count, 0.0), is_fixed(count, 0), leaders_(count) {
   std::iota(leaders_.begin(), leaders_.end(), 0);
 }
 
@@ -152,33 +177,27 @@ int Movable::leader(int i) const {
   return i;
 }
 
-Motion least_change(const Movable& movable, bool has_tangent, const Following& following, const std::string& where) {
+Motion least_change(const Movable& movable, int order, const Following& following, const std::string& where) {
   const std::size_t count = movable.in_point.size();
   const std::vector<Unknown> unknowns = unknowns_of(movable, factors_of(following, count));
   const std::vector<double> roots = roots_of(unknowns, following.locality);
-  const Row point = unit_row(row_of(unknowns, roots, &Unknown::in_point));
-  if (point.size == 0.0) {
+  Orthogonal system;
+  if (!system.add(row_of(unknowns, roots, 0))) {
     throw InvalidShape("no control point that the point at " + where + " depends on may move");
   }
-  Motion least{point.unit, {}};
-  scale(least.of_point, 1.0 / point.size);
-  if (has_tangent) {
-    const Row tangent = unit_row(row_of(unknowns, roots, &Unknown::in_tangent));
-    const Beside beside = beside_of(tangent.unit, point.unit);
-    if (!(beside.rest.size > kDependent)) {
-      throw InvalidShape("the tangent at " + where + " cannot be chosen beside the point: too few control points may move");
-    }
-    const double back = beside.shared / (beside.rest.size * point.size);
-    for (std::size_t i = 0; i < count; ++i) least.of_point[i] -= back * beside.rest.unit[i];
-    least.of_tangent = beside.rest.unit;
-    scale(least.of_tangent, 1.0 / (beside.rest.size * tangent.size));
+  for (int k = 1; k <= order; ++k) {
+    if (system.add(row_of(unknowns, roots, k))) continue;
+    throw InvalidShape(std::string(k == 1 ? "the tangent" : "the second derivative") + " at " + where +
+                       " cannot be chosen beside the point: too few control points may move");
   }
-  Motion motion{std::vector<double>(count), std::vector<double>(least.of_tangent.size())};
-  for (std::size_t i = 0; i < count; ++i) {
-    const int leader = movable.leader(static_cast<int>(i));
-    const double step = roots[leader] / unknowns[leader].length();
-    motion.of_point[i] = step * least.of_point[leader];
-    if (has_tangent) motion.of_tangent[i] = step * least.of_tangent[leader];
+  Motion motion;
+  for (std::size_t k = 0; k < system.units.size(); ++k) {
+    const std::vector<double> least = system.solution(k);
+    std::vector<double>& steps = motion.emplace_back(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const int leader = movable.leader(static_cast<int>(i));
+      steps[i] = roots[leader] / unknowns[leader].length() * least[leader];
+    }
   }
   return motion;
 }

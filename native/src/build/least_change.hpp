@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,7 +8,7 @@
 
 namespace splinecore {
 
-/// What of a shape may be moved, and what its point at a parameter and the derivative there gain by it.
+/// What of a shape may be moved, and what its point at a parameter and the derivatives there gain by it.
 struct Movable {
   explicit Movable(std::size_t count);
 
@@ -20,6 +19,7 @@ struct Movable {
 
   std::vector<double> in_point;
   std::vector<double> in_tangent;
+  std::vector<double> in_second;
   std::vector<double> measure;  // the length that stands for moving it by 1; 0 where none is known
   std::vector<char> is_fixed;
 
@@ -27,15 +27,14 @@ struct Movable {
   mutable std::vector<int> leaders_;
 };
 
-/// How far each moves while the point moves by 1 and the tangent stays, and the other way round.
-struct Motion {
-  std::vector<double> of_point;
-  std::vector<double> of_tangent;  // empty where the tangent is free
-};
+/// For the point, the tangent and the second derivative, as many as are chosen: how far each moves while that one moves
+/// by 1 and the others stay.
+using Motion = std::vector<std::vector<double>>;
 
-/// The motion of the least sum of squares: a linear system of one or two equations, made orthogonal.
+/// The motion of the least sum of squares: a linear system of one to three equations, made orthogonal.
+/// @param order  the highest derivative that is chosen, 0 to 2
 /// @param where  of the point, for messages: "u = 0.5"
 /// @throws InvalidShape for bad factors, or where too little may move.
-Motion least_change(const Movable& movable, bool has_tangent, const Following& following, const std::string& where);
+Motion least_change(const Movable& movable, int order, const Following& following, const std::string& where);
 
 }  // namespace splinecore

@@ -1,21 +1,22 @@
-"""Pull a shape by the point at the mouse: the control points follow by the least change."""
+"""Pull a shape by the point at the mouse, or the tangent or osculating circle there: the control points follow by the least
+change."""
 
 import math
 from contextlib import suppress
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, FloatProperty, FloatVectorProperty, IntProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import pulling, store, surveys
+from ...bridge import pulling, store
 from ...bridge.file_state import state
 from ...bridge.net import net_object
 from ...core import decimals, parameters, patch_verbs, verbs
 from ...core import pulling as pulls
 from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, hand, picking
+from .. import editing, hand, picking, snapping
 from ..pull_keys import Keys
 from ..pull_overlay import Pull
 from . import reports
@@ -26,10 +27,12 @@ _STEPS = {'WHEELUPMOUSE': 0.5, 'WHEELDOWNMOUSE': -0.5}
 _STILL = 3.0
 #: As near to a point of a net a press selects it, in pixels.
 _ON_POINT = 8.0
-_AIMING = "Press on the shape and pull   |   Esc, Right Mouse: Cancel"
-_PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: steps   |   "
+_AIMING = "Press on the shape and pull   |   D, C on curves: the tangent, the osculating circle   |   Esc, Right Mouse: Cancel"
+_PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: snap   |   "
             "Wheel: how many points follow   |   {}Esc, Right Mouse: Cancel")
-_OF_CURVES = "T: keep the tangent   |   "
+_OF_CURVES = "T: keep the tangent   |   D, C: pull it, or the circle   |   "
+#: Keys that say what is pulled instead of the point, and of it again.
+_HANDLE_KEYS = {'D': 'TANGENT', 'C': 'CIRCLE'}
 
 
 class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
@@ -51,6 +54,12 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
     locality: FloatProperty(
         name="Locality", description="How few control points follow: 0 for all that the point depends on, with more those "
         "nearest to it do it alone", default=0.0, min=0.0, soft_max=10.0, step=50)
+    handle: EnumProperty(
+        name="Pulls", description="What of a curve is pulled",
+        items=[('POINT', "Point", "The point of the curve"),
+               ('TANGENT', "Tangent", "The end of the tangent, as of a handle; the point stays"),
+               ('CIRCLE', "Osculating Circle", "A point on the osculating circle; the point and the tangent stay")],
+        options={'SKIP_SAVE'})
     keep_tangent: BoolProperty(
         name="Keep Tangent", description="The derivative of the curve at the point stays as it is")
 
@@ -76,14 +85,20 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             held.write(self._pulled(held.definition, ob))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        return reports.finished(self, reports.Said(f"Pulled {ob.name} by {np.linalg.norm(self._typed()):.4g}"))
+        return reports.finished(self, reports.Said(f"Pulled {self._named(ob)} by {np.linalg.norm(self._typed()):.4g}"))
 
     def draw(self, context):
         ob = self._owner(context)
         column = self.layout.column()
         column.use_property_split, column.use_property_decorate = True, False
-        for name in ('vector', 'locality', *(('keep_tangent',) if ob and ob.type == 'CURVE' else ())):
-            column.prop(self, name)
+        of_curve = ob is not None and ob.type == 'CURVE'
+        if of_curve:
+            column.prop(self, 'handle')
+        column.prop(self, 'vector')
+        if not of_curve or self.handle == 'POINT':
+            column.prop(self, 'locality')
+            if of_curve:
+                column.prop(self, 'keep_tangent')
         if ob and hand.count_of(ob.data) > 1:
             column.prop(self, 'piece')
         column.prop(self, 'parameter_u')
@@ -102,14 +117,17 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         return np.array([decimals.typed(number) for number in self.vector])
 
     def _pulled(self, definition, ob):
+        return pulls.pulled(definition, self.piece - 1, self._at(definition), _into(ob) @ self._typed(), self.locality,
+                            self.keep_tangent and definition.has_curves, self.handle)
+
+    def _at(self, definition):
+        """The parameters at which it is pulled."""
         pieces = verbs.pieces_of(definition)
         verbs.require_piece(pieces, self.piece)
         piece = pieces[self.piece - 1]
         axes = [piece] if definition.has_curves else [patch_verbs.Along(piece, axis) for axis in 'uv']
-        at = [parameters.snapped(number, parameters.knots_of(axis))
-              for number, axis in zip((self.parameter_u, self.parameter_v), axes)]
-        return pulls.pulled(definition, self.piece - 1, at, _into(ob) @ self._typed(), self.locality,
-                            self.keep_tangent and definition.has_curves)
+        return [parameters.snapped(number, parameters.knots_of(axis))
+                for number, axis in zip((self.parameter_u, self.parameter_v), axes)]
 
     # From here on: by the mouse.
 
@@ -144,6 +162,8 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             return {'CANCELLED'}
         if self._drag is not None:
             return self._pull(context, event)
+        if event.value == 'PRESS':
+            self._choose(event.type)
         self._aim(context, event)
         if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or not self.shape_name:
             return {'RUNNING_MODAL'}
@@ -168,19 +188,31 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             if found is not None:
                 ob, self.piece, at = found
                 self.parameter_u, self.parameter_v = (*at, 0.0)[:2]
-                state.pulled = self._aimed_at(ob, at)
+                state.pulled = self._aimed_at(ob, store.read(ob.data), at)
                 self.shape_name = ob.name
         except FAILURES:
             state.pulled = None             # such a shape shows nothing to take hold of
         redraw()
 
-    def _aimed_at(self, ob, at):
-        """The Pull of a shape that has not been moved yet."""
-        before = store.read(ob.data)
-        by = np.array([max(before.size, 1e-30), 0.0, 0.0])
-        after = pulls.pulled(before, self.piece - 1, at, by, self.locality, self.keep_tangent and before.has_curves)
-        start = surveys.pieces_of(ob.data)[self.piece - 1].evaluate(*at)
-        return Pull(ob.name, start, start, pulls.followers(after, before)[0], pulls.followers(before, after)[1])
+    def _choose(self, key):
+        """Let a key say what is pulled."""
+        wanted = _HANDLE_KEYS.get(key, self.handle)
+        self.handle = 'POINT' if wanted == self.handle and key in _HANDLE_KEYS else wanted
+
+    def _aimed_at(self, ob, before, at):
+        """The Pull of a definition that has not been moved yet."""
+        start, lines = self._handle(before, at)
+        away = lines[0, 1] - lines[0, 0] if len(lines) else np.zeros(3)
+        by = max(before.size, 1e-30) * np.eye(3)[np.abs(away).argmin()]
+        after = pulls.pulled(before, self.piece - 1, at, by, self.locality, self.keep_tangent and before.has_curves, self.handle)
+        return Pull(ob.name, start, start, pulls.followers(after, before)[0], pulls.followers(before, after)[1], lines)
+
+    def _handle(self, definition, at):
+        """(where that is by which a piece is pulled, the lines that show it)."""
+        piece = verbs.pieces_of(definition)[self.piece - 1]
+        if not definition.has_curves:
+            return piece.evaluate(*at), np.empty((0, 2, 3))
+        return pulls.handle_at(piece, *at, self.handle), pulls.drawn(piece, *at, self.handle)
 
     def _grab(self, context, event):
         ob = self._owner(context)
@@ -199,16 +231,20 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             self.locality = max(self.locality + _STEPS[event.type], 0.0)
         elif event.type == 'T' and event.value == 'PRESS' and drag.ob.type == 'CURVE':
             self.keep_tangent = not self.keep_tangent
+        elif event.type in _HANDLE_KEYS and event.value == 'PRESS' and drag.ob.type == 'CURVE':
+            self._choose(event.type)
+            state.pulled = self._aimed_at(drag.ob, drag.held.definition, self._at(drag.held.definition))
         elif not drag.keys.take(event) and drag.ends(event):
             return self._let_go(context)
-        self.vector = drag.vector(event)
+        self.vector = drag.vector(context, event)
         problem = ""
         try:
             after = self._pulled(drag.held.definition, drag.ob)
             drag.held.show(after)
             points, parts = pulls.followers(drag.held.definition, after)
             end = state.pulled.start + _into(drag.ob) @ self._typed()
-            state.pulled = state.pulled._replace(end=end, followers=points, parts=parts)
+            lines = self._handle(after, self._at(after))[1]
+            state.pulled = state.pulled._replace(end=end, followers=points, parts=parts, lines=lines)
         except FAILURES as error:
             problem = f"  {sentence(error)}"
         drag.area.header_text_set(self._header(drag) + problem)
@@ -216,10 +252,15 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         return {'RUNNING_MODAL'}
 
     def _header(self, drag):
-        kept = "   Tangent kept" if self.keep_tangent and drag.ob.type == 'CURVE' else ""
+        kept = "   Tangent kept" if self.keep_tangent and drag.ob.type == 'CURVE' and self.handle == 'POINT' else ""
         numbers = ", ".join(f"{part:.4g}" for part in self.vector)
         length = np.linalg.norm(self._typed())
-        return f"Pull {length:.4g} ({numbers}){drag.keys.words()}   Locality {self.locality:.1f}{kept}"
+        locality = f"   Locality {self.locality:.1f}" if drag.ob.type == 'MESH' or self.handle == 'POINT' else ""
+        return f"Pull {self._named(drag.ob)} {length:.4g} ({numbers}){drag.keys.words()}{locality}{kept}"
+
+    def _named(self, ob):
+        words = {'TANGENT': "the tangent of ", 'CIRCLE': "the osculating circle of "} if ob.type == 'CURVE' else {}
+        return words.get(self.handle, "") + ob.name
 
     def _let_go(self, context):
         self._put_back()
@@ -242,12 +283,17 @@ class _Drag:
         self._begin = self._place(event)
         self._was_released = False
 
-    def vector(self, event):
+    def vector(self, context, event):
         """By what the point is to be moved, in the world."""
-        sight = view3d_utils.region_2d_to_vector_3d(self._region, self._view, self._pixel(event))
-        self.keys.snaps = event.ctrl
+        sight = np.array(view3d_utils.region_2d_to_vector_3d(self._region, self._view, self._pixel(event)))
         step = 10.0 ** math.floor(math.log10(max(self._view.view_distance, 1e-30))) / 10.0
-        return self.keys.vector(self._place(event) - self._begin, np.array(sight), step)
+        is_on, place = snapping.is_on(event), None
+        if is_on:
+            ignored = {self.ob.name, *(net.name for net in editing.nets())}
+            place = snapping.place_at(context, self._region, self._view, self._pixel(event), ignored)
+        self.keys.snaps = is_on and place is None
+        return self.keys.vector(self._place(event) - self._begin if place is None else self.keys.along_axis(place - np.array(self._anchor)),
+                                sight, step)
 
     def ends(self, event):
         """Whether the mouse lets go: a click without a move holds on until the next one."""

@@ -27,6 +27,8 @@ struct Drag {
   glm::dvec3 by;
   /// What is added to the derivative there; zero keeps it. None: it goes as it does.
   std::optional<glm::dvec3> tangent_by;
+  /// What is added to the second derivative there, the tangent being chosen, too. None: it goes as it does.
+  std::optional<glm::dvec3> second_by = {};
 };
 
 /// The curve with control points moved as little as can be so that its point at u moves by `drag.by`.
@@ -34,7 +36,7 @@ struct Drag {
 /// Least is the sum of the squares of their motions, each divided by its factor. Weights, knots and points at infinity
 /// stay. The ends of a curve that closes in one point move as one (The NURBS Book, 11.5, constraint-based modification).
 /// @throws InvalidShape if u is outside the domain, a number is not finite, a factor is below 0, or no point that the
-///         curve has there may move; with a tangent also if too few may.
+///         curve has there may move; with a tangent or second derivative also if too few may, or it comes without tangent.
 /// @throws PointAtInfinity if the weight at u is zero.
 NurbsCurve dragged(const NurbsCurve& curve, double u, const Drag& drag, const Following& following = {});
 BezierCurve dragged(const BezierCurve& curve, double u, const Drag& drag, const Following& following = {});

@@ -1,0 +1,65 @@
+"""Where a gesture of ours snaps to, as the magnet in the header says."""
+
+import bpy
+import numpy as np
+from bpy_extras import view3d_utils
+
+from . import picking
+
+#: To what of the face at the mouse, best first.
+_ELEMENTS = ('VERTEX', 'EDGE_MIDPOINT', 'EDGE', 'FACE')
+#: How near in pixels.
+_NEAR = 15.0
+#: So many objects may lie before what is snapped to.
+_MOST = 16
+
+
+def is_on(event):
+    """Ctrl turns the magnet round."""
+    return bpy.context.scene.tool_settings.use_snap != event.ctrl
+
+
+def place_at(context, region, view, pixel, ignored):
+    """(3,): the place in the world at a pixel of a region on other objects than the ignored; None where none is near, or the
+    magnet holds to steps."""
+    elements = [name for name in _ELEMENTS if name in context.scene.tool_settings.snap_elements]
+    hit = _face_at(context, region, view, pixel, ignored) if elements else None
+    if hit is None:
+        return None
+    place, corners = hit
+    for name in elements:
+        places = np.array([place]) if name == 'FACE' else _places(name, corners, place)
+        away = np.linalg.norm(picking.on_screen(region, view, np.eye(4), places) - pixel, axis=1)
+        away[np.isnan(away)] = np.inf
+        if away.min() <= picking.near(_NEAR):
+            return places[away.argmin()]
+    return None
+
+
+def _face_at(context, region, view, pixel, ignored):
+    """(where the face at a pixel is met (3,), its corners (n, 3)), in the world; None over nothing."""
+    depsgraph = context.evaluated_depsgraph_get()
+    origin = view3d_utils.region_2d_to_origin_3d(region, view, pixel)
+    sight = view3d_utils.region_2d_to_vector_3d(region, view, pixel)
+    for _ in range(_MOST):
+        is_hit, place, _, index, ob, matrix = context.scene.ray_cast(depsgraph, origin, sight)
+        if not is_hit:
+            return None
+        if ob.name not in ignored:
+            mesh = ob.evaluated_get(depsgraph).data
+            if ob.type != 'MESH' or index >= len(mesh.polygons):
+                return np.array(place), np.array([place])
+            return np.array(place), np.array([matrix @ mesh.vertices[i].co for i in mesh.polygons[index].vertices])
+        origin = place + sight * max(1e-5 * (place - origin).length, 1e-6)
+    return None
+
+
+def _places(name, corners, place):
+    """The corners of a face, the middles of its edges, or on each edge what is nearest to a place."""
+    if name == 'VERTEX':
+        return corners
+    along = np.roll(corners, -1, axis=0) - corners
+    if name == 'EDGE_MIDPOINT':
+        return corners + along / 2
+    length = np.maximum((along * along).sum(1), np.finfo(np.float64).tiny)
+    return corners + np.clip(((place - corners) * along).sum(1) / length, 0, 1)[:, None] * along
