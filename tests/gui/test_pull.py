@@ -152,17 +152,22 @@ def on_a_curve(view):
     print("on a curve", flush=True)
 
 
+def aimed(view, x, y):
+    """Steps until the point of a shape at a pixel is shown, in Object Mode."""
+    view.move(x, y)
+    with view.override():
+        bpy.ops.splinewright.pull_here('INVOKE_DEFAULT')
+    view.move(x, y)
+    yield from until(lambda: pulled() is not None, "what is at the mouse is shown")
+
+
 def by_tangent_and_circle(view):
     """D and C on a curve in Object Mode: the point stays where it is, Esc puts back what was pulled."""
     yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
     before, u = value(), float(np.mean(value().domain))
     for key, handle in (('D', 'TANGENT'), ('C', 'CIRCLE')):
         x, y = view.pixel_of(before.evaluate(u))
-        view.move(x, y)
-        with view.override():
-            bpy.ops.splinewright.pull_here('INVOKE_DEFAULT')
-        view.move(x, y)
-        yield from until(lambda: pulled() is not None, "what is at the mouse is shown")
+        yield from aimed(view, x, y)
         view.press(key)
         yield from until(lambda: pulled() is not None and len(pulled().lines) > 0, f"{key} shows the handle")
         button(view, 'PRESS')
@@ -173,7 +178,7 @@ def by_tangent_and_circle(view):
         button(view, 'RELEASE')
         yield from until(lambda: pulled() is None, "letting go ends it")
         operator = bpy.context.window_manager.operators[-1]
-        u = operator.parameter_u
+        u = part('core.decimals').typed(operator.parameter_u)
         assert operator.handle == handle
         size = np.abs(before.points).max()
         assert np.abs(value().evaluate(u) - before.evaluate(u)).max() < 1e-9 * size, "the point stays"
@@ -200,7 +205,8 @@ def to_a_vertex(view):
     corners = np.array([cube.matrix_world @ vertex.co for vertex in cube.data.vertices])
     eye = np.array(view.region.data.view_matrix.inverted().translation)
     corner = corners[np.linalg.norm(corners - eye, axis=1).argmin()]
-    yield from grabbed(view, x, y)
+    yield from aimed(view, x, y)
+    button(view, 'PRESS')
     there_x, there_y = view.pixel_of(corner)
     middle_x, middle_y = view.pixel_of(corners.mean(0))
     view.move(there_x + round(0.1 * (middle_x - there_x)), there_y + round(0.1 * (middle_y - there_y)))
@@ -219,11 +225,7 @@ def in_object_mode(view):
     """A click holds on until the next one; no net is out."""
     before, u = value(), float(np.mean(value().domain))
     x, y = view.pixel_of(before.evaluate(u))
-    view.move(x, y)
-    with view.override():
-        bpy.ops.splinewright.pull_here('INVOKE_DEFAULT')
-    view.move(x, y)
-    yield from until(lambda: pulled() is not None, "what is at the mouse is shown")
+    yield from aimed(view, x, y)
     button(view, 'PRESS')
     button(view, 'RELEASE')
     view.move(x + 30, y - 50)
