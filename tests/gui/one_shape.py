@@ -4,6 +4,7 @@ import itertools
 
 import bpy
 import numpy as np
+from mathutils import Vector
 
 from window import empty_file, part, redrawn
 
@@ -32,14 +33,19 @@ def value():
 
 def place_seen(view):
     """(u, v) inside the patch before which nothing lies in the view."""
-    (u0, u1), (v0, v1) = value().domain
+    return place_seen_on(view, shape())
+
+
+def place_seen_on(view, ob):
+    """The same of the one patch of an object."""
+    (u0, u1), (v0, v1) = ob.data.splinewright.value.domain
     grid = itertools.product(np.linspace(u0, u1, 12)[2:-2], np.linspace(v0, v1, 14)[3:-3])
-    return next(at for at in grid if _is_seen(view, at))
+    return next(at for at in grid if _is_seen(view, ob, at))
 
 
-def _is_seen(view, at):
-    x, y = view.pixel_of(value().evaluate(*at))
+def _is_seen(view, ob, at):
+    x, y = view.pixel_of(ob.matrix_world @ Vector(ob.data.splinewright.value.evaluate(*at)))
     with view.override():
         found = part('ui.picking').parameters_at(view.region, view.region.data, (x - view.region.x, y - view.region.y),
-                                                 [shape()], bpy.context.evaluated_depsgraph_get())
+                                                 [ob], bpy.context.evaluated_depsgraph_get())
     return found is not None and np.allclose(found[2], at, atol=0.02)
