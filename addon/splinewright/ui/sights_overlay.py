@@ -6,7 +6,7 @@ import gpu
 from ..bridge import shape, sights
 from ..bridge.file_state import state
 from ..bridge.net import net_object
-from . import editing, sights_strokes, strokes, surface_paint
+from . import deviation_paint, editing, sights_strokes, strokes, surface_paint
 from .sights_strokes import SIGHTS
 
 
@@ -17,7 +17,9 @@ def draw():
     if not context.space_data.overlay.show_overlays or not _is_any_on(chosen):
         return
     obs = shapes_in_hand(context)
-    if chosen.stripes or chosen.curvature:
+    if chosen.deviation:
+        deviation_paint.draw(chosen, obs)
+    elif chosen.stripes or chosen.curvature:
         surface_paint.draw(chosen, obs)
     for ob in obs:
         with gpu.matrix.push_pop(), strokes.nearer():
@@ -32,12 +34,13 @@ def draw_legend():
     """Called by Blender for each 3D view, in pixels."""
     context = bpy.context
     chosen = sights.of(context.scene)
-    if chosen.curvature and context.space_data.overlay.show_overlays:
-        surface_paint.draw_legend(context, chosen, shapes_in_hand(context))
+    if (chosen.deviation or chosen.curvature) and context.space_data.overlay.show_overlays:
+        paint = deviation_paint if chosen.deviation else surface_paint
+        paint.draw_legend(context, chosen, shapes_in_hand(context))
 
 
 def _is_any_on(chosen):
-    return chosen.stripes or chosen.curvature or any(getattr(chosen, sight.switch) for sight in SIGHTS)
+    return chosen.deviation or chosen.stripes or chosen.curvature or any(getattr(chosen, sight.switch) for sight in SIGHTS)
 
 
 def shapes_in_hand(context):
