@@ -5,7 +5,6 @@ from typing import NamedTuple
 import bpy
 import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 
 from ..bridge import deviations, sights
 from ..bridge.file_state import state
@@ -41,10 +40,10 @@ def draw(chosen, obs):
             with strokes.nearer(_PART):
                 surface_shader.draw(batch, ob.matrix_world, 'NUMBERS', reach=shown.reach, colors=surface_shader.DISTANCES)
         elif ob.type == 'CURVE' and len(deviation.values):
-            batch = sights.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
+            lines = sights.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
             with gpu.matrix.push_pop(), strokes.nearer():
                 gpu.matrix.multiply_matrix(ob.matrix_world)
-                _draw_lines(batch)
+                strokes.draw([lines])
 
 
 def draw_legend(context, chosen, obs):
@@ -111,19 +110,5 @@ def _lines(data, deviation, reach):
     pairs = sights.kept(data, 'lines', (), deviations.lines_of)
     parts = deviation.values.ravel() / reach if reach > 0.0 else np.zeros(deviation.values.size)
     shades = np.append(surface_shader.colors_at(2.0 * parts - 1.0, surface_shader.DISTANCES), np.ones((parts.size, 1)), 1)
-    is_known = np.isfinite(parts.reshape(-1, 2)).all(1).repeat(2)
-    return batch_for_shader(_line_shader(), 'LINES', {'pos': pairs.reshape(-1, 3)[is_known].astype(np.float32),
-                                                      'color': shades[is_known].astype(np.float32)})
-
-
-def _line_shader():
-    return gpu.shader.from_builtin('POLYLINE_SMOOTH_COLOR')
-
-
-def _draw_lines(batch):
-    shader = _line_shader()
-    shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
-    shader.uniform_float('lineWidth', _WIDTH * bpy.context.preferences.system.ui_scale)
-    gpu.state.blend_set('ALPHA')
-    batch.draw(shader)
-    gpu.state.blend_set('NONE')
+    is_known = np.isfinite(parts.reshape(-1, 2)).all(1)
+    return strokes.coloured(pairs[is_known], shades.reshape(-1, 2, 4)[is_known], _WIDTH)
