@@ -2,7 +2,6 @@
 themselves."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import bpy
 import numpy as np
@@ -56,9 +55,12 @@ class Geometry:
         return found
 
 
-class Target(NamedTuple):
-    """A Geometry and where it lies."""
+@dataclass(eq=False)
+class Target:
+    """A Geometry and where it lies: another one when either is."""
 
+    made_of: tuple                      # what its Geometry is made of
+    matrix: tuple                       # of the object
     geometry: Geometry
     into: np.ndarray                    # (3, 3): leads from directions in the world to its own
     origin: np.ndarray                  # of its own in the world
@@ -70,19 +72,26 @@ class Target(NamedTuple):
 
 
 def of(ob):
-    """The Target of an object, its Geometry made anew when it changed. Raises Refusal where there is nothing to measure
-    to, store.UnreadableDefinition."""
+    """The Target of an object, its Geometry made anew when it changed. Raises FAILURES where there is nothing to measure
+    to."""
     if ob.type not in TYPES:
         raise Refusal(f"{ob.name} has no surface and no lines: choose a mesh or a curve")
-    matrix = np.array(ob.matrix_world, np.float64)
-    if not np.isfinite(matrix).all():
+    known, matrix = state.targets.get(key(ob)), tuple(flat(ob.matrix_world))
+    if known is not None and known.matrix == matrix and known.made_of[0] == ob.as_pointer():
+        return known                    # at every redraw: this must be quick
+    world = np.reshape(matrix, (4, 4))
+    if not np.isfinite(world).all():
         raise Refusal(f"{ob.name} lies at infinity")
-    bend, into, unit = _taken_apart(matrix[:3, :3])
-    like = ob.as_pointer(), bend.tobytes() if bend is not None else b""
-    known = state.targets.get(key(ob))
-    if known is None or known[0] != like:
-        known = remember(state.targets, key(ob), (like, _geometry(ob, bend)), _KEPT)
-    return Target(known[1], into, matrix[:3, 3], unit)
+    bend, into, unit = _taken_apart(world[:3, :3])
+    made_of = ob.as_pointer(), None if bend is None else bend.tobytes()
+    is_same = known is not None and known.made_of == made_of
+    geometry = known.geometry if is_same else _geometry(ob, bend)
+    return remember(state.targets, key(ob), Target(made_of, matrix, geometry, into, world[:3, 3], unit), _KEPT)
+
+
+def flat(matrix):
+    """The 16 numbers of a matrix of Blender's."""
+    return [number for row in matrix for number in row]
 
 
 def look_again(updates):

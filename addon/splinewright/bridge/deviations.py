@@ -16,27 +16,26 @@ _AT_ONCE, _IN_THE_END = 2000, 30_000
 def problem(scene, obs):
     """Why there is nothing to measure to, as a sentence, or ""; obs: the shapes that are measured."""
     other = sights.of(scene).deviation_object
-    if other is None:
-        return "Choose the object to which distances are measured"
-    if not other.users_scene:
-        return f"{other.name} was deleted: choose another"
-    if other.name not in scene.objects or scene.objects[other.name] != other:
-        return f"{other.name} is in another scene: choose one of this"
-    if obs and all(ob == other for ob in obs):
+    if other is not None and obs and all(ob == other for ob in obs):
         return f"{other.name} is the shape itself: choose another"
     try:
-        deviation_targets.of(other)
+        target(scene)
     except FAILURES as error:
         return str(error)
     return ""
 
 
 def target(scene):
-    """The deviation_targets.Target of a scene. Raises Refusal where problem() says something."""
-    said = problem(scene, ())
-    if said:
-        raise Refusal(said)
-    return deviation_targets.of(sights.of(scene).deviation_object)
+    """The deviation_targets.Target of a scene. Raises FAILURES where there is none."""
+    other = sights.of(scene).deviation_object
+    if other is None:
+        raise Refusal("Choose the object to which distances are measured")
+    scenes = other.users_scene
+    if not scenes:
+        raise Refusal(f"{other.name} was deleted: choose another")
+    if scene not in scenes:
+        raise Refusal(f"{other.name} is in another scene: choose one of this")
+    return deviation_targets.of(other)
 
 
 def of(ob, other, is_still):
@@ -45,8 +44,7 @@ def of(ob, other, is_still):
 
     is_still: whether nothing has changed for a while.
     """
-    frame = other.frame(np.array(ob.matrix_world, np.float64))
-    numbers = (other.geometry, other.unit, *frame.ravel().tolist())
+    numbers = (other, *deviation_targets.flat(ob.matrix_world))
     in_the_end, at_once = ('deviation', ob.name), ('deviation at once', ob.name)
     was_known = sights.is_known(ob.data, at_once, numbers)
     if sights.is_known(ob.data, in_the_end, numbers) or (was_known and is_still):
@@ -73,11 +71,11 @@ def _at_once(data, *numbers):
     return _measured(data, _AT_ONCE, closest.FEW, *numbers)
 
 
-def _measured(data, most, rounds, geometry, unit, *frame):
-    frame = np.reshape(frame, (3, 4))
+def _measured(data, most, rounds, other, *matrix):
+    frame = other.frame(np.reshape(matrix, (4, 4)))
 
     def distances(points):
-        return geometry.distances(points @ frame[:, :3].T + frame[:, 3], rounds) * unit
+        return other.geometry.distances(points @ frame[:, :3].T + frame[:, 3], rounds) * other.unit
     if isinstance(data, bpy.types.Curve):
         pairs = sights.kept(data, 'lines', (), lines_of)
         if pairs is None:

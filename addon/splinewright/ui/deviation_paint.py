@@ -31,19 +31,26 @@ class Shown(NamedTuple):
 
 
 def draw(chosen, obs):
-    """In the 3D view at hand."""
+    """In the 3D view at hand, over the faces of those objects that are surfaces."""
     shown = _shown(chosen, obs)
-    for ob, deviation in shown.obs if shown else ():
+    for ob, deviation in _of_type(shown, 'MESH'):
+        batch = sights.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-        if ob.type == 'MESH':
-            batch = sights.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
-            with strokes.nearer(_PART):
-                surface_shader.draw(batch, ob.matrix_world, 'NUMBERS', reach=shown.reach, colors=surface_shader.DISTANCES)
-        elif ob.type == 'CURVE' and len(deviation.values):
-            lines = sights.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
-            with gpu.matrix.push_pop(), strokes.nearer():
-                gpu.matrix.multiply_matrix(ob.matrix_world)
-                strokes.draw([lines])
+        with strokes.nearer(_PART):
+            surface_shader.draw(batch, ob.matrix_world, 'NUMBERS', reach=shown.reach, colors=surface_shader.DISTANCES)
+    gpu.state.depth_test_set('NONE')
+
+
+def draw_lines(chosen, obs):
+    """In the 3D view at hand, along those that are curves."""
+    shown = _shown(chosen, obs)
+    for ob, deviation in _of_type(shown, 'CURVE'):
+        lines = sights.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
+        gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
+        with gpu.matrix.push_pop(), strokes.nearer():
+            gpu.matrix.multiply_matrix(ob.matrix_world)
+            strokes.draw([lines])
+    gpu.state.depth_test_set('NONE')
 
 
 def draw_legend(context, chosen, obs):
@@ -70,6 +77,10 @@ def settle():
         for area in window.screen.areas:
             if area.type == 'VIEW_3D':
                 area.tag_redraw()
+
+
+def _of_type(shown, kind):
+    return [(ob, deviation) for ob, deviation in shown.obs if ob.type == kind] if shown else []
 
 
 def _shown(chosen, obs):

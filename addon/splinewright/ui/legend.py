@@ -1,5 +1,7 @@
 """The legend of colours on shapes, at the lower right of the view: a bar of them and the numbers they stand for."""
 
+from functools import cache
+
 import blf
 import gpu
 import numpy as np
@@ -49,9 +51,20 @@ def _right_of_view(context):
 
 
 def _draw_bar(left, bottom, width, height, colors):
-    shader = gpu.shader.from_builtin('SMOOTH_COLOR')
+    with gpu.matrix.push_pop():
+        gpu.matrix.translate((left, bottom))
+        gpu.matrix.scale((width, height))
+        _bar(tuple(map(tuple, colors))).draw(_shader())
+
+
+@cache
+def _bar(colors):
+    """1 wide and high. Needs a window."""
     at = np.linspace(0.0, 1.0, _STEPS)
-    places = np.array([(left + side * width, bottom + t * height, 0.0) for t in at for side in (0, 1)], np.float32)
-    shades = np.append(surface_shader.colors_at(2.0 * at - 1.0, colors), np.ones((_STEPS, 1)), 1).repeat(2, 0)
-    batch = batch_for_shader(shader, 'TRI_STRIP', {'pos': places, 'color': shades.astype(np.float32)})
-    batch.draw(shader)
+    places = np.array([(side, t, 0.0) for t in at for side in (0, 1)], np.float32)
+    shades = np.append(surface_shader.colors_at(2.0 * at - 1.0, np.array(colors)), np.ones((_STEPS, 1)), 1).repeat(2, 0)
+    return batch_for_shader(_shader(), 'TRI_STRIP', {'pos': places, 'color': shades.astype(np.float32)})
+
+
+def _shader():
+    return gpu.shader.from_builtin('SMOOTH_COLOR')

@@ -1,4 +1,4 @@
-"""Over the 3D view: the rows of a cage in two colours, seams above them, points, and arrows for directions at infinity."""
+"""Over the 3D view: the rows of a cage in two colours, its points, and arrows for directions at infinity."""
 
 from typing import NamedTuple
 
@@ -8,26 +8,32 @@ import numpy as np
 
 from ..bridge.file_state import key, state
 from ..bridge.net import live, selection
-from . import colors, editing, seams_overlay, strokes
+from . import colors, editing, strokes
 
 
-def draw():
+def draw_lines():
     """Called by Blender for each 3D view."""
-    if not bpy.context.space_data.overlay.show_overlays:
-        return
-    drawn = [(ob, _prepared(ob)) for ob in (editing.nets() if state.nets else ()) if ob.mode == 'EDIT' and ob.visible_get()]
-    for ob, prepared in drawn:
-        _draw_net(ob, prepared.lines)
-    seams_overlay.draw()
-    for ob, prepared in drawn:
-        _draw_net(ob, prepared.above)
+    for ob in _nets_seen():
+        _draw_net(ob, _prepared(ob).lines)
+
+
+def draw_points():
+    """Called by Blender for each 3D view: what lies above the lines of shapes, too."""
+    for ob in _nets_seen():
+        _draw_net(ob, _prepared(ob).points)
+
+
+def _nets_seen():
+    if not state.nets or not bpy.context.space_data.overlay.show_overlays:
+        return []
+    return [ob for ob in editing.nets() if ob.mode == 'EDIT' and ob.visible_get()]
 
 
 class Prepared(NamedTuple):
     """strokes.Strokes of a net."""
 
     lines: list
-    above: list                         # what lies above seams, too: points and arrows
+    points: list                        # and arrows
 
 
 def _prepared(ob):
@@ -50,7 +56,7 @@ def _draw_net(ob, prepared):
 
 
 def _strokes(ob, current):
-    """(lines, what lies above seams) of a net; what lies above others comes last."""
+    """(lines, points and arrows) of a net; what lies above others comes last."""
     net, points = current.net, current.points
     rows = [strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(net.lines)]
     marked = strokes.points(points[(current.state.weights < 0) & net.are_points & (current.slots >= 0)],

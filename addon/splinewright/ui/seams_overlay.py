@@ -20,7 +20,9 @@ def shape_in_hand(ob):
 
 
 def draw():
-    """In the 3D view at hand."""
+    """Called by Blender for each 3D view."""
+    if not bpy.context.space_data.overlay.show_overlays:
+        return
     ob = shape_in_hand(bpy.context.object)
     if ob is None or not ob.data.splinewright.show_seams or not ob.visible_get():
         return

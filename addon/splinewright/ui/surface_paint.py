@@ -31,6 +31,7 @@ def draw(chosen, obs):
             else:
                 surface_shader.draw(painted.batch, ob.matrix_world, chosen.stripe_kind, chosen.stripe_count,
                                     chosen.stripe_axis)
+    gpu.state.depth_test_set('NONE')
 
 
 def _painted(chosen, obs):
