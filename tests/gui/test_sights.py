@@ -121,6 +121,16 @@ def patches(view):
     print("patches", flush=True)
 
 
+def shows(view, point, color):
+    """Whether a place of the world has a colour in the view as it is now."""
+    view.area.tag_redraw()
+    found = save_picture(OUTPUT / "sights-straight.png")
+    x, y = view.pixel_of(point)
+    row = found.shape[0] - 1 - y
+    around = found[row - 2:row + 3, x - 2:x + 3].reshape(-1, 3)
+    return np.abs(around - 255 * np.array(color[:3])).max(1).min() < 16
+
+
 def straight(view):
     """Of a straight curve the curve lies above the polygon, in its net, too, and points above both."""
     sc, colors = part('core.library').sc, part('ui.colors')
@@ -138,18 +148,13 @@ def straight(view):
     view.press('TAB')
     yield from into_net()
     yield from switched_on(view, 'curve', "straight", least=0.01)
-    with view.override():
-        bpy.ops.mesh.select_all(action='DESELECT') if bpy.context.mode == 'EDIT_MESH' else bpy.ops.curve.select_all(
-            action='DESELECT')
-    yield from redrawn()
-    yield from redrawn()
-    found = save_picture(OUTPUT / "sights-straight.png")
-    wanted = 255 * np.array(colors.CURVE[:3])
+    view.press('A', alt=True)
+    theme = bpy.context.preferences.themes[0].view_3d
+    yield from until(lambda: shows(view, (1, 0.3, 0), theme.vertex), "a point above the curve")
     for place in (0.5, 1.5, 2.5, 3.5):
-        x, y = view.pixel_of((place, 0.3 * place, 0))
-        row = found.shape[0] - 1 - y
-        around = found[row - 2:row + 3, x - 2:x + 3].reshape(-1, 3)
-        assert np.abs(around - wanted).max(1).min() < 16, ("the polygon lies above the curve", place, around)
+        assert shows(view, (place, 0.3 * place, 0), colors.CURVE), ("the polygon lies above the curve", place)
+    view.press('A')
+    yield from until(lambda: shows(view, (1, 0.3, 0), theme.vertex_select), "a selected point above the curve")
     chosen().curve = False
     view.press('TAB')
     yield from out_of_net()

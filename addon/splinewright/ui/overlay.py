@@ -6,6 +6,7 @@ import bpy
 import gpu
 import numpy as np
 
+from ..bridge import sights
 from ..bridge.file_state import key, state
 from ..bridge.net import live, selection
 from . import colors, editing, strokes
@@ -19,8 +20,13 @@ def draw_lines():
 
 def draw_points():
     """Called by Blender for each 3D view: what lies above the lines of shapes, too."""
+    chosen = sights.of(bpy.context.scene)
+    covers_curves = chosen.curve or chosen.deviation
     for ob in _nets_seen():
-        _draw_net(ob, _prepared(ob).points)
+        prepared = _prepared(ob)
+        _draw_net(ob, prepared.points)
+        if ob.type == 'MESH' or covers_curves:
+            _draw_net(ob, prepared.covered)
 
 
 def _nets_seen():
@@ -33,14 +39,15 @@ class Prepared(NamedTuple):
     """strokes.Strokes of a net."""
 
     lines: list
-    points: list                        # and arrows
+    points: list                        # those that Blender does not draw, and arrows
+    covered: list                       # those that it draws, below what is ours
 
 
 def _prepared(ob):
     """What there is to draw, worked out once, until Blender tells of a change of the net."""
     current = live.known_session(ob.data)
     if current is None:
-        return Prepared([], [])
+        return Prepared([], [], [])
     name = key(ob.data)
     if name not in state.drawn:
         state.drawn[name] = Prepared(*_strokes(ob, current))
@@ -56,26 +63,31 @@ def _draw_net(ob, prepared):
 
 
 def _strokes(ob, current):
-    """(lines, points and arrows) of a net; what lies above others comes last."""
+    """Those of a Prepared; what lies above others comes last."""
     net, points = current.net, current.points
     rows = [strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(net.lines)]
     marked = strokes.points(points[(current.state.weights < 0) & net.are_points & (current.slots >= 0)],
                             lambda: colors.WARNING, lambda: _theme().vertex_size + 9)
     arrows = strokes.arrows([(points[foot], points[head]) for foot, head in net.arrows], colors.of_arrows)
-    edges, vertices = _of_selection(ob, current) if ob.type == 'MESH' else ([], [])
-    return [*rows, *edges], [marked, arrows, *vertices]
+    edges, vertices = _of_selection(ob, current)
+    return [*rows, *edges], [marked, arrows], vertices
 
 
 def _of_selection(ob, current):
-    """(edges, vertices): what Blender drew below our lines, vertices, and edges between selected ones."""
+    """(edges, vertices): what Blender drew below our lines, edges between selected vertices, and vertices."""
     net, points, are_there = current.net, current.points, current.slots >= 0
     selected = np.zeros(len(points), bool)
     selected[selection.every_selected(ob, net)] = True
-    edges = [strokes.lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
-             for pairs in net.lines]
+    edges = []
+    if ob.type == 'MESH':
+        edges = [strokes.lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
+                 for pairs in net.lines]
+    else:
+        are_there = are_there & net.are_points          # handles have colours of their own
     return edges, [
         strokes.points(points[are_there & ~selected], colors.of_points, lambda: _theme().vertex_size + 2),
-        strokes.points(points[selected], lambda: (*_theme().vertex_select, 1.0), lambda: _theme().vertex_size + 3)]
+        strokes.points(points[are_there & selected], lambda: (*_theme().vertex_select, 1.0),
+                       lambda: _theme().vertex_size + 3)]
 
 
 def _theme():
