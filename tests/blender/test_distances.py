@@ -195,6 +195,25 @@ def test_what_an_object_moves_or_undo_brings_back_counts(chosen):
     assert measured(bpy.data.objects["shape"], bpy.data.objects["mesh"]).largest == pytest.approx(8, abs=1e-5)
 
 
+def test_an_animated_object_has_its_distances_at_every_frame(chosen):
+    other, ob = plane(), add(sphere(1.0))
+    other.shape_key_add(name="Basis")
+    raised = other.shape_key_add(name="raised")
+    for point in raised.data:
+        point.co.z = 6.0
+    raised.value = 0.0
+    raised.keyframe_insert('value', frame=1)
+    raised.value = 1.0
+    raised.keyframe_insert('value', frame=11)
+    scene = bpy.context.scene
+    try:
+        for frame, wanted in ((1, 1.0), (11, 7.0), (1, 1.0)):
+            scene.frame_set(frame)
+            assert measured(ob, other).largest == pytest.approx(wanted, abs=1e-5), frame
+    finally:
+        scene.frame_set(1)
+
+
 def test_what_is_missing_empty_gone_itself_or_elsewhere_is_said(chosen):
     scene, ob = bpy.context.scene, add(VALUES['bezier patch']())
 

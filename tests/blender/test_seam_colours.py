@@ -12,8 +12,8 @@ from support import part
 
 colors, preferences = (part(name) for name in ('ui.colors', 'ui.preferences'))
 #: Of Blender's theme, as far as a version has them: rows of nets, what is selected, outlines, and points.
-OTHERS = ('nurb_sel_uline', 'nurb_sel_vline', 'vertex', 'vertex_select', 'edge_select', 'edge_mode_select', 'object_active',
-          'object_selected', 'wire', 'wire_edit')
+OTHERS = ('nurb_sel_uline', 'nurb_sel_vline', 'vertex', 'vertex_select', 'edge_select', 'edge_mode_select',
+          'object_active', 'object_selected', 'wire', 'wire_edit')
 #: In Oklab, where 1 leads from black to white.
 LEAST = 0.15
 
@@ -42,7 +42,8 @@ def seams():
 
 
 def themes():
-    found = [path for folder in bpy.utils.preset_paths('interface_theme') for path in glob.glob(os.path.join(folder, "*.xml"))]
+    found = [path for folder in bpy.utils.preset_paths('interface_theme')
+             for path in glob.glob(os.path.join(folder, "*.xml"))]
     return sorted(path for path in found if os.path.basename(path).lower() in ("blender_light.xml", "blender_dark.xml"))
 
 

@@ -1,4 +1,4 @@
-"""Colours by the distance from another object: right where the mouse could point, live, measured again only after changes."""
+"""Colours by the distance from another object: those of the legend, live, measured again only after changes."""
 
 import os
 import sys
@@ -8,8 +8,8 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import (View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, select_points,
-                    until)
+from window import (View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture,
+                    select_points, until)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: Of a picture, where shapes are and neither regions nor the legend; and where that is.

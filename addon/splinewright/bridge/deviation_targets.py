@@ -1,5 +1,5 @@
-"""Objects to which distances are measured: Blender's own by the faces, edges or points of what is shown of them, shapes by
-themselves."""
+"""Objects to which distances are measured: Blender's own by the faces, edges or points of what is shown of them, shapes
+by themselves."""
 
 from dataclasses import dataclass
 

@@ -65,7 +65,8 @@ def _draw_net(ob, prepared):
 def _strokes(ob, current):
     """Those of a Prepared; what lies above others comes last."""
     net, points = current.net, current.points
-    rows = [strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(net.lines)]
+    rows = [strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5)
+            for axis, pairs in enumerate(net.lines)]
     marked = strokes.points(points[(current.state.weights < 0) & net.are_points & (current.slots >= 0)],
                             lambda: colors.WARNING, lambda: _theme().vertex_size + 9)
     arrows = strokes.arrows([(points[foot], points[head]) for foot, head in net.arrows], colors.of_arrows)

@@ -11,14 +11,14 @@ from .lines import ends_of
 _STEPS = 32
 #: Steps of Newton's method: of few the distances of most points are exact, of all those of every one.
 FEW, ALL = 4, 24
-#: What shortens the square of a distance by so small a part of it is no step, nor what does by so little, in units of the
-#: size of all.
+#: What shortens the square of a distance by so small a part of it is no step, nor what does by so little, in units of
+#: the size of all.
 _STILL, _NOTHING = 1e-15, 1e-31
 #: A damped step has at least this much; below the least there is none.
 _DAMPED, _LEAST_DAMPED = 1e-3, 1e-6
 #: Of a matrix that cannot be inverted this part of its size is added.
 _RIDGE = 1e-14
-#: Samples so near to each other, as a part of the size of all, are one place; of one no more than so many others are known.
+#: Samples so near to each other, as a part of the size of all, are one place; of one so many others are known at most.
 _ONE_PLACE, _OTHERS = 1e-6, 3
 
 
