@@ -349,6 +349,35 @@ def test_switches_are_off_until_wanted_and_kept_with_the_file(chosen, tmp_path):
     assert all(getattr(found, name) for name in switches) and found.isocurve_count == 7
 
 
+def changed_value(prop):
+    """Another value than the default one."""
+    if prop.type == 'ENUM':
+        return prop.enum_items[-1].identifier
+    if prop.type == 'POINTER':
+        return bpy.data.objects["shape"]
+    if getattr(prop, 'is_array', False):
+        return (1.0, 0.0, 0.0)
+    return {'BOOLEAN': True, 'INT': prop.default + 1 if prop.type == 'INT' else 0,
+            'FLOAT': 0.75 if prop.type == 'FLOAT' else 0}[prop.type]
+
+
+def test_every_number_beside_a_switch_is_kept_with_the_file_too(chosen, tmp_path):
+    add(VALUES['bezier patch']())
+    wanted = {known.identifier: changed_value(known) for known in chosen.bl_rna.properties
+              if known.identifier not in ('rna_type', 'name')}
+    for name, value in wanted.items():
+        setattr(chosen, name, value)
+    wanted['deviation_object'] = "shape"
+    path = str(tmp_path / "kept.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    found = seen.of(bpy.context.scene)
+    for name, value in wanted.items():
+        known = getattr(found, name)
+        known = known.name if name == 'deviation_object' else known
+        assert tuple(known) == value if isinstance(value, tuple) else known == value, name
+
+
 def test_points_behind_are_shown_only_when_asked_for(chosen):
     add(VALUES['nurbs patch']())
     held = enter()

@@ -5,10 +5,11 @@ import sys
 from pathlib import Path
 
 import bpy
+import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 from window import (View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture,
-                    select_points)
+                    select_points, until)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: Of a picture, where shapes are and neither regions nor the legend.
@@ -120,6 +121,106 @@ def patches(view):
     print("patches", flush=True)
 
 
+def shows(view, point, color):
+    """Whether a place of the world has a colour in the view as it is now."""
+    view.area.tag_redraw()
+    found = save_picture(OUTPUT / "sights-straight.png")
+    x, y = view.pixel_of(point)
+    row = found.shape[0] - 1 - y
+    around = found[row - 2:row + 3, x - 2:x + 3].reshape(-1, 3)
+    return np.abs(around - 255 * np.array(color[:3])).max(1).min() < 16
+
+
+def straight(view):
+    """Of a straight curve the curve lies above the polygon, in its net, too, and points above both."""
+    sc, colors = part('core.library').sc, part('ui.colors')
+
+    def make():
+        data = part('bridge.shape').new_data("line", sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [
+            (i, 0.3 * i, 0) for i in range(5)]), (8, 8))
+        ob = bpy.data.objects.new("line", data)
+        bpy.context.scene.collection.objects.link(ob)
+        bpy.context.view_layer.objects.active = ob
+        ob.select_set(True)
+        bpy.ops.view3d.view_axis(type='TOP')
+    yield from alone(view, make, "line")
+    view.move(420, 200)
+    view.press('TAB')
+    yield from into_net()
+    yield from switched_on(view, 'curve', "straight", least=0.01)
+    view.press('A', alt=True)
+    theme = bpy.context.preferences.themes[0].view_3d
+    yield from until(lambda: shows(view, (1, 0.3, 0), theme.vertex), "a point above the curve")
+    for place in (0.5, 1.5, 2.5, 3.5):
+        assert shows(view, (place, 0.3 * place, 0), colors.CURVE), ("the polygon lies above the curve", place)
+    view.press('A')
+    yield from until(lambda: shows(view, (1, 0.3, 0), theme.vertex_select), "a selected point above the curve")
+    chosen().curve = False
+    view.press('TAB')
+    yield from out_of_net()
+    print("straight", flush=True)
+
+
+def each(view):
+    """Every switch follows a drag, works nothing out where nothing changes, and is free when it is off."""
+    for make, switches in (
+            (bpy.ops.splinewright.add_nurbs_curve, ('curve', 'polygon', 'knots', 'comb', 'frame', 'hodograph', 'deviation')),
+            (bpy.ops.splinewright.add_nurbs_patch, ('polygon', 'knots', 'isocurves', 'normals', 'stripes', 'curvature',
+                                                    'deviation'))):
+        yield from alone(view, lambda make=make: make('EXEC_DEFAULT', True), "shape")
+        other = bpy.data.objects.new("other", bpy.data.meshes.new("other"))
+        other.data.from_pydata([(-9, -9, 4), (9, -9, 4), (0, 9, 4)], [], [(0, 1, 2)])
+        bpy.context.scene.collection.objects.link(other)
+        chosen().deviation_object = other
+        view.press('TAB')
+        yield from into_net()
+        with view.override():
+            select_points(2)
+        for switch in switches:
+            yield from one_switch(view, switch)
+        view.press('TAB')
+        yield from out_of_net()
+        drawn = count_drawn()
+        yield from redrawn()
+        yield from redrawn()
+        assert drawn() == 0, "something is drawn though all is off"
+    print("each", flush=True)
+
+
+def one_switch(view, switch):
+    """In a net with a selected point; of a polygon Blender draws the net itself there."""
+    setattr(chosen(), switch, True)
+    yield from redrawn()
+    if switch == 'deviation':
+        yield from until(lambda: part('bridge.file_state').state.is_still, "distances measured in the end")
+    yield from redrawn()
+    made = count_made()
+    yield from redrawn()
+    assert made() == 0, f"{switch} is worked out though nothing changed"
+    with view.override():
+        bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0.1, 0.4))
+    yield from redrawn()
+    if switch != 'polygon':
+        yield from until(lambda: made() > 0, f"{switch} follows")
+    setattr(chosen(), switch, False)
+    yield from redrawn()
+
+
+def count_drawn():
+    """A function that tells how often something was drawn over shapes since it was made."""
+    count, rooms = [0], [(part('ui.strokes'), '_draw'), (part('ui.surface_shader'), 'draw'), (part('ui.legend'), 'draw'),
+                         (part('ui.sights_overlay'), 'shapes_in_hand')]
+
+    def counted(own):
+        def called(*given, **more):
+            count[0] += 1
+            return own(*given, **more)
+        return called
+    for room, name in rooms:
+        setattr(room, name, counted(getattr(room, name)))
+    return lambda: count[0]
+
+
 def popover(view):
     """The switches stand in the popover, in words."""
     with view.override():
@@ -136,6 +237,8 @@ def steps():
     view.move()
     yield from curves(view)
     yield from patches(view)
+    yield from straight(view)
+    yield from each(view)
     yield from popover(view)
 
 

@@ -225,7 +225,7 @@ def surfaces(view):
 
 
 def seams(view):
-    """The edge between two patches is orange, and green once they are joined."""
+    """The edge between two patches is violet, and green once they are joined."""
     sc = library()
     nets = np.array([[[(i, j, 0.4 * np.cos(1.3 * i) * np.sin(j)) for j in range(4)] for i in range(4)] for _ in range(2)])
     nets[1] = nets[1] * (-1, 1, -1.5)

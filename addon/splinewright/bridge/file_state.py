@@ -22,6 +22,8 @@ class FileState:
     selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
     drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
     sights: dict = field(default_factory=dict)          # of a shape's data-block what bridge.sights keeps, until it changes
+    targets: dict = field(default_factory=dict)         # of an object its bridge.deviation_targets.Target, until it changes
+    is_still: bool = False                              # whether distances have not changed for a while
     handed: tuple = ()                                  # the ended_operators() when ui.editing looked at copies last
     seen: tuple = ()                                    # those when Blender told of a change, or drew
     began: tuple = ()                                   # those when points of a net were copied

@@ -31,6 +31,11 @@ def kept(data, what, numbers, make):
     return known[what][1]
 
 
+def is_known(data, what, numbers):
+    """Whether kept() has it."""
+    return state.sights.get(key(data), {}).get(what, ((),))[0] == (data.as_pointer(), *numbers)
+
+
 def polygon_of(data):
     """The core.sights.polygon.Polygon of a definition."""
     return polygon.of(store.read(data))

@@ -2,13 +2,16 @@
 
 import bpy
 
-from . import (aim_overlay, axis_overlay, messages, numbers_overlay, overlay, pull_overlay, sights_overlay,
-               weight_overlay)
+from . import (aim_overlay, axis_overlay, messages, numbers_overlay, overlay, pull_overlay, seams_overlay,
+               sights_overlay, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (
-    (sights_overlay.draw, 'POST_VIEW'), (sights_overlay.draw_legend, 'POST_PIXEL'),
-    (overlay.draw, 'POST_VIEW'),
+    (sights_overlay.draw_paint, 'POST_VIEW'), (sights_overlay.draw_legend, 'POST_PIXEL'),
+    (overlay.draw_lines, 'POST_VIEW'),
+    (sights_overlay.draw, 'POST_VIEW'),
+    (seams_overlay.draw, 'POST_VIEW'),
+    (overlay.draw_points, 'POST_VIEW'),
     (numbers_overlay.draw_outline, 'POST_VIEW'), (numbers_overlay.draw, 'POST_PIXEL'),
     (aim_overlay.draw, 'POST_VIEW'),
     (pull_overlay.draw, 'POST_VIEW'),

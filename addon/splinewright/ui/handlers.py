@@ -3,11 +3,11 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow, keyed, recipes, versions
+from ..bridge import deviation_targets, follow, keyed, recipes, versions
 from ..bridge.file_state import ended_operators, forget, key, look_again, state
 from ..bridge.net import live
 from ..bridge.net.growing import Moment
-from . import editing, errands, messages, saving, texts
+from . import deviation_paint, editing, errands, messages, saving, texts
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -21,6 +21,8 @@ def updated(scene, depsgraph):
     _put_back_after_failure()
     is_new = _look_through()
     changed = set()
+    if state.targets:
+        deviation_targets.look_again(depsgraph.updates)
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
         _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
@@ -44,7 +46,7 @@ def updated(scene, depsgraph):
 def undone(*_):
     """After undo and redo every object is another."""
     _put_back_after_failure()
-    for known in (state.touched, state.selected, state.drawn, state.sights, state.shown):
+    for known in (state.touched, state.selected, state.drawn, state.sights, state.shown, state.targets):
         known.clear()
     state.handed = state.began = ended_operators()
     state.was_undone = True
@@ -85,6 +87,8 @@ def frame_changes(*_):
 @persistent
 def frame_changed(scene, depsgraph):
     """The shapes of another frame: in views, renders and exports."""
+    if state.targets and errands.is_main_thread():
+        deviation_targets.look_again(depsgraph.updates)
     changed = _changed_blocks(depsgraph.updates)
     if len(bpy.app.handlers.frame_change_post) > 1:
         _evaluate(depsgraph)
@@ -241,6 +245,6 @@ def unregister():
         getattr(bpy.app.handlers, name).remove(handler)
     messages.take_back()
     for function in (_first_look, _serve, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
-                     editing.take_up):
+                     editing.take_up, deviation_paint.settle):
         if bpy.app.timers.is_registered(function):
             bpy.app.timers.unregister(function)

@@ -48,10 +48,10 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
     color_u: _color("Along U", (0.95, 0.78, 0.1), "Rows of nets along u")
     color_v: _color("Along V", (0.9, 0.25, 0.75), "Rows of nets along v")
     color_arrow: _color("At Infinity", (0.2, 0.9, 0.95), "Arrows to control points at infinity")
-    color_gap: _color("Gap", (0.9, 0.05, 0.05), "Seams where patches do not meet")
-    color_edge: _color("Edge", (1.0, 0.45, 0.0), "Seams where tangent planes differ")
-    color_g1: _color("G1", (1.0, 0.9, 0.1), "Seams where tangent planes agree")
-    color_g2: _color("G2", (0.1, 0.8, 0.25), "Seams where curvatures agree")
+    color_gap: _color("Gap", (0.75, 0.0, 0.2), "Seams where patches do not meet")
+    color_edge: _color("Edge", (0.45, 0.1, 0.95), "Seams where tangent planes differ")
+    color_g1: _color("G1", (0.05, 0.6, 1.0), "Seams where tangent planes agree")
+    color_g2: _color("G2", (0.0, 0.65, 0.25), "Seams where curvatures agree")
 
     show_hints: BoolProperty(
         name="Keys in the Status Bar", description="While a net is edited, say in the status bar which keys do what there",

@@ -3,11 +3,14 @@
 import bpy
 import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 
-from ..bridge import store, surveys
+from ..bridge import sights, surveys
 from ..core import seams
+from ..core.sights import lines
 from . import colors, hand, strokes
+
+#: Pixels of a seam and of the rim on either side, on an interface that is not scaled.
+_WIDTH, _RIM = 4.0, 1.5
 
 
 def shape_in_hand(ob):
@@ -17,20 +20,30 @@ def shape_in_hand(ob):
 
 
 def draw():
-    """In the 3D view at hand."""
+    """Called by Blender for each 3D view."""
+    if not bpy.context.space_data.overlay.show_overlays:
+        return
     ob = shape_in_hand(bpy.context.object)
     if ob is None or not ob.data.splinewright.show_seams or not ob.visible_get():
         return
-    try:
-        lines = coloured_lines(ob.data)
-    except store.UnreadableDefinition:
-        return
+    prepared = sights.kept(ob.data, 'seams', tuple(colors.of_seams().values()), _strokes)
     gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
     with gpu.matrix.push_pop(), strokes.nearer():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        for points, of_points in lines:
-            _draw_line(points, of_points)
+        strokes.draw(prepared or ())
     gpu.state.depth_test_set('NONE')
+
+
+def _strokes(data, *_):
+    """Those of the seams of a Mesh, with a rim that tells them from all other lines."""
+    pairs, shades = [lines.NONE], [np.empty((0, 2, 4))]
+    for points, of_points in coloured_lines(data):
+        ends = np.stack([points[:-1], points[1:]], 1)
+        is_whole = np.isfinite(ends).all((1, 2))
+        pairs.append(ends[is_whole])
+        shades.append(np.stack([of_points[:-1], of_points[1:]], 1)[is_whole])
+    pairs, shades = np.concatenate(pairs), np.concatenate(shades)
+    return [strokes.lines(pairs, lambda: colors.SEAM_RIM, _WIDTH + 2 * _RIM), strokes.coloured(pairs, shades, _WIDTH)]
 
 
 def coloured_lines(data):
@@ -43,12 +56,3 @@ def coloured_lines(data):
             found.append((seam.measured.points.astype(np.float32),
                           np.array([of_class[number] for number in numbers.tolist()], np.float32)))
     return found
-
-
-def _draw_line(points, of_points):
-    shader = gpu.shader.from_builtin('POLYLINE_SMOOTH_COLOR')
-    shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
-    shader.uniform_float('lineWidth', 4.0 * bpy.context.preferences.system.ui_scale)
-    finite = np.isfinite(points).all(1)
-    if finite.sum() > 1:
-        batch_for_shader(shader, 'LINE_STRIP', {'pos': points[finite], 'color': of_points[finite]}).draw(shader)

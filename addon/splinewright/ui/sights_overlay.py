@@ -6,19 +6,26 @@ import gpu
 from ..bridge import shape, sights
 from ..bridge.file_state import state
 from ..bridge.net import net_object
-from . import editing, sights_strokes, strokes, surface_paint
+from . import deviation_paint, editing, sights_strokes, strokes, surface_paint
 from .sights_strokes import SIGHTS
 
 
+def draw_paint():
+    """Called by Blender for each 3D view: what lies below all lines."""
+    context, chosen = bpy.context, _chosen(('deviation', 'stripes', 'curvature'))
+    if chosen is not None:
+        paint = deviation_paint if chosen.deviation else surface_paint
+        paint.draw(chosen, shapes_in_hand(context))
+
+
 def draw():
-    """Called by Blender for each 3D view."""
-    context = bpy.context
-    chosen = sights.of(context.scene)
-    if not context.space_data.overlay.show_overlays or not _is_any_on(chosen):
+    """Called by Blender for each 3D view: lines and points."""
+    context, chosen = bpy.context, _chosen(('deviation', *(sight.switch for sight in SIGHTS)))
+    if chosen is None:
         return
     obs = shapes_in_hand(context)
-    if chosen.stripes or chosen.curvature:
-        surface_paint.draw(chosen, obs)
+    if chosen.deviation:
+        deviation_paint.draw_lines(chosen, obs)
     for ob in obs:
         with gpu.matrix.push_pop(), strokes.nearer():
             gpu.matrix.multiply_matrix(ob.matrix_world)
@@ -30,14 +37,17 @@ def draw():
 
 def draw_legend():
     """Called by Blender for each 3D view, in pixels."""
-    context = bpy.context
-    chosen = sights.of(context.scene)
-    if chosen.curvature and context.space_data.overlay.show_overlays:
-        surface_paint.draw_legend(context, chosen, shapes_in_hand(context))
+    context, chosen = bpy.context, _chosen(('deviation', 'curvature'))
+    if chosen is not None:
+        paint = deviation_paint if chosen.deviation else surface_paint
+        paint.draw_legend(context, chosen, shapes_in_hand(context))
 
 
-def _is_any_on(chosen):
-    return chosen.stripes or chosen.curvature or any(getattr(chosen, sight.switch) for sight in SIGHTS)
+def _chosen(switches):
+    """The switches, or None where all of these are off, or overlays are."""
+    chosen = sights.of(bpy.context.scene)
+    is_any_on = any(getattr(chosen, switch) for switch in switches)
+    return chosen if is_any_on and bpy.context.space_data.overlay.show_overlays else None
 
 
 def shapes_in_hand(context):

@@ -2,8 +2,12 @@
 
 import bpy
 
-from ..bridge import shape, sights
+from ..bridge import deviations, shape, sights
 from ..bridge.net import net_object
+from . import sights_overlay, texts
+
+#: Characters that fit a line of the popover.
+_WIDTH = 44
 
 
 class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
@@ -49,6 +53,14 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
             row = column.split(factor=0.5)
             row.label()
             row.prop(chosen, "curvature_range")
+        _draw_switch(column, chosen, "deviation", "deviation_object")
+        if chosen.deviation:
+            row = column.split(factor=0.5)
+            row.label()
+            row.prop(chosen, "deviation_range")
+            said = deviations.problem(context.scene, sights_overlay.shapes_in_hand(context))
+            if said:
+                texts.draw_problem(column, said, _WIDTH)
 
 
 def _draw_switch(layout, chosen, switch, *numbers):

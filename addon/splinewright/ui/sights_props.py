@@ -3,6 +3,9 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty
 
+from ..bridge import deviation_targets
+from ..bridge.file_state import state
+from ..bridge.net import net_object
 from . import editing
 
 
@@ -13,6 +16,15 @@ def _switch(name, description, **more):
 def _points_behind_changed(self, _context):
     for held in editing.nets():
         held.show_in_front = self.points_behind
+
+
+def _deviation_changed(self, _context):
+    if not self.deviation:
+        state.targets.clear()
+
+
+def _may_be_measured_to(_self, ob):
+    return ob.type in deviation_targets.TYPES and not net_object.is_net(ob)
 
 
 class SplinewrightSights(bpy.types.PropertyGroup):
@@ -85,6 +97,16 @@ class SplinewrightSights(bpy.types.PropertyGroup):
         name="Range",
         description="The curvature from which on colours stay the same; 0: so that nine tenths of the surface differ",
         default=0.0, min=0.0, max=1e12, soft_max=100.0, precision=4, options=set())
+    deviation: _switch(
+        "Distance Colours", "Colour surfaces and curves by their distance from another object and draw a legend; in place "
+        "of curvature and stripes", update=_deviation_changed)
+    deviation_object: PointerProperty(
+        name="Distances To", description="The object to which distances are measured: shapes exactly, where no modifier "
+        "changes them; others by the faces that are shown of them, or their edges, or their points",
+        type=bpy.types.Object, poll=_may_be_measured_to, options=set())
+    deviation_range: FloatProperty(
+        name="Range", description="The distance from which on colours stay the same; 0: the largest one that there is",
+        default=0.0, min=0.0, max=1e12, soft_max=100.0, precision=4, subtype='DISTANCE', options=set())
 
 
 CLASSES = (SplinewrightSights,)

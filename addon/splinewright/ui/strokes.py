@@ -1,4 +1,4 @@
-"""Lines and points of one colour each, prepared once and drawn many times."""
+"""Lines and points, prepared once and drawn many times."""
 
 from collections.abc import Callable
 from contextlib import contextmanager
@@ -17,17 +17,27 @@ _NEARER = 2e-3
 
 
 class Stroke(NamedTuple):
-    """Lines or points that are drawn alike."""
+    """Lines or points that are drawn alike, but for colours of their own."""
 
     batch: gpu.types.GPUBatch
     is_lines: bool
-    color: Callable                     # gives the colour now: themes and preferences change
+    color: Callable                     # gives the colour now: themes and preferences change; None: each has its own
     size: Callable                      # gives that of lines or points, on an interface that is not scaled
 
 
 def lines(pairs, color, width):
     """The Stroke of pairs (n, 2, 3) of ends, or None where there are none."""
     return Stroke(_batch(_line_shader(), 'LINES', pairs), True, color, lambda: width) if len(pairs) else None
+
+
+def coloured(pairs, colors, width):
+    """The Stroke of pairs (n, 2, 3) of ends that have colours (n, 2, 4), or None where there are none."""
+    if not len(pairs):
+        return None
+    batch = batch_for_shader(_coloured_shader(), 'LINES', {
+        'pos': np.ascontiguousarray(pairs, np.float32).reshape(-1, 3),
+        'color': np.ascontiguousarray(colors, np.float32).reshape(-1, 4)})
+    return Stroke(batch, True, None, lambda: width)
 
 
 def points(positions, color, size):
@@ -71,11 +81,15 @@ def _nearer(projection, distance, part):
 
 
 def draw(strokes):
+    """What comes later lies above what lies as far from the eye."""
     scale = bpy.context.preferences.system.ui_scale
+    was_written = gpu.state.depth_mask_get()
+    gpu.state.depth_mask_set(False)
     gpu.state.blend_set('ALPHA')        # edges of lines are smooth by it
     for stroke in filter(None, strokes):
         _draw(stroke, scale)
     gpu.state.blend_set('NONE')
+    gpu.state.depth_mask_set(was_written)
 
 
 def _batch(shader, kind, positions):
@@ -86,17 +100,23 @@ def _line_shader():
     return gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')
 
 
+def _coloured_shader():
+    return gpu.shader.from_builtin('POLYLINE_SMOOTH_COLOR')
+
+
 def _point_shader():
     return gpu.shader.from_builtin(versions.point_shader())
 
 
 def _draw(stroke, scale):
-    shader = _line_shader() if stroke.is_lines else _point_shader()
+    of_lines = _line_shader if stroke.color else _coloured_shader
+    shader = of_lines() if stroke.is_lines else _point_shader()
     if stroke.is_lines:
         shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])
         shader.uniform_float('lineWidth', stroke.size() * scale)
     else:
         gpu.state.point_size_set(stroke.size() * scale)
-    shader.uniform_float('color', stroke.color())
+    if stroke.color:
+        shader.uniform_float('color', stroke.color())
     stroke.batch.draw(shader)
     gpu.state.point_size_set(1.0)

@@ -1,21 +1,15 @@
-"""Stripes and colours of curvature on the surfaces of shapes, and the legend of these colours."""
+"""Stripes and colours of curvature on the surfaces of shapes."""
 
 from typing import NamedTuple
 
-import blf
 import gpu
-import numpy as np
-from gpu_extras.batch import batch_for_shader
 
 from ..bridge import sights
 from ..core.sights import faces
-from . import strokes, surface_shader
+from . import legend, strokes, surface_shader
 
 #: Paint is so much of strokes.nearer() nearer: lines lie above it.
 _PART = 0.5
-#: The legend: pixels of its bar, of its text, between it and the border, on an interface that is not scaled.
-_BAR, _TEXT, _MARGIN = (14, 160), 12, 24
-_STEPS = 64
 
 
 class Painted(NamedTuple):
@@ -37,6 +31,7 @@ def draw(chosen, obs):
             else:
                 surface_shader.draw(painted.batch, ob.matrix_world, chosen.stripe_kind, chosen.stripe_count,
                                     chosen.stripe_axis)
+    gpu.state.depth_test_set('NONE')
 
 
 def _painted(chosen, obs):
@@ -60,43 +55,11 @@ def draw_legend(context, chosen, obs):
     found = _painted(chosen, obs)
     if not found:
         return
-    reach, scale = _reach(chosen, found), context.preferences.system.ui_scale
-    width, height, margin = _BAR[0] * scale, _BAR[1] * scale, _MARGIN * scale
-    texts = [text_of(part * reach) for part in (-1.0, -0.5, 0.0, 0.5, 1.0)]
+    reach = _reach(chosen, found)
     title = chosen.bl_rna.properties['curvature_kind'].enum_items[chosen.curvature_kind].name
-    blf.size(0, _TEXT * scale)
-    room = max(blf.dimensions(0, text)[0] for text in (*texts, title))
-    left, bottom = _right_of_view(context) - margin - room - 1.5 * width, 2.0 * margin
-    _draw_bar(left, bottom, width, height)
-    blf.enable(0, blf.SHADOW)
-    blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
-    blf.color(0, 1.0, 1.0, 1.0, 1.0)
-    for i, text in enumerate(texts):
-        _write(text, left + 1.5 * width, bottom + i / 4 * height - 0.35 * _TEXT * scale)
-    _write(title, left, bottom + height + _TEXT * scale)
-    blf.disable(0, blf.SHADOW)
+    legend.draw(context, [title], [text_of(part * reach) for part in (-1.0, -0.5, 0.0, 0.5, 1.0)], surface_shader.COLORS)
 
 
 def text_of(number):
     """A number of the legend."""
     return f"{number:.3g}" if number else "0"
-
-
-def _write(text, x, y):
-    blf.position(0, x, y, 0)
-    blf.draw(0, text)
-
-
-def _right_of_view(context):
-    """Where regions that lie over the view begin."""
-    over = [region.x - context.region.x for region in context.area.regions if region.type == 'UI' and region.width > 1
-            and region.x > context.region.x]
-    return min([context.region.width, *over])
-
-
-def _draw_bar(left, bottom, width, height):
-    shader = gpu.shader.from_builtin('SMOOTH_COLOR')
-    at = np.linspace(0.0, 1.0, _STEPS)
-    places = np.array([(left + side * width, bottom + t * height, 0.0) for t in at for side in (0, 1)], np.float32)
-    colours = np.array([(*surface_shader.color_of(2.0 * t - 1.0), 1.0) for t in at for _ in (0, 1)], np.float32)
-    batch_for_shader(shader, 'TRI_STRIP', {'pos': places, 'color': colours}).draw(shader)

@@ -12,7 +12,10 @@ PAINTS = {'ZEBRA': 0, 'REFLECTION': 1, 'HIGHLIGHT': 2, 'NUMBERS': 3}
 #: Of numbers, from the smallest one by way of 0 to the largest one.
 COLORS = np.array([(0.08, 0.20, 0.62), (0.35, 0.62, 0.90), (0.93, 0.93, 0.90), (0.96, 0.60, 0.38), (0.70, 0.06, 0.10)])
 
-# More than 128 bytes of push constants are not to be had everywhere.
+#: Of distances, from none to the largest.
+DISTANCES = np.array([(0.10, 0.16, 0.50), (0.05, 0.50, 0.66), (0.36, 0.74, 0.40), (0.95, 0.82, 0.25), (0.78, 0.10, 0.12)])
+
+# The 3D view takes light, not sRGB. More than 128 bytes of push constants are not to be had everywhere.
 _TYPES = """
 struct Paint {
     mat4 view_projection;
@@ -51,6 +54,12 @@ vec3 colour_of(float t)
     return mix(paint.colours[i].xyz, paint.colours[i + 1].xyz, s - float(i));
 }
 
+vec4 seen(vec3 srgb)
+{
+    vec3 part = max(srgb, vec3(0.0));
+    return vec4(mix(part / 12.92, pow((part + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), part)), 1.0);
+}
+
 void main()
 {
     vec3 n = normalize(normal);
@@ -61,25 +70,25 @@ void main()
     vec3 axis = paint.axis.xyz;
     if (kind == 3) {
         bool is_known = abs(number) < 1e37;
-        color = vec4(light * (is_known ? colour_of(number * paint.numbers.z) : vec3(0.5)), 1.0);
+        color = seen(light * (is_known ? colour_of(number * paint.numbers.z + paint.numbers.w) : vec3(0.5)));
         return;
     }
-    vec3 seen = kind == 2 ? n : reflect(to, n);
+    vec3 way = kind == 2 ? n : reflect(to, n);
     float t;
     float other;
     if (kind == 1) {
         vec3 side = normalize(abs(axis.z) < 0.9 ? cross(axis, vec3(0.0, 0.0, 1.0)) : cross(axis, vec3(1.0, 0.0, 0.0)));
-        float turn = atan(dot(seen, cross(axis, side)), dot(seen, side)) / 3.14159265;
+        float turn = atan(dot(way, cross(axis, side)), dot(way, side)) / 3.14159265;
         t = turn * count;
         other = (turn < 0.0 ? turn + 2.0 : turn) * count;
     }
     else {
-        float along = dot(seen, axis);
+        float along = dot(way, axis);
         t = acos(clamp(kind == 2 ? abs(along) : along, -1.0, 1.0)) / 3.14159265 * count;
         other = t;
     }
     float white = band(t, 2.0 * min(fwidth(t), fwidth(other)));
-    color = vec4(light * mix(vec3(0.03), vec3(0.95), white), 1.0);
+    color = seen(light * mix(vec3(0.03), vec3(0.95), white));
 }
 """
 
@@ -102,9 +111,9 @@ def shader():
     return gpu.shader.create_from_info(info)
 
 
-def color_of(part):
-    """RGB of a part of the range, from -1 to 1."""
-    return [np.interp(2.0 * part + 2.0, range(len(COLORS)), channel) for channel in COLORS.T]
+def colors_at(parts, colors=COLORS):
+    """(n, 3): RGB of parts of the range, from -1 to 1."""
+    return np.stack([np.interp(2.0 * np.asarray(parts) + 2.0, range(len(colors)), channel) for channel in colors.T], -1)
 
 
 def batch(faces):
@@ -114,17 +123,19 @@ def batch(faces):
                             indices=faces.triangles)
 
 
-def draw(prepared, matrix, kind, count=1.0, axis=(0.0, 0.0, 1.0), reach=1.0):
-    """In the 3D view at hand. kind: of PAINTS. reach: the number that has the last colour."""
+def draw(prepared, matrix, kind, count=1.0, axis=(0.0, 0.0, 1.0), reach=1.0, colors=COLORS):
+    """In the 3D view at hand. kind: of PAINTS. reach: the number that has the last colour; the first has the opposite one,
+    or with DISTANCES 0."""
     view, used = gpu.matrix.get_model_view_matrix(), shader()
     projection = gpu.matrix.get_projection_matrix()
     back = view.inverted()
     is_perspective = projection[3][3] == 0.0
     eye = (*back.translation, 1.0) if is_perspective else (*-back.col[2].xyz, 0.0)
-    numbers = (PAINTS[kind], count, 1.0 / reach if reach > 0.0 else 0.0, 0.0)
+    scale = 1.0 / reach if reach > 0.0 else 0.0
+    numbers = (PAINTS[kind], count, *((2.0 * scale, -1.0) if colors is DISTANCES else (scale, 0.0)))
     normal_matrix = matrix.inverted_safe().transposed().to_3x3().to_4x4()
     columns = [column for each in (projection @ view, matrix, normal_matrix) for column in each.transposed()]
-    flat = np.concatenate([*columns, eye, (*axis, 0.0), numbers, *np.pad(COLORS, [(0, 0), (0, 1)])]).astype(np.float32)
+    flat = np.concatenate([*columns, eye, (*axis, 0.0), numbers, *np.pad(colors, [(0, 0), (0, 1)])]).astype(np.float32)
     block = gpu.types.GPUUniformBuf(gpu.types.Buffer('FLOAT', len(flat), flat))     # is used until all is drawn
     used.uniform_block('paint', block)
     was_written = gpu.state.depth_mask_get()

@@ -25,6 +25,13 @@ _MOST_CUTS, _MOST_PARTS = 6, 40_000
 _DEGENERATE = 1e-9
 
 
+class Places(NamedTuple):
+    """Where on patches something lies."""
+
+    patches: np.ndarray                 # (n,): their numbers
+    parts: np.ndarray                   # (n, 2) float32: parts of the domains
+
+
 class Faces(NamedTuple):
     """Corners that are alike are one."""
 
@@ -48,16 +55,22 @@ def coloured(tessellation, patch_set, value):
 
 def shaded(tessellation, patch_set):
     """The Faces of patches where normals are exact inside of large faces, too; values are 0. Raises as coloured()."""
+    return placed(tessellation, patch_set)[0]
+
+
+def placed(tessellation, patch_set):
+    """(shaded(), the Places of its corners). Raises as coloured()."""
     positions, normals = tessellation.evaluate(patch_set)
+    sizes = np.diff(np.append(tessellation.face_starts, len(tessellation.corner_vertices)))
     corners, fans = tessellation.corner_vertices, _fans(tessellation.face_starts, len(tessellation.corner_vertices))
     cuts = int(np.clip(np.sqrt(_MOST_PARTS / max(len(fans), 1)), 1, _MOST_CUTS))
     if cuts == 1:
         kept, number = _welded(corners, normals)
-        return Faces(positions[corners[kept]], normals[kept], np.zeros(len(kept), np.float32), number[fans])
+        here = Places(np.repeat(tessellation.face_patches, sizes)[kept], tessellation.corner_uvs[kept])
+        return Faces(positions[corners[kept]], normals[kept], np.zeros(len(kept), np.float32), number[fans]), here
     shares, parts = _cut(cuts)
     at, uvs, about = (np.einsum('ms,tsk->tmk', shares, rows[fans]) for rows in (
         positions[corners], tessellation.corner_uvs, normals))
-    sizes = np.diff(np.append(tessellation.face_starts, len(corners)))
     patches = np.repeat(np.repeat(tessellation.face_patches, sizes - 2), len(shares))
     middles = np.repeat(uvs.mean(1), len(shares), 0)
     places = uvs.reshape(-1, 2).astype(np.float32)
@@ -67,7 +80,8 @@ def shaded(tessellation, patch_set):
     exact *= np.where((exact * about).sum(1) < 0, -1.0, 1.0)[:, None]
     found = np.where(is_known[:, None], exact, about).astype(np.float32)
     triangles = (len(shares) * np.arange(len(fans))[:, None, None] + parts).reshape(-1, 3).astype(np.int32)
-    return Faces(at.reshape(-1, 3).astype(np.float32), found, np.zeros(len(found), np.float32), triangles)
+    faces = Faces(at.reshape(-1, 3).astype(np.float32), found, np.zeros(len(found), np.float32), triangles)
+    return faces, Places(patches, places)
 
 
 def reach(faces, part=0.9):
