@@ -10,12 +10,14 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
+from ...core import handles
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
 from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import ended_operators, look_again, state
-from . import free_net, growing, holding, net_object, settings_number, stages
+from .. import handles as kept_types
+from . import free_net, growing, holding, net_object, net_splines, settings_number, stages
 from .growing import Moment
 
 
@@ -264,7 +266,22 @@ def _follow(data, ob, current, moment):
         definition = holding.followed(data, ob, current, definition)
     except FAILURES as error:
         refused = refused or sentence(error)
-    return _show(data, definition, current), refused or found.problem
+    is_changed = _show(data, definition, current)
+    if definition.has_curves:
+        _keep_types(data, ob, current, definition)
+    return is_changed, refused or found.problem
+
+
+def _keep_types(data, ob, current, definition):
+    """Let a shape have the handle types that its net shows; where it lacks a point, those that were there."""
+    if not current.net.chains:
+        return
+    known, there = kept_types.of_pieces(data, definition), current.slots >= 0
+    letters = np.zeros(len(there), '<U1') if there.all() else handles.of_net(current.net, known)
+    letters[there] = net_splines.letters(ob.data)[current.slots[there]]
+    types = handles.said(definition, handles.of_vertices(current.net, letters), known)
+    if types != known:
+        kept_types.write(data, types)
 
 
 def _read(data, ob, current):
