@@ -12,6 +12,8 @@ NAMES = ('radius', 'tilt', 'weight_softbody')
 PLAIN = np.array([1.0, 0.0, 0.0], np.float32)
 #: On the Curve: the Layers that were given to other points than those that have them now.
 KEY = "splinewright_layers"
+#: On the Curve: the number of what lies along it; of bridge.net.along.
+_NUMBER = "splinewright_along"
 
 
 class Layers(NamedTuple):
@@ -55,6 +57,23 @@ def write(spline, look, values):
         points.foreach_set(name, np.ascontiguousarray(column))
 
 
+def snapshot(data):
+    """What put() takes."""
+    group = data.get(KEY)
+    return [of(spline) for spline in data.splines], group.to_dict() if store.is_group(group) else None
+
+
+def put(data, taken):
+    """Let a Curve of as many points have what it had at a snapshot()."""
+    layers, note = taken
+    for spline, each in zip(data.splines, layers):
+        write(spline, each.look, each.values[:len(spline.points)])
+    forget(data)
+    if note is not None:
+        store.assign(data, KEY, note)
+    data.update_tag()
+
+
 def kept(data):
     """The Layers of each spline: those that it was given, where it still has what they gave it."""
     present = [of(spline) for spline in data.splines]
@@ -76,6 +95,19 @@ def remember(data, layers):
     store.assign(data, KEY, {'counts': np.array([len(each.at) for each in layers], np.int32),
                              'at': np.concatenate([each.at for each in layers]),
                              'values': np.concatenate([each.values for each in layers]).astype(np.float64).ravel()})
+
+
+def number(data):
+    """The number of what lies along a Curve, 0 where it was never given one."""
+    found = data.get(_NUMBER)
+    return found if type(found) is int and found > 0 else 0
+
+
+def set_number(data, found):
+    if found:
+        data[_NUMBER] = found
+    elif _NUMBER in data.keys():
+        del data[_NUMBER]
 
 
 def forget(data):

@@ -9,7 +9,7 @@ from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.handles import fitting
 from ..core.library import sc
-from . import blocks, fineness, handles, held, problems, recipes, settings, stamp, store, write_curve, write_mesh
+from . import blocks, curve_layers, fineness, handles, held, problems, recipes, settings, stamp, store, write_curve, write_mesh
 from .file_state import key, state
 
 
@@ -143,6 +143,7 @@ def detach(data):
     recipes.remove(data)
     held.write(data, ())
     handles.write(data, ())
+    curve_layers.set_number(data, 0)
 
 
 def is_touched(data):

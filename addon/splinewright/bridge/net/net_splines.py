@@ -78,6 +78,18 @@ def letters(curve):
     return np.concatenate(found)
 
 
+def letters_of(curve, slots):
+    """The letters of the types of the handles with these slots, each once."""
+    found, first = set(), 0
+    for spline in curve.splines:
+        last = first + (3 if spline.type == 'BEZIER' else 1) * len(_points_of(spline))
+        for slot in slots:
+            if spline.type == 'BEZIER' and first <= slot < last:
+                found.add(_types(spline.bezier_points[(slot - first) // 3])[(slot - first) % 3 // 2])
+        first = last
+    return found
+
+
 def _void(curve, net, vertices, types):
     """(m,) bool: handles of which Blender alone decided where they are: those that lead to points that are new, and of points
     whose neighbours are others those that it computes. None where there are none."""
