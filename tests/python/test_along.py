@@ -35,18 +35,18 @@ COUNTS = {'chain': 7, 'closed chain': 7, 'cubic': 2, 'rational': 4, 'nurbs': 7, 
           'negative weight': 3, 'through infinity': 3}
 
 
-def held(name, values=None, steps=6):
+def held(name, values=None, steps=6, way='LINEAR'):
     definition = definitions.from_value(CURVES[name]())
     curve = definitions.to_value(definition)
     at = along.places(definition, 0, curve, steps)
     values = np.tile((1.0, 0.0), (len(at), 1)) if values is None else values(at)
-    return along.held(at, values, along.counting(definition, 0, curve, at))
+    return along.held(values, (along.counting(definition, 0, curve, at, way),) * 2)
 
 
 @pytest.mark.parametrize('name', CURVES)
 def test_all_points_together_change_all_of_it(name):
     before = held(name)
-    count = before.basis.shape[1]
+    count = before.bases[0].shape[1]
     assert count == COUNTS[name]
     after = along.changed(before, np.arange(count), 2.5, 0.3)
     assert np.allclose(after, (2.5, 0.3), atol=1e-12) and (before.values == (1, 0)).all()
@@ -57,9 +57,9 @@ def test_points_change_it_where_they_count_and_one_after_the_other_as_together(n
     before = held(name)
     whole = along.changed(before, np.arange(2), 3.0, 1.0)
     first = along.changed(before, np.array([0]), 3.0, 1.0)
-    again = along.changed(along.held(before.at, first, before.basis), np.array([1]), 3.0, 1.0)
+    again = along.changed(along.held(first, before.bases), np.array([1]), 3.0, 1.0)
     assert np.allclose(again, whole, atol=1e-4)
-    far = before.basis[:, :2].sum(1) == 0
+    far = before.bases[0][:, :2].sum(1) == 0
     assert (whole[far] == (1, 0)).all()
 
 
@@ -91,3 +91,17 @@ def test_a_radius_stays_above_nothing():
     after = along.changed(held('chain'), np.arange(7), 0.0, 0.0)
     assert np.allclose(after[:, 0], along.LEAST_RADIUS)
     assert (along.changed(held('nurbs', lambda at: np.column_stack([at, at])), np.arange(7), 1e-9, 0.0)[:, 0] >= 0).all()
+
+
+@pytest.mark.parametrize('way', ('LINEAR', 'EASE', 'CARDINAL', 'BSPLINE'))
+@pytest.mark.parametrize('name', ('chain', 'closed chain', 'cubic'))
+def test_every_way_of_blenders_goes_on_where_it_was(name, way):
+    before = held(name, way=way)
+    count = before.bases[0].shape[1]
+    # At open ends Blender's B-spline has no whole sum: what it makes of ones is what lies there.
+    values = np.column_stack([before.bases[0] @ np.arange(1.0, count + 1), before.bases[0] @ np.ones(count)])
+    first = along.held(values, before.bases)
+    assert np.allclose(first.own[:, 0], np.arange(1, count + 1), atol=1e-3)
+    after = along.changed(first, np.array([1]), 2.0, 0.0)
+    wanted = before.bases[0] @ np.where(np.arange(count) == 1, 4.0, np.arange(1.0, count + 1))
+    assert np.allclose(after[:, 0], wanted, atol=1e-3)

@@ -54,7 +54,7 @@ def _on_stretch(layers, stretch):
     now, values = stretch.of(at), layers.there(at)
     if stretch.first > stretch.last:
         now, values = now[::-1], values[::-1] * np.where(np.arange(values.shape[1]) == _TILT, -1, 1).astype(np.float32)
-    return [Layers(layers.look, now, values)]
+    return [layers._replace(at=now, values=values)]
 
 
 def _chains(parts):
@@ -71,8 +71,8 @@ def _chains(parts):
 def _chain(parts):
     """The look is that of the longest part, if it can be of one from the parent."""
     _, longest = max(parts, key=lambda part: (part[0], part[1].at[-1] - part[1].at[0]))
-    return Layers(longest.look, np.concatenate([part.at for _, part in parts]),
-                  np.concatenate([part.values for _, part in parts]))
+    return longest._replace(at=np.concatenate([part.at for _, part in parts]),
+                            values=np.concatenate([part.values for _, part in parts]))
 
 
 def _over_spline(layers, line):
@@ -104,7 +104,7 @@ def write(data, definition, pieces, is_kept=False):
             nearest = _over_spline(nearest, line)
         found.append(nearest)
         at = curve_layers.fractions(len(line.at), line.closed) if is_kept else line.at
-        curve_layers.write(spline, nearest.look, nearest.there(at))
+        curve_layers.write(spline, nearest, nearest.there(at))
     curve_layers.forget(data)
     if is_kept:
         curve_layers.remember(data, found)

@@ -1,5 +1,5 @@
-"""Radius and tilt along a curve, as its control points have them: joints of chains go over into each other evenly, as in
-Blender's own Bezier curves, other control points by the basis of the curve, as in its NURBS.
+"""Radius and tilt along a curve, as its control points have them: joints of chains go over into each other as in Blender's
+own Bezier curves, other control points by the basis of the curve, as in its NURBS.
 
 Columns: radius, tilt. Places are parts of the domain of a curve.
 """
@@ -10,11 +10,10 @@ import numpy as np
 
 from . import handles
 from .library import sc
+from .native import native_along
 
 #: The least radius that a change leaves, Blender's own.
 LEAST_RADIUS = 0.001
-#: How much less it counts that values stay where they are than that what they give fits.
-_PULL = 1e-6
 #: More entries of a matrix than this are not solved for.
 _MOST = 4_000_000
 
@@ -30,29 +29,21 @@ def places(definition, number, curve, steps):
     return np.interp(np.arange(steps * (len(ends) - 1) + 1) / steps, np.arange(len(ends)), ends)
 
 
-def counting(definition, number, curve, at):
+def counting(definition, number, curve, at, way='LINEAR'):
     """(m, n): how much each of the points that the net shows of a piece counts at places (m,) on it, and behind them those
-    at infinity."""
+    at infinity. way: how joints go over into each other, as Blender names it."""
     piece = definition.pieces[number]
     joints = handles.joints(definition, piece)
     if len(joints):
-        closed = joints[-1] < 1.0
-        ends, which = (np.append(joints, 1.0), [*range(len(joints)), 0]) if closed else (joints, range(len(joints)))
-        return _together(np.stack([np.interp(at, ends, row) for row in np.eye(len(ends))], 1), which)
+        closed = bool(joints[-1] < 1.0)
+        ends, count = np.append(joints, 1.0) if closed else joints, len(joints)
+        fractions = np.interp(at, ends, np.linspace(0.0, 1.0, len(ends)))
+        return native_along.along_bezier(np.eye(count), closed, fractions, [way] * count)
     own = _by_basis(curve.to_nurbs(), at)
     rows = piece.indices
-    is_merged = len(rows) > 2 and rows[0] == rows[-1]
-    own = _together(own, [*range(len(rows) - 1), 0]) if is_merged else own
-    rows = rows[:-1] if is_merged else rows
+    if len(rows) > 2 and rows[0] == rows[-1]:
+        own, rows = np.column_stack([own[:, 0] + own[:, -1], own[:, 1:-1]]), rows[:-1]
     return own[:, np.argsort(definition.pool[rows, 3] == 0, kind='stable')]
-
-
-def _together(columns, which):
-    """The sums of those columns that are of the same point."""
-    found = np.zeros((len(columns), max(which) + 1))
-    for column, i in zip(columns.T, which):
-        found[:, i] += column
-    return found
 
 
 def _by_basis(curve, at):
@@ -72,27 +63,26 @@ def _by_basis(curve, at):
 class Held:
     """What lies along a piece before some of its control points are changed."""
 
-    at: np.ndarray                      # (m,)
     values: np.ndarray                  # (m, 2)
-    basis: np.ndarray                   # (m, n): counting()
+    bases: tuple                        # counting() of each column
     own: np.ndarray                     # (n, 2) of its points
 
 
-def held(at, values, basis):
-    """The Held of values (m, 2) at places; the points have what gives them, as nearly as can be."""
-    near = basis.argmax(0)              # where each point counts most
-    first = values[near]
-    if (values == values[0]).all() or basis.size > _MOST:
-        return Held(at, values, basis, first)
-    count = basis.shape[1]
-    missing = np.concatenate([values - basis @ first, np.zeros((count, 2))])
-    return Held(at, values, basis, first + np.linalg.lstsq(np.concatenate([basis, _PULL * np.eye(count)]), missing, rcond=None)[0])
+def held(values, bases):
+    """The Held of values (m, 2) where the points count so much; the points have what gives them, as nearly as can be."""
+    own = []
+    for column, basis in zip(values.T, bases):
+        first = column[basis.argmax(0)]         # where each counts most
+        is_plain = (column == column[0]).all() or basis.size > _MOST
+        own.append(first if is_plain else native_along.nearest(basis, first, column))
+    return Held(values, bases, np.stack(own, 1))
 
 
 def changed(before, points, factor=1.0, angle=0.0):
     """(m, 2): the values of a Held when the radii of some points, by their numbers, are multiplied, and their tilts turned."""
-    radii, counts, found = before.own[points, 0], before.basis[:, points], before.values.copy()
+    radii, found = before.own[points, 0], before.values.copy()
     if factor != 1.0:
-        found[:, 0] = np.maximum(found[:, 0] + counts @ (np.maximum(radii * factor, LEAST_RADIUS) - radii), 0.0)
-    found[:, 1] += counts.sum(1) * angle
+        steps = np.maximum(radii * factor, LEAST_RADIUS) - radii
+        found[:, 0] = np.maximum(found[:, 0] + before.bases[0][:, points] @ steps, 0.0)
+    found[:, 1] += before.bases[1][:, points].sum(1) * angle
     return found

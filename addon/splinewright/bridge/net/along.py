@@ -45,32 +45,33 @@ class Gesture:
         self.pieces = self.pieces_before = curve_pieces.of(self.data, self._definition)
         self._before = curve_layers.snapshot(self.data)
         curves, shown = verbs.curves_of(self._definition), curve_pieces.shown_of(self.data, self._definition)
-        self._held = {piece: [self._of(piece, curves[piece], layers, shown[piece]) for layers in self.pieces[piece]]
+        self._held = {piece: [self._held_of(piece, curves[piece], layers, shown[piece]) for layers in self.pieces[piece]]
                       for piece in self._points}
 
-    def _of(self, piece, curve, layers, lines):
+    def _held_of(self, piece, curve, layers, lines):
+        """(where it is told of, the core.along.Held) of Layers of a piece."""
         steps = settings.of(self.data).resolution_u
         at = np.concatenate([along.places(self._definition, piece, curve, steps), *(line.at for line in lines)])
         at = np.union1d(layers.at, at[(at >= layers.at[0]) & (at <= layers.at[-1])])
-        return along.held(at, layers.there(at)[:, _COLUMNS].astype(np.float64),
-                          along.counting(self._definition, piece, curve, at))
+        bases = {way: along.counting(self._definition, piece, curve, at, way) for way in set(layers.ways)}
+        return at, along.held(layers.there(at)[:, _COLUMNS].astype(np.float64), tuple(bases[way] for way in layers.ways))
 
     def show(self, factor, angle):
         """Radii are multiplied, tilts are turned on."""
         self.pieces = list(self.pieces_before)
         for piece, held in self._held.items():
-            self.pieces[piece] = [self._changed(layers, one, self._points[piece], factor, angle)
-                                  for layers, one in zip(self.pieces[piece], held)]
+            self.pieces[piece] = [_changed(layers, at, along.changed(one, self._points[piece], factor, angle))
+                                  for layers, (at, one) in zip(self.pieces[piece], held)]
         curve_pieces.write(self.data, self._definition, self.pieces, is_kept=True)
-
-    @staticmethod
-    def _changed(layers, held, points, factor, angle):
-        values = layers.there(held.at)
-        values[:, _COLUMNS] = along.changed(held, points, factor, angle)
-        return layers._replace(at=held.at, values=values)
 
     def put_back(self):
         curve_layers.put(self.data, self._before)
+
+
+def _changed(layers, at, columns):
+    values = layers.there(at)
+    values[:, _COLUMNS] = columns
+    return layers._replace(at=at, values=values)
 
 
 def put(data, pieces, new):
