@@ -257,7 +257,8 @@ def left_alone(view):
     assert STATE.weighing is None
     yield from typed(view, (('THREE', "3"),))
     view.press('RET')
-    yield from until(lambda: np.isclose(bpy.context.object.data.splines[0].bezier_points[0].radius, 3.0), "Blender's own")
+    yield from until(lambda: bpy.context.window_manager.operators[-1].bl_idname == 'TRANSFORM_OT_transform', "Blender's own")
+    assert np.isclose(points()[0].radius, 3.0)
     with view.override():
         bpy.ops.object.mode_set(mode='OBJECT')
         bpy.ops.object.delete()
