@@ -38,15 +38,25 @@ COUNTS = {'chain': 7, 'closed chain': 7, 'cubic': 2, 'rational': 4, 'nurbs': 7, 
 def held(name, values=None, steps=6, way='LINEAR'):
     definition = definitions.from_value(CURVES[name]())
     curve = definitions.to_value(definition)
-    at = along.places(definition, 0, curve, steps)
+    at = places_of(name, steps)
     values = np.tile((1.0, 0.0), (len(at), 1)) if values is None else values(at)
-    return along.held(values, (along.counting(definition, 0, curve, at, way),) * 2)
+    return along.held(at, values, (along.mixture(definition, 0, curve, at, way),) * 2)
+
+
+def places_of(name, steps=6):
+    definition = definitions.from_value(CURVES[name]())
+    return along.places(definition, 0, definitions.to_value(definition), steps)
+
+
+def basis_of(before):
+    """(m, n): how much each point counts."""
+    return before.mixtures[0].of(np.eye(len(before.own)))
 
 
 @pytest.mark.parametrize('name', CURVES)
 def test_all_points_together_change_all_of_it(name):
     before = held(name)
-    count = before.bases[0].shape[1]
+    count = len(before.own)
     assert count == COUNTS[name]
     after = along.changed(before, np.arange(count), 2.5, 0.3)
     assert np.allclose(after, (2.5, 0.3), atol=1e-12) and (before.values == (1, 0)).all()
@@ -57,9 +67,9 @@ def test_points_change_it_where_they_count_and_one_after_the_other_as_together(n
     before = held(name)
     whole = along.changed(before, np.arange(2), 3.0, 1.0)
     first = along.changed(before, np.array([0]), 3.0, 1.0)
-    again = along.changed(along.held(first, before.bases), np.array([1]), 3.0, 1.0)
+    again = along.changed(along.held(places_of(name), first, before.mixtures), np.array([1]), 3.0, 1.0)
     assert np.allclose(again, whole, atol=1e-4)
-    far = before.bases[0][:, :2].sum(1) == 0
+    far = basis_of(before)[:, :2].sum(1) == 0
     assert (whole[far] == (1, 0)).all()
 
 
@@ -79,7 +89,7 @@ def test_the_joint_where_a_chain_closes_counts_on_both_sides():
 def test_factors_are_of_what_points_have(name):
     definition = definitions.from_value(CURVES[name]())
     curve = definitions.to_value(definition)
-    basis = along.counting(definition, 0, curve, along.places(definition, 0, curve, 8))
+    basis = along.mixture(definition, 0, curve, along.places(definition, 0, curve, 8)).of(np.eye(7))
     own = np.column_stack([RNG.uniform(1, 3, 7), RNG.uniform(-1, 1, 7)])
     before = held(name, lambda at: basis @ own, steps=8)
     assert np.allclose(before.own, own, atol=1e-4)
@@ -97,11 +107,30 @@ def test_a_radius_stays_above_nothing():
 @pytest.mark.parametrize('name', ('chain', 'closed chain', 'cubic'))
 def test_every_way_of_blenders_goes_on_where_it_was(name, way):
     before = held(name, way=way)
-    count = before.bases[0].shape[1]
+    count = len(before.own)
     # At open ends Blender's B-spline has no whole sum: what it makes of ones is what lies there.
-    values = np.column_stack([before.bases[0] @ np.arange(1.0, count + 1), before.bases[0] @ np.ones(count)])
-    first = along.held(values, before.bases)
+    values = np.column_stack([basis_of(before) @ np.arange(1.0, count + 1), basis_of(before) @ np.ones(count)])
+    first = along.held(places_of(name), values, before.mixtures)
     assert np.allclose(first.own[:, 0], np.arange(1, count + 1), atol=1e-3)
     after = along.changed(first, np.array([1]), 2.0, 0.0)
-    wanted = before.bases[0] @ np.where(np.arange(count) == 1, 4.0, np.arange(1.0, count + 1))
+    wanted = basis_of(before) @ np.where(np.arange(count) == 1, 4.0, np.arange(1.0, count + 1))
     assert np.allclose(after[:, 0], wanted, atol=1e-3)
+
+
+@pytest.mark.parametrize('name', ('nurbs', 'periodic', 'unclamped', 'closed polygon', 'rational', 'through infinity'))
+def test_where_a_point_counts_most_is_told(name):
+    before = held(name, steps=64)
+    most = places_of(name, 64)[basis_of(before).argmax(0)]
+    apart = np.abs(most - before.mixtures[0].own)
+    assert (np.minimum(apart, 1 - apart) < 0.2).all()
+
+
+def test_a_long_chain_takes_no_matrix():
+    points = np.column_stack([np.arange(3000.0), np.zeros((3000, 2))])
+    definition = definitions.from_value(sc.HermiteCurve(points, np.ones((3000, 2, 3))))
+    at = along.places(definition, 0, definitions.to_value(definition), 12)
+    values = np.column_stack([1 + at, at])
+    before = along.held(at, values, tuple(along.mixture(definition, 0, None, at, way) for way in ('LINEAR', 'BSPLINE')))
+    after = along.changed(before, np.array([1000]), 2.0, 1.0)
+    assert np.allclose(before.own[:, 0], 1 + np.arange(3000) / 2999)
+    assert np.isclose(after[12000, 0], 2 * values[12000, 0]) and np.count_nonzero((after != values).any(1)) < 60

@@ -5,6 +5,7 @@ Columns: radius, tilt. Places are parts of the domain of a curve.
 """
 
 from dataclasses import dataclass
+from typing import Callable, NamedTuple
 
 import numpy as np
 
@@ -29,34 +30,56 @@ def places(definition, number, curve, steps):
     return np.interp(np.arange(steps * (len(ends) - 1) + 1) / steps, np.arange(len(ends)), ends)
 
 
-def counting(definition, number, curve, at, way='LINEAR'):
-    """(m, n): how much each of the points that the net shows of a piece counts at places (m,) on it, and behind them those
-    at infinity. way: how joints go over into each other, as Blender names it."""
+class Mixture(NamedTuple):
+    """What lies at places on a piece, of what lies at its points: those that the net shows, and behind them those at
+    infinity."""
+
+    of: Callable                        # (n, k) of the points -> (m, k) at the places
+    own: np.ndarray                     # (n,) where on the piece each of the points counts most, or so
+    is_met: bool                        # whether what lies there is what the points have
+
+
+def mixture(definition, number, curve, at, way='LINEAR'):
+    """The Mixture of a piece at places (m,). way: how joints go over into each other, as Blender names it."""
     piece = definition.pieces[number]
     joints = handles.joints(definition, piece)
     if len(joints):
         closed = bool(joints[-1] < 1.0)
-        ends, count = np.append(joints, 1.0) if closed else joints, len(joints)
+        ends = np.append(joints, 1.0) if closed else joints
         fractions = np.interp(at, ends, np.linspace(0.0, 1.0, len(ends)))
-        return native_along.along_bezier(np.eye(count), closed, fractions, [way] * count)
-    own = _by_basis(curve.to_nurbs(), at)
-    rows = piece.indices
+        return Mixture(lambda columns: native_along.along_bezier(columns, closed, fractions, [way] * columns.shape[1]),
+                       joints, way != 'BSPLINE')
+    nurbs, rows = curve.to_nurbs(), piece.indices
+    numbers = np.arange(len(rows))
     if len(rows) > 2 and rows[0] == rows[-1]:
-        own, rows = np.column_stack([own[:, 0] + own[:, -1], own[:, 1:-1]]), rows[:-1]
-    return own[:, np.argsort(definition.pool[rows, 3] == 0, kind='stable')]
+        numbers[-1], rows = 0, rows[:-1]
+    order = np.argsort(definition.pool[rows, 3] == 0, kind='stable')
+    ranks = np.argsort(order)[numbers]
+    return Mixture(lambda columns: _by_basis(nurbs, columns[ranks], at), _middles(nurbs)[order], False)
 
 
-def _by_basis(curve, at):
-    """(m, n): the basis of a curve, with its weights where they are of one sign."""
+def _by_basis(curve, columns, at):
+    """(m, k) of columns (n, k) by the basis of a curve, with its weights where they are of one sign."""
     start, end = curve.domain
-    parameters, count = np.clip(start + at * (end - start), start, end), len(curve.points)
+    parameters = np.clip(start + at * (end - start), start, end)
     weights = np.abs(curve.weights) if (curve.weights > 0).all() or (curve.weights < 0).all() else None
-    columns = []
-    for i in range(0, count, 3):
-        points = np.zeros((count, 3))
-        points[np.arange(i, min(i + 3, count)), np.arange(min(3, count - i))] = 1.0
-        columns.append(sc.NurbsCurve(curve.degree, curve.knots, points, weights, curve.periodic).evaluate(parameters))
-    return np.concatenate(columns, 1)[:, :count]
+    found = []
+    for i in range(0, columns.shape[1], 3):
+        points = np.zeros((len(columns), 3))
+        points[:, :columns[:, i:i + 3].shape[1]] = columns[:, i:i + 3]
+        found.append(sc.NurbsCurve(curve.degree, curve.knots, points, weights, curve.periodic).evaluate(parameters))
+    return np.concatenate(found, 1)[:, :columns.shape[1]]
+
+
+def _middles(curve):
+    """(n,): of each control point the mean of its inner knots, as a part of the domain."""
+    (start, end), degree, count = curve.domain, curve.degree, len(curve.points)
+    first = np.arange(count)[:, None] + np.arange(1, degree + 1)
+    if curve.periodic:
+        turns, numbers = np.divmod(first - degree, count)
+        knots = curve.knots[numbers] + turns * (end - start)
+        return (knots.mean(1) - start) / (end - start) % 1.0
+    return np.clip((curve.knots[first].mean(1) - start) / (end - start), 0.0, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,25 +87,29 @@ class Held:
     """What lies along a piece before some of its control points are changed."""
 
     values: np.ndarray                  # (m, 2)
-    bases: tuple                        # counting() of each column
+    mixtures: tuple                     # of each column
     own: np.ndarray                     # (n, 2) of its points
 
 
-def held(values, bases):
-    """The Held of values (m, 2) where the points count so much; the points have what gives them, as nearly as can be."""
+def held(at, values, mixtures):
+    """The Held of values (m, 2) at places; the points have what gives them, as nearly as can be."""
     own = []
-    for column, basis in zip(values.T, bases):
-        first = column[basis.argmax(0)]         # where each counts most
-        is_plain = (column == column[0]).all() or basis.size > _MOST
-        own.append(first if is_plain else native_along.nearest(basis, first, column))
-    return Held(values, bases, np.stack(own, 1))
+    for column, mixed in zip(values.T, mixtures):
+        first = np.interp(mixed.own, at, column)
+        if not mixed.is_met and (column != column[0]).any() and len(first) * len(at) <= _MOST:
+            first = native_along.nearest(mixed.of(np.eye(len(first))), first, column)
+        own.append(first)
+    return Held(values, mixtures, np.stack(own, 1))
 
 
 def changed(before, points, factor=1.0, angle=0.0):
     """(m, 2): the values of a Held when the radii of some points, by their numbers, are multiplied, and their tilts turned."""
-    radii, found = before.own[points, 0], before.values.copy()
+    found, steps = before.values.copy(), np.zeros((len(before.own), 2))
     if factor != 1.0:
-        steps = np.maximum(radii * factor, LEAST_RADIUS) - radii
-        found[:, 0] = np.maximum(found[:, 0] + before.bases[0][:, points] @ steps, 0.0)
-    found[:, 1] += before.bases[1][:, points].sum(1) * angle
+        radii = before.own[points, 0]
+        steps[points, 0] = np.maximum(radii * factor, LEAST_RADIUS) - radii
+    steps[points, 1] = angle
+    for i, mixed in enumerate(before.mixtures):
+        found[:, i] += mixed.of(steps[:, i:i + 1])[:, 0]
+    found[:, 0] = np.maximum(found[:, 0], 0.0)
     return found

@@ -53,8 +53,8 @@ class Gesture:
         steps = settings.of(self.data).resolution_u
         at = np.concatenate([along.places(self._definition, piece, curve, steps), *(line.at for line in lines)])
         at = np.union1d(layers.at, at[(at >= layers.at[0]) & (at <= layers.at[-1])])
-        bases = {way: along.counting(self._definition, piece, curve, at, way) for way in set(layers.ways)}
-        return at, along.held(layers.there(at)[:, _COLUMNS].astype(np.float64), tuple(bases[way] for way in layers.ways))
+        mixtures = tuple(along.mixture(self._definition, piece, curve, at, way) for way in layers.ways)
+        return at, along.held(at, layers.there(at)[:, _COLUMNS].astype(np.float64), mixtures)
 
     def show(self, factor, angle):
         """Radii are multiplied, tilts are turned on."""
