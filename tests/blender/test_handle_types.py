@@ -246,6 +246,31 @@ def test_a_point_less_changes_no_more_than_it_must(kind):
     assert np.allclose(after.tangents, np.delete(before.tangents, 2, 0), atol=1e-5)
 
 
+def test_free_handles_in_line_stay_free_where_points_are_appended():
+    ob = bezier(pairs_of("FF FF FF FF"))
+    point = ob.data.splines[0].bezier_points[1]
+    point.handle_left, point.handle_right = (0, 2, 0), (3, 2, 0)
+    exact(ob)
+    choose(enter(), 3)
+    op(bpy.ops.curve.extrude_move, TRANSFORM_OT_translate={'value': (1, 0, 2)})
+    followed()
+    assert kept(bpy.data.objects["chain"]) == ("F" * 10,)
+    leave()
+    native(bpy.data.objects["chain"])
+    assert types_of(bpy.data.objects["chain"])[1] == ('FREE', 'FREE')
+
+
+def test_a_cubic_alone_keeps_what_is_set():
+    add(sc.BezierCurve(PLACES[:4]), name="chain")
+    choose(enter(), 0)
+    op(bpy.ops.curve.handle_type_set, type='VECTOR')
+    followed()
+    leave()
+    assert kept(bpy.data.objects["chain"])[0][:2] == "VV"
+    native(bpy.data.objects["chain"])
+    assert types_of(bpy.data.objects["chain"]) == pairs_of("VV FF")
+
+
 def test_an_appended_point_is_automatic_as_in_blender():
     own, ours = bezier([('AUTO', 'AUTO')] * 4, name="own"), bezier([('AUTO', 'AUTO')] * 4, name="ours")
     exact(ours)

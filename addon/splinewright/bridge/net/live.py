@@ -295,20 +295,24 @@ def _follow(data, ob, current, moment):
         definition = holding.followed(data, ob, current, definition)
     except FAILURES as error:
         refused = refused or sentence(error)
+    were_said = definition.has_curves and any(kept_types.known(data))
     is_changed = _show(data, definition, current)
     if definition.has_curves:
-        _keep_types(data, ob, current, definition)
+        _keep_types(data, ob, current, definition, were_said)
     return is_changed, refused or found.problem
 
 
-def _keep_types(data, ob, current, definition):
-    """Let a shape have the handle types that its net shows; where it lacks a point, those that were there."""
+def _keep_types(data, ob, current, definition, were_said):
+    """Let a shape have the handle types that its net shows; where it lacks a point, those that were there. were_said: for
+    some of its joints, before it was given this definition."""
     if not current.net.chains:
         return
     known, there = kept_types.of_pieces(data, definition), current.slots >= 0
     letters = np.zeros(len(there), '<U1') if there.all() else handles.of_net(current.net, known)
     letters[there] = net_splines.letters(ob.data)[current.slots[there]]
-    types = handles.said(definition, handles.of_vertices(current.net, letters), known)
+    types = handles.of_vertices(current.net, letters)
+    if any(known) or not were_said:     # otherwise it has others than those for which they were said
+        types = handles.said(definition, types, known)
     if types != known:
         kept_types.write(data, types)
 
