@@ -121,7 +121,7 @@ def _put_out(context, ob):
     held = net_object.make(ob, definition, numbers, context.scene)      # nothing raises from here on
     if is_free:
         free_net.set_free(held.data, is_closed)
-    live.begin(held.data, numbers, live.shown_by(data))
+    live.begin(held.data, numbers, live.shown_now(data))
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
         held.local_view_set(space, True)

@@ -1,4 +1,5 @@
-"""Tab, Ctrl+J, Ctrl+R, Alt+G, Alt+S, Ctrl+T and Shift+Q on shapes and nets. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J, Ctrl+R, Alt+G, Alt+S, Ctrl+T and Shift+Q on shapes and nets. The operators' polls let the keys pass for
+everything else."""
 
 import bpy
 

@@ -14,9 +14,10 @@ from ...core import handles
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
-from .. import curve_layers, curve_pieces, fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
-from ..file_state import ended_operators, look_again, state
+from .. import curve_layers, curve_pieces, fineness, problems, recipes, remaking, settings, shape, stamp, store, versions
 from .. import handles as kept_types
+from .. import write_mesh
+from ..file_state import ended_operators, look_again, state
 from . import along, free_net, growing, holding, net_object, net_splines, settings_number, stages
 from .growing import Moment
 
@@ -153,7 +154,7 @@ def known_session(data):
 def begin(data, net, shown_by=None):
     """Start the session of a net's data-block that was made from these numbers.
 
-    shown_by: that of the shape when its net was made, where it is known.
+    shown_by: shown_now() of the shape when its net was made, where it is known.
     """
     if len(state.sessions) > 32:
         _drop_idle()
@@ -162,7 +163,7 @@ def begin(data, net, shown_by=None):
         started.settings(settings_number.FIRST, shown_by)
 
 
-def shown_by(data):
+def shown_now(data):
     """The values of the settings of a shape, and the number of what lies along it."""
     return {**settings.values(data), _ALONG: curve_layers.number(data)}
 
@@ -210,7 +211,7 @@ def _pulled(ob, moment):
     if not net_object.is_current(ob):
         return None, False, "this net is of an earlier time: its shape has changed since, and follows it no more"
     data, current = owner.data, session(ob.data)
-    wanted = current.settings(settings_number.read(ob), shown_by(data))
+    wanted = current.settings(settings_number.read(ob), shown_now(data))
     is_shown_otherwise = _show_as_noted(data, current, wanted)
     try:
         if free_net.is_free(ob.data):
@@ -247,7 +248,7 @@ def note_settings(data):
     nets = (ob for ob in bpy.data.objects if net_object.is_net(ob) and net_object.token(ob.data) == token)
     held = next((ob for ob in nets if ob.mode == 'EDIT'), None)
     if held is not None:
-        settings_number.write(held, session(held.data).number_of(shown_by(data)))
+        settings_number.write(held, session(held.data).number_of(shown_now(data)))
 
 
 def begin_along(ob):

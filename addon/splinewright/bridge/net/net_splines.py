@@ -30,7 +30,7 @@ def make(name, net, letters):
         spline = curve.splines.new(part.kind)
         if part.kind == 'BEZIER':
             last = first + 3 * part.count
-            _fill_bezier(spline, part, net.single[first:last].reshape(-1, 3, 3), letters[first:last:3], letters[first + 2:last:3])
+            _fill_bezier(spline, part, net.single[first:last].reshape(-1, 3, 3), letters[first:last].reshape(-1, 3))
         else:
             last = first + part.count
             spline.points.add(part.count - 1)
@@ -45,9 +45,9 @@ def make(name, net, letters):
     return curve
 
 
-def _fill_bezier(spline, part, triples, before, after):
+def _fill_bezier(spline, part, triples, letters):
     spline.bezier_points.add(part.count - 1)
-    for point, *pair in zip(spline.bezier_points, before, after):
+    for point, pair in zip(spline.bezier_points, letters[:, ::2]):
         _set_types(point, pair)
     for i, name in enumerate(_HANDLES):
         spline.bezier_points.foreach_set(name, np.ascontiguousarray(triples[:, i]).ravel())
