@@ -224,6 +224,22 @@ def test_what_is_called_off_leaves_no_trace():
     leave()
 
 
+def test_several_nets_change_together():
+    for name in ("one", "other"):
+        add(value_of('hermite'), name=name)
+    select_objects(shape("one"), shape("other"))
+    op(bpy.ops.splinewright.edit_net)
+    assert len(bpy.context.objects_in_mode) == 2
+    bpy.ops.curve.select_all(action='SELECT')
+    changed(2.0, 10)
+    assert all(np.allclose(values(shape(name)), (2, math.radians(10)), atol=1e-5) for name in ("one", "other"))
+    bpy.ops.ed.undo()
+    assert all(np.allclose(values(shape(name)), (2, 0), atol=1e-5) for name in ("one", "other"))
+    bpy.ops.ed.undo()
+    assert all((np.array(values(shape(name))) == (1, 0)).all() for name in ("one", "other"))
+    leave()
+
+
 def test_it_is_offered_where_it_can_be_done():
     assert not bpy.ops.splinewright.radius_here.poll() and not bpy.ops.splinewright.tilt_here.poll()
     ob = add(value_of('nurbs'))

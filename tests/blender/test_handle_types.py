@@ -288,6 +288,52 @@ def test_an_appended_point_is_automatic_as_in_blender():
     assert types_of(ours) == types_of(own) and np.allclose(triples_of(ours), triples_of(own), atol=1e-5)
 
 
+@pytest.mark.parametrize('kind', ('AUTO', 'VECTOR'))
+def test_what_stays_of_a_chain_that_is_opened_stays_as_it_was(kind):
+    exact(bezier([(kind, kind)] * 5, True))
+    before = bpy.data.objects["chain"].data.splinewright.value
+    enter()
+    bpy.ops.curve.select_all(action='SELECT')
+    op(bpy.ops.curve.cyclic_toggle)
+    followed()
+    after = bpy.data.objects["chain"].data.splinewright.value
+    assert np.array_equal(after.points, before.points[:-1])
+    assert np.allclose(after.tangents.reshape(-1, 3)[1:-1], before.tangents.reshape(-1, 3)[1:-3], atol=1e-5)
+    assert types_of(bpy.context.object)[1:4] == [(kind, kind)] * 3
+    leave()
+    assert bpy.data.objects["chain"].data.splinewright.value == after
+
+
+@pytest.mark.parametrize('closed, kind', ((False, 'AUTO'), (False, 'VECTOR'), (False, 'ALIGNED'), (True, 'ALIGNED')))
+def test_closed_or_opened_and_turned_it_is_as_blenders_own(closed, kind):
+    for name in ("own", "ours"):
+        ob = bezier([(kind, kind)] * 5, closed, name=name)
+        if name == "ours":
+            exact(ob)
+            ob = enter()
+        else:
+            bpy.ops.object.mode_set(mode='EDIT')
+        bpy.ops.curve.select_all(action='SELECT')
+        op(bpy.ops.curve.cyclic_toggle)
+        op(bpy.ops.curve.switch_direction)
+        choose(bpy.context.object, 1)
+        op(bpy.ops.transform.translate, value=(0.5, 1, 1))
+        if name == "ours":
+            assert live.problem(bpy.context.object) == ""
+            leave()
+        else:
+            bpy.ops.object.mode_set(mode='OBJECT')
+    ours = bpy.data.objects["ours"]
+    require_exact(ours)
+    native(ours)
+    theirs = bpy.data.objects["own"]
+    if triples_of(ours)[0, 1].tolist() != triples_of(theirs)[0, 1].tolist():        # the shape goes the way that it went
+        assert np.allclose(triples_of(ours)[::-1, ::-1], triples_of(theirs), atol=1e-5)
+        assert [pair[::-1] for pair in types_of(ours)[::-1]] == types_of(theirs)
+    else:
+        assert np.allclose(triples_of(ours), triples_of(theirs), atol=1e-5) and types_of(ours) == types_of(theirs)
+
+
 # Carried along -------------------------------------------------------------------------------------------------------
 
 
