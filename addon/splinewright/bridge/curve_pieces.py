@@ -54,7 +54,7 @@ def _on_stretch(layers, stretch):
     now, values = stretch.of(at), layers.there(at)
     if stretch.first > stretch.last:
         now, values = now[::-1], values[::-1] * np.where(np.arange(values.shape[1]) == _TILT, -1, 1).astype(np.float32)
-    return [Layers(layers.look, now, values)]
+    return [layers._replace(at=now, values=values)]
 
 
 def _chains(parts):
@@ -71,17 +71,41 @@ def _chains(parts):
 def _chain(parts):
     """The look is that of the longest part, if it can be of one from the parent."""
     _, longest = max(parts, key=lambda part: (part[0], part[1].at[-1] - part[1].at[0]))
-    return Layers(longest.look, np.concatenate([part.at for _, part in parts]),
-                  np.concatenate([part.values for _, part in parts]))
+    return longest._replace(at=np.concatenate([part.at for _, part in parts]),
+                            values=np.concatenate([part.values for _, part in parts]))
 
 
-def write(data, definition, pieces):
-    """Give the splines by which a Curve shows a definition what of() gave for its pieces."""
+def _over_spline(layers, line):
+    """_over_domain() the other way round, from end to end."""
+    ends = np.append(line.at, line.end) if line.closed else line.at
+    at = np.union1d(layers.at[(layers.at > ends[0]) & (layers.at < ends[-1])], ends)
+    return layers._replace(at=np.interp(at, ends, np.linspace(0.0, 1.0, len(ends))), values=layers.there(at))
+
+
+def regrown(pieces, before, after):
+    """What of() gives for the pieces of a definition whose curves have gained or lost spans, and go by the same parameter."""
+    found = []
+    for layers, was, now in zip(pieces, verbs.curves_of(before), verbs.curves_of(after)):
+        (start, end), (first, last) = was.domain, now.domain
+        found.append([each._replace(at=(start + each.at * (end - start) - first) / (last - first)) for each in layers])
+    return found
+
+
+def write(data, definition, pieces, is_kept=False):
+    """Give the splines by which a Curve shows a definition what of() gave for its pieces. is_kept: what lies between their
+    points counts where they get others."""
     lines = [(line, layers) for piece, layers in zip(shown_of(data, definition), pieces) for line in piece]
     if [len(line.at) for line, _ in lines] != [len(spline.points) for spline in data.splines]:
         return
+    found = []
     for spline, (line, layers) in zip(data.splines, lines):
         nearest = min(layers or [_NONE], key=lambda each: each.distance(line.at[len(line.at) // 2]))
-        curve_layers.write(spline, nearest.look, nearest.there(line.at))
+        if is_kept:
+            nearest = _over_spline(nearest, line)
+        found.append(nearest)
+        at = curve_layers.fractions(len(line.at), line.closed) if is_kept else line.at
+        curve_layers.write(spline, nearest, nearest.there(at))
     curve_layers.forget(data)
+    if is_kept:
+        curve_layers.remember(data, found)
     data.update_tag()

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..core import joints, patch_joints, transform
 from ..core.failures import Refusal, blenders_refusals
-from . import blocks, curve_pieces, held, mesh_attributes, mesh_looks, recipes, replacing, shape, store, write_mesh
+from . import blocks, curve_pieces, handles, held, mesh_attributes, mesh_looks, recipes, replacing, shape, store, write_mesh
 from .look import Look
 
 
@@ -21,6 +21,7 @@ def join(active, others):
     shape.set_definition(active.data, definition)
     _give(active, definition, belongings)
     held.write(active.data, belongings.seams)
+    handles.write(active.data, belongings.types)
     _remove(others)
 
 
@@ -73,6 +74,7 @@ def join_ends(active, other, first, second, smoothness):
     pieces = curve_pieces.carried(belongings.pieces, changed)
     _give(active, changed.definition, belongings._replace(pieces=pieces))
     held.carry(active.data, belongings.seams, changed.parents)
+    handles.carry(active.data, belongings.types, definition, changed)
     _remove([other])
     return definition, changed
 
@@ -135,6 +137,7 @@ class _Belongings(NamedTuple):
     materials: list
     pieces: list                # for each piece a Look, or of a curve what curve_pieces.of() gives
     seams: tuple                # that hold
+    types: tuple                # of the handles of each piece
     painted: list               # (mesh_attributes.Kept, the first of its patches, how many it has) of each mesh with any
 
 
@@ -153,7 +156,8 @@ def _belongings(obs):
         if kept is not None:
             painted.append((kept, len(pieces), len(definition.pieces)))
         pieces += [_in_whole(slots, known.get(i, Look())) for i in range(len(definition.pieces))]
-    return _Belongings(materials, pieces, held.of_all([ob.data for ob in obs]), painted)
+    return _Belongings(materials, pieces, held.of_all([ob.data for ob in obs]),
+                       handles.of_all([ob.data for ob in obs]), painted)
 
 
 def _in_whole(slots, look):

@@ -46,6 +46,7 @@ class HeldNet:
         self._start = self._now = current.state.positions
         self.definition = exact_net.read(current.net, current.state)
         self._first = self._positions(self.definition)
+        self._types = selection.handle_types(ob)
 
     def show(self, definition):
         """In single precision, as a drag in Edit Mode does."""
@@ -53,6 +54,7 @@ class HeldNet:
 
     def put_back(self):
         self._place(selection.place, self._start)
+        selection.give_handle_types(self._ob, self._types)
 
     def write(self, definition):
         """With all digits, and the shape is up to date."""

@@ -2,7 +2,7 @@
 
 from ..core import verbs
 from ..core.failures import Refusal
-from . import curve_pieces, held, mesh_attributes, mesh_looks, recipes, shape, store, write_mesh
+from . import curve_pieces, handles, held, mesh_attributes, mesh_looks, recipes, shape, store, write_mesh
 from .look import Look
 
 
@@ -57,8 +57,10 @@ def put(data, before, changed):
 
 def _put_curves(data, before, changed):
     pieces = curve_pieces.carried(curve_pieces.of(data, before), changed)
+    types = handles.known(data, before)
     shape.set_definition(data, changed.definition)
     curve_pieces.write(data, changed.definition, pieces)
+    handles.carry(data, types, before, changed)
 
 
 def _put_patches(data, before, changed):

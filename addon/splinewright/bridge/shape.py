@@ -7,8 +7,9 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core.failures import Refusal
+from ..core.handles import fitting
 from ..core.library import sc
-from . import blocks, fineness, held, problems, recipes, settings, stamp, store, write_curve, write_mesh
+from . import blocks, curve_layers, fineness, handles, held, problems, recipes, settings, stamp, store, write_curve, write_mesh
 from .file_state import key, state
 
 
@@ -62,9 +63,10 @@ def set_value(data, value):
     Raises TypeError or ValueError, and changes nothing, if the value does not fit.
     """
     recipes.require_free(data)
-    seams = held.known(data)
+    seams, types = held.known(data), handles.known(data)
     set_definition(data, definitions.from_value(value))
     held.carry(data, seams)
+    handles.write(data, fitting(types, store.read(data)))
 
 
 def set_definition(data, definition, progress=no_progress, around=None):
@@ -140,6 +142,8 @@ def detach(data):
     store.remove(data)
     recipes.remove(data)
     held.write(data, ())
+    handles.write(data, ())
+    curve_layers.set_number(data, 0)
 
 
 def is_touched(data):

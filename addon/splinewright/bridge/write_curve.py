@@ -37,6 +37,6 @@ def _make_splines(data, polylines):
     for points, _ in polylines:
         data.splines.new('POLY').points.add(len(points) - 1)
     for spline, layers, (points, closed) in zip(data.splines, kept, polylines):
-        curve_layers.write(spline, layers.look, layers.there(curve_layers.fractions(len(points), closed)))
+        curve_layers.write(spline, layers, layers.there(curve_layers.fractions(len(points), closed)))
     if kept:
         curve_layers.remember(data, kept)

@@ -11,12 +11,13 @@ def _rooms():
     from . import (continuity_panel, curve_tools, detour, drawing, formulas_panel, gizmos, handlers, hints, join_notice,
                    keymaps, menus, net_props, panels, patch_tools, pie, props, recipe_props, sights_panel, sights_props,
                    start_panel, toolbar)
-    from .operators import (add_curve, add_patch, add_recipe, axis_from_edge, bake, curve_join, curve_verbs, edit,
-                            edit_source, exchange, extract, fineness, follow, formulas, from_objects, hold_joint, hold_seam, infinity,
-                            insert_here, join, life, native, patch_join, patch_verbs, pick_piece, pull_here, set_knots, weight_here)
+    from .operators import (add_curve, add_patch, add_recipe, along_here, axis_from_edge, bake, curve_join, curve_verbs, edit,
+                            edit_source, exchange, extract, fineness, follow, formulas, from_objects, hold_joint, hold_seam,
+                            infinity, insert_here, join, life, native, patch_join, patch_verbs, pick_piece, pull_here, set_knots,
+                            weight_here)
     operators = (add_curve, add_recipe, add_patch, exchange, edit, edit_source, set_knots, infinity, life, join, follow, bake,
                  from_objects, axis_from_edge, native, curve_verbs, curve_join, patch_verbs, patch_join, hold_joint, hold_seam,
-                 extract, fineness, formulas, pick_piece, insert_here, pull_here, weight_here)
+                 extract, fineness, formulas, pick_piece, insert_here, pull_here, weight_here, along_here)
     return (props, net_props, recipe_props, sights_props, *operators, panels, curve_tools, patch_tools, continuity_panel,
             formulas_panel, sights_panel, menus, start_panel, pie, keymaps, toolbar, gizmos, hints, drawing, handlers,
             join_notice, detour)

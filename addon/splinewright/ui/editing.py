@@ -5,7 +5,7 @@ from contextlib import suppress
 
 import bpy
 
-from ..bridge import problems, recipes, remaking, settings, shape, store
+from ..bridge import problems, recipes, remaking, shape, store
 from ..bridge.file_state import block_of, ended_operators, key, state
 from ..bridge.net import free_net, live, net_object, selection
 from ..core.failures import FAILURES, Refusal, sentence, told
@@ -121,7 +121,7 @@ def _put_out(context, ob):
     held = net_object.make(ob, definition, numbers, context.scene)      # nothing raises from here on
     if is_free:
         free_net.set_free(held.data, is_closed)
-    live.begin(held.data, numbers, settings.values(data))
+    live.begin(held.data, numbers, live.shown_now(data))
     space = context.space_data
     if space is not None and space.type == 'VIEW_3D' and space.local_view:
         held.local_view_set(space, True)

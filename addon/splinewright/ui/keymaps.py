@@ -1,4 +1,5 @@
-"""Tab, Ctrl+J, Ctrl+R, Alt+G and Shift+Q on shapes and nets. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J, Ctrl+R, Alt+G, Alt+S, Ctrl+T and Shift+Q on shapes and nets. The operators' polls let the keys pass for
+everything else."""
 
 import bpy
 
@@ -12,6 +13,8 @@ _ITEMS = (
     ('Curve', "splinewright.insert_here", 'R', 'ctrl'),
     ('Mesh', "splinewright.pull_here", 'G', 'alt'),
     ('Curve', "splinewright.pull_here", 'G', 'alt'),
+    ('Curve', "splinewright.radius_here", 'S', 'alt'),
+    ('Curve', "splinewright.tilt_here", 'T', 'ctrl'),
     ('Mesh', "splinewright.pie", 'Q', 'shift'),
     ('Curve', "splinewright.pie", 'Q', 'shift'),
 )

@@ -161,6 +161,7 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
     def draw(self, context):
         layout = self.layout
         layout.operator_context = 'INVOKE_REGION_WIN'
+        is_curve = isinstance(context.object.data, bpy.types.Curve)
         layout.operator("splinewright.leave_net", icon='CHECKMARK')
         layout.operator("splinewright.renew_net", icon='FILE_REFRESH')
         layout.separator()
@@ -168,10 +169,13 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
         layout.operator("splinewright.pull_here")
         layout.operator("splinewright.set_knots")
         layout.operator("splinewright.weight_here")
+        if is_curve:
+            layout.operator("splinewright.radius_here")
+            layout.operator("splinewright.tilt_here")
         layout.operator("splinewright.point_to_infinity")
         layout.operator("splinewright.point_from_infinity")
         layout.separator()
-        tools = curve_tools if isinstance(context.object.data, bpy.types.Curve) else patch_tools
+        tools = curve_tools if is_curve else patch_tools
         tools.draw_verbs(layout, context)
 
 

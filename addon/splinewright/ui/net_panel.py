@@ -5,7 +5,7 @@ import bpy
 from ..bridge import recipes, sights, store
 from ..bridge.net import live, net_object
 from ..core import describe
-from . import hand, net_props, recipe_props, settings_panel, texts
+from . import hand, handles_panel, net_props, recipe_props, settings_panel, texts
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
@@ -24,6 +24,7 @@ def draw(layout, ob):
     if session is None or ob.mode != 'EDIT':
         return
     _draw_points(layout, ob, session, has_weights=not recipes.has(owner.data))
+    handles_panel.draw(layout, ob.data, owner.data, session, net_props.chosen(ob.data)[1])
     try:
         definition = store.read(owner.data)
         if recipes.has(owner.data):

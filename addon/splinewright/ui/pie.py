@@ -5,7 +5,7 @@ import bpy
 from . import editing, hand, tools
 
 #: Of curves and of patches: left, right, below, above, and the corners from the upper left one on.
-_CURVE = ("insert_here", "weight_here", "leave_net", "raise_degree", "split_curve", "make_periodic", "point_to_infinity",
+_CURVE = ("insert_here", "weight_here", "leave_net", "radius_here", "tilt_here", "make_periodic", "point_to_infinity",
           "set_knots")
 _PATCH = ("insert_here", "weight_here", "leave_net", "patch_raise_degree", "patch_split", "patch_make_periodic",
           "point_to_infinity", "set_knots")

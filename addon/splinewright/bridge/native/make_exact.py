@@ -5,10 +5,11 @@ from typing import NamedTuple
 import numpy as np
 
 from ...core.failures import Refusal
+from ...core.handles import fitting
 from ...core.native import native_density
-from .. import blocks, curve_pieces, mesh_looks, settings, shape, store, versions
+from .. import blocks, curve_pieces, handles, mesh_looks, settings, shape, store, versions
 from ..look import Look
-from . import measure_native, native_layers, native_links, read_native, retype
+from . import measure_native, native_layers, native_links, native_splines, read_native, retype
 
 
 class Outcome(NamedTuple):
@@ -57,6 +58,7 @@ def _curve(context, ob, reading, users):
     blocks.remove(rehearsal)
     is_flat, lost = native_layers.fill_of(data, reading.indices)
     layers = [native_layers.along(data.splines[i], spline) for spline, i in zip(reading.splines, reading.indices)]
+    types = [_handle_letters(data.splines[i], spline) for spline, i in zip(reading.splines, reading.indices)]
     lost += native_links.hooked_points(users)
     if data.shape_keys:
         ob.shape_key_clear()
@@ -65,11 +67,21 @@ def _curve(context, ob, reading, users):
     settings.set_resolution(data, steps, steps)
     shape.set_value(data, reading.value)
     definition = store.read(data)
+    handles.write(data, fitting(types, definition))
     fractions = [np.concatenate([line.at for line in lines]) for lines in curve_pieces.shown_of(data, definition)]
     curve_pieces.write(data, definition, [[of_spline(at)] for of_spline, at in zip(layers, fractions)])
     if is_flat:
         data.dimensions = '2D'
     return lost
+
+
+def _handle_letters(spline, numbers):
+    """The letters of a spline's handles, "" where it has none. numbers: its NativeSpline, whose points shape keys may move."""
+    if numbers.kind != 'BEZIER':
+        return ""
+    ends = numbers.points[[0, -1], 1]
+    is_merged = len(numbers.points) > 2 and not spline.use_cyclic_u and bool((ends[0] == ends[1]).all())
+    return native_splines.handle_letters(spline, is_merged)
 
 
 def _surface(context, ob, reading, users):

@@ -24,13 +24,13 @@ def along(spline, numbers):
     look = Look(spline.material_index, spline.use_smooth)
     points = spline.bezier_points or spline.points
     values = np.array([[getattr(point, name) for name in curve_layers.NAMES] for point in points])
-    ways = (spline.radius_interpolation, spline.tilt_interpolation, 'LINEAR')
+    ways = curve_layers.of(spline).ways
 
     def at(fractions):
         if (values == values[0]).all():
-            return Layers(look, fractions, np.tile(values[0].astype(np.float32), (len(fractions), 1)))
-        found = native_along.values_at(numbers, values, fractions, ways)
-        return Layers(look, fractions, np.where(np.isnan(found), curve_layers.PLAIN, found).astype(np.float32))
+            return Layers(look, fractions, np.tile(values[0].astype(np.float32), (len(fractions), 1)), ways)
+        found = native_along.values_at(numbers, values, fractions, (*ways, 'LINEAR'))
+        return Layers(look, fractions, np.where(np.isnan(found), curve_layers.PLAIN, found).astype(np.float32), ways)
     return at
 
 
@@ -51,15 +51,16 @@ def _give_one(spline, form, domain, layers):
     at = native_along.parts(form.spline)
     mine = min(layers, key=lambda each: each.distance(_in_piece(form, domain, at[len(at) // 2:][:1])[0]))
     if (mine.values == mine.values[0]).all():
-        curve_layers.write(spline, mine.look, np.tile(mine.values[0], (len(at), 1)))
+        curve_layers.write(spline, mine, np.tile(mine.values[0], (len(at), 1)))
         return set()
     parts = form.parts_at(domain[0] + mine.at * (domain[1] - domain[0]))
     wanted = mine.there(_in_piece(form, domain, parts)).astype(np.float64)
     first = mine.there(_in_piece(form, domain, at)).astype(np.float64)
-    values = native_along.fitted(form.spline, first, parts, wanted)
+    ways = (*mine.ways, 'LINEAR')
+    values = native_along.fitted(form.spline, first, parts, wanted, ways)
     values[:, 0] = np.maximum(values[:, 0], 0.0)
-    curve_layers.write(spline, mine.look, values)
-    off = np.abs(native_along.values_at(form.spline, values, parts) - wanted).max(axis=0)
+    curve_layers.write(spline, mine, values)
+    off = np.abs(native_along.values_at(form.spline, values, parts, ways) - wanted).max(axis=0)
     allowed = _NEAR * np.maximum(np.ptp(wanted, axis=0), 1e-6)
     return {noun for noun, is_off in zip(_NOUNS, off > allowed) if is_off}
 

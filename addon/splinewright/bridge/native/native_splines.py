@@ -5,6 +5,7 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
+from ...core import handles
 from ...core.native.native import Direction, Flags, NativeSpline
 
 _BEZIER_FIELDS = ('handle_left', 'co', 'handle_right')
@@ -61,13 +62,23 @@ def _direction(spline, axis, count):
     return Direction(count, getattr(spline, f"order_{axis}") - 1, flags)
 
 
-def append(data, native, resolution):
-    """Add a curve's spline to a Curve data-block."""
+def handle_letters(spline, is_merged=False):
+    """The core.handles letters of a spline of 'BEZIER'. is_merged: the last point is the first one again."""
+    pairs = [tuple(handles.LETTERS[name] for name in (point.handle_left_type, point.handle_right_type))
+             for point in spline.bezier_points]
+    if is_merged:
+        pairs[0] = pairs[-1][0], pairs[0][1]
+        pairs.pop()
+    return "".join(letter for pair in pairs for letter in pair)
+
+
+def append(data, native, resolution, letters=""):
+    """Add a curve's spline to a Curve data-block. letters: of the types of its handles, where they are known."""
     spline = data.splines.new(native.kind)
     if native.kind == 'BEZIER':
         spline.bezier_points.add(len(native.points) - 1)
-        for point, is_smooth in zip(spline.bezier_points, _smooth_joints(native.points)):
-            point.handle_left_type = point.handle_right_type = 'ALIGNED' if is_smooth else 'FREE'
+        for point, *pair in zip(spline.bezier_points, *_types(native, letters)):
+            point.handle_left_type, point.handle_right_type = pair
         for name, column in zip(_BEZIER_FIELDS, np.swapaxes(native.points, 0, 1)):
             spline.bezier_points.foreach_set(name, single(column))
         spline.use_cyclic_u = native.directions[0].flags.cyclic
@@ -77,6 +88,14 @@ def append(data, native, resolution):
         fill(spline, native, (resolution,))
     spline.use_smooth = True
     return spline
+
+
+def _types(native, letters):
+    """What Blender calls the types of the handles before, and of those after the points."""
+    if letters:
+        letters = handles.true(native.points, letters, native.directions[0].flags.cyclic)
+        return tuple([handles.NAMES[letter] for letter in letters[side::2]] for side in (0, 1))
+    return (['ALIGNED' if is_smooth else 'FREE' for is_smooth in _smooth_joints(native.points)],) * 2
 
 
 def _smooth_joints(points):

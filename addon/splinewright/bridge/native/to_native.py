@@ -2,7 +2,7 @@
 
 from ...core.definition import CURVES
 from ...core.failures import Refusal
-from .. import animation, curve_layers, curve_pieces, mesh_attributes, mesh_looks, recipes, settings, shape, store
+from .. import animation, curve_layers, curve_pieces, handles, mesh_attributes, mesh_looks, recipes, settings, shape, store
 from ..look import Look
 from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
@@ -32,13 +32,15 @@ def to_native(context, ob):
 def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
     steps = settings.of(data).resolution_u
-    pieces = curve_pieces.of(data, store.read(data))
+    pieces, types = curve_pieces.of(data, store.read(data)), handles.known(data)
+    if handles.problem(data):
+        lost.append("the handle types, which are damaged")
     is_flat, unfilled = native_layers.fill_of(data, range(len(data.splines)))
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
     shape.detach(data)
     curve_layers.forget(data)
-    deviation = write_native.write_curves(data, planned, steps)
+    deviation = write_native.write_curves(data, planned, steps, types)
     curves = [value] if isinstance(value, CURVES) else value
     unlike = native_layers.give(data, planned, [curve.domain for curve in curves], pieces)
     if is_flat:

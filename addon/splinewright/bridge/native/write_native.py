@@ -49,16 +49,17 @@ def plan(value):
     return found
 
 
-def write_curves(data, planned, steps):
-    """Give a curve data-block the planned splines in place of its own. steps: ours in a span.
+def write_curves(data, planned, steps, types=()):
+    """Give a curve data-block the planned splines in place of its own. steps: ours in a span; types: of the handles of each
+    piece, where they are known.
 
     Returns the measured deviation, in units of the object: float32 rounding, about 1e-6 of the size.
     """
     data.dimensions = '3D'
     data.splines.clear()
-    for form in planned.forms:
+    for form, number in zip(planned.forms, planned.numbers):
         resolution = native_density.resolution_of_curve(form.spline, steps, versions.sampling)
-        native_splines.append(data, form.spline, resolution)
+        native_splines.append(data, form.spline, resolution, types[number] if types else "")
     data.update_tag()               # Blender 3.4 does not notice foreach_set on points
     return measure_native.of_forms(data, planned.forms)
 

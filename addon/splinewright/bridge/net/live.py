@@ -10,17 +10,22 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
+from ...core import handles
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
-from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
+from .. import curve_layers, curve_pieces, fineness, problems, recipes, remaking, settings, shape, stamp, store, versions
+from .. import handles as kept_types
+from .. import write_mesh
 from ..file_state import ended_operators, look_again, state
-from . import free_net, growing, holding, net_object, settings_number, stages
+from . import along, free_net, growing, holding, net_object, net_splines, settings_number, stages
 from .growing import Moment
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands.
 _PAUSE = 0.25
+#: Among the values of settings: the number of what lies along a shape.
+_ALONG = 'along'
 _WAITS = "the shape takes up the new rows when the slide has ended"
 
 
@@ -42,6 +47,7 @@ class Session:
         self._checked = 0.0
         self._patch_sets = {}
         self._settings = {}             # of the shape, their values by the number that the net carries for them
+        self.along = {}                 # what lay along the shape, by its number there: see along
 
     def show(self, net):
         """Take this for the net, and its points for those that are there."""
@@ -87,10 +93,10 @@ class Session:
         """The number in the net that stands for values of the shape's settings."""
         known = next((number for number, others in self._settings.items() if others == values), None)
         if known is None:
-            known = settings_number.FIRST + len(self._settings)
-            if known == settings_number.FIRST + settings_number.COUNT:
-                known = next(iter(self._settings))
-                del self._settings[known]
+            numbers = range(settings_number.FIRST, settings_number.FIRST + settings_number.COUNT)
+            free = (number for number in numbers if number not in self._settings)
+            known = next(free, None) or next(iter(self._settings))
+            self._settings.pop(known, None)
             self._settings[known] = values
         return known
 
@@ -149,13 +155,18 @@ def known_session(data):
 def begin(data, net, shown_by=None):
     """Start the session of a net's data-block that was made from these numbers.
 
-    shown_by: the values of the settings of the shape when its net was made, where they are known.
+    shown_by: shown_now() of the shape when its net was made, where it is known.
     """
     if len(state.sessions) > 32:
         _drop_idle()
     state.sessions[net_object.token(data)] = started = Session(net)
     if shown_by is not None:
         started.settings(settings_number.FIRST, shown_by)
+
+
+def shown_now(data):
+    """The values of the settings of a shape, and the number of what lies along it."""
+    return {**settings.values(data), _ALONG: curve_layers.number(data)}
 
 
 def _drop_idle():
@@ -201,7 +212,8 @@ def _pulled(ob, moment):
     if not net_object.is_current(ob):
         return None, False, "this net is of an earlier time: its shape has changed since, and follows it no more"
     data, current = owner.data, session(ob.data)
-    is_shown_otherwise = _show_as_noted(data, ob, current)
+    wanted = current.settings(settings_number.read(ob), shown_now(data))
+    is_shown_otherwise = _show_as_noted(data, current, wanted)
     try:
         if free_net.is_free(ob.data):
             is_changed, problem = _follow_points(data, ob, current)
@@ -209,16 +221,18 @@ def _pulled(ob, moment):
             is_changed, problem = _follow(data, ob, current, moment)
     except Exception as error:
         is_changed, problem = False, told(error)
+    if wanted[_ALONG] != curve_layers.number(data) and wanted[_ALONG] in current.along:
+        along.put(data, current.along[wanted[_ALONG]], wanted[_ALONG])
+        is_changed = True
     return data, is_changed or is_shown_otherwise, problem
 
 
-def _show_as_noted(data, ob, current):
+def _show_as_noted(data, current, wanted):
     """Give a shape the settings of which its net has the number: undo may have brought others back. Whether it changed."""
-    present = settings.values(data)
-    wanted = current.settings(settings_number.read(ob), present)
-    if wanted == present:
+    values = {name: value for name, value in wanted.items() if name != _ALONG}
+    if values == settings.values(data):
         return False
-    settings.take(data, wanted)
+    settings.take(data, values)
     try:
         current.wrote(data, shape.rewrite(data))
     except Exception as error:
@@ -235,7 +249,25 @@ def note_settings(data):
     nets = (ob for ob in bpy.data.objects if net_object.is_net(ob) and net_object.token(ob.data) == token)
     held = next((ob for ob in nets if ob.mode == 'EDIT'), None)
     if held is not None:
-        settings_number.write(held, session(held.data).number_of(settings.values(data)))
+        settings_number.write(held, session(held.data).number_of(shown_now(data)))
+
+
+def begin_along(ob):
+    """The along.Gesture of a net in Edit Mode. Raises Refusal."""
+    pull(ob)
+    if problem(ob):
+        raise Refusal(problem(ob))
+    return along.Gesture(ob, session(ob.data).net)
+
+
+def end_along(gesture):
+    """Keep what a gesture left along the shape of a net."""
+    known, data = session(gesture.net_data).along, gesture.data
+    known[curve_layers.number(data)] = gesture.pieces_before
+    new = max(known) + 1
+    known[new] = gesture.pieces
+    curve_layers.set_number(data, new)
+    note_settings(data)
 
 
 def _follow(data, ob, current, moment):
@@ -266,7 +298,26 @@ def _follow(data, ob, current, moment):
     problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
-    return _show(data, definition, current), refused or found.problem
+    were_said = definition.has_curves and any(kept_types.known(data))
+    is_changed = _show(data, definition, current)
+    if definition.has_curves:
+        _keep_types(data, ob, current, definition, were_said)
+    return is_changed, refused or found.problem
+
+
+def _keep_types(data, ob, current, definition, were_said):
+    """Let a shape have the handle types that its net shows; where it lacks a point, those that were there. were_said: for
+    some of its joints, before it was given this definition."""
+    if not current.net.chains:
+        return
+    known, there = kept_types.of_pieces(data, definition), current.slots >= 0
+    letters = np.zeros(len(there), '<U1') if there.all() else handles.of_net(current.net, known)
+    letters[there] = net_splines.letters(ob.data)[current.slots[there]]
+    types = handles.of_vertices(current.net, letters)
+    if any(known) or not were_said:     # otherwise it has others than those for which they were said
+        types = handles.said(definition, types, known)
+    if types != known:
+        kept_types.write(data, types)
 
 
 def _read(data, ob, current):
@@ -356,7 +407,7 @@ def _show(data, definition, current):
     current.require_alone(data, pool)
     shape.require_writable(data)
     if definition.has_curves:
-        shape.set_definition(data, definition)
+        _show_curves(data, definition)
         current.pool = definition.pool
         return True
     moved = current.moved(data, current.patch_set(definition))
@@ -371,3 +422,14 @@ def _show(data, definition, current):
     current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
     return True
+
+
+def _show_curves(data, definition):
+    """What lies along curves stays in its place where they gain or lose spans."""
+    before = store.read(data)
+    if definitions.have_same_pieces(before, definition) or len(before.pieces) != len(definition.pieces):
+        shape.set_definition(data, definition)
+        return
+    pieces = curve_pieces.of(data, before)
+    shape.set_definition(data, definition)
+    curve_pieces.write(data, definition, curve_pieces.regrown(pieces, before, definition), is_kept=True)

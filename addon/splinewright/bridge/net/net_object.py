@@ -10,9 +10,11 @@ import uuid
 import bpy
 import numpy as np
 
+from ...core import handles
 from ...core.failures import Refusal
 from ...core.net import curve_net, patch_net
 from .. import blocks, problems, sights, store
+from .. import handles as kept_types
 from . import cage, net_splines, settings_number
 
 #: On the net's data-block: the definition it was made from, and numbers typed since.
@@ -66,7 +68,10 @@ def make(shape, definition, net, scene):
     """A net object for a shape, always where that is, linked to the scene. net: net_of(definition)."""
     if not (np.isfinite(net.single).all() and np.isfinite(net.single_weights).all()):
         raise Refusal(f"a control point of {shape.name} lies farther away than Blender's Edit Mode reaches (3.4e38)")
-    data = (net_splines if definition.has_curves else cage).make(shape.name, net)
+    if definition.has_curves:
+        data = net_splines.make(shape.name, net, handles.of_net(net, kept_types.of_pieces(shape.data, definition)))
+    else:
+        data = cage.make(shape.name, net)
     data[KEY] = {'token': uuid.uuid4().hex, 'definition': store.encoded(definition)}
     settings_number.make(data)
     shape.data[EDITED_BY] = token(data)

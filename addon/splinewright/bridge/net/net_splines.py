@@ -6,8 +6,8 @@ by spline.
 
 import bpy
 import numpy as np
-from mathutils import Vector
 
+from ...core import handles
 from ...core.net import strays
 from ...core.net.grown import STRAY, Run, copy_of
 from ...core.net.reading import Present
@@ -15,11 +15,13 @@ from ...core.net.reading import Present
 #: The tilt of points that were passed over once for all: no number of a point reaches it.
 _STRAY = np.float32(2 ** 24)
 _HANDLES = ('handle_left', 'co', 'handle_right')
+_COMPUTED = (handles.AUTO, handles.VECTOR, handles.ALIGNED)
 _FLAGS = ('select_left_handle', 'select_control_point', 'select_right_handle')
 
 
-def make(name, net):
-    """A new Curve that shows the net of curves, whose points carry the numbers from 0 on."""
+def make(name, net, letters):
+    """A new Curve that shows the net of curves, whose points carry the numbers from 0 on. letters: as of
+    core.handles.of_net()."""
     curve = bpy.data.curves.new(f"{name} Net", 'CURVE')
     curve.dimensions = '3D'
     first = number = 0
@@ -28,7 +30,7 @@ def make(name, net):
         spline = curve.splines.new(part.kind)
         if part.kind == 'BEZIER':
             last = first + 3 * part.count
-            _fill_bezier(spline, part, net.single[first:last].reshape(-1, 3, 3))
+            _fill_bezier(spline, part, net.single[first:last].reshape(-1, 3, 3), letters[first:last].reshape(-1, 3))
         else:
             last = first + part.count
             spline.points.add(part.count - 1)
@@ -43,10 +45,10 @@ def make(name, net):
     return curve
 
 
-def _fill_bezier(spline, part, triples):
+def _fill_bezier(spline, part, triples, letters):
     spline.bezier_points.add(part.count - 1)
-    for point, smooth in zip(spline.bezier_points, part.smooth):
-        point.handle_left_type = point.handle_right_type = 'ALIGNED' if smooth else 'FREE'
+    for point, pair in zip(spline.bezier_points, letters[:, ::2]):
+        _set_types(point, pair)
     for i, name in enumerate(_HANDLES):
         spline.bezier_points.foreach_set(name, np.ascontiguousarray(triples[:, i]).ravel())
 
@@ -60,23 +62,69 @@ def present(curve, net):
     seals = strays.seals(len(net.spline_points[0]), net.first)
     vertices = np.concatenate([np.empty(0, np.int64), *(_numbered(spline, net, seals) for spline in curve.splines)])
     rows = np.concatenate([np.empty((0, 4), np.float32), *map(_rows, curve.splines)])
-    return Present(vertices, lambda: rows[:, :3], lambda: rows[:, 3], lambda: _links(curve), _void(curve, vertices))
+    types = letters(curve)
+    return Present(vertices, lambda: rows[:, :3], lambda: rows[:, 3], lambda: _links(curve), _void(curve, net, vertices, types),
+                   np.isin(types, _COMPUTED))
 
 
-def _void(curve, vertices):
-    """(m,) bool: handles that lead to points that are new, by which Blender shortened them; None where there are none."""
+def letters(curve):
+    """(m,) by slot: of handles the letters of their types, "" of points."""
+    found = [np.empty(0, '<U1')]
+    for spline in curve.splines:
+        own = np.zeros((len(_points_of(spline)), 3 if spline.type == 'BEZIER' else 1), '<U1')
+        if spline.type == 'BEZIER':
+            own[:, ::2] = [_types(point) for point in spline.bezier_points]
+        found.append(own.ravel())
+    return np.concatenate(found)
+
+
+def letters_of(curve, slots):
+    """The letters of the types of the handles with these slots, each once."""
+    found, first = set(), 0
+    for spline in curve.splines:
+        last = first + (3 if spline.type == 'BEZIER' else 1) * len(_points_of(spline))
+        for slot in slots:
+            if spline.type == 'BEZIER' and first <= slot < last:
+                found.add(_types(spline.bezier_points[(slot - first) // 3])[(slot - first) % 3 // 2])
+        first = last
+    return found
+
+
+def _void(curve, net, vertices, types):
+    """(m,) bool: handles of which Blender alone decided where they are: those that lead to points that are new, and of points
+    whose neighbours are others those that it computes. None where there are none."""
     void, first = np.zeros(len(vertices), bool), 0
     for spline in curve.splines:
         last = first + (3 if spline.type == 'BEZIER' else 1) * len(_points_of(spline))
         if spline.type == 'BEZIER':
+            own, points = vertices[first:last].reshape(-1, 3), void[first:last].reshape(-1, 3)
             tilts = _values(spline.bezier_points, 'tilt', 1)[:, 0]
-            is_new = (vertices[first + 1:last:3] < 0) & (tilts != _STRAY)
+            is_new = (own[:, 1] < 0) & (tilts != _STRAY)
             before, after = np.roll(is_new, 1), np.roll(is_new, -1)
             if not spline.use_cyclic_u:
                 before[:1] = after[-1:] = False
-            void[first:last:3], void[first + 2:last:3] = before, after
+            points[:, 0], points[:, 2] = before, after
+            has_others = before | after | _has_lost(net, own[:, 1], spline.use_cyclic_u)
+            points |= has_others[:, None] & np.isin(types[first:last].reshape(-1, 3), (handles.AUTO, handles.VECTOR))
         first = last
     return void if void.any() else None
+
+
+def _has_lost(net, vertices, is_closed):
+    """(k,) bool: which points of a spline, by their vertices, had a neighbour in the net that is not beside them now."""
+    beside = np.stack([np.roll(vertices, 1), np.roll(vertices, -1)])
+    if not is_closed:
+        beside[0, :1] = beside[1, -1:] = -1
+    lost = np.zeros(len(vertices), bool)
+    for first, spline in net.chains:
+        last = first + 3 * spline.count
+        for step in (-3, 3):
+            wanted = vertices + step
+            if spline.closed:
+                wanted = first + (wanted - first) % (last - first)
+            had = (vertices >= first) & (vertices < last) & (wanted >= first) & (wanted < last)
+            lost |= had & ~(beside == wanted).any(0)
+    return lost
 
 
 def _numbered(spline, net, seals):
@@ -155,32 +203,58 @@ def renumber(curve, net, numbers, runs):
 
 
 def place(curve, net, numbers, runs, new):
-    """Put the points of a Curve to where a net has them; as of renumber(). new: points that had no handles before."""
-    first, are_smooth = net.spline_points[0], np.concatenate([spline.smooth or (False,) * spline.count
-                                                              for spline in net.splines])
+    """Put the points of a Curve to where a net has them; as of renumber(). new: points that had no handles before. Types of
+    handles that are not true there are others then."""
+    first, letters = net.spline_points[0], _letters_there(curve, net, numbers, runs, new)
     for spline, own, over in zip(curve.splines, numbers, (run.is_turned for run in runs)):
         points = _points_of(spline)
-        for i in np.flatnonzero(own >= 0).tolist():
-            vertex, point = int(first[own[i]]), points[i]
-            if spline.type == 'BEZIER':
-                types = _types(point) if own[i] not in new else ('ALIGNED' if are_smooth[own[i]] else 'FREE',) * 2
-                _place_triple(point, net.single[vertex:vertex + 3][::-1 if over else 1], types)
-            elif not np.array_equal(point.co, (*net.single[vertex], net.single_weights[vertex])):
-                point.co = (*net.single[vertex], net.single_weights[vertex])
+        there = np.flatnonzero(own >= 0).tolist()
+        if spline.type == 'BEZIER':
+            vertices = first[own[there]][:, None] + ((2, 1, 0) if over else (0, 1, 2))
+            _place_triples(points, there, net.single[vertices], letters[vertices[:, ::2]].tolist())
+            continue
+        for i in there:
+            vertex = int(first[own[i]])
+            if not np.array_equal(points[i].co, (*net.single[vertex], net.single_weights[vertex])):
+                points[i].co = (*net.single[vertex], net.single_weights[vertex])
     curve.update_tag()
 
 
+def _letters_there(curve, net, numbers, runs, new):
+    """core.handles.of_net() of the types that the points of a Curve have."""
+    first, letters = net.spline_points[0], np.full(len(net.rows), '', '<U1')
+    for spline, own, over in zip(curve.splines, numbers, (run.is_turned for run in runs)):
+        if spline.type == 'BEZIER':
+            for i in np.flatnonzero(own >= 0).tolist():
+                if own[i] not in new:
+                    letters[first[own[i]]:first[own[i]] + 3:2] = _types(spline.bezier_points[i])[::-1 if over else 1]
+    return handles.true_of_net(net, letters)
+
+
 def _types(point):
-    return point.handle_left_type, point.handle_right_type
+    return handles.LETTERS[point.handle_left_type], handles.LETTERS[point.handle_right_type]
 
 
-def _place_triple(point, triple, types):
-    if types == _types(point) and all(np.array_equal(getattr(point, name), row) for name, row in zip(_HANDLES, triple)):
-        return
-    point.handle_left_type = point.handle_right_type = 'FREE'
-    for name, row in zip(_HANDLES, triple):
-        setattr(point, name, row)
-    point.handle_left_type, point.handle_right_type = types
+def _set_types(point, letters):
+    """Blender computes all handles of the spline anew where one is given another type."""
+    for name, now, letter in zip(('handle_left_type', 'handle_right_type'), _types(point), letters):
+        if letter != now:
+            setattr(point, name, handles.NAMES[letter])
+
+
+def _place_triples(points, numbers, triples, types):
+    """Put Bezier points with these numbers to triples (k, 3, 3), and give their handles these types, pairs of letters."""
+    others = []
+    for i, triple, pair in zip(numbers, triples, types):
+        if list(_types(points[i])) != pair or not all(
+                np.array_equal(getattr(points[i], name), row) for name, row in zip(_HANDLES, triple)):
+            others.append((points[i], triple, pair))
+            _set_types(points[i], (handles.FREE,) * 2)
+    for point, triple, _ in others:
+        for name, row in zip(_HANDLES, triple):
+            setattr(point, name, row)
+    for point, _, pair in others:
+        _set_types(point, pair)
 
 
 def _rows(spline):
@@ -236,27 +310,41 @@ def set_flags(curve, chosen):
 
 
 def move(curve, rows):
-    """Give points and handles positions and weights. rows: x, y, z, w by the slot of each."""
+    """Give points and handles positions and weights. rows: x, y, z, w by the slot of each. A point takes its handles along;
+    those that are computed from their neighbours are computed, and are so no more where they are given places."""
     first = 0
     for spline in curve.splines:
-        is_bezier = spline.type == 'BEZIER'
+        points, is_bezier = _points_of(spline), spline.type == 'BEZIER'
         step = 3 if is_bezier else 1
-        count = len(_points_of(spline))
-        own = [divmod(slot - first, step) + (row,) for slot, row in rows.items() if first <= slot < first + step * count]
-        for i, handle, row in sorted(own, key=lambda one: one[1] != 1):         # points take their handles along
-            _move(_points_of(spline)[i], handle if is_bezier else None, *row)
-        first += step * count
+        own = {slot - first: row for slot, row in rows.items() if first <= slot < first + step * len(points)}
+        if is_bezier:
+            _move_triples(points, own)
+        else:
+            for i, row in own.items():
+                points[i].co = row
+        first += step * len(points)
     curve.update_tag()
 
 
-def _move(point, handle, x, y, z, weight):
-    """handle: 0 left, 1 the point itself, 2 right; None for a point without handles."""
-    if handle is None:
-        point.co = (x, y, z, weight)
-    elif handle == 1:
-        moved = Vector((x, y, z)) - point.co
-        ends = point.handle_left + moved, point.handle_right + moved
-        point.co = (x, y, z)
-        point.handle_left, point.handle_right = ends
-    else:
-        setattr(point, _HANDLES[handle], (x, y, z))
+def _move_triples(points, rows):
+    """move() of Bezier points."""
+    numbers, triples, types = sorted({slot // 3 for slot in rows}), [], []
+    for i in numbers:
+        given = {part: np.array(rows[3 * i + part][:3]) for part in range(3) if 3 * i + part in rows}
+        triple, pair = handles.moved(np.array([getattr(points[i], name) for name in _HANDLES], np.float64),
+                                     _types(points[i]), given)
+        triples.append(triple)
+        types.append(list(pair))
+    _place_triples(points, numbers, triples, types)
+
+
+def give_letters(curve, types):
+    """Let the handles of a Curve have types by slot, as of letters()."""
+    first = 0
+    for spline in curve.splines:
+        count = len(_points_of(spline))
+        if spline.type == 'BEZIER':
+            for point, pair in zip(spline.bezier_points, types[first:first + 3 * count].reshape(-1, 3)[:, ::2]):
+                _set_types(point, pair)
+        first += (3 if spline.type == 'BEZIER' else 1) * count
+    curve.update_tag()

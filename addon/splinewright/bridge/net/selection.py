@@ -61,6 +61,17 @@ def place(ob, net, vertices, rows):
         cage.move(ob, by_slot)
 
 
+def handle_types(ob):
+    """What give_handle_types() takes."""
+    return net_splines.letters(ob.data) if _is_curve(ob) else None
+
+
+def give_handle_types(ob, types):
+    """Let the handles of a net have these types again. Handles that Blender computes are where it computes them then."""
+    if _is_curve(ob) and not np.array_equal(types, net_splines.letters(ob.data)):
+        net_splines.give_letters(ob.data, types)
+
+
 def _require_there(ob, net, vertices):
     """(k,): the slots of vertices."""
     net_object.require_whole(ob)

@@ -22,7 +22,7 @@ def values_at(spline, values, fractions, ways=None):
     ways: for each column how a Bezier spline interpolates it, as Blender names it; linearly where it is None.
     """
     if spline.kind == 'BEZIER':
-        return _along_bezier(values, spline.directions[0].flags.cyclic, fractions, ways or ['LINEAR'] * values.shape[1])
+        return along_bezier(values, spline.directions[0].flags.cyclic, fractions, ways or ['LINEAR'] * values.shape[1])
     columns = [_along_nurbs(spline, values[:, i:i + 3], fractions) for i in range(0, values.shape[1], 3)]
     return np.concatenate(columns, axis=1)
 
@@ -37,7 +37,8 @@ def _along_nurbs(spline, values, fractions):
     return found[:, :values.shape[1]]
 
 
-def _along_bezier(values, is_cyclic, fractions, ways):
+def along_bezier(values, is_cyclic, fractions, ways):
+    """values_at() of a Bezier spline."""
     rows = np.concatenate([values, values[:1]]) if is_cyclic else values
     count = len(rows) - 1
     segment = np.clip((fractions * count).astype(int), 0, count - 1)
@@ -84,14 +85,20 @@ def parts(spline):
     return fractions % 1.0 if direction.flags.cyclic else np.clip(fractions, 0.0, 1.0)
 
 
-def fitted(spline, first, fractions, values):
+def fitted(spline, first, fractions, values, ways):
     """(n, k): values of points that give `values`, (m, k), at parts of the spline, as nearly as can be; what they do not
-    say is as `first`, (n, k), has it."""
+    say is as `first`, (n, k), has it. ways: as of values_at()."""
     count = len(first)
-    if spline.kind == 'BEZIER' or len(fractions) * count > _MOST:
+    if len(fractions) * count > _MOST:
         return first
-    matrix = values_at(spline, np.eye(count), fractions)
-    pull = _PULL * np.eye(count)
-    missing = values - matrix @ first
-    return first + np.linalg.lstsq(np.concatenate([matrix, pull]),
-                                   np.concatenate([missing, np.zeros_like(first)]), rcond=None)[0]
+    if spline.kind != 'BEZIER':
+        return nearest(values_at(spline, np.eye(count), fractions), first, values)
+    return np.column_stack([each if way == 'LINEAR' else
+                            nearest(values_at(spline, np.eye(count), fractions, [way] * count), each, wanted)
+                            for each, wanted, way in zip(first.T, values.T, ways)])
+
+
+def nearest(matrix, first, values):
+    """What of the size of `first` a matrix (m, n) makes `values` of, as nearly as can be, and nearest to `first`."""
+    missing = np.concatenate([values - matrix @ first, np.zeros_like(first)])
+    return first + np.linalg.lstsq(np.concatenate([matrix, _PULL * np.eye(len(first))]), missing, rcond=None)[0]

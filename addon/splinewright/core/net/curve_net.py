@@ -14,23 +14,24 @@ def make(definition):
     vertices = Vertices(definition.pool)
     pieces, splines = [], []
     infinite = []
-    for piece in definition.pieces:
+    for number, piece in enumerate(definition.pieces):
         if piece.kind == 'hermite':
             piece, spline = _hermite(vertices, piece)
-        elif _is_plain_cubic(definition.pool, piece):
+        elif is_plain_cubic(definition.pool, piece):
             spline = _cubic(vertices, piece)
         else:
             spline = _polygon(vertices, piece)
             infinite.append(piece)
         pieces.append(piece)
-        splines.append(spline)
+        splines.append(replace(spline, piece=number))
     for piece in infinite:
         splines += _arrows(vertices, piece)
     splines = tuple(spline for spline in splines if spline.count)
     return vertices.net(definition, pieces, splines=splines)
 
 
-def _is_plain_cubic(pool, piece):
+def is_plain_cubic(pool, piece):
+    """Whether a piece is one cubic with handles."""
     return piece.kind == 'bezier' and len(piece.indices) == 4 and (pool[piece.indices, 3] == 1.0).all()
 
 
@@ -64,10 +65,16 @@ def _arrows(vertices, piece):
         yield Spline('POLY', 2)
 
 
+def is_closed(piece):
+    """Whether a Hermite piece ends in the point in which it begins."""
+    points = piece.indices[0]
+    return len(points) > 2 and bool(points[0] == points[-1])
+
+
 def _hermite(vertices, piece):
     """Handles at a third of the tangents: those of the cubic Bezier segments on both sides."""
     points, incoming, outgoing = piece.indices
-    closed = len(points) > 2 and bool(points[0] == points[-1])
+    closed = is_closed(piece)
     count = len(points) - 1 if closed else len(points)
     before, after = _steps_beside(np.diff(piece.knots[0]) / 3.0, count, closed)
     own = _own_rows(vertices, incoming, outgoing)

@@ -24,6 +24,7 @@ class Spline:
     count: int                          # of points
     closed: bool = False
     smooth: tuple = ()                  # of each point of 'BEZIER': whether its handles are in line
+    piece: int = -1                     # the number of the piece
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,15 +59,30 @@ class Net:
     def slack(self):
         """How far Blender itself moves a vertex: it realigns the handles of smooth joints."""
         slack = np.zeros(len(self.positions))
-        first = 0
-        for spline in self.splines:
-            if spline.kind == 'BEZIER':
-                for point in np.flatnonzero(spline.smooth):
-                    triple = slice(first + 3 * point, first + 3 * point + 3)
-                    slack[triple] = 4 * _EPSILON * np.abs(self.positions[triple]).max()
-                slack[first + 1:first + 3 * spline.count:3] = 0.0
-            first += spline.count * (3 if spline.kind == 'BEZIER' else 1)
+        for first, spline in self.chains:
+            for point in np.flatnonzero(spline.smooth):
+                triple = slice(first + 3 * point, first + 3 * point + 3)
+                slack[triple] = 4 * _EPSILON * np.abs(self.positions[triple]).max()
+            slack[first + 1:first + 3 * spline.count:3] = 0.0
         return slack[:, None]
+
+    @cached_property
+    def chains(self):
+        """(its first vertex, itself) of each spline of 'BEZIER'."""
+        found, first = [], 0
+        for spline in self.splines:
+            found += [(first, spline)] if spline.kind == 'BEZIER' else []
+            first += spline.count * (3 if spline.kind == 'BEZIER' else 1)
+        return tuple(found)
+
+    @cached_property
+    def rounding(self):
+        """(n, 1): how far Blender moves the handles of chains that it computes anew from where they are."""
+        found = np.zeros((len(self.positions), 1))
+        for first, spline in self.chains:
+            last = first + 3 * spline.count
+            found[first:last] = 16 * _EPSILON * np.abs(self.positions[first:last]).max()
+        return found
 
     @cached_property
     def are_points(self):

@@ -27,6 +27,7 @@ class Present:
     weights: Callable                   # gives (m,) float32, or None where they were lost
     links: Callable                     # gives pairs (k, 2) of points that are connected
     void: np.ndarray = None             # (m,) bool: says nothing, as a handle that leads to a new point
+    computed: np.ndarray = None         # (m,) bool: handles that Blender places itself, by its rounding elsewhere each time
 
 
 class Reading(NamedTuple):
@@ -51,6 +52,11 @@ def read(net, present, typed, last):
     there = found >= 0
     positions, weights = net.single.copy(), net.single_weights.copy()
     positions[there] = present.positions()[found[there]]
+    if present.computed is not None:
+        is_there = np.zeros(len(found), bool)
+        is_there[there] = present.computed[found[there]]
+        is_there &= (np.abs(positions - net.single) <= net.rounding).all(1)
+        positions[is_there] = net.single[is_there]
     weights_now = present.weights()
     if weights_now is not None:
         weights[there] = weights_now[found[there]]
