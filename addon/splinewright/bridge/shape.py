@@ -8,7 +8,7 @@ import numpy as np
 from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.library import sc
-from . import blocks, fineness, held, problems, recipes, settings, stamp, store, write_curve, write_mesh
+from . import blocks, fineness, held, point_keys, problems, recipes, settings, stamp, store, write_curve, write_mesh
 from .file_state import key, state
 
 
@@ -99,7 +99,9 @@ def planned(data, definition, around=None):
 
 def carry_out(plan, progress=no_progress):
     """Do what was planned."""
+    point_keys.carry(plan.data, plan.definition)
     store.write(plan.data, plan.definition)
+    point_keys.show(plan.data, plan.definition.pool)
     _finish(plan.data, plan.picture, progress)
 
 
@@ -139,6 +141,7 @@ def detach(data):
         raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
     store.remove(data)
     recipes.remove(data)
+    point_keys.remove(data)
     held.write(data, ())
 
 

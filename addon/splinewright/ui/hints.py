@@ -8,7 +8,8 @@ from . import editing, keymaps, preferences
 
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
 _WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot",
-          "splinewright.pull_here": "Pull Shape", "splinewright.pie": "Pie Menu"}
+          "splinewright.pull_here": "Pull Shape", "splinewright.key_points": "Key Points",
+          "splinewright.pie": "Pie Menu"}
 
 
 def said(context):

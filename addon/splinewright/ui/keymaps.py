@@ -1,4 +1,4 @@
-"""Tab, Ctrl+J, Ctrl+R, Alt+G and Shift+Q on shapes and nets. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J, Ctrl+R, Alt+G, I and Shift+Q on shapes and nets. The operators' polls let the keys pass for everything else."""
 
 import bpy
 
@@ -12,6 +12,8 @@ _ITEMS = (
     ('Curve', "splinewright.insert_here", 'R', 'ctrl'),
     ('Mesh', "splinewright.pull_here", 'G', 'alt'),
     ('Curve', "splinewright.pull_here", 'G', 'alt'),
+    ('Mesh', "splinewright.key_points", 'I', None),
+    ('Curve', "splinewright.key_points", 'I', None),
     ('Mesh', "splinewright.pie", 'Q', 'shift'),
     ('Curve', "splinewright.pie", 'Q', 'shift'),
 )

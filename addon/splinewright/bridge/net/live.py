@@ -13,9 +13,9 @@ from ...core import definition as definitions
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
-from .. import fineness, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
+from .. import fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import ended_operators, look_again, state
-from . import free_net, growing, holding, net_object, settings_number, stages
+from . import free_net, growing, holding, keyed_stages, net_object, settings_number, stages
 from .growing import Moment
 
 
@@ -37,6 +37,7 @@ class Session:
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
         self.placed = holding.Placed()
+        self.keyed_rows = {}            # of bridge.net.keyed_stages
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
@@ -260,6 +261,7 @@ def _follow(data, ob, current, moment):
     definition = exact_net.read(current.net, found.state)
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
+    definition = keyed_stages.with_digits(data, current.net, definition)
     try:
         definition = holding.followed(data, ob, current, definition)
     except FAILURES as error:
@@ -353,13 +355,12 @@ def _show(data, definition, current):
         return False
     current.require_alone(data, pool)
     shape.require_writable(data)
-    if definition.has_curves:
-        shape.set_definition(data, definition)
-        current.pool = definition.pool
-        return True
-    moved = current.moved(data, current.patch_set(definition))
+    moved = None if definition.has_curves else current.moved(data, current.patch_set(definition))
     if moved is None:
-        current.wrote(data, shape.set_definition(data, definition))
+        with keyed_stages.staged(data, current):
+            faces = shape.set_definition(data, definition)
+        if faces is not None:
+            current.wrote(data, faces)
         current.pool = definition.pool
         return True
     positions, normals = moved
@@ -368,4 +369,5 @@ def _show(data, definition, current):
     write_mesh.move(data, positions, normals)
     current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
+    point_keys.show(data, definition.pool)
     return True
