@@ -10,6 +10,7 @@ from keyed_points import (at, clear, edited, key, key_at, keyed_shape, keys, mov
 from layouts import drawn
 from shapes import VALUES, activate, add, enter, leave, move, op, require_exact, select
 from support import part, splinecore as sc
+from test_holding import hold, neighbours, require_smooth, row
 
 animation = part('bridge.animation')
 
@@ -230,5 +231,55 @@ def test_a_file_that_is_saved_while_the_net_is_out_goes_on(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=path)
     at(4)
     ob = bpy.data.objects[name]
+    assert np.allclose(pool(ob)[:, 2] - home[:, 2], 3, atol=1e-5)
+    require_exact(ob)
+
+
+@pytest.mark.parametrize('is_out', (False, True), ids=('without a net', 'in the net'))
+def test_a_seam_that_holds_does_so_in_every_frame(is_out):
+    ob = add(neighbours())
+    hold('G1', moves='second')
+    held = enter()
+    at(1)
+    select(held, *row(0, 4))
+    op(key)
+    at(7)
+    move(0, 0, 3)
+    op(key)
+    if not is_out:
+        leave()
+    flat = None
+    for frame in (1, 4, 7, 4, 1):
+        at(frame)
+        bpy.context.view_layer.update()
+        require_smooth('G1')
+        flat = pool(ob)[:, 2] if flat is None else flat
+    assert np.allclose(pool(ob)[:, 2], flat, atol=1e-5), "back at the first frame it is as it was"
+    for damage in (1.0, {'rows': [99], 'placed': [0.0] * 4, 'origins': [0.0] * 4}, {'rows': "none"}):
+        ob.data['splinewright_keyed_rest'] = damage
+        at(7)
+        require_smooth('G1')
+        at(1)
+
+
+def test_a_script_that_gives_another_value_finds_what_went():
+    ob = ramp(VALUES['nurbs']())
+    ob.data.splinewright.value = ob.data.splinewright.value.insert_knot(0.5)
+    assert "keys of" in ob.data.splinewright.problem
+    ob.data.splinewright.value = sc.BezierCurve([(0, 0), (1, 1), (2, 5)])
+    assert not point_keys.has(ob.data)
+    ob.data.splinewright.value = sc.BezierCurve([(0, 0), (1, 1), (2, 3)])
+    assert ob.data.splinewright.problem == ""
+
+
+def test_strips_of_the_nonlinear_animation_move_points_too():
+    ob = keyed_shape(VALUES['nurbs']())
+    home, animated = pool(ob), ob.data.animation_data
+    action = animated.action
+    strip = animated.nla_tracks.new().strips.new("strip", 11, action)
+    animated.action = None
+    if hasattr(strip, 'action_slot') and strip.action_slot is None:
+        strip.action_slot = action.slots[0]
+    at(14)
     assert np.allclose(pool(ob)[:, 2] - home[:, 2], 3, atol=1e-5)
     require_exact(ob)

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core import keyed_rows
 from ..core.failures import Refusal
-from . import animation, recipes, settings, store
+from . import animation, recipes, store
 from .file_state import state
 from .net import net_object
 
@@ -101,18 +101,16 @@ def _points(count):
 
 
 def show(data, pool):
-    """Let the items show the rows of a definition's pool."""
-    items = of(data)
-    if not len(items):
+    """Let the items show the rows of a definition's pool. Writing the geometry tells Blender of it."""
+    if not len(of(data)):
         return
-    of_item = rows(data)
-    there = np.flatnonzero((0 <= of_item) & (of_item < len(pool)))
-    with np.errstate(over='ignore'):
-        wanted = np.clip(pool[of_item[there]], -_MOST, _MOST).astype(np.float32)
-    with settings.quiet(data):
-        for i in np.flatnonzero((wanted != values(data)[there]).any(1)).tolist():
-            item, row = items[int(there[i])], wanted[i].tolist()
-            item.place, item.weight = row[:3], row[3]
+    of_item, shown = rows(data), values(data)
+    there = (0 <= of_item) & (of_item < len(pool))
+    wanted = shown.copy()
+    wanted[there] = np.clip(pool[of_item[there]], -_MOST, _MOST)
+    if not np.array_equal(wanted, shown):
+        of(data).foreach_set('place', np.ascontiguousarray(wanted[:, :3]).ravel())
+        of(data).foreach_set('weight', np.ascontiguousarray(wanted[:, 3]))
 
 
 _MOST = float(np.finfo(np.float32).max)
@@ -201,6 +199,10 @@ def clear(data, items, drivers_too=True):
 
 def remove(data):
     """A data-block is no shape any more."""
-    if len(of(data)):
+    if not len(of(data)):
+        return
+    of(data).clear()
+    if all(path.startswith(PATH) for path in animation.paths(data)):
+        data.animation_data_clear()
+    else:
         animation.remove(data, lambda channel: channel.data_path.startswith(PATH))
-        of(data).clear()

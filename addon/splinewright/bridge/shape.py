@@ -8,7 +8,8 @@ import numpy as np
 from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.library import sc
-from . import blocks, fineness, held, point_keys, problems, recipes, settings, stamp, store, write_curve, write_mesh
+from . import (blocks, fineness, held, keyed_seams, point_keys, problems, recipes, settings, stamp, store, write_curve,
+               write_mesh)
 from .file_state import key, state
 
 
@@ -142,6 +143,7 @@ def detach(data):
     store.remove(data)
     recipes.remove(data)
     point_keys.remove(data)
+    keyed_seams.write(data, None)
     held.write(data, ())
 
 

@@ -73,7 +73,7 @@ def as_present(net, definition, present, rows):
     is_there |= (np.abs(said[rows] - present[rows]) <= slack[rows, None]).all(1)
     pool = said.copy()
     pool[rows[is_there]] = present[rows[is_there]]
-    return replace(definition, pool=pool)
+    return definition if np.array_equal(pool, said) else replace(definition, pool=pool)
 
 
 def carried(before, after):

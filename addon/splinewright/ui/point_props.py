@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import CollectionProperty, FloatProperty, FloatVectorProperty, IntProperty
 
-from ..bridge import point_keying, point_keys, problems, settings, store
+from ..bridge import point_keying, point_keys, problems, store
 from ..core.failures import FAILURES, sentence
 
 #: Types of data-blocks that can hold a shape.
@@ -14,7 +14,7 @@ def _changed(self, context):
     """What Blender calls when a user, or a script, has changed a number; never for keys and drivers. Where nothing comes of
     it the number is shown again as it was."""
     data = self.id_data
-    if settings.is_quiet(data) or not store.has_definition(data):
+    if not store.has_definition(data):
         return
     try:
         point_keying.put(data, self.row, self.place, self.weight)

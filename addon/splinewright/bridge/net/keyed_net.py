@@ -4,25 +4,29 @@ import bpy
 import numpy as np
 
 from ...core.failures import Refusal
-from .. import shape
+from .. import keyed_seams, shape
 from . import live, net_object, selection
 from .growing import Moment
 
 
 def set_definition(data, definition):
-    """shape.set_definition() with points that lie elsewhere; a net that is out shows them there."""
-    held = held_net(data)
-    if held is None:
+    """shape.set_definition() with points that lie elsewhere, and those beside seams that hold; a net that is out shows
+    them there."""
+    definition, rest = keyed_seams.applied(data, definition)
+    net = held_net(data)
+    if net is None:
         shape.set_definition(data, definition)
+        keyed_seams.write(data, rest)
         return
-    current = live.session(held.data)
+    current = live.session(net.data)
     vertices, rows = _placed(current, net_object.net_of(definition))
     faces = shape.set_definition(data, definition)
+    keyed_seams.write(data, rest)
     current.pool = definition.pool
     if faces is not None:
         current.wrote(data, faces)
-    selection.place(held, current.net, vertices, rows)
-    live.pull(held, Moment.BUSY)
+    selection.place(net, current.net, vertices, rows)
+    live.pull(net, Moment.BUSY)
 
 
 def held_net(data):

@@ -5,14 +5,17 @@ from contextlib import contextmanager
 import numpy as np
 
 from ...core import keyed_rows
-from .. import point_keys, store
+from .. import keyed_seams, point_keys, store
 
 
 def with_digits(data, net, definition):
-    """What a net says, in which points with keys that lie where the shape has them have all its digits."""
-    rows = np.unique(point_keys.rows(data)) if len(point_keys.of(data)) else np.empty(0, np.int32)
+    """What a net says, in which points with keys, and what follows them beside seams, have all their digits where they lie
+    as the shape has them."""
+    if not len(point_keys.of(data)):
+        return definition
+    rows = np.union1d(point_keys.rows(data), keyed_seams.rows(data))
     rows = rows[(0 <= rows) & (rows < len(definition.pool))]
-    return keyed_rows.as_present(net, definition, store.pool(data), rows) if len(rows) else definition
+    return keyed_rows.as_present(net, definition, store.pool(data), rows)
 
 
 @contextmanager

@@ -96,10 +96,10 @@ class Session:
 
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
-        is_source = definition is self.net.source
-        if is_source not in self._patch_sets:
-            self._patch_sets[is_source] = definitions.to_patch_set(definition)
-        return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
+        count = len(definition.pool)    # handles of the net may have rows of their own
+        if count not in self._patch_sets:
+            self._patch_sets[count] = definitions.to_patch_set(definition)
+        return self._patch_sets[count].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
     def _has_faces(self, data):
         """Whether the shape has the faces that are known here."""
