@@ -83,8 +83,8 @@ def given(data, evaluated):
     """(the definition with what keys and drivers give to its points, None where it has that; what is not taken, or "")."""
     is_given = animated(data)
     chosen = np.flatnonzero(is_given.any(1))
-    if not len(chosen):
-        return None, ""
+    if not len(chosen) or len(of(evaluated)) != len(is_given):
+        return None, ""                 # items have come or gone since it was evaluated: it will be again
     if recipes.has(data):
         return None, "its points come of a recipe, so keys move none of them: key its numbers"
     definition, of_item = store.read(data), rows(data)
