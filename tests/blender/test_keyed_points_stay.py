@@ -8,7 +8,7 @@ from animated import evaluated
 from keyed_points import (at, clear, edited, key, key_at, keyed_shape, keys, moving, net_places, point_keys, pool, ramp,
                           straight)
 from layouts import drawn
-from shapes import VALUES, activate, add, enter, leave, move, op, require_exact, select
+from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
 from test_holding import hold, neighbours, require_smooth, row
 
@@ -90,7 +90,28 @@ def test_a_join_keeps_the_keys_of_the_active_shape_and_tells_of_the_others(capfd
     require_exact(ob)
 
 
-def test_detach_and_follow_end_the_keys_and_transforms_wait_for_that():
+def test_undo_of_a_verb_brings_keys_back():
+    ob = ramp(VALUES['nurbs']())
+    name = ob.name
+    bpy.ops.ed.undo_push(message="keyed")
+    assert op(bpy.ops.splinewright.raise_degree) == {'FINISHED'}
+    assert len(point_keys.rows(ob.data)) < 7
+    bpy.ops.ed.undo()
+    ob = bpy.data.objects[name]
+    assert [round(far, 4) for far in moving(ob).values()] == [1, 2, 3, 4, 5, 6]
+    require_exact(ob)
+
+
+def test_what_follows_another_object_from_now_on_has_no_keys_of_points():
+    source, ob = add(VALUES['cubic']()), keyed_shape(VALUES['nurbs']())
+    part('bridge.follow').attach(ob, source, bpy.context.evaluated_depsgraph_get())
+    assert not len(ob.data.splinewright_keyed) and not point_keys.has(ob.data)
+    at(4)
+    require_exact(ob)
+    assert ob.data.splinewright.value == source.data.splinewright.value
+
+
+def test_detach_ends_the_keys_and_transforms_wait_for_that():
     ob = keyed_shape(VALUES['nurbs']())
     ob.scale = (2, 2, 2)
     bpy.context.view_layer.update()
@@ -214,10 +235,15 @@ def test_the_panel_shows_points_in_hand():
     held = edited(ob)
     select(held, 2)
     text = drawn()
-    assert "Clear Keys of Points Point 2 X Y Z" in text
+    assert "Clear Keys of Points Point 2 X Y Z Weight" in text
     leave()
     assert op(clear) == {'FINISHED'}
     drawn()
+    chain = keyed_shape(VALUES['hermite']())
+    net = numbers_of(edited(chain))
+    select(bpy.context.object, 0)
+    assert "Clear Keys of Points Handle 0 X Y Z" in drawn() and "X Y Z Weight" not in drawn()
+    assert len(net.rows) == 12
 
 
 def test_a_file_that_is_saved_while_the_net_is_out_goes_on(tmp_path):

@@ -75,6 +75,10 @@ def keyed(view, rows):
     view.press('I')
     yield from until(lambda: keys() == 8 * len(rows), "I sets keys of what is seen")
     yield from redrawn()
+    with view.override():
+        bpy.ops.ed.undo_redo()          # what the panel of the last operator does
+    yield from redrawn()
+    yield from until(lambda: keys() == 8 * len(rows) and are_at(rows, before + 2), "it is repeated")
     return before
 
 

@@ -21,9 +21,13 @@ def set_parameters(data, changes, depsgraph=None):
 
 
 def is_shape(block):
-    """Whether it is a shape whose parameters, settings or points have keys or drivers."""
-    return (isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and not block.library and store.has_definition(block)
-            and any(channel.data_path.startswith(_OURS) for channel in animation.channels(block)))
+    """Whether it is a shape whose parameters, settings or points have keys or drivers, which move it here."""
+    return isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and not block.library and has_keys(block)
+
+
+def has_keys(data):
+    """Whether a data-block is a shape whose parameters, settings or points have keys or drivers."""
+    return store.has_definition(data) and any(channel.data_path.startswith(_OURS) for channel in animation.channels(data))
 
 
 #: Beginnings of data paths.

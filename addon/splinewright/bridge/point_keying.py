@@ -87,9 +87,9 @@ def put(data, row, place, weight):
 
 
 def rows_of(net, data, vertices):
-    """Rows of a shape's pool that vertices of its net stand for; those of feet are left out."""
+    """(k,) rows of a shape's pool that vertices of its net stand for; -1 for feet."""
     found = {-1: -1}
     for one, other in zip(net.definition.pieces, store.read(data).pieces):
         if one.indices.shape == other.indices.shape:
             found.update(zip(one.indices.ravel().tolist(), other.indices.ravel().tolist()))
-    return sorted({found.get(row, -1) for row in net.rows[vertices].tolist()} - {-1})
+    return [found.get(row, -1) for row in net.rows[vertices].tolist()]

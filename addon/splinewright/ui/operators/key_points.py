@@ -24,7 +24,8 @@ class _OnPoints:
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(cls.fits, shapes)):
-            cls.poll_message_set(cls.needs)
+            is_linked = all(ob.data.library for ob in shapes)
+            cls.poll_message_set("The shape is linked from another file: make it local first" if is_linked else cls.needs)
         return any(map(cls.fits, shapes))
 
     def work(self, data, rows, frame):
@@ -57,10 +58,10 @@ class _OnPoints:
         session = live.session(net.data)
         if self.points == 'ALL':
             return None
-        rows = point_keying.rows_of(session.net, data, selection.selected(net, session.net))
+        rows = set(point_keying.rows_of(session.net, data, selection.selected(net, session.net))) - {-1}
         if not rows:
             raise Refusal("select points of the net")
-        return rows
+        return sorted(rows)
 
 
 def _in_hand(context):
