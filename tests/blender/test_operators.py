@@ -10,8 +10,8 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Change', 'Clamp', 'Convert', 'Detach', 'Edit', 'Export', 'Extract',
-         'Extrude', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Leave', 'Lower', 'Make', 'Pick', 'Pull', 'Raise', 'Release',
+VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Change', 'Clamp', 'Clear', 'Convert', 'Detach', 'Edit', 'Export', 'Extract',
+         'Extrude', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lower', 'Make', 'Pick', 'Pull', 'Raise', 'Release',
          'Remove', 'Renew', 'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp',
          'Write'}
 

@@ -276,7 +276,7 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
     assert hints.said(bpy.context) == [
         (["EVENT_TAB"], "Done"), (["EVENT_CTRL", "EVENT_R"], "Insert Knot"), (["EVENT_ALT", "EVENT_G"], "Pull Shape"),
         *([(["EVENT_ALT", "EVENT_S"], "Radius"), (["EVENT_CTRL", "EVENT_T"], "Tilt")] if name == 'nurbs' else []),
-        (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
+        (["EVENT_I"], "Key Points"), (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
     state.status = "a problem"
     try:
         assert hints.said(bpy.context) == [], "problems have the first right"

@@ -30,10 +30,36 @@ def own_action(holder):
 
 def paths(owner):
     """The data paths of all that animates an Object or data-block."""
+    return {channel.data_path for channel in channels(owner)}
+
+
+def channels(owner):
+    """All F-curves and drivers of an Object or data-block, which is none or has a data path and an index each."""
     animation = owner.animation_data
     if animation is None:
-        return set()
-    found = {driver.data_path for driver in animation.drivers}
+        return
+    yield from animation.drivers
+    yield from curves(owner)
+
+
+def curves(owner):
+    """All F-curves of an Object or data-block."""
+    animation = owner.animation_data
+    for holder in holders(animation) if animation is not None else ():
+        for of_one in curve_lists(holder):
+            yield from of_one
+
+
+def remove(owner, is_meant, drivers_too=True):
+    """Remove the F-curves, and drivers, that are meant; an action that others use, too, is copied first."""
+    animation = owner.animation_data
+    if animation is None:
+        return
+    for driver in [driver for driver in animation.drivers if drivers_too and is_meant(driver)]:
+        animation.drivers.remove(driver)
     for holder in holders(animation):
-        found |= {curve.data_path for curves in curve_lists(holder) for curve in curves}
-    return found
+        if any(is_meant(curve) for curves in curve_lists(holder) for curve in curves):
+            own_action(holder)
+            for curves in curve_lists(holder):
+                for curve in [curve for curve in curves if is_meant(curve)]:
+                    curves.remove(curve)

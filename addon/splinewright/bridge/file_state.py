@@ -48,6 +48,7 @@ class FileState:
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: tuple = ()                               # the ended_operators() when one was looked at; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
+    lost_keys: list = field(default_factory=list)       # of bridge.point_keys: sentences for the next report
     looks_left: int = 0
     is_deaf: bool = False                               # whether the main thread left another one waiting
     served: tuple = None                                # the frame, and the part of it, that it was not

@@ -7,7 +7,8 @@ import numpy as np
 
 from ..core import joints, patch_joints, transform
 from ..core.failures import Refusal, blenders_refusals
-from . import blocks, curve_pieces, handles, held, mesh_attributes, mesh_looks, recipes, replacing, shape, store, write_mesh
+from . import (blocks, curve_pieces, handles, held, mesh_attributes, mesh_looks, point_keys, recipes, replacing, shape, store,
+               write_mesh)
 from .look import Look
 
 
@@ -127,6 +128,7 @@ def together(active, others):
 def _remove(obs):
     for ob in obs:
         data = ob.data
+        point_keys.tell_lost(data, point_keys.count(data))
         bpy.data.objects.remove(ob)
         blocks.remove(data)
 

@@ -1,4 +1,4 @@
-"""What keys and drivers change: the parameters of recipes, and the settings of how finely a shape is shown.
+"""What keys and drivers change: the parameters of recipes, the settings of how finely a shape is shown, control points.
 
 Blender sets them while it evaluates, when no geometry may be written. They are shown by the handlers that it calls when it
 has done so.
@@ -7,8 +7,9 @@ has done so.
 import bpy
 
 from ..core.failures import told
-from . import animation, follow, parameters, problems, recipes, remaking, settings, shape, store
+from . import animation, follow, parameters, point_keys, problems, recipes, remaking, settings, shape, store
 from .file_state import key, state
+from .net import keyed_net
 
 
 def set_parameters(data, changes, depsgraph=None):
@@ -20,38 +21,43 @@ def set_parameters(data, changes, depsgraph=None):
 
 
 def is_shape(block):
-    """Whether it is a shape whose parameters or settings have keys or drivers."""
-    return isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and not block.library and bool(_paths(block))
+    """Whether it is a shape whose parameters, settings or points have keys or drivers, which move it here."""
+    return isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and not block.library and has_keys(block)
 
 
-def _paths(data):
-    """The data paths of a shape's parameters and settings that have keys or drivers."""
-    if data.animation_data is None or not store.has_definition(data):
-        return set()
-    return {path for path in animation.paths(data) if path.startswith((_OF_SETTINGS, _OF_PARAMETERS))}
+def has_keys(data):
+    """Whether a data-block is a shape whose parameters, settings or points have keys or drivers."""
+    return store.has_definition(data) and any(channel.data_path.startswith(_OURS) for channel in animation.channels(data))
 
 
 #: Beginnings of data paths.
 _OF_SETTINGS, _OF_PARAMETERS = "splinewright.", "splinewright_parameters."
+_OURS = (_OF_SETTINGS, _OF_PARAMETERS, point_keys.PATH)
 
 
 def show(changed, depsgraph):
     """Show what changed data-blocks were given; those that were written. In a render the originals are given nothing."""
+    for data in changed:
+        if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)) and problems.of(data, problems.KEYED) and not is_shape(data):
+            problems.tell(data, problems.KEYED, "")     # there are no keys any more
     return {data for data in changed if is_shape(data) and _show(data, data.evaluated_get(depsgraph), depsgraph)}
 
 
 def _show(data, evaluated, depsgraph):
     """Whether the shape changed. Whatever goes wrong is kept in words: others are to be shown, too."""
     try:
-        paths = _paths(data)
+        paths = animation.paths(data)
         is_other = any(path.startswith(_OF_SETTINGS) for path in paths) and _take_settings(data, evaluated)
         changes = _changes(data, evaluated, {path.removeprefix(_OF_PARAMETERS) for path in paths})
+        definition, problem = point_keys.given(data, evaluated)
         if changes:
             set_parameters(data, changes, depsgraph)
+        elif definition is not None:
+            keyed_net.set_definition(data, definition)
         elif is_other:
             shape.rewrite(data)
-        problems.tell(data, problems.KEYED, "")
-        return is_other or bool(changes)
+        problems.tell(data, problems.KEYED, problem)
+        return is_other or bool(changes) or definition is not None
     except Exception as error:
         problems.tell(data, problems.KEYED, told(error))
         return False

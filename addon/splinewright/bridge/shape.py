@@ -9,7 +9,8 @@ from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.handles import fitting
 from ..core.library import sc
-from . import blocks, curve_layers, fineness, handles, held, problems, recipes, settings, stamp, store, write_curve, write_mesh
+from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, point_keys, problems, recipes, settings, stamp, store,
+               write_curve, write_mesh)
 from .file_state import key, state
 
 
@@ -101,7 +102,9 @@ def planned(data, definition, around=None):
 
 def carry_out(plan, progress=no_progress):
     """Do what was planned."""
+    point_keys.carry(plan.data, plan.definition)
     store.write(plan.data, plan.definition)
+    point_keys.show(plan.data, plan.definition.pool)
     _finish(plan.data, plan.picture, progress)
 
 
@@ -141,6 +144,8 @@ def detach(data):
         raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
     store.remove(data)
     recipes.remove(data)
+    point_keys.remove(data)
+    keyed_seams.write(data, None)
     held.write(data, ())
     handles.write(data, ())
     curve_layers.set_number(data, 0)

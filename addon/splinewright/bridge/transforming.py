@@ -5,7 +5,7 @@ from mathutils import Matrix
 
 from ..core import transform
 from ..core.failures import Refusal
-from . import animation, recipes, settings, shape, stamp, store
+from . import animation, point_keys, recipes, settings, shape, stamp, store
 
 _CURES = "Restore throws the changes away, Detach keeps them"
 
@@ -22,6 +22,7 @@ def apply(ob, location, rotation, scale):
         raise Refusal(f"{data.users} users show the same data: make it single-user first")
     recipes.require_free(data)
     _require_still(ob, location, rotation, scale)
+    _require_no_keys(data)
     shape.require_writable(data)
     shape.require_untouched(data)
     before = ob.matrix_basis.copy()
@@ -44,6 +45,12 @@ def _require_still(ob, location, rotation, scale):
         # "rotation_euler", "delta_location", but nothing of a pose's bones or a modifier
         if is_taken and any(path.removeprefix("delta_").startswith(name) for path in animation.paths(ob)):
             raise Refusal(f"its {name} is animated: the keys or drivers would move the shape away again")
+
+
+def _require_no_keys(data):
+    """Raises Refusal where keys or drivers would put points back."""
+    if point_keys.has(data):
+        raise Refusal("its points have keys, which would move them back: use Clear Keys of Points first")
 
 
 def _rest(matrix, location, rotation, scale):
@@ -71,6 +78,7 @@ def adopt(data):
     Raises Refusal where the geometry is not an affine image of what the definition shows.
     """
     recipes.require_free(data)
+    _require_no_keys(data)
     shape.require_writable(data)
     if not shape.is_touched(data):
         raise Refusal("it is as Splinewright wrote it: there is nothing to adopt")

@@ -5,7 +5,7 @@ from contextlib import suppress
 
 import bpy
 
-from ..bridge import problems, recipes, remaking, shape, store
+from ..bridge import point_keys, problems, recipes, remaking, shape, store
 from ..bridge.file_state import block_of, ended_operators, key, state
 from ..bridge.net import free_net, live, net_object, selection
 from ..core.failures import FAILURES, Refusal, sentence, told
@@ -166,6 +166,8 @@ def put_away(context, ob):
     owner = net_object.shape_of(ob)
     if not _is_copy(ob):
         net_object.end(ob)
+        if owner is not None:
+            point_keys.settle(owner.data)
     layer = context.view_layer
     others = net_object.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
@@ -345,6 +347,12 @@ def hand_over_now():
             with suppress(Refusal):     # of which live.problem() tells
                 selection.hand_over(ob, session.net)
                 live.pass_over(ob)
+
+
+def want_whole_step():
+    """Let the next undo step in Edit Mode hold the whole file, not the net alone: Blender makes one where data-blocks came
+    or went."""
+    bpy.data.meshes.remove(bpy.data.meshes.new("step"))
 
 
 def _is_in(layer, ob):

@@ -26,15 +26,16 @@ def updated(scene, depsgraph):
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
         _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
-    if state.nets:
-        changed |= _follow_nets(changed)
+    written = _follow_nets(changed) if state.nets else set()
     if state.nets or state.status:
         messages.refresh()
     if errands.is_away():
         return                          # a render is at another frame
+    changed |= written
     if changed:
         recipes.show_new(changed)
-        changed |= keyed.show(changed, depsgraph)
+        # What nets wrote now is newer than what was evaluated.
+        changed |= keyed.show(changed - written, depsgraph)
     if is_new:
         follow.refresh_all(changed, depsgraph)
     elif changed:

@@ -9,6 +9,7 @@ from . import editing, keymaps, preferences
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
 _WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot",
           "splinewright.pull_here": "Pull Shape", "splinewright.radius_here": "Radius", "splinewright.tilt_here": "Tilt",
+          "splinewright.key_points": "Key Points",
           "splinewright.pie": "Pie Menu"}
 
 

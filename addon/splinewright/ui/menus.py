@@ -97,6 +97,7 @@ def _draw_convert(self, context):
 _ENTRIES = (
     (('edit_net', kinds.SHAPES), ('insert_here', kinds.SHAPES), ('pull_here', kinds.SHAPES),
      ('set_knots', kinds.SHAPES), ('pick_piece', kinds.SHAPES),
+     ('key_points', kinds.SHAPES), ('clear_point_keys', kinds.SHAPES),
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
@@ -174,6 +175,9 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
             layout.operator("splinewright.tilt_here")
         layout.operator("splinewright.point_to_infinity")
         layout.operator("splinewright.point_from_infinity")
+        layout.separator()
+        layout.operator("splinewright.key_points", icon='KEY_HLT')
+        layout.operator("splinewright.clear_point_keys")
         layout.separator()
         tools = curve_tools if is_curve else patch_tools
         tools.draw_verbs(layout, context)

@@ -70,7 +70,7 @@ def _draw_points(layout, ob, session, has_weights):
             column.prop(points, "median", index=axis, text="XYZ"[axis])
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
-        column.label(text=_name(session.net, vertex))
+        column.label(text=name_of(session.net, vertex))
         axes = column.row(align=True) if len(vertices) > _IN_COLUMNS else column
         for axis in range(3):           # the text is what Undo History says
             axes.prop(points, "numbers", index=4 * i + axis, text="XYZ"[axis])
@@ -88,7 +88,8 @@ def _draw_points(layout, ob, session, has_weights):
     row.operator("splinewright.point_from_infinity", text="Back")
 
 
-def _name(net, vertex):
+def name_of(net, vertex):
+    """What a vertex of a net is called."""
     if net.origins[vertex, 0] < 0:
         return f"Point {vertex}"
     if any(head == vertex for _, head in net.arrows):

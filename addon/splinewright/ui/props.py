@@ -4,6 +4,7 @@ import bpy
 from bpy.props import PointerProperty
 
 from ..bridge import problems, settings, shape, store
+from ..bridge.file_state import state
 from ..bridge.net import live
 from ..core.failures import FAILURES, sentence
 from . import progress
@@ -40,20 +41,23 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
 
     @property
     def problem(self):
-        """Why the last change of a setting shows nothing new, or ""."""
+        """Why the last change of a setting shows nothing new, or what else went wrong, or ""."""
         return problems.of(self.id_data, problems.SETTING)
 
     @property
     def value(self):
         """The exact shape: a splinecore curve, list of curves, patch or PatchSet; None without one.
 
-        Assigning one rewrites the mesh or curve; TypeError or ValueError, and no change, if it does not fit.
+        Assigning one rewrites the mesh or curve; TypeError or ValueError, and no change, if it does not fit. Where keys of
+        points went `problem` says so.
         """
         return shape.value_of(self.id_data)
 
     @value.setter
     def value(self, value):
         shape.set_value(self.id_data, value)
+        problems.tell(self.id_data, problems.SETTING, "; ".join(state.lost_keys))
+        state.lost_keys.clear()
 
 
 CLASSES = (SplinewrightShape,)

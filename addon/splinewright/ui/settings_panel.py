@@ -4,7 +4,7 @@ import contextlib
 
 import bpy
 
-from ..bridge import fineness, problems, recipes, store
+from ..bridge import fineness, keyed, problems, recipes, store
 from . import texts
 
 
@@ -28,6 +28,9 @@ def draw(layout, data, definition, has_buttons=True):
         problem = problems.of(data, about)
         if problem:
             texts.draw_problem(layout, problem)
+    if data.library and keyed.has_keys(data):
+        texts.draw_note(layout, "Its keys do nothing here: it is linked, and shown as its file was saved. Bake Animation there "
+                        "makes it move here")
 
 
 def _is_endless(data):

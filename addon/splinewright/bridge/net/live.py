@@ -14,11 +14,9 @@ from ...core import handles
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
-from .. import curve_layers, curve_pieces, fineness, problems, recipes, remaking, settings, shape, stamp, store, versions
-from .. import handles as kept_types
-from .. import write_mesh
+from .. import curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
 from ..file_state import ended_operators, look_again, state
-from . import along, free_net, growing, holding, net_object, net_splines, settings_number, stages
+from . import along, curve_extras, free_net, growing, holding, keyed_stages, net_object, settings_number, stages
 from .growing import Moment
 
 
@@ -43,6 +41,7 @@ class Session:
         self.pool = None                # of the definition that was written last
         self.placed = holding.Placed()
         self.released = ""              # what holds no more since the net came
+        self.keyed_rows = {}            # of bridge.net.keyed_stages
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._checked = 0.0
         self._patch_sets = {}
@@ -102,10 +101,10 @@ class Session:
 
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source."""
-        is_source = definition is self.net.source
-        if is_source not in self._patch_sets:
-            self._patch_sets[is_source] = definitions.to_patch_set(definition)
-        return self._patch_sets[is_source].with_points(definition.pool[:, :3], definition.pool[:, 3])
+        count = len(definition.pool)    # handles of the net may have rows of their own
+        if count not in self._patch_sets:
+            self._patch_sets[count] = definitions.to_patch_set(definition)
+        return self._patch_sets[count].with_points(definition.pool[:, :3], definition.pool[:, 3])
 
     def _has_faces(self, data):
         """Whether the shape has the faces that are known here."""
@@ -290,6 +289,7 @@ def _follow(data, ob, current, moment):
         found = found._replace(problem="", note=_WAITS if moment == Moment.BUSY else "")
     definition = exact_net.read(current.net, found.state)
     if not recipes.has_points(data):
+        definition = keyed_stages.with_digits(data, current.net, definition)
         try:
             definition = holding.followed(data, ob, current, definition)
         except FAILURES as error:
@@ -298,26 +298,11 @@ def _follow(data, ob, current, moment):
     problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem
-    were_said = definition.has_curves and any(kept_types.known(data))
+    were_said = definition.has_curves and curve_extras.has_types(data)
     is_changed = _show(data, definition, current)
     if definition.has_curves:
-        _keep_types(data, ob, current, definition, were_said)
+        curve_extras.keep_types(data, ob, current, definition, were_said)
     return is_changed, refused or found.problem
-
-
-def _keep_types(data, ob, current, definition, were_said):
-    """Let a shape have the handle types that its net shows; where it lacks a point, those that were there. were_said: for
-    some of its joints, before it was given this definition."""
-    if not current.net.chains:
-        return
-    known, there = kept_types.of_pieces(data, definition), current.slots >= 0
-    letters = np.zeros(len(there), '<U1') if there.all() else handles.of_net(current.net, known)
-    letters[there] = net_splines.letters(ob.data)[current.slots[there]]
-    types = handles.of_vertices(current.net, letters)
-    if any(known) or not were_said:     # otherwise it has others than those for which they were said
-        types = handles.said(definition, types, known)
-    if types != known:
-        kept_types.write(data, types)
 
 
 def _read(data, ob, current):
@@ -406,13 +391,12 @@ def _show(data, definition, current):
         return False
     current.require_alone(data, pool)
     shape.require_writable(data)
-    if definition.has_curves:
-        _show_curves(data, definition)
-        current.pool = definition.pool
-        return True
-    moved = current.moved(data, current.patch_set(definition))
+    moved = None if definition.has_curves else current.moved(data, current.patch_set(definition))
     if moved is None:
-        current.wrote(data, shape.set_definition(data, definition))
+        with keyed_stages.staged(data, current):
+            faces = (curve_extras.show if definition.has_curves else shape.set_definition)(data, definition)
+        if faces is not None:
+            current.wrote(data, faces)
         current.pool = definition.pool
         return True
     positions, normals = moved
@@ -421,15 +405,5 @@ def _show(data, definition, current):
     write_mesh.move(data, positions, normals)
     current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
+    point_keys.show(data, definition.pool)
     return True
-
-
-def _show_curves(data, definition):
-    """What lies along curves stays in its place where they gain or lose spans."""
-    before = store.read(data)
-    if definitions.have_same_pieces(before, definition) or len(before.pieces) != len(definition.pieces):
-        shape.set_definition(data, definition)
-        return
-    pieces = curve_pieces.of(data, before)
-    shape.set_definition(data, definition)
-    curve_pieces.write(data, definition, curve_pieces.regrown(pieces, before, definition), is_kept=True)

@@ -63,7 +63,7 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
                 return reports.finished(self, reports.Said(joining.join_plainly(active, chosen)))
         except FAILURES as error:
             return reports.failed(self, error)
-        return {'FINISHED'}
+        return reports.finished(self, reports.Said())
 
 
 def _joinable(context):

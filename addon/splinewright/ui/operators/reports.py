@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from ...bridge.file_state import state
 from ...core.failures import sentence
 
 #: Texts of one kind that are said; of others only how many there are.
@@ -18,6 +19,8 @@ class Said(NamedTuple):
 
 def finished(operator, said):
     """Report what was done, if there is anything to tell. Returns what the operator's execute() returns."""
+    said = said._replace(warnings=(*said.warnings, *state.lost_keys))
+    state.lost_keys.clear()
     _report(operator, 'WARNING' if said.warnings else 'INFO', [in_words(said)])
     return {'FINISHED'}
 

@@ -1,0 +1,53 @@
+"""Control points that keys and drivers move, as Blender's properties."""
+
+import bpy
+from bpy.props import CollectionProperty, FloatProperty, FloatVectorProperty, IntProperty
+
+from ..bridge import point_keying, point_keys, problems, store
+from ..core.failures import FAILURES, sentence
+
+#: Types of data-blocks that can hold a shape.
+_OWNERS = (bpy.types.Mesh, bpy.types.Curve)
+
+
+def _changed(self, context):
+    """What Blender calls when a user, or a script, has changed a number; never for keys and drivers. Where nothing comes of
+    it the number is shown again as it was."""
+    data = self.id_data
+    if not store.has_definition(data):
+        return
+    try:
+        point_keying.put(data, self.row, self.place, self.weight)
+        problems.tell(data, problems.SETTING, "")
+    except FAILURES as error:
+        problems.tell(data, problems.SETTING, sentence(error))
+        try:
+            point_keys.show(data, store.pool(data))
+        except store.UnreadableDefinition:
+            return                      # the panel says it
+
+
+class SplinewrightKeyedPoint(bpy.types.PropertyGroup):
+    """A control point that has keys or drivers, or had some. Where it is in float64 the definition says."""
+
+    row: IntProperty(name="Point", description="Its number among the points of the shape; -1 for one that is gone",
+                     default=point_keys.GONE, options={'HIDDEN'})
+    stage: IntProperty(options={'HIDDEN'})
+    place: FloatVectorProperty(name="Place", description="Where the control point lies; of a tangent or a direction at "
+                               "infinity its vector. Keys and drivers on it move the shape", subtype='XYZ', unit='LENGTH',
+                               precision=5, update=_changed)
+    weight: FloatProperty(name="Weight", description="The weight of the control point, not 0. Keys and drivers on it change "
+                          "the shape", default=1.0, precision=5, step=10, update=_changed)
+
+
+CLASSES = (SplinewrightKeyedPoint,)
+
+
+def register():
+    for owner in _OWNERS:
+        owner.splinewright_keyed = CollectionProperty(type=SplinewrightKeyedPoint)
+
+
+def unregister():
+    for owner in _OWNERS:
+        del owner.splinewright_keyed
