@@ -14,3 +14,18 @@ def typed_angle(radians):
     """typed() for an angle that is shown in degrees: the shorter of its decimals in both units, in radians."""
     in_radians, in_degrees = (str(np.float32(number)) for number in (radians, math.degrees(radians)))
     return math.radians(float(in_degrees)) if len(in_degrees) < len(in_radians) else float(in_radians)
+
+
+def meant(number, text):
+    """The float64 of a text where a property that is shown beside it has that number still; typed() otherwise."""
+    try:
+        exact = float(text)
+    except ValueError:
+        return typed(number)
+    return exact if single(exact) == number else typed(number)
+
+
+def single(number):
+    """What a property of Blender's keeps of a number."""
+    most = float(np.finfo(np.float32).max)
+    return float(np.float32(min(max(number, -most), most)))

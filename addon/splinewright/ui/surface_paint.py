@@ -9,7 +9,7 @@ from gpu_extras.batch import batch_for_shader
 
 from ..bridge import sights
 from ..core.sights import faces
-from . import strokes, surface_shader
+from . import knot_strip_overlay, strokes, surface_shader
 
 #: Paint is so much of strokes.nearer() nearer: lines lie above it.
 _PART = 0.5
@@ -66,7 +66,7 @@ def draw_legend(context, chosen, obs):
     title = chosen.bl_rna.properties['curvature_kind'].enum_items[chosen.curvature_kind].name
     blf.size(0, _TEXT * scale)
     room = max(blf.dimensions(0, text)[0] for text in (*texts, title))
-    left, bottom = _right_of_view(context) - margin - room - 1.5 * width, 2.0 * margin
+    left, bottom = _right_of_view(context) - margin - room - 1.5 * width, 2.0 * margin + knot_strip_overlay.top(context)
     _draw_bar(left, bottom, width, height)
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
