@@ -11,7 +11,9 @@ from . import editing, hand
 
 #: In pixels of an interface that is not scaled: of a bar, with its texts, how high it is and how far its middle lies above
 #: its lower end; what is kept free beside it, and below; and how far the ends of the bar lie inside.
-ROW, MIDDLE, _MARGIN, _BELOW, INSET = 42.0, 21.0, 12.0, 8.0, 26.0
+ROW, MIDDLE, _MARGIN, _BELOW, _INSET = 42.0, 21.0, 12.0, 8.0, 26.0
+#: What a digit of the number of a piece takes.
+_DIGIT = 8.0
 #: Views that leave less room show none; and it goes above the panel of the last operator where that leaves less beside it.
 _LEAST, _WISHED = 200.0, 420.0
 #: So much is left free for that panel, where there is room, that the strip stays where it is when it comes.
@@ -49,8 +51,8 @@ class Shown(NamedTuple):
 
     def ends(self, axis):
         """Where a bar begins and ends, in pixels."""
-        inset = INSET * self.scale
-        return self.boxes[axis].left + inset, self.boxes[axis].right - inset
+        name = _DIGIT * len(str(self.count)) if self.count > 1 else 0.0
+        return self.boxes[axis].left + (_INSET + name) * self.scale, self.boxes[axis].right - _INSET * self.scale
 
     def places(self, axis):
         """(n,) where the marks of a bar lie, in pixels."""

@@ -118,17 +118,15 @@ def _bar(found, axis, places, color):
 
 
 def _ticks(found, axis, places, moved):
+    """Their rims first, which lie below all of them."""
     bar, middle = found.bars[axis], _middle(found, axis)
     left, right = found.ends(axis)
-    for i in _told_apart(places):
-        if not left - 1 <= places[i] <= right + 1:
-            continue
-        is_moved = moved == (axis, i)
-        color = colors.of_selected() if is_moved else colors.KNOTS
-        color = color if knot_strip.is_inside(bar, i) or is_moved else (*color[:3], _FADED)
-        rim = (*colors.RIM[:3], color[3])
-        yield _tick(places[i], middle, found.scale, bar.counts[i], rim, 1.0)
-        yield _tick(places[i], middle, found.scale, bar.counts[i], color)
+    shown = [i for i in _told_apart(places) if left - 1 <= places[i] <= right + 1]
+    for color, rim in ((colors.RIM, 1.0), (colors.KNOTS, 0.0)):
+        for i in shown:
+            of_mark = color if knot_strip.is_inside(bar, i) else (*color[:3], _FADED)
+            of_mark = colors.of_selected() if moved == (axis, i) and not rim else of_mark
+            yield _tick(places[i], middle, found.scale, bar.counts[i], of_mark, rim)
 
 
 def _told_apart(places):
