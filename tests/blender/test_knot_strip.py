@@ -260,15 +260,40 @@ def test_between_knots_is_a_short_parameter(context):
     assert hit.mark is None and len(repr(hit.value)) <= 5 and abs(hit.value - 0.5132 * 11) < 0.03
 
 
+@pytest.mark.parametrize('kind, mark, is_patch', (('uniform', 5, False), ('nurbs patch', 2, True)))
+def test_a_copy_is_inserted_on_a_knot_and_both_are_removed(context, kind, mark, is_patch):
+    _, before, _ = added(kind, 'U', is_patch)
+    for count in (2, 3, 2, 1):
+        found = strip.shown(context)
+        hit = strip.hit(context, found.places(0)[mark], found.boxes[0].bottom + 5)
+        assert hit.bar.counts[mark] != count
+        name, settings = ('insert_knot', {}) if count > hit.bar.counts[mark] else (
+            'remove_knot', {'nearest': False, 'limited': True, 'tolerance': 1e-9})
+        assert strip_keys._called(name, hit, times=1, **settings) == {'FINISHED'}
+        assert strip.shown(context).bars[0].counts[mark] == count
+    assert np.allclose(value().points, before.points, atol=1e-12)
+
+
+@pytest.mark.parametrize('tolerance', (0.0, 1e-6))
+def test_what_would_move_the_shape_too_far_stays(context, tolerance):
+    _, before, _ = added('uniform', 'U', False)
+    found = strip.shown(context)
+    hit = strip.hit(context, found.places(0)[5], found.boxes[0].bottom + 5)
+    with pytest.raises(RuntimeError, match="cannot be removed within"):
+        strip_keys._called('remove_knot', hit, nearest=False, times=1, limited=True, tolerance=tolerance)
+    assert value() == before
+
+
 def test_nothing_is_shown_where_there_is_nothing_to_show(context):
     ob, _, _ = added('nurbs', 'U', False)
     assert strip.shown(context) is not None
     ob.select_set(False)
     assert strip.shown(context) is None, "verbs are done with what is selected"
     ob.select_set(True)
-    context.space_data.overlay.show_overlays = False
-    assert strip.shown(context) is None
-    context.space_data.overlay.show_overlays = True
+    for owner, switch in ((context.space_data.overlay, 'show_overlays'), (context.space_data, 'show_gizmo')):
+        setattr(owner, switch, False)
+        assert strip.shown(context) is None
+        setattr(owner, switch, True)
     ob.hide_set(True)
     assert strip.shown(context) is None
     native_curve()

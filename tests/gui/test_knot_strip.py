@@ -35,11 +35,6 @@ def pixel(view, at, axis=0):
     return round(view.region.x + x), round(view.region.y + (box.bottom + box.top) / 2)
 
 
-def knots(axis=None):
-    found = value().knots
-    return np.array(found if axis is None else found[axis])
-
-
 def button(view, how, **modifiers):
     view.window.event_simulate('LEFTMOUSE', how, x=view.x, y=view.y, **modifiers)
 
@@ -53,23 +48,26 @@ def over(view, at, axis=0):
         pointed = state.pointed_knot
         return pointed is not None and pointed.axis == axis and abs(pointed.value - at) < 0.02
     view.move(view.region.x + 300, view.region.y + 300)
-    yield from redrawn()
+    yield from until(lambda: state.pointed_knot is None, "the mouse elsewhere")
     yield from until(is_there, f"{at} of the strip at the mouse")
-    yield from redrawn()
 
 
 def taken(view, at, axis=0):
     """Steps until the knot at a parameter is taken hold of."""
     yield from over(view, at, axis)
     button(view, 'PRESS')
-    yield from redrawn()
     view.move(view.x + 6, view.y)
     yield from until(lambda: state.moved_knot is not None, "a knot is taken hold of")
 
 
 def led(view, at, axis=0):
     view.move(*pixel(view, at, axis))
-    yield from redrawn()
+    yield from until(lambda: abs(knots_along(axis)[1:-1] - at).min() < 0.02, "the knot is at the mouse")
+
+
+def knots_along(axis):
+    found = value().knots
+    return np.unique(found[axis] if isinstance(found, tuple) else found)
 
 
 def dragged(view, was, to, axis=0):
@@ -77,7 +75,7 @@ def dragged(view, was, to, axis=0):
     before = value()
     yield from taken(view, was, axis)
     yield from led(view, to, axis)
-    yield from until(lambda: value() != before, "the shape follows")
+    assert value() != before, "the shape follows"
     button(view, 'RELEASE')
     yield from until(lambda: state.moved_knot is None, "letting go ends it")
     yield from redrawn()
@@ -113,8 +111,8 @@ def switched_on(view):
 def on_a_curve(view):
     yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
     yield from switched_on(view)
-    before, first = value(), knots()
-    inner = float(np.unique(first)[1])
+    before = value()
+    inner = float(knots_along(0)[1])
     yield from over(view, inner)
     picture("hovered")
     yield from taken(view, inner)
@@ -129,7 +127,7 @@ def on_a_curve(view):
     yield from dragged(view, inner, 0.6 * inner)
     after = value()
     picture("dragged")
-    assert abs(np.unique(knots())[1] - 0.6 * inner) < 0.01 and np.array_equal(after.points, before.points)
+    assert abs(knots_along(0)[1] - 0.6 * inner) < 0.01 and np.array_equal(after.points, before.points)
     assert shape().select_get() and bpy.context.window_manager.operators[-1].bl_idname == 'SPLINEWRIGHT_OT_move_knot'
     view.press('Z', ctrl=True)
     yield from until(lambda: value() == before, "Ctrl+Z takes it back")
@@ -143,7 +141,7 @@ def on_a_curve(view):
     yield from until(lambda: len(value().points) == len(before.points) + 1, "a double click inserts a knot")
     yield from redrawn()
     picture("inserted")
-    new = float(np.unique(knots())[1])
+    new = float(knots_along(0)[1])
     assert value().largest_distance(before) < 1e-9 and abs(new - 0.5 * inner) < 0.01
     yield from over(view, new)
     view.press('X')
@@ -174,25 +172,24 @@ def said():
 
 def with_keys(view):
     """A typed number; Ctrl and Shift; a drag that goes nowhere, one of an end, and one beside the strip."""
-    before, inner = value(), float(np.unique(knots())[1])
+    before, inner = value(), float(knots_along(0)[1])
     yield from taken(view, inner)
     for key, text in (('ONE', "1"), ('PERIOD', "."), ('TWO', "2")):
         view.press(key, text)
-    yield from until(lambda: np.unique(knots())[1] == 1.2, "a number is its parameter")
+    yield from until(lambda: knots_along(0)[1] == 1.2, "a number is its parameter")
     view.press('NINE', "9")
-    yield from until(lambda: np.unique(knots())[1] == 1.29, "which grows by digits")
+    yield from until(lambda: knots_along(0)[1] == 1.29, "which grows by digits")
     view.press('RET')
     yield from until(lambda: state.moved_knot is None, "Enter ends it")
     button(view, 'RELEASE')
     yield from redrawn()
-    assert np.unique(knots())[1] == 1.29
+    assert knots_along(0)[1] == 1.29
     view.press('Z', ctrl=True)
     yield from until(lambda: value() == before, "Ctrl+Z takes it back")
     yield from taken(view, inner)
     view.window.event_simulate('MOUSEMOVE', 'NOTHING', x=pixel(view, 1.51)[0], y=view.y, ctrl=True)
-    yield from until(lambda: np.unique(knots())[1] == 1.5, "with Ctrl it is round")
-    for key, text in (('SEVEN', "7"),):
-        view.press(key, text)
+    yield from until(lambda: knots_along(0)[1] == 1.5, "with Ctrl it is round")
+    view.press('SEVEN', "7")
     yield from redrawn()
     view.press('RET')
     yield from redrawn()
@@ -211,10 +208,10 @@ def with_keys(view):
     button(view, 'PRESS')
     view.move(view.x + 60, view.y)
     yield from redrawn()
+    picture("end")
     button(view, 'RELEASE')
     yield from redrawn()
     assert value() == before and shape().select_get(), "the end stays"
-    picture("end")
     yield from over(view, 0.5 * inner)
     button(view, 'PRESS')
     view.move(view.x + 80, view.y + 200)
@@ -282,6 +279,22 @@ def in_the_net(view, add, was, to, axis=0):
     print("in the net", shape().name, flush=True)
 
 
+def of_a_recipe(view):
+    """What is made by its numbers shows its knots, and keeps them."""
+    yield from added(view, bpy.ops.splinewright.add_circle)
+    before = value()
+    for act in (lambda: view.move(view.x + 60, view.y), lambda: view.press('X')):
+        yield from over(view, float(knots_along(0)[1]))
+        button(view, 'PRESS')
+        act()
+        button(view, 'RELEASE')
+        yield from redrawn()
+        assert value() == before and state.moved_knot is None and shape().select_get()
+    picture("recipe")
+    view.press('ESC')
+    print("of a recipe", flush=True)
+
+
 def steps():
     view = View()
     view.move()
@@ -289,6 +302,7 @@ def steps():
     yield from with_keys(view)
     yield from in_the_net(view, bpy.ops.splinewright.add_nurbs_curve, 1.0, 0.5)
     yield from in_the_net(view, bpy.ops.splinewright.add_nurbs_patch, 1.0, 1.6, axis=1)
+    yield from of_a_recipe(view)
     print("knots were moved on the strip:", bpy.app.version_string, flush=True)
 
 

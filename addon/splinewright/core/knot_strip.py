@@ -131,6 +131,12 @@ def neighbours(bar, i):
     return low, high
 
 
+def where(bar, i):
+    """neighbours() in words."""
+    low, high = (number(bar, value) if math.isfinite(value) else "" for value in neighbours(bar, i))
+    return f"between {low} and {high}" if low and high else f"above {low}" if low else f"below {high}"
+
+
 def reach(bar, i):
     """From where to where the mouse moves a knot: on the bar, and not quite to its neighbours."""
     low, high = (min(max(number, bar.span[0]), bar.span[1]) for number in neighbours(bar, i))

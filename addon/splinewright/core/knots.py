@@ -47,7 +47,7 @@ def moved(definition, alongs, number, to):
     if knot_strip.why_fixed(bar, found):
         raise Refusal(knot_strip.why_fixed(bar, found))
     if not knot_strip.is_between(bar, found, to):
-        raise Refusal(_where(bar, found))
+        raise Refusal(f"this knot lies {knot_strip.where(bar, found)}")
     for along in alongs:
         known = definition.pieces[along.piece].knots[along.axis]
         is_meant = old[::-1] == old[number] if along.is_turned else old == old[number]
@@ -55,14 +55,6 @@ def moved(definition, alongs, number, to):
         definition = _with_knots(definition, along.piece, along.axis, np.where(is_meant, there, known))
     definitions.to_value(definition)    # the library refuses what is not a knot vector
     return definition
-
-
-def _where(bar, i):
-    """Between what a knot lies."""
-    low, high = (knot_strip.number(bar, number) if np.isfinite(number) else "" for number in knot_strip.neighbours(bar, i))
-    if low and high:
-        return f"this knot lies between {low} and {high}"
-    return f"this knot lies above {low}" if low else f"this knot lies below {high}"
 
 
 def _with_knots(definition, piece, axis, new):

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..bridge import shape, sights
+from ..bridge import settings, shape, sights
 from ..bridge.file_state import state
 from ..core import knot_strip
 from . import editing, hand
@@ -104,9 +104,11 @@ class Pointed(NamedTuple):
 
 
 def is_on(context):
-    """Whether the strip is wanted in the 3D view at hand."""
+    """Whether the strip is wanted in the 3D view at hand: where that shows no gizmos, the mouse does not reach it."""
     space = context.space_data
-    return sights.of(context.scene).strip and space is not None and space.type == 'VIEW_3D' and space.overlay.show_overlays
+    if space is None or space.type != 'VIEW_3D' or not sights.of(context.scene).strip:
+        return False
+    return space.overlay.show_overlays and space.show_gizmo
 
 
 def shown(context):
@@ -164,8 +166,8 @@ def _in_hand(context):
 def _number(data, net):
     """Of the piece in hand; what points of a net say of it is kept until that changes."""
     if net is None:
-        return hand.of(data)[0]
-    return sights.kept(net.data, 'piece in hand', hand.of(data), lambda *_: hand.chosen(data, net)) or 0
+        return settings.of(data).piece
+    return sights.kept(net.data, 'piece in hand', (settings.of(data).piece,), lambda *_: hand.chosen(data, net)) or 0
 
 
 def _boxes(context, count, scale):

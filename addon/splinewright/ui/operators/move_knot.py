@@ -96,7 +96,8 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
         self.piece, self.axis, self.knot = hit.shown.number, 'UV'[hit.axis], int(hit.bar.firsts[hit.mark]) + 1
         self._data, self._area = hit.shown.ob.data, context.area
         self._pressed = self._x = event.mouse_x
-        self._moved, self._to, self._typed, self._problem, self._drag = 0.0, hit.value, typed_number.Typed(), "", None
+        self._moved, self._to, self._typed, self._problem = 0.0, hit.value, typed_number.Typed(), ""
+        self._drag, self._refused = None, ""
         context.window_manager.modal_handler_add(self)
         context.workspace.status_text_set(_KEYS)
         return {'RUNNING_MODAL'}
@@ -106,10 +107,8 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
             self.cancel(context)
             return {'CANCELLED'}
         is_key = self._takes(event)
-        if self._drag is None and (is_key or abs(event.mouse_x - self._pressed) >= _STILL):
-            refused = self._begin(context)
-            if refused:
-                return refused
+        if not (self._drag or self._refused) and (is_key or abs(event.mouse_x - self._pressed) >= _STILL):
+            self._begin(context)
         if event.type == 'MOUSEMOVE':
             self._moved += (event.mouse_x - self._x) * (_FINE if event.shift else 1.0)
             self._x = event.mouse_x
@@ -122,18 +121,17 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
         return {'RUNNING_MODAL'}
 
     def _begin(self, context):
-        """Take hold of the knot; what modal() returns where it is to stay."""
+        """Take hold of the knot, or tell why it is to stay."""
         problem = editing.unread(editing.nets_in_edit_mode(context)) or knot_strip.why_fixed(self._bar, self._mark)
         try:
             if problem:
                 raise Refusal(problem)
             self._drag = self._held(self._data)
         except FAILURES as error:
-            name = self._shown.ob.name
-            self.cancel(context)
-            return reports.failed(self, error, name)
+            self._refused = reports.named(self._shown.ob.name, sentence(error))
+            self._area.header_text_set(self._refused)
+            return
         state.moved_knot = strip.Moved(self._data.name, 'UV'.index(self.axis), self._mark, self._shown.spans)
-        return None
 
     def _is_over(self, event):
         if event.type == 'LEFTMOUSE':   # who types lets the button go
@@ -176,13 +174,14 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
         return knot_strip.within(start + self._moved * width, step, low, high)
 
     def _text(self):
-        low, high = (knot_strip.number(self._bar, number) for number in knot_strip.reach(self._bar, self._mark))
         number = str(self._typed) + "|" if str(self._typed) else f"{self._to:.10g}"
-        return f"Knot {self.knot} at {number}   between {low} and {high}"
+        return f"Knot {self.knot} at {number}   {knot_strip.where(self._bar, self._mark)}"
 
     def _let_go(self, context):
         is_moved = self._drag is not None and self._to != self._bar.values[self._mark]
         self.cancel(context)
+        if self._refused:               # an error of Blender's would lie over the strip
+            return reports.stopped(self, self._refused)
         if not is_moved:
             return {'CANCELLED'}
         self.parameter, self.exact = decimals.single(self._to), repr(self._to)
