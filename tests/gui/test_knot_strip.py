@@ -1,4 +1,4 @@
-"""The knot strip: knots dragged by the mouse and by typed numbers, inserted by a double click, removed by a key; Esc, undo."""
+"""The knot strip: knots dragged by the mouse and by numbers, inserted by a double click, removed by a key; Esc, undo."""
 
 import os
 import sys

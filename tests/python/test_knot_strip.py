@@ -1,4 +1,4 @@
-"""The knots of a piece as marks on a bar: what stands at each, where it may be moved to, which is at a pixel, what it moves."""
+"""The knots of a piece as marks on a bar: what stands at each, where it may be moved, which is at a pixel."""
 
 from decimal import Decimal
 
@@ -51,7 +51,8 @@ def said(of):
 
 
 @pytest.mark.parametrize('scale, numbers', (
-    (1.0, ["0", "1", "2", "3"]), (1e-150, ["0", "1e-150", "2e-150", "3e-150"]), (1e150, ["0", "1e+150", "2e+150", "3e+150"])))
+    (1.0, ["0", "1", "2", "3"]), (1e-150, ["0", "1e-150", "2e-150", "3e-150"]),
+    (1e150, ["0", "1e+150", "2e+150", "3e+150"])))
 def test_each_knot_says_how_often_it_is_there_and_how_smooth_the_curve_is(scale, numbers):
     assert said(bar(clamped(3, (1, 1, 2), scale))) == list(zip(numbers, ["×4", "×2 C1", "×1 C2", "×4"]))
 
@@ -91,7 +92,8 @@ def test_the_seam_of_a_periodic_curve_counts_both_sides_and_stays():
 def test_a_patch_has_two_bars_and_pieces_without_knots_plain_ones():
     patch = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]), RNG.normal(size=(4, 2, 3)))
     u, v = bars(patch)
-    assert (u.name, v.name) == ("u", "v") and said(u) == [("0", "×3"), ("1", "×1 C1"), ("3", "×3")] and len(v.values) == 2
+    assert (u.name, v.name) == ("u", "v") and said(u) == [("0", "×3"), ("1", "×1 C1"), ("3", "×3")]
+    assert len(v.values) == 2
     for value in (sc.BezierCurve(RNG.normal(size=(256, 3))), sc.BezierPatch(RNG.normal(size=(3, 2, 3)))):
         assert all(said(of) == [("0", ""), ("1", "")] and strip.why_fixed(of, 0) == strip.NO_KNOTS for of in bars(value))
     chain = sc.HermiteCurve(RNG.normal(size=(3, 3)), RNG.normal(size=(3, 3)), [0, 1, 4])
@@ -134,15 +136,16 @@ def test_a_knot_without_room_stays():
 
 
 @pytest.mark.parametrize('width, pixels, wanted', (
-    (0.01, 1, "0.01"), (0.01, 1.5, "0.02"), (0.01, 4, "0.05"), (0.01, 6, "0.1"), (3e-153, 1, "5e-153"), (7e147, 1, "1e148")))
+    (0.01, 1, "0.01"), (0.01, 1.5, "0.02"), (0.01, 4, "0.05"), (0.01, 6, "0.1"), 
+    (3e-153, 1, "5e-153"), (7e147, 1, "1e148")))
 def test_steps_are_round_and_as_wide_as_asked_for(width, pixels, wanted):
     found = strip.step(width, pixels)
     assert float(found) == float(Decimal(wanted))
 
 
 @pytest.mark.parametrize('value, step, wanted', (
-    (0.123456, "0.01", 0.12), (1.2345e-150, "1e-152", 1.23e-150), (1.2345e150, "1e148", 1.23e150), (1e6 + 0.0012344, "1e-6",
-                                                                                              1000000.001234)))
+    (0.123456, "0.01", 0.12), (1.2345e-150, "1e-152", 1.23e-150), (1.2345e150, "1e148", 1.23e150),
+    (1e6 + 0.0012344, "1e-6", 1000000.001234)))
 def test_rounded_parameters_are_the_shortest_decimals(value, step, wanted):
     assert strip.rounded(value, Decimal(step)) == wanted
 
@@ -235,7 +238,8 @@ def test_patches_with_other_knots_or_without_a_border_in_common_stay():
     points = RNG.normal(size=(7, 5, 3))
     one, other = np.array([0, 0, 0, 0, 1, 3, 3, 3, 3.0]), np.array([0, 0, 0, 0, 2, 3, 3, 3, 3.0])
     u = [0, 0, 0, 0, 1, 1, 1, 1]
-    before = sc.PatchSet.from_patches([sc.NurbsPatch((3, 3), (u, one), points[:4]), sc.NurbsPatch((3, 3), (u, other), points[3:])])
+    before = sc.PatchSet.from_patches(
+        [sc.NurbsPatch((3, 3), (u, one), points[:4]), sc.NurbsPatch((3, 3), (u, other), points[3:])])
     definition = definition_of(before)
     assert shared.together(definition, 0, 1) == [shared.Along(0, 1)]
     assert shared.together(definition_of(sheet()), 0, 0) == [shared.Along(0, 0)]

@@ -19,7 +19,8 @@ class HeldKnot:
         self._data, self._knot, self._seams, self._is_moved = data, knot, held.known(data), False
 
     def show(self, to):
-        """Let the knot lie at a parameter; seams that hold do it still. Raises, and nothing has changed, where it may not."""
+        """Let the knot lie at a parameter; seams that hold do it still. Raises, and nothing has changed, where it may
+        not."""
         definition = knots.moved(self.before, self._alongs, self._knot, to)
         shape.set_definition(self._data, seams_that_hold.applied(definition, self._seams))
         self._is_moved = True

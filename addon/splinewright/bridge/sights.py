@@ -71,8 +71,8 @@ def knots_of(data):
 
 
 def bars_of(data, number):
-    """(the core.knot_strip.Bars of a piece counted from 1, of the first where there are fewer; its number; how many there
-    are)."""
+    """(the core.knot_strip.Bars of a piece counted from 1, of the first where there are fewer; its number; how many
+    there are)."""
     pieces = store.read(data).pieces
     number = number if 1 <= number <= len(pieces) else 1
     return knot_strip.bars_of(pieces[number - 1]), number, len(pieces)

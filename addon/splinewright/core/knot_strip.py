@@ -1,4 +1,4 @@
-"""The knots of a curve, or of a patch along an axis, as marks on a bar: what stands at each, where it may be moved to."""
+"""The knots of a curve, or of a patch along an axis, as marks on a bar: what stands at each, where it may be moved."""
 
 import math
 from bisect import bisect
@@ -29,7 +29,7 @@ class Bar(NamedTuple):
     is_periodic: bool
     values: np.ndarray                  # (n,)
     firsts: np.ndarray                  # (n,) where each stands first among the knots
-    counts: np.ndarray                  # (n,) how often it stands there; at the seam of a periodic curve on both sides of it
+    counts: np.ndarray                  # (n,) how often it stands there; at the seam of a periodic curve on both sides
     domain: tuple                       # numbers of the marks where it starts and ends
 
     @property
@@ -65,7 +65,7 @@ def is_inside(bar, i):
 
 
 def smoothness(bar, i):
-    """How often a spline of these knots is differentiable at a mark, at least; -1 for a gap; None where that says nothing."""
+    """How often a spline of these knots is differentiable at a mark, at least; -1: a gap; None where that says nothing."""
     is_inner = bar.domain[0] < i < bar.domain[1]
     return bar.degree - int(bar.counts[i]) if bar.kind == 'nurbs' and (is_inner or bar.is_periodic) else None
 
@@ -185,7 +185,7 @@ def thinned(lefts, widths):
 
 
 def by_weight(bar):
-    """Numbers of the marks, those first that tell most: the ends of the domain, then knots that stand there several times."""
+    """Numbers of the marks, those first that tell most: the ends of the domain, then knots that are there several times."""
     inner = [i for i in np.argsort(-bar.counts, kind='stable').tolist() if i not in bar.domain]
     outside = [i for i in inner if not is_inside(bar, i)]
     return [*bar.domain, *(i for i in inner if is_inside(bar, i)), *outside]

@@ -9,7 +9,7 @@ _SAME = 1e-9
 
 
 class Along(NamedTuple):
-    """The knots of a patch, counted from 0, along an axis; turned where they run the other way than those that are meant."""
+    """The knots of a patch, counted from 0, along an axis; turned where they run the other way than those meant."""
 
     piece: int
     axis: int

@@ -13,8 +13,8 @@ def _rooms():
                    start_panel, toolbar)
     from .operators import (add_curve, add_patch, add_recipe, axis_from_edge, bake, curve_join, curve_verbs, edit,
                             edit_source, exchange, extract, fineness, follow, formulas, from_objects, hold_seam, infinity, insert_here,
-                            join, life, move_knot, native, patch_join, patch_verbs, pick_piece, pull_here, set_knots, strip_keys,
-                            weight_here)
+                            join, life, move_knot, native, patch_join, patch_verbs, pick_piece, pull_here, set_knots,
+                            strip_keys, weight_here)
     operators = (add_curve, add_recipe, add_patch, exchange, edit, edit_source, set_knots, infinity, life, join, follow, bake,
                  from_objects, axis_from_edge, native, curve_verbs, curve_join, patch_verbs, patch_join, hold_seam, extract, fineness,
                  formulas, pick_piece, insert_here, pull_here, weight_here, move_knot, strip_keys)

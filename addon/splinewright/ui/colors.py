@@ -15,8 +15,9 @@ NORMALS, HODOGRAPH, CIRCLE = (0.35, 0.9, 1.0, 0.9), (1.0, 0.75, 0.3, 1.0), (1.0,
 FRAME = (1.0, 0.25, 0.3, 1.0), (0.5, 0.85, 0.2, 1.0), (0.25, 0.55, 1.0, 1.0)
 TEETH, BACK = (0.75, 0.5, 1.0, 0.55), (0.8, 0.55, 1.0, 1.0)
 KNOTS_OF_PATCHES, ISOCURVES = (0.02, 0.02, 0.05, 1.0), (0.05, 0.05, 0.1, 0.55)
-#: Of ui.knot_strip_overlay: what lies behind it, texts, those of what lies outside the domain.
-STRIP, STRIP_TEXT, STRIP_FADED = (0.0, 0.0, 0.0, 0.55), (0.92, 0.92, 0.92, 1.0), (0.62, 0.62, 0.62, 1.0)
+#: Of ui.knot_strip_overlay: what lies behind it, and behind texts at the mouse; texts, those outside the domain.
+STRIP, STRIP_LABEL = (0.0, 0.0, 0.0, 0.55), (0.0, 0.0, 0.0, 0.85)
+STRIP_TEXT, STRIP_FADED = (0.92, 0.92, 0.92, 1.0), (0.62, 0.62, 0.62, 1.0)
 #: By the classes of core.seams, from a gap to curvatures that agree: the preference and what it is called.
 SEAMS = {-1: ("color_gap", "Gap"), 0: ("color_edge", "Edge"), 1: ("color_g1", "G1"), 2: ("color_g2", "G2")}
 

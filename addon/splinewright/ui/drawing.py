@@ -2,8 +2,8 @@
 
 import bpy
 
-from . import (aim_overlay, axis_overlay, knot_strip_overlay, messages, numbers_overlay, overlay, pull_overlay, sights_overlay,
-               weight_overlay)
+from . import (aim_overlay, axis_overlay, knot_strip_overlay, messages, numbers_overlay, overlay, pull_overlay,
+               sights_overlay, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (

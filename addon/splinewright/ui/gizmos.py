@@ -1,5 +1,5 @@
-"""What is taken hold of in the 3D view: where a knot would lie, a dial around the selected points for their weights, and
-the knot strip."""
+"""What is taken hold of in the 3D view: where a knot would lie, a dial around the selected points for their weights,
+and the knot strip."""
 
 import bpy
 import numpy as np
@@ -86,7 +86,7 @@ class SPLINEWRIGHT_GT_strip(bpy.types.Gizmo):
 
     def test_select(self, context, location):
         hit = knot_strip.hit(context, *location)
-        pointed = hit and knot_strip.Pointed(context.region.as_pointer(), hit.shown.ob.data.name, hit.axis, hit.mark, hit.value)
+        pointed = hit and knot_strip.pointed(context.region, hit)
         if pointed != state.pointed_knot:
             state.pointed_knot = pointed
             context.area.tag_redraw()
@@ -112,8 +112,8 @@ class SPLINEWRIGHT_GGT_strip(bpy.types.GizmoGroup):
 
     @classmethod
     def setup_keymap(cls, keyconfig):
-        """Items of the add-on's own configuration stay where Blender reads its keys anew; each map is to be in the default
-        one, too."""
+        """Items of the add-on's own configuration stay where Blender reads its keys anew; each map is to be in the
+        default one, too."""
         found = keyconfig.keymaps.new(name=keymaps.STRIP, space_type='VIEW_3D', region_type='WINDOW')
         return keymaps.of_strip() or found
 
@@ -135,4 +135,5 @@ def _in_world(ob, vertices):
     return live.session(ob.data).points[vertices] @ matrix[:3, :3].T + matrix[:3, 3]
 
 
-CLASSES = (SPLINEWRIGHT_GT_aim, SPLINEWRIGHT_GGT_aim, SPLINEWRIGHT_GGT_weight, SPLINEWRIGHT_GT_strip, SPLINEWRIGHT_GGT_strip)
+CLASSES = (SPLINEWRIGHT_GT_aim, SPLINEWRIGHT_GGT_aim, SPLINEWRIGHT_GGT_weight, SPLINEWRIGHT_GT_strip,
+           SPLINEWRIGHT_GGT_strip)

@@ -9,12 +9,12 @@ from ..bridge.file_state import state
 from ..core import knot_strip
 from . import editing, hand
 
-#: In pixels of an interface that is not scaled: of a bar, with its texts, how high it is and how far its middle lies above
-#: its lower end; what is kept free beside it, and below; and how far the ends of the bar lie inside.
+#: In pixels of an interface that is not scaled: of a bar, with its texts, how high it is and how far its middle lies
+#: above its lower end; what is kept free beside it, and below; and how far the ends of the bar lie inside.
 ROW, MIDDLE, _MARGIN, _BELOW, _INSET = 42.0, 21.0, 12.0, 8.0, 26.0
 #: What a digit of the number of a piece takes.
 _DIGIT = 8.0
-#: Views that leave less room show none; and it goes above the panel of the last operator where that leaves less beside it.
+#: Views that leave less room show none; it goes above the panel of the last operator where that leaves less beside it.
 _LEAST, _WISHED = 200.0, 420.0
 #: So much is left free for that panel, where there is room, that the strip stays where it is when it comes.
 _LAST_OPERATOR = 180.0
@@ -35,7 +35,7 @@ class Box(NamedTuple):
 
 
 class Shown(NamedTuple):
-    """The bars of a piece in a region. Boxes are the rows around them; a bar is drawn and dragged along within its box."""
+    """The bars of a piece in a region. Boxes are the rows around them; a bar is drawn, and dragged along, in its box."""
 
     ob: object                          # the shape
     number: int                         # of its piece, counted from 1
@@ -136,6 +136,11 @@ def hit(context, x, y):
         return Hit(found, axis, mark, float(bar.values[mark]))
     step = knot_strip.step(found.width(axis), 1.0)
     return Hit(found, axis, None, knot_strip.rounded(found.value(axis, x), step))
+
+
+def pointed(region, hit):
+    """What is Pointed at in a region where that is hit."""
+    return Pointed(region.as_pointer(), hit.shown.ob.data.name, hit.axis, hit.mark, hit.value)
 
 
 def pointed_at(found, region):

@@ -14,7 +14,9 @@ from ..core import knot_strip
 from . import colors, knot_strip as strip
 
 #: In pixels of an interface that is not scaled.
-_SIZE, _GAP, _TEXT_ABOVE, _TEXT_BELOW, _AXIS_NAME = 11.0, 8.0, 9.5, -17.0, 8.0
+_SIZE, _GAP, _EDGE, _TEXT_ABOVE, _TEXT_BELOW = 11.0, 8.0, 3.0, 9.5, -17.0
+#: Where the name of an axis stands, from the left end of its box and the middle of its bar.
+_NAME = 4.0, -4.0
 _BAR, _TICK, _WIDER, _HALF = 4.0, 3.0, 1.5, 7.0
 #: Marks of knots that stand there more often are no wider.
 _WIDEST = 5
@@ -73,7 +75,8 @@ def _draw_at_mouse(hit):
             width = blf.dimensions(0, words)[0]
             at = _between(shown.box, x - width / 2, width)
             y = middle + above * scale
-            quads.append((at - 3 * scale, y - 3 * scale, at + width + 3 * scale, y + _SIZE * scale, (0.0, 0.0, 0.0, 0.85)))
+            edge = _EDGE * scale
+            quads.append((at - edge, y - edge, at + width + edge, y + _SIZE * scale, colors.STRIP_LABEL))
             written.append(Text(words, at, y, (*color[:3], 1.0)))
     _draw(Picture(_batch(quads), tuple(written)), scale)
 
@@ -171,7 +174,8 @@ def _name(found, axis, color):
     if found.count > 1 and axis == 0:
         words = f"{found.number} {words}".strip()
     left = found.boxes[axis].left
-    return Text(words, left + 0.5 * _AXIS_NAME * found.scale, _middle(found, axis) - 4 * found.scale, color) if words else None
+    place = left + _NAME[0] * found.scale, _middle(found, axis) + _NAME[1] * found.scale
+    return Text(words, *place, color) if words else None
 
 
 def _batch(quads):
@@ -181,8 +185,8 @@ def _batch(quads):
     of_corners = [color for *_, color in quads for _ in range(4)]
     indices = [(4 * i + a, 4 * i + b, 4 * i + c) for i in range(len(quads)) for a, b, c in ((0, 1, 2), (0, 2, 3))]
     shader = gpu.shader.from_builtin('SMOOTH_COLOR')
-    return batch_for_shader(shader, 'TRIS', {'pos': np.array(corners, np.float32), 'color': np.array(of_corners, np.float32)},
-                            indices=indices)
+    content = {'pos': np.array(corners, np.float32), 'color': np.array(of_corners, np.float32)}
+    return batch_for_shader(shader, 'TRIS', content, indices=indices)
 
 
 def _draw(picture, scale):

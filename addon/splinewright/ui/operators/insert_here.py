@@ -134,7 +134,8 @@ def _insert(aimed):
             'EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, parameter=aimed.parameters[0])
     u, v = aimed.parameters
     return bpy.ops.splinewright.patch_insert_knot(
-        'EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, direction=aimed.direction, parameter_u=u, parameter_v=v)
+        'EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, direction=aimed.direction, parameter_u=u,
+        parameter_v=v)
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here,)

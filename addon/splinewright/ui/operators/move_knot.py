@@ -28,15 +28,15 @@ _KEYS = ("Move: the knot   |   Digits: its parameter   |   Ctrl: round numbers  
 class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
     bl_idname = "splinewright.move_knot"
     bl_label = "Move Knot"
-    bl_description = "Move a knot of the shape between its neighbours: its control points stay, and it takes another form"
+    bl_description = "Move a knot of the shape between its neighbours: the control points stay, and the shape follows"
     bl_options = {'REGISTER', 'UNDO', 'BLOCKING'}
 
     piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1,
                        options={'SKIP_SAVE'})
     axis: EnumProperty(name="Axis", description="Direction of a patch", options={'SKIP_SAVE'}, items=(
         ('U', "U", "A knot along u, or of a curve"), ('V', "V", "A knot along v")))
-    knot: IntProperty(name="Knot", description="Which of the knots, counted from 1; its copies go along", default=1, min=1,
-                      options={'SKIP_SAVE'})
+    knot: IntProperty(name="Knot", description="Which of the knots, counted from 1; its copies go along", default=1,
+                      min=1, options={'SKIP_SAVE'})
     parameter: FloatProperty(name="Parameter", description="Where it goes, between the knots beside it", default=0.0,
                              precision=5, step=1, options={'SKIP_SAVE'})
     #: The parameter with all its digits.
@@ -160,7 +160,7 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
             self._drag.show(self._to)
         except FAILURES as error:
             self._problem = sentence(error)
-        self._area.header_text_set(": ".join(filter(None, (self._text(), self._problem))))
+        self._area.header_text_set(self._text())
         redraw()
 
     def _followed(self, event):
@@ -175,7 +175,7 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
 
     def _text(self):
         number = str(self._typed) + "|" if str(self._typed) else f"{self._to:.10g}"
-        return f"Knot {self.knot} at {number}   {knot_strip.where(self._bar, self._mark)}"
+        return f"Knot {self.knot} at {number}: {self._problem or knot_strip.where(self._bar, self._mark)}"
 
     def _let_go(self, context):
         is_moved = self._drag is not None and self._to != self._bar.values[self._mark]

@@ -66,7 +66,8 @@ def _called(name, hit, **settings):
 
 
 def _require_nameable(hit):
-    """Raises Refusal where single precision does not tell a parameter from others: the numbers of these verbs have it."""
+    """Raises Refusal where single precision, of which the numbers of these verbs are, does not tell a parameter from
+    others."""
     piece = verbs.pieces_of(store.read(hit.shown.ob.data))[hit.shown.number - 1]
     axis = patch_verbs.Along(piece, hit.bar.name) if hit.bar.name else piece
     if parameters.snapped(decimals.single(hit.value), parameters.knots_of(axis)) != hit.value:
