@@ -159,7 +159,8 @@ def first_parameter(cls, piece=0, given=()):
     settings = types.SimpleNamespace(is_property_set=lambda name: name in given)
     menu = type("Menu", (curve_verbs._AtParameter,), {
         'first_parameter': vars(cls).get('first_parameter', vars(curve_verbs._AtParameter)['first_parameter']),
-        'properties': settings, 'piece': piece, 'parameter': 0.25, 'execute': lambda self, context: self.parameter})
+        'properties': settings, 'piece': piece, 'only': "", 'parameter': 0.25,
+        'execute': lambda self, context: self.parameter})
     return menu().invoke(bpy.context, None)
 
 

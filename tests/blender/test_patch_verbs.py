@@ -131,7 +131,7 @@ def first_parameters(cls, piece=0, given=()):
     own = {name: vars(base)[name] for base in cls.__mro__[::-1] for name in ('first_parameter', 'first_values', 'asked')
            if name in vars(base)}
     menu = type("Menu", (patch_verbs.AtParameters, patch_verbs.OnPatches), {
-        **own, 'properties': settings, 'piece': piece, 'parameter_u': 0.25, 'parameter_v': 0.75,
+        **own, 'properties': settings, 'piece': piece, 'only': "", 'parameter_u': 0.25, 'parameter_v': 0.75,
         'execute': lambda self, context: (self.parameter_u, self.parameter_v)})
     return menu().invoke(bpy.context, None)
 
@@ -153,7 +153,7 @@ def test_from_a_menu_one_piece_is_meant_where_pieces_have_other_domains():
         add(value_of(kind))
         chosen = []
         menu = type("Menu", (patch_verbs.AtParameters, patch_verbs.OnPatches), {
-            'properties': types.SimpleNamespace(is_property_set=lambda name: False), 'piece': 0,
+            'properties': types.SimpleNamespace(is_property_set=lambda name: False), 'piece': 0, 'only': "",
             'parameter_u': 0.0, 'parameter_v': 0.0, 'execute': lambda self, context: chosen.append(self.piece)})
         menu().invoke(bpy.context, None)
         assert chosen == [piece]

@@ -44,6 +44,8 @@ class FileState:
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse
     pulled: tuple = None                                # while a shape is pulled by a point: a ui.pull_overlay.Pull
     weighing: tuple = None                              # while weights change by the mouse: a ui.weight_overlay.Weighing
+    moved_knot: tuple = None                            # while a knot is moved: a ui.knot_strip.Moved
+    pointed_knot: tuple = None                          # of the knot strip, at the mouse: a ui.knot_strip.Pointed
     was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode; of ui.detour
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: tuple = ()                               # the ended_operators() when one was looked at; of ui.join_notice

@@ -1,7 +1,7 @@
 """What the switches of the scene show of shapes, worked out when a shape or a number of the switch changes."""
 
 from ..core import definition as definitions
-from ..core import sewing, verbs
+from ..core import knot_strip, sewing, verbs
 from ..core.failures import FAILURES
 from ..core.sights import combs, faces, frames, lines, polygon
 from . import fineness, recipes, settings, store
@@ -73,6 +73,14 @@ def knots_of(data):
     if definition.has_curves:
         return lines.knots_of_curves(verbs.curves_of(definition))
     return lines.knots_of_patches(sewing.patches_of(definition))
+
+
+def bars_of(data, number):
+    """(the core.knot_strip.Bars of a piece counted from 1, of the first where there are fewer; its number; how many
+    there are)."""
+    pieces = store.read(data).pieces
+    number = number if 1 <= number <= len(pieces) else 1
+    return knot_strip.bars_of(pieces[number - 1]), number, len(pieces)
 
 
 def faces_of(data, value=None):

@@ -19,3 +19,18 @@ def typed_angle(radians):
 def typed_all(numbers):
     """(n,): typed() of float32 numbers."""
     return np.asarray(numbers, np.float32).astype(str).astype(np.float64)
+
+
+def meant(number, text):
+    """The float64 of a text where a property that is shown beside it has that number still; typed() otherwise."""
+    try:
+        exact = float(text)
+    except ValueError:
+        return typed(number)
+    return exact if single(exact) == number else typed(number)
+
+
+def single(number):
+    """What a property of Blender's keeps of a number."""
+    most = float(np.finfo(np.float32).max)
+    return float(np.float32(min(max(number, -most), most)))

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from . import definition as definitions
+from . import knot_strip, shared_knots
 from .failures import Refusal
 
 #: More numbers than this in one text are refused.
@@ -26,12 +27,41 @@ def replaced(definition, piece, axis, text):
     if len(new) != len(old[axis]):
         raise Refusal(f"{len(new)} knots were given, {len(old[axis])} are needed for these points and this degree")
     _require_order(new, is_parameters=definition.pieces[piece].kind == 'hermite')
-    knots = tuple(new if i == axis else vector for i, vector in enumerate(old))
-    pieces = list(definition.pieces)
-    pieces[piece] = replace(pieces[piece], knots=knots)
-    changed = replace(definition, pieces=tuple(pieces))
+    changed = _with_knots(definition, piece, axis, new)
     definitions.to_value(changed)       # the library refuses what is not a knot vector
     return changed
+
+
+def moved(definition, alongs, number, to):
+    """The definition with a knot, counted from 0, moved between its neighbours; its copies go along, and the same ones
+    of the other patches.
+
+    alongs: as of core.shared_knots.together(). Raises Refusal where there is none, or it may not lie there.
+    """
+    piece, axis, _ = alongs[0]
+    old = _knots(definition, piece, axis)[axis]
+    bar = knot_strip.bars_of(definition.pieces[piece])[axis]
+    if not 0 <= number < len(old):
+        raise Refusal(f"there are {len(old)} knots, and none of number {number + 1}")
+    found = int(np.searchsorted(bar.firsts, number, 'right')) - 1
+    if knot_strip.why_fixed(bar, found):
+        raise Refusal(knot_strip.why_fixed(bar, found))
+    if not knot_strip.is_between(bar, found, to):
+        raise Refusal(f"this knot lies {knot_strip.where(bar, found)}")
+    for along in alongs:
+        known = definition.pieces[along.piece].knots[along.axis]
+        is_meant = old[::-1] == old[number] if along.is_turned else old == old[number]
+        there = to if along is alongs[0] else shared_knots.carried(to, old, known, along.is_turned)
+        definition = _with_knots(definition, along.piece, along.axis, np.where(is_meant, there, known))
+    definitions.to_value(definition)    # the library refuses what is not a knot vector
+    return definition
+
+
+def _with_knots(definition, piece, axis, new):
+    pieces = list(definition.pieces)
+    knots = tuple(new if i == axis else vector for i, vector in enumerate(pieces[piece].knots))
+    pieces[piece] = replace(pieces[piece], knots=knots)
+    return replace(definition, pieces=tuple(pieces))
 
 
 def _require_order(numbers, is_parameters):

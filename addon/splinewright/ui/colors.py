@@ -17,6 +17,9 @@ TEETH, BACK = (0.75, 0.5, 1.0, 0.55), (0.8, 0.55, 1.0, 1.0)
 KNOTS_OF_PATCHES, ISOCURVES = (0.02, 0.02, 0.05, 1.0), (0.05, 0.05, 0.1, 0.55)
 #: Of seams on either side.
 SEAM_RIM = (1.0, 1.0, 1.0, 1.0)
+#: Of ui.knot_strip_overlay: what lies behind it, and behind texts at the mouse; texts, those outside the domain.
+STRIP, STRIP_LABEL = (0.0, 0.0, 0.0, 0.55), (0.0, 0.0, 0.0, 0.85)
+STRIP_TEXT, STRIP_FADED = (0.92, 0.92, 0.92, 1.0), (0.62, 0.62, 0.62, 1.0)
 #: By the classes of core.seams, from a gap to curvatures that agree: the preference and what it is called.
 SEAMS = {-1: ("color_gap", "Gap"), 0: ("color_edge", "Edge"), 1: ("color_g1", "G1"), 2: ("color_g2", "G2")}
 
@@ -32,6 +35,11 @@ def of_net():
 def of_points():
     """RGBA of control points that are not selected."""
     return _opaque(bpy.context.preferences.themes[0].view_3d.vertex)
+
+
+def of_selected():
+    """RGBA of control points that are selected."""
+    return _opaque(bpy.context.preferences.themes[0].view_3d.vertex_select)
 
 
 def of_arrows():

@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ..bridge import held, replacing, shape, store, surveys
+from ..bridge import held, replacing, store, surveys
 from ..bridge.net import live, net_object
 from ..core import held_joints, parameters
 from ..core.held import can_hold

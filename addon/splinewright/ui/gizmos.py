@@ -1,4 +1,5 @@
-"""What tools show in the 3D view: where a knot would lie, and a dial around the selected points for their weights."""
+"""What is taken hold of in the 3D view: where a knot would lie, a dial around the selected points for their weights,
+and the knot strip."""
 
 import bpy
 import numpy as np
@@ -7,8 +8,8 @@ from mathutils import Matrix, Vector
 from ..bridge import sights
 from ..bridge.file_state import state
 from ..bridge.net import live, weighing
-from . import aim_overlay, editing, toolbar
-from .operators import insert_here, weight_here
+from . import aim_overlay, editing, keymaps, knot_strip, toolbar
+from .operators import insert_here, move_knot, weight_here
 
 _DIAL = 0.28
 
@@ -78,6 +79,49 @@ class SPLINEWRIGHT_GGT_weight(bpy.types.GizmoGroup):
             self.gizmos[0].matrix_basis = Matrix.Translation(at) @ facing
 
 
+class SPLINEWRIGHT_GT_strip(bpy.types.Gizmo):
+    """The knot strip, whose overlay draws it. What is pressed on it is not for what lies below."""
+
+    bl_idname = "SPLINEWRIGHT_GT_strip"
+
+    def test_select(self, context, location):
+        hit = knot_strip.hit(context, *location)
+        pointed = hit and knot_strip.pointed(context.region, hit)
+        if pointed != state.pointed_knot:
+            state.pointed_knot = pointed
+            context.area.tag_redraw()
+        return -1 if hit is None else 0
+
+    def draw(self, context):
+        pointed = state.pointed_knot
+        if pointed and pointed.region == context.region.as_pointer() and not self.is_highlight:
+            state.pointed_knot = None   # the mouse has left the view
+            context.area.tag_redraw()
+
+
+class SPLINEWRIGHT_GGT_strip(bpy.types.GizmoGroup):
+    bl_idname = "SPLINEWRIGHT_GGT_strip"
+    bl_label = "Knot Strip"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'WINDOW'
+    bl_options = {'PERSISTENT', 'SHOW_MODAL_ALL'}
+
+    @classmethod
+    def poll(cls, context):
+        return knot_strip.is_on(context) and knot_strip.shown(context) is not None
+
+    @classmethod
+    def setup_keymap(cls, keyconfig):
+        """Items of the add-on's own configuration stay where Blender reads its keys anew; each map is to be in the
+        default one, too."""
+        found = keyconfig.keymaps.new(name=keymaps.STRIP, space_type='VIEW_3D', region_type='WINDOW')
+        return keymaps.of_strip() or found
+
+    def setup(self, context):
+        strip = self.gizmos.new(SPLINEWRIGHT_GT_strip.bl_idname)
+        strip.target_set_operator(move_knot.SPLINEWRIGHT_OT_move_knot.bl_idname)
+
+
 def middle(context):
     """The mean in the world of the selected points that have weights, or None where there are none."""
     found = [_in_world(ob, vertices) for ob in editing.nets_in_edit_mode(context) if weight_here.has_weights(ob)
@@ -91,4 +135,5 @@ def _in_world(ob, vertices):
     return live.session(ob.data).points[vertices] @ matrix[:3, :3].T + matrix[:3, 3]
 
 
-CLASSES = (SPLINEWRIGHT_GT_aim, SPLINEWRIGHT_GGT_aim, SPLINEWRIGHT_GGT_weight)
+CLASSES = (SPLINEWRIGHT_GT_aim, SPLINEWRIGHT_GGT_aim, SPLINEWRIGHT_GGT_weight, SPLINEWRIGHT_GT_strip,
+           SPLINEWRIGHT_GGT_strip)

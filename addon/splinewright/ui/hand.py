@@ -83,9 +83,14 @@ def begin(operator, obs, nets=()):
     where its net is edited to the one of the selected points."""
     shapes = [ob for ob in obs if shape.has_shape(ob)]
     if len(shapes) == 1 and not operator.properties.is_property_set('piece'):
-        of_points = pieces_of_points(nets[0]) if nets else ()
-        alone = of_points[0] + 1 if len(of_points) == 1 < count_of(shapes[0].data) else 0
-        operator.piece = alone or of(shapes[0].data)[0] or operator.piece
+        operator.piece = chosen(shapes[0].data, nets[0] if nets else None) or operator.piece
+
+
+def chosen(data, net=None):
+    """The number of the piece that has all selected points of a net, or that in hand; 0 for none."""
+    of_points = pieces_of_points(net) if net else ()
+    alone = of_points[0] + 1 if len(of_points) == 1 < count_of(data) else 0
+    return alone or of(data)[0]
 
 
 def begin_pair(operator, context):

@@ -21,18 +21,34 @@ _ITEMS = (
     ('Curve', "splinewright.pie", 'Q', 'shift'),
 )
 
-_made = []
+#: The keymap with the mouse over the knot strip; operator, key, how it is pressed.
+STRIP = "Splinewright Knot Strip"
+_ON_STRIP = (
+    ("splinewright.insert_on_strip", 'LEFTMOUSE', 'DOUBLE_CLICK'),
+    ("splinewright.remove_on_strip", 'X', 'PRESS'),
+    ("splinewright.remove_on_strip", 'DEL', 'PRESS'),
+)
+
+_made, _gizmo = [], []
 
 
 def of_user():
     """[(keymap, item, operator)] of the user's configuration, which has what a user changed; the item is None where a
     user removed it."""
     config, found = bpy.context.window_manager.keyconfigs.user, []
-    for keymap, made in _made:
+    for i, (keymap, made) in enumerate(_made):
         own = config.keymaps.get(keymap.name) if config else None
         items = [item for item in own.keymap_items if item.idname == made.idname] if own else []
-        found.append((own, min(items, key=lambda item: item.is_user_defined, default=None), made.idname))
+        before = [item for known, item in _made[:i] if (known.name, item.idname) == (keymap.name, made.idname)]
+        items = sorted(items, key=lambda item: item.is_user_defined)[len(before):]
+        found.append((own, items[0] if items else None, made.idname))
     return found
+
+
+def of_strip():
+    """The add-on's keymap for the knot strip, or None in background."""
+    config = bpy.context.window_manager.keyconfigs.addon
+    return config.keymaps.get(STRIP) if config else None
 
 
 CLASSES = ()
@@ -45,9 +61,14 @@ def register():
     for name, operator, key, held in _ITEMS:
         keymap = config.keymaps.new(name=name)
         _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', **({held: True} if held else {}))))
+    keymap = config.keymaps.new(name=STRIP, space_type='VIEW_3D', region_type='WINDOW')
+    _gizmo.append((keymap, keymap.keymap_items.new("gizmogroup.gizmo_tweak", 'LEFTMOUSE', 'PRESS', any=True)))
+    for operator, key, value in _ON_STRIP:
+        _made.append((keymap, keymap.keymap_items.new(operator, key, value)))
 
 
 def unregister():
-    for keymap, item in _made:
+    for keymap, item in (*_made, *_gizmo):
         keymap.keymap_items.remove(item)
     _made.clear()
+    _gizmo.clear()

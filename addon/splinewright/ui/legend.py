@@ -7,7 +7,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from . import surface_shader
+from . import knot_strip_overlay, surface_shader
 
 #: Pixels of the bar, of text, between the legend and the border, on an interface that is not scaled.
 _BAR, _TEXT, _MARGIN = (14, 160), 12, 24
@@ -20,7 +20,7 @@ def draw(context, title, numbers, colors, notes=()):
     width, height, margin, line = *(size * scale for size in (*_BAR, _MARGIN)), 1.4 * _TEXT * scale
     blf.size(0, _TEXT * scale)
     room = max([1.5 * width + max(_width(text) for text in numbers), *map(_width, (*title, *notes))])
-    left, bottom = _right_of_view(context) - margin - room, 2.0 * margin + line * len(notes)
+    left, bottom = _right_of_view(context) - margin - room, 2.0 * margin + line * len(notes) + knot_strip_overlay.top(context)
     _draw_bar(left, bottom, width, height, colors)
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)

@@ -8,7 +8,7 @@ from gpu_extras.batch import batch_for_shader
 from ..bridge import problems, shape
 from ..bridge.file_state import ended_operators, state
 from ..bridge.net import live, net_object
-from . import colors, editing
+from . import colors, editing, knot_strip_overlay
 
 #: What is in the way, and what is good to know.
 WARNING, NOTE = colors.WARNING, (0.9, 0.9, 0.9, 1.0)
@@ -85,7 +85,8 @@ def draw():
         return
     scale, (left, right) = _scale(), _free_space()
     widths = [blf.dimensions(0, line)[0] for line, _ in lines]
-    middle, bottom, margin = (left + right) / 2, 3 * _LINE * scale, _MARGIN * scale
+    middle, margin = (left + right) / 2, _MARGIN * scale
+    bottom = max(3 * _LINE * scale, knot_strip_overlay.top(bpy.context) + 2 * margin)
     top = bottom + len(lines) * _LINE * scale
     gpu.state.blend_set('ALPHA')
     _draw_box(middle - max(widths) / 2 - margin, bottom - margin, middle + max(widths) / 2 + margin, top + margin / 2)

@@ -34,6 +34,7 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
         row.prop(chosen, "curve")
         row.prop(chosen, "knots")
         column.prop(chosen, "weights")
+        _draw_switch(column, chosen, "strip", "strip_tolerance")
         _draw_switch(column, chosen, "isocurves", "isocurve_count")
         _draw_switch(column, chosen, "comb", "comb_scale", "comb_density")
         _draw_switch(column, chosen, "frame", "frame_length")

@@ -36,6 +36,12 @@ class SplinewrightSights(bpy.types.PropertyGroup):
                            update=_points_behind_changed)
     weights: _switch("Weight Dial", "Show a dial around selected points of nets; drag it to change their weights")
     knots: _switch("Knots", "Mark the knots of curves, and draw the lines on surfaces where their spans meet")
+    strip: _switch(
+        "Knot Strip", "Show the knots of the active shape on a bar below: drag one, double-click to insert one, Delete "
+        "or X removes the one at the mouse")
+    strip_tolerance: FloatProperty(
+        name="Tolerance of Removal", description="How far the shape may move where a knot is removed from the strip, in "
+        "units of the object", default=1e-3, min=0.0, max=1e6, soft_max=1.0, precision=6, step=0.01, options=set())
     isocurves: _switch("Isocurves", "Draw lines on surfaces along which u or v stays the same")
     isocurve_count: IntProperty(
         name="Isocurves per Span", description="How many lines there are in every span, each way",

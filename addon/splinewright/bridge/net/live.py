@@ -10,7 +10,6 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
-from ...core import handles
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading

@@ -130,10 +130,12 @@ def _status(aimed):
 def _insert(aimed):
     """By the operator whose panel then has the numbers."""
     if len(aimed.parameters) == 1:
-        return bpy.ops.splinewright.insert_knot('EXEC_DEFAULT', True, piece=aimed.number, parameter=aimed.parameters[0])
+        return bpy.ops.splinewright.insert_knot(
+            'EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, parameter=aimed.parameters[0])
     u, v = aimed.parameters
     return bpy.ops.splinewright.patch_insert_knot(
-        'EXEC_DEFAULT', True, piece=aimed.number, direction=aimed.direction, parameter_u=u, parameter_v=v)
+        'EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, direction=aimed.direction, parameter_u=u,
+        parameter_v=v)
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here,)

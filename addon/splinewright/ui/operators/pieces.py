@@ -6,7 +6,7 @@ number as float32: core.parameters.snapped().
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from ...bridge import held, replacing, store
 from ...bridge.net import net_object
@@ -45,6 +45,8 @@ class OnPieces(OnSelected):
 
     piece: IntProperty(name="Piece", description="Which piece of the shape, counted from 1; 0 for all of them",
                        default=0, min=0, options={'SKIP_SAVE'})
+    #: The name of a shape where it is to be done with that alone.
+    only: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     def verb(self):
         """A verb of core.verbs."""
@@ -67,6 +69,11 @@ class OnPieces(OnSelected):
             return OnSelected._in_order(context)
         return [net_object.shape_of(ob) for ob in sorted(nets, key=lambda ob: ob == context.object)]
 
+    def chosen(self, context):
+        found = super().chosen(context)
+        named = context.view_layer.objects.get(self.only)
+        return [ob for ob in found if named and ob.data == named.data] if self.only else found
+
     @property
     def length(self):
         """The tolerance, as it was typed."""
@@ -74,7 +81,7 @@ class OnPieces(OnSelected):
 
     def settings(self):
         """Names of the properties in the redo panel above the piece."""
-        return [name for name in type(self).__annotations__ if name != 'piece']
+        return [name for name in type(self).__annotations__ if name not in ('piece', 'only')]
 
     @property
     def has_settings(self):
@@ -91,6 +98,8 @@ class OnPieces(OnSelected):
         problem = editing.unread(editing.nets_in_edit_mode(context))
         if problem:
             return reports.cancelled(self, problem)
+        if self.only and not self.chosen(context):
+            return reports.cancelled(self, f"{self.only} is not selected, or of another kind")
         hand.forget_asked()
         for ob in self.chosen(context):
             hand.note(self, 'piece', ob)
@@ -184,7 +193,7 @@ class FromActive:
         return self.execute(context)
 
     def _a_shape(self, context):
-        return [ob for ob in self._in_order(context) if self.fits(ob)][-1]
+        return self.chosen(context)[-1]
 
 
 class WithinTolerance:

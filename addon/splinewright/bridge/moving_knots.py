@@ -1,0 +1,31 @@
+"""A knot of a shape is moved: the control points stay, and the shape is another at every step."""
+
+from ..core import held as seams_that_hold
+from ..core import knots, shared_knots, verbs
+from . import held, recipes, shape, store
+
+
+class HeldKnot:
+    """A knot by the number of a piece, counted from 0, its axis, and its own. Raises Refusal where the shape
+    is not to be changed, or UnreadableDefinition."""
+
+    def __init__(self, data, piece, axis, knot):
+        recipes.require_free(data)
+        shape.require_writable(data)
+        shape.require_untouched(data)
+        self.before = store.read(data)
+        verbs.require_piece(self.before.pieces, piece + 1)
+        self._alongs = shared_knots.together(self.before, piece, axis)
+        self._data, self._knot, self._seams, self._is_moved = data, knot, held.known(data), False
+
+    def show(self, to):
+        """Let the knot lie at a parameter; seams that hold do it still. Raises, and nothing has changed, where it may
+        not."""
+        definition = knots.moved(self.before, self._alongs, self._knot, to)
+        shape.set_definition(self._data, seams_that_hold.applied(definition, self._seams))
+        self._is_moved = True
+
+    def put_back(self):
+        if self._is_moved:
+            shape.set_definition(self._data, self.before)
+            self._is_moved = False

@@ -1,0 +1,201 @@
+"""Move a knot between its neighbours: on the knot strip by the mouse or typed numbers, or in the panel."""
+
+from contextlib import suppress
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
+
+from ...bridge import moving_knots
+from ...bridge.file_state import state
+from ...core import decimals, knot_strip, typed_number
+from ...core.failures import FAILURES, Refusal, sentence
+from .. import editing, hand
+from .. import knot_strip as strip
+from . import reports
+from .pick_piece import draw_number
+from .pointing import PASSED, redraw
+
+#: The mouse has not been moved where it is nearer to where it was pressed, in pixels.
+_STILL = 3.0
+#: With Shift the knot goes by this part of what the mouse goes.
+_FINE = 0.1
+#: In pixels: to what the knot is rounded that follows the mouse, and with Ctrl.
+_SHORT, _STEP = 0.25, 10.0
+_KEYS = ("Move: the knot   |   Digits: its parameter   |   Ctrl: round numbers   |   Shift: finely   |   "
+         "Esc, Right Mouse: as it was")
+
+
+class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
+    bl_idname = "splinewright.move_knot"
+    bl_label = "Move Knot"
+    bl_description = "Move a knot of the shape between its neighbours: the control points stay, and the shape follows"
+    bl_options = {'REGISTER', 'UNDO', 'BLOCKING'}
+
+    piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1,
+                       options={'SKIP_SAVE'})
+    axis: EnumProperty(name="Axis", description="Direction of a patch", options={'SKIP_SAVE'}, items=(
+        ('U', "U", "A knot along u, or of a curve"), ('V', "V", "A knot along v")))
+    knot: IntProperty(name="Knot", description="Which of the knots, counted from 1; its copies go along", default=1,
+                      min=1, options={'SKIP_SAVE'})
+    parameter: FloatProperty(name="Parameter", description="Where it goes, between the knots beside it", default=0.0,
+                             precision=5, step=1, options={'SKIP_SAVE'})
+    #: The parameter with all its digits.
+    exact: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        if not hand.shapes(context):    # of those that are not to be changed the refusal tells
+            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            return False
+        return True
+
+    # From here on: with numbers.
+
+    def execute(self, context):
+        nets = editing.nets_in_edit_mode(context)
+        problem = editing.unread(nets)
+        if problem:
+            return reports.cancelled(self, problem)
+        owner = hand.shape_of(context.object)
+        if owner is None:
+            return reports.cancelled(self, "the active object is no shape")
+        hand.forget_asked()
+        hand.note(self, 'piece', owner)
+        to = decimals.meant(self.parameter, self.exact)
+        try:
+            held = self._held(owner.data)
+            held.show(to)
+        except FAILURES as error:
+            return reports.failed(self, error, owner.name)
+        return reports.finished(self, reports.Said(f"Knot {self.knot} of {owner.name} at {to:.6g}",
+                                                   warnings=editing.anew(context, nets) if nets else ()))
+
+    def draw(self, context):
+        column = self.layout.column()
+        column.use_property_split, column.use_property_decorate = True, False
+        column.prop(self, 'parameter')
+        column.prop(self, 'knot')
+        owner = hand.shape_of(context.object)
+        if owner is not None and owner.type == 'MESH':
+            column.row().prop(self, 'axis', expand=True)
+        if owner is not None and hand.count_of(owner.data) > 1:
+            draw_number(column, self, 'piece')
+
+    def _held(self, data):
+        return moving_knots.HeldKnot(data, self.piece - 1, 'UV'.index(self.axis), self.knot - 1)
+
+    # From here on: by the mouse.
+
+    def invoke(self, context, event):
+        hit = strip.hit(context, event.mouse_region_x, event.mouse_region_y) if strip.is_on(context) else None
+        if hit is None:
+            return reports.cancelled(self, "point at a knot of the knot strip, which the Overlays popover switches on")
+        if hit.mark is None:
+            return {'CANCELLED'}        # nothing is there to be moved: what lies below is not meant
+        self._shown, self._bar, self._mark = hit.shown, hit.bar, hit.mark
+        self.piece, self.axis, self.knot = hit.shown.number, 'UV'[hit.axis], int(hit.bar.firsts[hit.mark]) + 1
+        self._data, self._area = hit.shown.ob.data, context.area
+        self._pressed = self._x = event.mouse_x
+        self._moved, self._to, self._typed, self._problem = 0.0, hit.value, typed_number.Typed(), ""
+        self._drag, self._refused = None, ""
+        context.window_manager.modal_handler_add(self)
+        context.workspace.status_text_set(_KEYS)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        is_key = self._takes(event)
+        if not (self._drag or self._refused) and (is_key or abs(event.mouse_x - self._pressed) >= _STILL):
+            self._begin(context)
+        if event.type == 'MOUSEMOVE':
+            self._moved += (event.mouse_x - self._x) * (_FINE if event.shift else 1.0)
+            self._x = event.mouse_x
+        elif self._is_over(event):
+            return self._let_go(context)
+        elif event.type in PASSED and not is_key:
+            return {'PASS_THROUGH'}
+        if self._drag is not None:
+            self._show(event)
+        return {'RUNNING_MODAL'}
+
+    def _begin(self, context):
+        """Take hold of the knot, or tell why it is to stay."""
+        problem = editing.unread(editing.nets_in_edit_mode(context)) or knot_strip.why_fixed(self._bar, self._mark)
+        try:
+            if problem:
+                raise Refusal(problem)
+            self._drag = self._held(self._data)
+        except FAILURES as error:
+            self._refused = reports.named(self._shown.ob.name, sentence(error))
+            self._area.header_text_set(self._refused)
+            return
+        state.moved_knot = strip.Moved(self._data.name, 'UV'.index(self.axis), self._mark, self._shown.spans)
+
+    def _is_over(self, event):
+        if event.type == 'LEFTMOUSE':   # who types lets the button go
+            return event.value == ('PRESS' if str(self._typed) else 'RELEASE')
+        return event.type in ('RET', 'NUMPAD_ENTER') and event.value == 'PRESS' and not self._problem
+
+    def _takes(self, event):
+        """Whether a key is part of a number."""
+        if event.value != 'PRESS' or event.ctrl or event.alt:
+            return False
+        if event.type == 'BACK_SPACE':
+            self._typed = typed_number.shortened(self._typed)
+            return True
+        longer = typed_number.after(self._typed, event.unicode) if event.unicode else None
+        self._typed = longer or self._typed
+        return longer is not None
+
+    def _show(self, event):
+        """Let the knot lie where the mouse or the keys say, and tell of it."""
+        if not str(self._typed):
+            self._to = self._followed(event)
+        elif self._typed.number is not None:
+            self._to = self._typed.number
+        self._problem = ""
+        try:
+            self._drag.show(self._to)
+        except FAILURES as error:
+            self._problem = sentence(error)
+        self._area.header_text_set(self._text())
+        redraw()
+
+    def _followed(self, event):
+        """The parameter at the mouse, as short as pixels tell it."""
+        start, axis = float(self._bar.values[self._mark]), 'UV'.index(self.axis)
+        if not self._moved:
+            return start
+        width = self._shown.width(axis)
+        step = knot_strip.step(width, (_STEP if event.ctrl else _SHORT) * (_FINE if event.shift else 1.0))
+        low, high = knot_strip.reach(self._bar, self._mark)
+        return knot_strip.within(start + self._moved * width, step, low, high)
+
+    def _text(self):
+        number = str(self._typed) + "|" if str(self._typed) else f"{self._to:.10g}"
+        return f"Knot {self.knot} at {number}: {self._problem or knot_strip.where(self._bar, self._mark)}"
+
+    def _let_go(self, context):
+        is_moved = self._drag is not None and self._to != self._bar.values[self._mark]
+        self.cancel(context)
+        if self._refused:               # an error of Blender's would lie over the strip
+            return reports.stopped(self, self._refused)
+        if not is_moved:
+            return {'CANCELLED'}
+        self.parameter, self.exact = decimals.single(self._to), repr(self._to)
+        return self.execute(context)
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        state.moved_knot = None
+        with suppress(ReferenceError):      # its area or data may be gone
+            if self._drag is not None:
+                self._drag.put_back()
+            self._area.header_text_set(None)
+        context.workspace.status_text_set(None)
+        redraw()
+
+
+CLASSES = (SPLINEWRIGHT_OT_move_knot,)

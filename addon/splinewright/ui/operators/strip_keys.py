@@ -1,0 +1,77 @@
+"""Knots are inserted and removed on the knot strip: by a double click, and by a key with the mouse over a knot."""
+
+import bpy
+
+from ...bridge import recipes, sights, store
+from ...core import decimals, parameters, patch_verbs, verbs
+from ...core.failures import FAILURES, Refusal, blenders_refusals
+from .. import editing
+from .. import knot_strip as strip
+from . import reports
+
+
+class _OnStrip:
+    """Does something at the mouse, by the operator whose panel then has the numbers."""
+
+    bl_options = {'INTERNAL'}
+
+    def call(self, context, hit):
+        """Returns what an operator does."""
+        raise NotImplementedError
+
+    def invoke(self, context, event):
+        hit = strip.hit(context, event.mouse_region_x, event.mouse_region_y)
+        if hit is None:
+            return {'PASS_THROUGH', 'CANCELLED'}
+        problem = editing.unread(editing.nets_in_edit_mode(context))
+        if problem:
+            return reports.cancelled(self, problem)
+        try:
+            recipes.require_free(hit.shown.ob.data)
+            _require_nameable(hit)
+            with blenders_refusals():
+                return self.call(context, hit)
+        except FAILURES as error:
+            return reports.failed(self, error)
+
+
+class SPLINEWRIGHT_OT_insert_on_strip(_OnStrip, bpy.types.Operator):
+    bl_idname = "splinewright.insert_on_strip"
+    bl_label = "Insert Knot on Strip"
+    bl_description = "Insert a knot where the mouse is over the knot strip; the shape stays the same"
+
+    def call(self, context, hit):
+        return _called('insert_knot', hit, where='PARAMETER', times=1)
+
+
+class SPLINEWRIGHT_OT_remove_on_strip(_OnStrip, bpy.types.Operator):
+    bl_idname = "splinewright.remove_on_strip"
+    bl_label = "Remove Knot on Strip"
+    bl_description = "Remove the knot of the knot strip at the mouse, as far as the tolerance lets the shape move"
+
+    def call(self, context, hit):
+        if hit.mark is None:
+            return reports.stopped(self, "Point at the mark of a knot to remove it")
+        return _called('remove_knot', hit, nearest=False, times=1, limited=True,
+                       tolerance=sights.of(context.scene).strip_tolerance)
+
+
+def _called(name, hit, **settings):
+    """The verb of that name for what the strip shows, along its axis."""
+    settings.update(only=hit.shown.ob.name, piece=hit.shown.number)
+    if not hit.bar.name:
+        return getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True, parameter=hit.value, **settings)
+    settings.update({f"parameter_{hit.bar.name}": hit.value, 'direction': hit.bar.name.upper()})
+    return getattr(bpy.ops.splinewright, f"patch_{name}")('INVOKE_DEFAULT', True, **settings)
+
+
+def _require_nameable(hit):
+    """Raises Refusal where single precision, of which the numbers of these verbs are, does not tell a parameter from
+    others."""
+    piece = verbs.pieces_of(store.read(hit.shown.ob.data))[hit.shown.number - 1]
+    axis = patch_verbs.Along(piece, hit.bar.name) if hit.bar.name else piece
+    if parameters.snapped(decimals.single(hit.value), parameters.knots_of(axis)) != hit.value:
+        raise Refusal("these parameters cannot be told apart in single precision: Reparametrise first")
+
+
+CLASSES = (SPLINEWRIGHT_OT_insert_on_strip, SPLINEWRIGHT_OT_remove_on_strip)
