@@ -10,6 +10,12 @@ def typed(number):
     return float(str(np.float32(number)))
 
 
+def text_of(number, digits=4):
+    """A length in a message, of so many digits, as Blender's fields show it: from a millionth on without an exponent."""
+    rounded = float(f"{number:.{digits}g}")
+    return np.format_float_positional(rounded, trim='-') if 1e-6 <= abs(rounded) < 1.0 else f"{rounded:.{digits}g}"
+
+
 def typed_angle(radians):
     """typed() for an angle that is shown in degrees: the shorter of its decimals in both units, in radians."""
     in_radians, in_degrees = (str(np.float32(number)) for number in (radians, math.degrees(radians)))

@@ -140,7 +140,7 @@ def chained(definition, tolerance):
         raise Refusal("it has one piece: there is nothing to join")
     rows = _rows(np.array([ends_of(curve) for curve in curves]), length)
     if len(rows) == len(curves):
-        raise Refusal(f"no two ends of its pieces lie within {length:.4g} of each other")
+        raise Refusal(f"no two ends of its pieces lie within {decimals.text_of(length)} of each other")
     after, error, origins = [], 0.0, []
     for row in rows:
         number = row[0][0]

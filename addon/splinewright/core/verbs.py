@@ -157,8 +157,8 @@ def lower_degree(times, tolerance):
             # Its own error adds up those of all steps.
             result = Near(result.value, curve.to_nurbs().largest_distance(result.value.to_nurbs()))
         if tolerance is not None and result.error > tolerance:
-            raise Refusal(f"the degree cannot be lowered within {tolerance:.4g}: "
-                             f"the error would be {result.error:.4g}")
+            raise Refusal(f"the degree cannot be lowered within {decimals.text_of(tolerance)}: "
+                             f"the error would be {decimals.text_of(result.error)}")
         return result
     return verb
 

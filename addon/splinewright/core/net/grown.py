@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .. import decimals, verbs
 from .. import definition as definitions
-from .. import verbs
 from ..failures import Refusal
 from . import curve_net, point_edits
 from .point_edits import Point
@@ -87,7 +87,7 @@ def grow(net, definition, runs):
 def _note(gone, error):
     if not gone or not error:
         return ""
-    return f"without {'that point' if gone == 1 else f'those {gone} points'} the shape lies within {error:.4g} of what it was"
+    return f"without {'that point' if gone == 1 else f'those {gone} points'} the shape lies within {decimals.text_of(error)} of what it was"
 
 
 def settled(runs):

@@ -6,6 +6,7 @@ patches that share borders go along. Vertices that make no row are passed over.
 
 import numpy as np
 
+from .. import decimals
 from .. import definition as definitions
 from ..definition import Definition, Piece
 from ..failures import Refusal
@@ -63,7 +64,7 @@ def _note(plans, error):
     if not error:
         return ""
     count = sum(len(axis.gone) for plan in plans for axis in plan.axes)
-    return f"without {'that row' if count == 1 else 'those rows'} the shape lies within {error:.4g} of what it was"
+    return f"without {'that row' if count == 1 else 'those rows'} the shape lies within {decimals.text_of(error)} of what it was"
 
 
 # The patches ---------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .. import decimals
 from ..failures import Refusal
 from ..library import sc
 from .recipe import Result, Parameter, Recipe
@@ -42,7 +43,7 @@ def _polynomial(points, parametrisation, spline):
     missed = float(np.linalg.norm(curve.evaluate(parameters) - points, axis=1).max())
     if not missed <= _MOST_MISSED * np.ptp(points, axis=0).max():
         raise Refusal(f"{len(points)} points are too many for one polynomial: in double precision it would miss them "
-                         f"by {missed:.2g}")
+                         f"by {decimals.text_of(missed, 2)}")
     beside = [sc.build.catmull_rom(points, parameters)] if spline else []
     return Result([curve, *beside] if beside else curve, missed if missed > _SEEN * np.abs(points).max() else 0.0)
 

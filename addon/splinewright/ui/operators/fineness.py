@@ -4,6 +4,7 @@ import bpy
 from bpy.props import FloatProperty, IntProperty
 
 from ...bridge import fineness, mesh_looks, problems, replacing, settings, shape
+from ...core import decimals
 from ...core.failures import Refusal
 from .. import hand
 from . import reports
@@ -33,7 +34,7 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         before, chosen = len(ob.data.polygons), settings.of(ob.data)
         least = chosen.bl_rna.properties['tolerance'].hard_min
         if tolerance < least:
-            raise Refusal(f"it would take a tolerance of {tolerance:.2g}, less than the least, {least:.0e}")
+            raise Refusal(f"it would take a tolerance of {decimals.text_of(tolerance, 2)}, less than the least, {decimals.text_of(least, 1)}")
         was = chosen.mode, chosen.tolerance
         settings.set_tolerance(ob.data, tolerance)
         problem = problems.of(ob.data, problems.SETTING)
@@ -47,7 +48,7 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         if len(outcomes) > 1:
             return reports.Said(f"{len(outcomes)} objects are shown as the render needs")
         (name, (tolerance, before, now)), = outcomes.items()
-        return reports.Said(f"{name}: tolerance {tolerance:.2g}, {before:,} faces became {now:,}")
+        return reports.Said(f"{name}: tolerance {decimals.text_of(tolerance, 2)}, {before:,} faces became {now:,}")
 
 
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):

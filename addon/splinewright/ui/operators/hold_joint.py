@@ -5,7 +5,7 @@ import numpy as np
 from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import held, replacing, shape, store
-from ...core import held_joints, parameters, patch_joints, verbs
+from ...core import decimals, held_joints, parameters, patch_joints, verbs
 from ...core.failures import Refusal
 from ...core.held import Held, applied
 from .hold_seam import OnWhatHolds, number_property, released
@@ -68,7 +68,7 @@ class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
             shape.set_definition(ob.data, after)
         held.hold(ob.data, joint)
         moved = np.linalg.norm((after.pool - definition.pool)[:, :3], axis=1).max()
-        return f"{self.continuity} holds from now on; " + (f"points moved by up to {moved:.2g}" if moved else "nothing moved"), ()
+        return f"{self.continuity} holds from now on; " + (f"points moved by up to {decimals.text_of(moved, 2)}" if moved else "nothing moved"), ()
 
     def draw(self, context):
         layout = self.layout

@@ -6,7 +6,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing
-from ...core import patch_joints
+from ...core import decimals, patch_joints
 from ...core.failures import FAILURES
 from ...core.patch_curves import SIDES
 from .. import hand
@@ -94,7 +94,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 def told(found):
     """A core.patch_joints.Joined in words."""
     sides = " and ".join(f"{number} {SIDES[side]}" for number, side, _ in (found.first, found.second))
-    moved = [f"patch {number} moved by {error:.2g}" for number, _, error in (found.first, found.second)
+    moved = [f"patch {number} moved by {decimals.text_of(error, 2)}" for number, _, error in (found.first, found.second)
              if error > 1e-12]
     measured = found.measured
     angle, bend = math.degrees(measured.angle), measured.curvature_difference
@@ -110,7 +110,7 @@ def came_apart(found):
 
 def _short(number):
     """Rounding is nothing to tell."""
-    return f"{number:.2g}" if number > 1e-9 else "0"
+    return decimals.text_of(number, 2) if number > 1e-9 else "0"
 
 
 CLASSES = (SPLINEWRIGHT_OT_join_patches,)

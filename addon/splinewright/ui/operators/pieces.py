@@ -154,7 +154,7 @@ def told(outcomes):
                 texts.append(f"{old} {noun}{'s' if old > 1 else ''} became {new}")
     error = max(changed.error for _, changed in outcomes)
     if error > 0:
-        texts.append(f"largest distance {error:.2g}")
+        texts.append(f"largest distance {decimals.text_of(error, 2)}")
     return ": " + ", ".join(texts) if texts else ""
 
 

@@ -85,7 +85,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             held.write(self._pulled(held.definition, ob))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        return reports.finished(self, reports.Said(f"Pulled {self._named(ob)} by {np.linalg.norm(self._typed()):.4g}"))
+        return reports.finished(self, reports.Said(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}"))
 
     def draw(self, context):
         ob = self._owner(context)
@@ -253,10 +253,10 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
 
     def _header(self, drag):
         kept = "   Tangent kept" if self.keep_tangent and drag.ob.type == 'CURVE' and self.handle == 'POINT' else ""
-        numbers = ", ".join(f"{part:.4g}" for part in self.vector)
+        numbers = ", ".join(decimals.text_of(part) for part in self.vector)
         length = np.linalg.norm(self._typed())
         locality = f"   Locality {self.locality:.1f}" if drag.ob.type == 'MESH' or self.handle == 'POINT' else ""
-        return f"Pull {self._named(drag.ob)} {length:.4g} ({numbers}){drag.keys.words()}{locality}{kept}"
+        return f"Pull {self._named(drag.ob)} {decimals.text_of(length)} ({numbers}){drag.keys.words()}{locality}{kept}"
 
     def _named(self, ob):
         words = {'TANGENT': "the tangent of ", 'CIRCLE': "the osculating circle of "} if ob.type == 'CURVE' else {}
