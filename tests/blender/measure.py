@@ -5,6 +5,7 @@
 
 import statistics
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -126,6 +127,38 @@ def rival():
     return times
 
 
+def crowd(resolution):
+    """A net among a thousand shapes, and their file beside one of the same meshes without anything of ours."""
+    for i in range(1000):
+        data = shape.new_data("shape", sc.BezierPatch(net()[:4, :4] + (i % 40, i // 40, 0)), (resolution, resolution))
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new("shape", data))
+    bpy.context.view_layer.update()
+    ob = bpy.data.objects[500]
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    opened, closed = [], []
+    for _ in range(5):
+        opened.append(once(lambda: bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True)))
+        closed.append(once(lambda: bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)))
+    print(f"1000 shapes of {resolution} x {resolution} faces:")
+    report("  a net opens", (statistics.median(opened), min(opened)))
+    report("  and closes", (statistics.median(closed), min(closed)))
+    ours = _megabytes()
+    for data in bpy.data.meshes:
+        part('bridge.store').remove(data)
+        for name in [layer.name for layer in data.attributes if layer.name in ('parameters', 'patch', '.splinewright_sharp')]:
+            data.attributes.remove(data.attributes[name])
+    plain = _megabytes()
+    print(f"  the file: {ours:.1f} MB, of which {ours - plain:.1f} MB are definitions, stamps and where faces lie on patches")
+
+
+def _megabytes():
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "crowd.blend"
+        bpy.ops.wm.save_as_mainfile(filepath=str(path), compress=False)
+        return path.stat().st_size / 1e6
+
+
 print("median and least of each, milliseconds", bpy.app.version_string)
 bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
 idle()
@@ -134,3 +167,6 @@ ours = drag()
 bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
 theirs = rival()
 print(f"  ours takes {ours[0] / theirs[0]:.2f} of the time of Blender's own")
+for resolution in (8, 24):
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    crowd(resolution)
