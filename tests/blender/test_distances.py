@@ -214,6 +214,26 @@ def test_an_animated_object_has_its_distances_at_every_frame(chosen):
         scene.frame_set(1)
 
 
+@pytest.mark.parametrize('has_modifier', (False, True))
+def test_a_shape_counts_while_its_net_is_edited(chosen, has_modifier):
+    ob = add(sc.BezierCurve([(0, 0, 3), (1, 0, 3)]), "line")
+    other = add(sc.BezierPatch([[(x, y, 0) for y in (-9, 9)] for x in (-9, 9)]), "other")
+    if has_modifier:
+        other.modifiers.new("more", 'TRIANGULATE')
+        bpy.ops.ed.undo_push(message="modifier")
+    assert measured(ob, other).largest == pytest.approx(3, abs=1e-6)
+    held = enter_of(other)
+    select(held, 0, 1, 2, 3)
+    move(0, 0, -2)
+    bpy.context.view_layer.update()
+    assert measured(ob, other).largest == pytest.approx(5, abs=1e-6)
+    leave()
+    assert measured(ob, other).largest == pytest.approx(5, abs=1e-6)
+    bpy.ops.ed.undo()
+    bpy.ops.ed.undo()
+    assert measured(bpy.data.objects["line"], bpy.data.objects["other"]).largest == pytest.approx(3, abs=1e-6)
+
+
 def test_what_is_missing_empty_gone_itself_or_elsewhere_is_said(chosen):
     scene, ob = bpy.context.scene, add(VALUES['bezier patch']())
 

@@ -59,6 +59,7 @@ class Geometry:
 class Target:
     """A Geometry and where it lies: another one when either is."""
 
+    data: tuple                         # the key of the object's data-block
     made_of: tuple                      # what its Geometry is made of
     matrix: tuple                       # of the object
     geometry: Geometry
@@ -86,7 +87,8 @@ def of(ob):
     made_of = ob.as_pointer(), None if bend is None else bend.tobytes()
     is_same = known is not None and known.made_of == made_of
     geometry = known.geometry if is_same else _geometry(ob, bend)
-    return remember(state.targets, key(ob), Target(made_of, matrix, geometry, into, world[:3, 3], unit), _KEPT)
+    return remember(state.targets, key(ob), Target(key(ob.data), made_of, matrix, geometry, into, world[:3, 3], unit),
+                    _KEPT)
 
 
 def flat(matrix):

@@ -81,6 +81,8 @@ def look_again(block):
     state.selected.pop(name, None)
     state.drawn.pop(name, None)
     state.sights.pop(name, None)
+    for ob in [ob for ob, target in state.targets.items() if target.data == name]:
+        del state.targets[ob]
 
 
 def key(block):
