@@ -1,4 +1,5 @@
-"""Tab, Ctrl+J, Ctrl+R, Alt+G and Shift+Q on shapes and nets. The operators' polls let the keys pass for everything else."""
+"""Tab, Ctrl+J, Ctrl+R, Alt+G and Shift+Q on shapes and nets. The operators' polls let the keys pass for everything else.
+Those on the knot strip are asked only with the mouse over it."""
 
 import bpy
 
