@@ -15,7 +15,7 @@ from support import part, splinecore as sc
 definitions, live, seen, store, strip, strip_keys = (part(name) for name in (
     'core.definition', 'bridge.net.live', 'bridge.sights', 'bridge.store', 'ui.knot_strip',
     'ui.operators.strip_keys'))
-state = part('bridge.file_state').state
+state, blenders_refusals = part('bridge.file_state').state, part('core.failures').blenders_refusals
 #: Kind of a shape, axis, which of its knots, where to.
 MOVED = (('nurbs', 'U', 5, 0.15), ('periodic', 'U', 3, 0.9), ('uniform', 'U', 5, 4.25), ('uniform', 'U', 1, -2.0),
          ('three knots', 'U', 7, 0.5), ('hermite', 'U', 2, 0.25), ('circle', 'U', 4, 0.2))
@@ -282,7 +282,8 @@ def test_what_would_move_the_shape_too_far_stays(context, tolerance):
     _, before, _ = added('uniform', 'U', False)
     found = strip.shown(context)
     hit = strip.hit(context, found.places(0)[5], found.boxes[0].bottom + 5)
-    with pytest.raises(RuntimeError, match="cannot be removed within"):
+    words = "^shape: the knot cannot be removed within"
+    with pytest.raises(part('core.failures').Refusal, match=words), blenders_refusals():
         strip_keys._called('remove_knot', hit, nearest=False, times=1, limited=True, tolerance=tolerance)
     assert value() == before
 

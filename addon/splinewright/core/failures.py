@@ -43,4 +43,4 @@ def blenders_refusals():
     try:
         yield
     except RuntimeError as error:
-        raise Refusal(str(error).strip()) from error
+        raise Refusal(str(error).strip().removeprefix("Error: ")) from error

@@ -1,5 +1,5 @@
 """Tab, Ctrl+J, Ctrl+R, Alt+G, Alt+S, Ctrl+T, I and Shift+Q on shapes and nets. The operators' polls let the keys pass for
-everything else."""
+everything else. Those on the knot strip are asked only with the mouse over it."""
 
 import bpy
 
