@@ -158,6 +158,13 @@ def test_points_moved_in_the_net_are_keyed_as_they_are_seen_and_undone():
     move(0, 0, 10)
     assert np.allclose(pool(ob)[3:5, 2] - home[3:5, 2], 10)
     assert op(key) == {'FINISHED'}
+    lifted = pool(ob)
+    bpy.ops.ed.undo()
+    ob = bpy.data.objects[name]
+    bpy.context.view_layer.update()
+    assert keys(ob) == 8 and bpy.context.scene.frame_current == 11 and np.array_equal(pool(ob), lifted)
+    require_exact(ob)
+    assert op(key) == {'FINISHED'} and keys(ob) == 16
     straight(ob.data)
     for frame, height in ((6, 5), (11, 10), (1, 0)):
         at(frame)

@@ -76,7 +76,9 @@ def keyed(view, rows):
     yield from until(lambda: keys() == 8 * len(rows), "I sets keys of what is seen")
     yield from redrawn()
     with view.override():
-        bpy.ops.ed.undo_redo()          # what the panel of the last operator does
+        bpy.ops.ed.undo_redo()          # what the panel of the last operator does, but for the step
+        part('ui.editing').want_whole_step()
+        bpy.ops.ed.undo_push(message="Key Points")
     yield from redrawn()
     yield from until(lambda: keys() == 8 * len(rows) and are_at(rows, before + 2), "it is repeated")
     return before
@@ -125,20 +127,16 @@ def held_in_a_gesture(view, rows, before):
 
 
 def taken_back(view, rows):
-    """Ctrl+Z takes the keys back one press of I after the other, and Shift+Ctrl+Z sets them again."""
+    """Ctrl+Z takes the keys back that were set last, and Shift+Ctrl+Z sets them again; the frame stays."""
     count = 8 * len(rows)
-    while keys() == count:
-        view.press('Z', ctrl=True)
-        yield from redrawn()
-    assert keys() == count // 2 and in_net()
-    view.press('Z', ctrl=True, shift=True)
+    view.press('Z', ctrl=True)
+    yield from until(lambda: keys() == count // 2 and in_net(), "Ctrl+Z takes the last keys back")
+    assert bpy.context.scene.frame_current == 6
     yield from redrawn()
-    yield from until(lambda: in_net(), "the net")
-    for _ in range(8):
-        if keys() != count:
-            view.press('Z', ctrl=True, shift=True)
-            yield from redrawn()
-    assert keys() == count
+    view.press('Z', ctrl=True, shift=True)
+    yield from until(lambda: keys() == count and in_net(), "Shift+Ctrl+Z sets them again")
+    assert bpy.context.scene.frame_current == 6
+    yield from redrawn()
 
 
 def of_one(view, operator, rows):

@@ -50,6 +50,8 @@ class FileState:
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of ui.join_notice
     last_join: tuple = ()                               # the ended_operators() when one was looked at; of ui.join_notice
     errands: list = field(default_factory=list)         # of ui.errands, and whether there were some lately
+    frame_before: tuple = ()                            # the name of the scene and its frame when undo began with a net out
+    shows_keys: bool = True                             # whether points go where keys put them
     lost_keys: list = field(default_factory=list)       # of bridge.point_keys: sentences for the next report
     looks_left: int = 0
     is_deaf: bool = False                               # whether the main thread left another one waiting

@@ -4,6 +4,8 @@ Blender sets them while it evaluates, when no geometry may be written. They are 
 has done so.
 """
 
+from contextlib import contextmanager
+
 import bpy
 
 from ..core.failures import told
@@ -49,7 +51,7 @@ def _show(data, evaluated, depsgraph):
         paths = animation.paths(data)
         is_other = any(path.startswith(_OF_SETTINGS) for path in paths) and _take_settings(data, evaluated)
         changes = _changes(data, evaluated, {path.removeprefix(_OF_PARAMETERS) for path in paths})
-        definition, problem = point_keys.given(data, evaluated)
+        definition, problem = point_keys.given(data, evaluated) if _goes_by_keys(data) else (None, "")
         if changes:
             set_parameters(data, changes, depsgraph)
         elif definition is not None:
@@ -61,6 +63,20 @@ def _show(data, evaluated, depsgraph):
     except Exception as error:
         problems.tell(data, problems.KEYED, told(error))
         return False
+
+
+@contextmanager
+def kept():
+    """Points of nets that are out stay where they are meanwhile."""
+    state.shows_keys = False
+    try:
+        yield
+    finally:
+        state.shows_keys = True
+
+
+def _goes_by_keys(data):
+    return state.shows_keys or keyed_net.held_net(data) is None
 
 
 def _take_settings(data, evaluated):

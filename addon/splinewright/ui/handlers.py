@@ -44,6 +44,25 @@ def updated(scene, depsgraph):
 
 
 @persistent
+def undoes(*_):
+    """In Edit Mode undo leaves the frame alone, and so it is where a step holds the whole file."""
+    scene = bpy.context.scene
+    is_out = any(ob.mode == 'EDIT' for ob in editing.nets())
+    state.frame_before = (scene.name, scene.frame_current, scene.frame_subframe) if is_out else ()
+
+
+def _keep_frame():
+    """Be at the frame again where undo began, with nets as they came back: they are newer than their keys."""
+    name, *frame = state.frame_before or ("", 0, 0.0)
+    state.frame_before, scene = (), bpy.context.scene
+    if scene.name != name or [scene.frame_current, scene.frame_subframe] == frame:
+        return
+    if any(ob.mode == 'EDIT' for ob in editing.nets()):
+        with keyed.kept():
+            scene.frame_set(frame[0], subframe=frame[1])
+
+
+@persistent
 def undone(*_):
     """After undo and redo every object is another."""
     _put_back_after_failure()
@@ -55,6 +74,7 @@ def undone(*_):
     editing.find_nets()
     follow.scan()
     live.trust()
+    _keep_frame()
     _pull_all()
     messages.refresh()
 
@@ -219,6 +239,8 @@ CLASSES = ()
 
 _HANDLERS = {
     'depsgraph_update_post': updated,
+    'undo_pre': undoes,
+    'redo_pre': undoes,
     'undo_post': undone,
     'redo_post': undone,
     'load_post': loaded,

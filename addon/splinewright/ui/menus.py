@@ -177,7 +177,8 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
         layout.operator("splinewright.point_from_infinity")
         layout.separator()
         layout.operator("splinewright.key_points", icon='KEY_HLT')
-        layout.operator("splinewright.clear_point_keys")
+        if bpy.ops.splinewright.clear_point_keys.poll():
+            layout.operator("splinewright.clear_point_keys")
         layout.separator()
         tools = curve_tools if is_curve else patch_tools
         tools.draw_verbs(layout, context)
