@@ -9,7 +9,7 @@ import pytest
 
 from layouts import drawn_by
 from natives import exact, native, select as select_objects
-from shapes import add, enter, leave, numbers_of, op, require_exact
+from shapes import add, enter, leave, op, require_exact
 from support import part, splinecore as sc
 from test_files import reopen, save
 

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from ..core.failures import Refusal
-from . import animation, blocks, follow, recipes, shape, stamp, store, write_mesh
+from . import animation, blocks, follow, shape, stamp, store, write_mesh
 from .native import native_links
 
 KEY = "splinewright_baked"

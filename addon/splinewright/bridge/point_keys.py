@@ -9,7 +9,6 @@ import re
 import numpy as np
 
 from ..core import keyed_rows
-from ..core.failures import Refusal
 from . import animation, recipes, store
 from .file_state import state
 from .net import net_object

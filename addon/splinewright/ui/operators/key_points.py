@@ -4,7 +4,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty
 
 from ...bridge import point_keying, point_keys, store
-from ...bridge.net import live, net_object, selection
+from ...bridge.net import live, selection
 from ...core.failures import FAILURES, Refusal, sentence
 from .. import editing, hand
 from . import reports
