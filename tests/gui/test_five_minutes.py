@@ -98,9 +98,6 @@ def revolved(view):
         region.view_rotation = (0.83, 0.46, 0.13, 0.28)
         bpy.ops.view3d.view_selected()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1045, 538))
-    view.move(420, 420)
-    yield from redrawn()
     picture("revolved")
     points = part('bridge.shape').points_of(vase().data)
     assert np.abs(np.hypot(points[:, 0], points[:, 2]).max() - 1.1) < 0.2
@@ -183,6 +180,7 @@ def steps():
     view = View()
     view.open_sidebar()
     yield from redrawn()
+    yield from view.show_tab("Splinewright", (1045, 538))
     for stop in (profile, revolved, refined, pulled, held):
         yield from stop(view)
         print(stop.__name__, flush=True)

@@ -196,7 +196,7 @@ def moved(triple, letters, given):
         after += given[1] - triple[1]
     near = _ROUNDING * np.abs(after).max()
     sides = [side for side in (0, 2) if side in given and np.abs(given[side] - after[side]).max() > near]
-    for side in sides:
+    for side in {0, 2} & set(given):
         after[side] = given[side]
     if not sides:
         return after, letters
