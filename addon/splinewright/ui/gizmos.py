@@ -114,10 +114,7 @@ class SPLINEWRIGHT_GGT_strip(bpy.types.GizmoGroup):
 
     @classmethod
     def setup_keymap(cls, keyconfig):
-        """Items of the add-on's own configuration stay where Blender reads its keys anew; each map is to be in the
-        default one, too."""
-        found = keyconfig.keymaps.new(name=keymaps.STRIP, space_type='VIEW_3D', region_type='WINDOW')
-        return keymaps.of_strip() or found
+        return keymaps.of_strip(bpy.context.window_manager.keyconfigs.addon or keyconfig)
 
     def setup(self, context):
         strip = self.gizmos.new(SPLINEWRIGHT_GT_strip.bl_idname)
