@@ -287,3 +287,19 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
         assert hints.said(bpy.context) == []
     finally:
         part('ui.preferences').get().show_hints = True
+
+
+def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):
+    hints, state, pointed = part('ui.hints'), part('bridge.file_state').state, part('ui.knot_strip').Pointed
+    sights = part('bridge.sights').of(bpy.context.scene)
+    sights.strip, state.pointed_knot = True, pointed(1, "shape", 0, 2, 1.0)
+    inserting = (["MOUSE_LMB"], "twice: Insert Knot")
+    try:
+        assert hints.said(bpy.context) == [(["MOUSE_LMB_DRAG"], "Move Knot"), inserting, (["EVENT_X"], "Remove Knot")]
+        state.pointed_knot = pointed(1, "shape", 0, None, 1.0)
+        assert hints.said(bpy.context) == [inserting]
+        sights.strip = False
+        assert hints.said(bpy.context) == []
+    finally:
+        state.pointed_knot = None
+        sights.property_unset('strip')

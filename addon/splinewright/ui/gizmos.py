@@ -8,7 +8,7 @@ from mathutils import Matrix, Vector
 from ..bridge import sights
 from ..bridge.file_state import state
 from ..bridge.net import live, weighing
-from . import aim_overlay, editing, keymaps, knot_strip, toolbar
+from . import aim_overlay, editing, hints, keymaps, knot_strip, toolbar
 from .operators import insert_here, move_knot, weight_here
 
 _DIAL = 0.28
@@ -90,6 +90,7 @@ class SPLINEWRIGHT_GT_strip(bpy.types.Gizmo):
         if pointed != state.pointed_knot:
             state.pointed_knot = pointed
             context.area.tag_redraw()
+            hints.redraw(context)
         return -1 if hit is None else 0
 
     def draw(self, context):
@@ -97,6 +98,7 @@ class SPLINEWRIGHT_GT_strip(bpy.types.Gizmo):
         if pointed and pointed.region == context.region.as_pointer() and not self.is_highlight:
             state.pointed_knot = None   # the mouse has left the view
             context.area.tag_redraw()
+            hints.redraw(context)
 
 
 class SPLINEWRIGHT_GGT_strip(bpy.types.GizmoGroup):
@@ -112,10 +114,7 @@ class SPLINEWRIGHT_GGT_strip(bpy.types.GizmoGroup):
 
     @classmethod
     def setup_keymap(cls, keyconfig):
-        """Items of the add-on's own configuration stay where Blender reads its keys anew; each map is to be in the
-        default one, too."""
-        found = keyconfig.keymaps.new(name=keymaps.STRIP, space_type='VIEW_3D', region_type='WINDOW')
-        return keymaps.of_strip() or found
+        return keymaps.of_strip(bpy.context.window_manager.keyconfigs.addon or keyconfig)
 
     def setup(self, context):
         strip = self.gizmos.new(SPLINEWRIGHT_GT_strip.bl_idname)

@@ -1,28 +1,48 @@
-"""In the status bar: which keys do what while a net is edited. Blender's own hints stay beside it."""
+"""In the status bar: which keys do what while a net is edited, and over the knot strip. Blender's hints stay beside it."""
 
 import bpy
 
-from ..bridge import versions
+from ..bridge import sights, versions
 from ..bridge.file_state import state
 from . import editing, keymaps, preferences
 
+_MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'MOUSE_RMB'}
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
 _WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot",
           "splinewright.pull_here": "Pull Shape", "splinewright.radius_here": "Radius", "splinewright.tilt_here": "Tilt",
           "splinewright.key_points": "Key Points",
           "splinewright.pie": "Pie Menu"}
+_WORDS_ON_STRIP = {"splinewright.insert_on_strip": "twice: Insert Knot", "splinewright.remove_on_strip": "Remove Knot"}
 
 
 def said(context):
     """[(icons of keys, words)] for what is at hand; none while something else is going on."""
     if not preferences.get().show_hints or state.status or _is_busy(context.window):
         return []
+    if state.pointed_knot and sights.of(context.scene).strip:
+        return _on_strip(is_at_knot=state.pointed_knot.mark is not None)
     if not editing.nets_in_edit_mode(context):
         return []
-    room = 'Curve' if context.mode == 'EDIT_CURVE' else 'Mesh'
-    items = [(item, operator) for keymap, item, operator in keymaps.of_user()
-             if item and item.active and operator in _WORDS and keymap.name in (room, 'Object Non-modal')]
-    return [(_icons(item), _WORDS[operator]) for item, operator in items]
+    return _known(_WORDS, 'Curve' if context.mode == 'EDIT_CURVE' else 'Mesh', 'Object Non-modal')
+
+
+def _on_strip(is_at_knot):
+    """With one key for each, as far as there are icons."""
+    icons_of = {words: icons for icons, words in reversed(_known(_WORDS_ON_STRIP, keymaps.STRIP)) if icons}
+    found = [(icons_of[words], words) for words in _WORDS_ON_STRIP.values() if words in icons_of]
+    return [(['MOUSE_LMB_DRAG'], "Move Knot"), *found] if is_at_knot else found[:1]
+
+
+def _known(words, *rooms):
+    """Those of the keymaps of these names."""
+    return [(_icons(item), words[operator]) for keymap, item, operator in keymaps.of_user()
+            if item and item.active and operator in words and keymap.name in rooms]
+
+
+def redraw(context):
+    """Blender draws the status bar anew where its text is set."""
+    for window in context.window_manager.windows:
+        window.workspace.status_text_set(state.status or None)
 
 
 def _is_busy(window):
@@ -36,7 +56,7 @@ def _icons(item):
     """Names of Blender's icons of keys; a key that has none is left out of it."""
     known = bpy.types.UILayout.bl_rna.functions['label'].parameters['icon'].enum_items
     held = [name.upper() for name in _MODIFIERS if getattr(item, name)]
-    wanted = [f"EVENT_{name}" for name in (*held, item.type)]
+    wanted = [_MOUSE.get(name, f"EVENT_{name}") for name in (*held, item.type)]
     return [name for name in wanted if name in known]
 
 

@@ -36,19 +36,18 @@ def of_user():
     """[(keymap, item, operator)] of the user's configuration, which has what a user changed; the item is None where a
     user removed it."""
     config, found = bpy.context.window_manager.keyconfigs.user, []
-    for i, (keymap, made) in enumerate(_made):
-        own = config.keymaps.get(keymap.name) if config else None
-        items = [item for item in own.keymap_items if item.idname == made.idname] if own else []
-        before = [item for known, item in _made[:i] if (known.name, item.idname) == (keymap.name, made.idname)]
-        items = sorted(items, key=lambda item: item.is_user_defined)[len(before):]
-        found.append((own, items[0] if items else None, made.idname))
+    for keymap, made in _made:
+        own, taken = config.keymaps.get(keymap.name) if config else None, [item for _, item, _ in found]
+        items = [item for item in own.keymap_items if item.idname == made.idname and item not in taken] if own else []
+        item = min(items, key=lambda item: (item.is_user_defined, item.type != made.type), default=None)
+        found.append((own, item, made.idname))
     return found
 
 
-def of_strip():
-    """The add-on's keymap for the knot strip, or None in background."""
-    config = bpy.context.window_manager.keyconfigs.addon
-    return config.keymaps.get(STRIP) if config else None
+def of_strip(config):
+    """The keymap for the knot strip of a configuration. Items of the add-on's own stay where Blender reads its keys anew;
+    Blender counts those of which the default one has the map, too."""
+    return config.keymaps.new(name=STRIP, space_type='VIEW_3D', region_type='WINDOW')
 
 
 CLASSES = ()
@@ -61,7 +60,8 @@ def register():
     for name, operator, key, held in _ITEMS:
         keymap = config.keymaps.new(name=name)
         _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', **({held: True} if held else {}))))
-    keymap = config.keymaps.new(name=STRIP, space_type='VIEW_3D', region_type='WINDOW')
+    keymap = of_strip(config)
+    of_strip(bpy.context.window_manager.keyconfigs.default)
     _gizmo.append((keymap, keymap.keymap_items.new("gizmogroup.gizmo_tweak", 'LEFTMOUSE', 'PRESS', any=True)))
     for operator, key, value in _ON_STRIP:
         _made.append((keymap, keymap.keymap_items.new(operator, key, value)))
