@@ -141,7 +141,7 @@ FROM_CURVES = (
            (_AXIS, _START, _SWEEP, *(
                Parameter(f"offset_{name}", f"Offset {name.upper()}", f"The axis lies so far along {name} from the origin", 0.0,
                          unit='LENGTH') for name in _AXES)), _revolve, is_surface=True, resolution=12, inputs=("one curve",),
-           frame="Axis Object"),
+           frame="About"),
     Recipe("extrude", "Extrude",
            "The surface of a curve that moves along a vector; it follows when the curve is edited",
            tuple(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')
