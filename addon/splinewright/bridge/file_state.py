@@ -41,6 +41,7 @@ class FileState:
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
+    sides: tuple = ()                                   # while sides of patches are picked: (object's name, number, side) each
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse
     pulled: tuple = None                                # while a shape is pulled by a point: a ui.pull_overlay.Pull
     weighing: tuple = None                              # while weights change by the mouse: a ui.weight_overlay.Weighing

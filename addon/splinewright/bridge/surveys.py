@@ -35,6 +35,11 @@ def outlines_of(data):
     return _kept('outlines', data, lambda definition: list(map(landmarks.outline, verbs.pieces_of(definition))))
 
 
+def sides_of(data):
+    """For each patch of a definition its core.landmarks.sides(). Raises store.UnreadableDefinition."""
+    return _kept('sides', data, lambda definition: list(map(landmarks.sides, verbs.pieces_of(definition))))
+
+
 def pieces_of(data):
     """The curves or patches of a definition. Raises store.UnreadableDefinition."""
     return _kept('pieces', data, verbs.pieces_of)

@@ -31,16 +31,15 @@ def outline(piece):
     """Polylines (n, 3): a curve itself; of a patch its sides, and its seam where it is periodic."""
     if not hasattr(piece, 'isocurve'):
         return _lines(piece)
-    found = []
-    for axis, (start, _) in zip('uv', piece.domain):
-        is_periodic = getattr(piece, 'periodic', (False, False))['uv'.index(axis)]
-        if is_periodic:
-            found += _lines(piece.isocurve(axis, start))
-            continue
-        for side in (f"{axis}_start", f"{axis}_end"):
-            curve, reason = patch_curves.side_of(piece, side)
-            found += [] if reason else _lines(curve)
-    return found
+    seams = [piece.isocurve(axis, start) for axis, (start, _), is_periodic in zip(
+        'uv', piece.domain, getattr(piece, 'periodic', (False, False))) if is_periodic]
+    return sum(map(_lines, seams), []) + sum(sides(piece).values(), [])
+
+
+def sides(patch):
+    """{side: its polylines (n, 3)} of the sides of a patch that are curves."""
+    found = {side: patch_curves.side_of(patch, side) for side in patch_curves.SIDES}
+    return {side: _lines(curve) for side, (curve, reason) in found.items() if not reason}
 
 
 def _lines(curve):

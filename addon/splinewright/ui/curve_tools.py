@@ -15,6 +15,8 @@ _GROUPS = (
     ("Place", ('project_curve',)),
     ("Kind", ('to_bezier_chain', 'to_hermite', 'to_nurbs')),
 )
+#: On what is at the mouse.
+BY_MOUSE = ('insert_here', 'pull_here', 'split_here')
 
 
 class SPLINEWRIGHT_MT_curve(bpy.types.Menu):
@@ -40,7 +42,7 @@ class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
         return replacing.is_curve_shape(hand.shape_of(context.object))
 
     def draw(self, context):
-        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_curve_shape)
+        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_curve_shape, BY_MOUSE)
 
 
 CLASSES = (SPLINEWRIGHT_MT_curve, SPLINEWRIGHT_PT_curve_tools)

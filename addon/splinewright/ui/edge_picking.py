@@ -1,7 +1,6 @@
 """From a pixel of a 3D view to the edge of a mesh that is seen there."""
 
 import numpy as np
-from bpy_extras import view3d_utils
 from mathutils import Vector
 
 from . import picking
@@ -31,17 +30,11 @@ def edge_at(context, x, y, but):
 
 def _hit(context, region, view, pixel, depsgraph, but):
     """[(object, vertex pairs of the edges of its face, True)] of the face in front; [] where none is."""
-    origin = view3d_utils.region_2d_to_origin_3d(region, view, pixel)
-    along = view3d_utils.region_2d_to_vector_3d(region, view, pixel)
-    for _ in range(64):                 # objects that are looked through
-        is_hit, place, _, face, ob, _ = context.scene.ray_cast(depsgraph, origin, along)
-        if not is_hit:
-            return []
-        if ob.original != but:
-            polygon = ob.evaluated_get(depsgraph).data.polygons[face]
-            return [(ob.original, list(polygon.edge_keys), True)]
-        origin = place + 1e-4 * along
-    return []
+    found = picking.face_seen(context, region, view, pixel, depsgraph, {but.name} if but else ())
+    if found is None:
+        return []
+    ob, face, _ = found
+    return [(ob.original, list(ob.evaluated_get(depsgraph).data.polygons[face].edge_keys), True)]
 
 
 def _loose(context, depsgraph, but):

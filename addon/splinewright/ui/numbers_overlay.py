@@ -68,14 +68,22 @@ def _is_open(area):
 
 
 def draw_outline():
-    """Called by Blender for each 3D view: the lines around the piece at the mouse."""
-    ob = bpy.context.view_layer.objects.get(state.hovered[0]) if state.hovered else None
+    """Called by Blender for each 3D view: the lines around the piece at the mouse, and sides that are picked."""
+    if state.hovered:
+        name, number = state.hovered
+        _draw_lines(name, lambda data: surveys.outlines_of(data)[number - 1])
+    for name, number, side in state.sides:
+        _draw_lines(name, lambda data: surveys.sides_of(data)[number - 1].get(side, []))
+
+
+def _draw_lines(name, lines_of):
+    """Polylines of a shape with this name, if it is there."""
+    ob = bpy.context.view_layer.objects.get(name)
     if not shape.has_shape(ob):
         return
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        strokes.draw(strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: COLORS[2], 3.0)
-                     for line in surveys.outlines_of(ob.data)[state.hovered[1] - 1])
+        strokes.draw(strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: COLORS[2], 3.0) for line in lines_of(ob.data))
 
 
 def draw():

@@ -16,6 +16,8 @@ _GROUPS = (
     ("Kind", ('patch_to_bezier', 'patch_to_hermite', 'patch_to_nurbs')),
     ("Curves", ('extract_isocurve', 'extract_boundary')),
 )
+#: On what is at the mouse.
+BY_MOUSE = ('insert_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here')
 
 
 class SPLINEWRIGHT_MT_patch(bpy.types.Menu):
@@ -41,7 +43,7 @@ class SPLINEWRIGHT_PT_patch_tools(SubPanel, bpy.types.Panel):
         return replacing.is_patch_shape(hand.shape_of(context.object))
 
     def draw(self, context):
-        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_patch_shape)
+        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_patch_shape, BY_MOUSE)
 
 
 CLASSES = (SPLINEWRIGHT_MT_patch, SPLINEWRIGHT_PT_patch_tools)

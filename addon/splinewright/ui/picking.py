@@ -14,6 +14,21 @@ from ..core import aiming
 _NEAR = 18.0
 
 
+def face_seen(context, region, view, pixel, depsgraph, ignored, most=64):
+    """(object, number of its face, where it is met) of the face at a pixel of a region, on what stands in front but for the
+    objects with the ignored names; None over nothing."""
+    origin = view3d_utils.region_2d_to_origin_3d(region, view, pixel)
+    along = view3d_utils.region_2d_to_vector_3d(region, view, pixel)
+    for _ in range(most):               # objects that are looked through
+        is_hit, place, _, face, ob, _ = context.scene.ray_cast(depsgraph, origin, along)
+        if not is_hit:
+            return None
+        if ob.name not in ignored:
+            return ob, face, place
+        origin = place + max(1e-5 * (place - origin).length, 1e-6) * along
+    return None
+
+
 def near(pixels=_NEAR):
     """So many pixels of an interface that is not scaled, in those of this one."""
     return pixels * max(bpy.context.preferences.system.ui_scale, 1.0)
@@ -81,6 +96,19 @@ def _face_at(region, view, pixel, ob, depsgraph):
         return None
     distance = (shown.matrix_world @ point - origin).dot(along)
     return _Hit(distance, ob, number, mesh_layers.parameters_at(shown.data, face, point))
+
+
+def side_at(region, view, pixel, pieces, depsgraph):
+    """(object, number, side) of the side of a patch that is nearest to a pixel of a region: of the patch that is seen there, or
+    near enough. pieces: (object, number) of those that are meant."""
+    obs = {ob.name: ob for ob, _ in pieces}.values()
+    faces = [hit for hit in (_face_at(region, view, pixel, ob, depsgraph) for ob in obs) if hit]
+    front = min(faces, key=lambda hit: hit.distance, default=None)
+    seen = [(ob, number) for ob, number in pieces if front and (ob, number) == (front.ob, front.number)]
+    found = [(min(distance(on_screen(region, view, ob.matrix_world, line), pixel) for line in lines), ob, number, side)
+             for ob, number in seen or pieces for side, lines in surveys.sides_of(ob.data)[number - 1].items() if lines]
+    nearest = min(found, key=lambda one: one[0], default=(np.inf,))
+    return nearest[1:] if nearest[0] <= (np.inf if seen else near()) and len(nearest) > 1 else None
 
 
 def _line_at(region, view, pixel, ob):

@@ -2,7 +2,6 @@
 
 import bpy
 import numpy as np
-from bpy_extras import view3d_utils
 
 from . import picking
 
@@ -10,8 +9,6 @@ from . import picking
 _ELEMENTS = ('VERTEX', 'EDGE_MIDPOINT', 'EDGE', 'FACE')
 #: How near in pixels.
 _NEAR = 15.0
-#: So many objects may lie before what is snapped to.
-_MOST = 16
 
 
 def is_on(event):
@@ -39,19 +36,15 @@ def place_at(context, region, view, pixel, ignored):
 def _face_at(context, region, view, pixel, ignored):
     """(where the face at a pixel is met (3,), its corners (n, 3)), in the world; None over nothing."""
     depsgraph = context.evaluated_depsgraph_get()
-    origin = view3d_utils.region_2d_to_origin_3d(region, view, pixel)
-    sight = view3d_utils.region_2d_to_vector_3d(region, view, pixel)
-    for _ in range(_MOST):
-        is_hit, place, _, index, ob, matrix = context.scene.ray_cast(depsgraph, origin, sight)
-        if not is_hit:
-            return None
-        if ob.name not in ignored:
-            mesh = ob.evaluated_get(depsgraph).data
-            if ob.type != 'MESH' or index >= len(mesh.polygons):
-                return np.array(place), np.array([place])
-            return np.array(place), np.array([matrix @ mesh.vertices[i].co for i in mesh.polygons[index].vertices])
-        origin = place + sight * max(1e-5 * (place - origin).length, 1e-6)
-    return None
+    found = picking.face_seen(context, region, view, pixel, depsgraph, ignored)
+    if found is None:
+        return None
+    ob, face, place = found
+    shown = ob.evaluated_get(depsgraph)
+    if ob.type != 'MESH' or face >= len(shown.data.polygons):
+        return np.array(place), np.array([place])
+    corners = [shown.matrix_world @ shown.data.vertices[i].co for i in shown.data.polygons[face].vertices]
+    return np.array(place), np.array(corners)
 
 
 def _places(name, corners, place):

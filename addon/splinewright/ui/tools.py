@@ -85,8 +85,9 @@ def draw_hand(layout, data):
         row.operator("splinewright.pick_piece", text="", icon='EYEDROPPER').other = is_other
 
 
-def draw_verbs(layout, groups, context, fits):
-    """draw_panel() with the verbs of shapes that fit; what none of the selected ones can have done is grey."""
+def draw_verbs(layout, groups, context, fits, by_mouse):
+    """draw_panel() with the verbs of shapes that fit, below names of operators on what is at the mouse; what none of the
+    selected ones can have done is grey."""
     active = hand.shape_of(context.object)
     draw_hand(layout, active.data)
     reason = why_not(active.data)
@@ -94,7 +95,7 @@ def draw_verbs(layout, groups, context, fits):
         texts.draw_note(layout, reason)
     obs = list(filter(fits, hand.shapes(context))) or [active]
     column = layout.column(align=True)
-    for name in ('insert_here', 'pull_here'):       # by the mouse
+    for name in by_mouse:
         column.operator(f"splinewright.{name}", text=text_of(name))
     draw_panel(layout, groups, [_refused(ob, groups, len(obs)) for ob in obs])
 

@@ -21,7 +21,7 @@ class _Extract(OnPatches):
 
     def chosen(self, context):
         """Also of objects that share data: their curves lie in different places."""
-        return [ob for ob in self._in_order(context) if self.fits(ob)]
+        return [ob for ob in self._in_order(context) if self.fits(ob) and self.only in ("", ob.name)]
 
     def execute(self, context):
         sources = context.selected_objects

@@ -1,9 +1,9 @@
-"""Insert a knot by a click on the shape: where it would lie is shown at the mouse."""
+"""By a click on the shape: a knot is inserted, the shape is split, an isocurve is extracted. Where is shown at the mouse."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import surveys
+from ...bridge import replacing, surveys
 from ...bridge.file_state import state
 from ...core import aiming
 from ...core.failures import FAILURES
@@ -17,16 +17,20 @@ _ON_POINT = 8.0
 _STEPS = {'WHEELUPMOUSE': 1, 'WHEELDOWNMOUSE': -1}
 
 
-class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
-    bl_idname = "splinewright.insert_here"
-    bl_label = "Insert Knot by Click"
-    bl_description = ("Click the curve or patch where a knot is to be; the shape stays the same, and has more control points "
-                      "there")
-    bl_options = {'REGISTER'}
+class _ByClick:
+    """What is at the mouse is shown until it is clicked, or called off."""
 
-    direction: EnumProperty(name="Along", description="Which knots of a patch", options={'SKIP_SAVE'}, items=(
-        ('U', "U", "A knot along u"), ('V', "V", "A knot along v"), ('BOTH', "Both", "A knot each way")))
-    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # where the mouse is, or leave the key to others
+    bl_options = {'REGISTER'}
+    #: What lies at the mouse, and what a click does with it.
+    thing, does = "", ""
+
+    direction: EnumProperty(name="Along", description="Along which direction of a patch", options={'SKIP_SAVE'}, items=(
+        ('U', "U", "At one u"), ('V', "V", "At one v"), ('BOTH', "Both", "At both")))
+
+    @staticmethod
+    def clicked(aimed):
+        """Do it at an Aim, by the operator whose panel then has the numbers."""
+        raise NotImplementedError
 
     @classmethod
     def poll(cls, context):
@@ -38,14 +42,9 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
         return is_possible(context)
 
     def invoke(self, context, event):
-        aimed = aimed_by_tool(context, event.mouse_x, event.mouse_y, self.direction, event.ctrl) if self.at_once else None
-        if self.at_once and aimed is None:
-            return {'PASS_THROUGH', 'CANCELLED'}
         problem = editing.unread(editing.nets_in_edit_mode(context))
         if problem:
             return reports.cancelled(self, problem)
-        if self.at_once:
-            return _insert(aimed)
         self._snaps = False
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('CROSSHAIR')
@@ -66,7 +65,7 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
             return {'RUNNING_MODAL'}
         aimed = state.aimed
         self.cancel(context)
-        return _insert(aimed)
+        return self.clicked(aimed)
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
@@ -81,8 +80,62 @@ class SPLINEWRIGHT_OT_insert_here(bpy.types.Operator):
     def _aim(self, context, event):
         """Find what is at the mouse, with Ctrl the middle of the span there, and show it."""
         state.aimed = aimed_at(context, event.mouse_x, event.mouse_y, self.direction, self._snaps and event.ctrl)
-        context.workspace.status_text_set(_status(state.aimed))
+        context.workspace.status_text_set(_status(state.aimed, self.thing, self.does))
         redraw()
+
+
+class SPLINEWRIGHT_OT_insert_here(_ByClick, bpy.types.Operator):
+    bl_idname = "splinewright.insert_here"
+    bl_label = "Insert Knot by Click"
+    bl_description = ("Click the curve or patch where a knot is to be; the shape stays the same, and has more control points "
+                      "there")
+    thing, does = "Knot", "insert"
+
+    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # where the mouse is, or leave the key to others
+
+    def invoke(self, context, event):
+        if not self.at_once:
+            return super().invoke(context, event)
+        aimed = aimed_by_tool(context, event.mouse_x, event.mouse_y, self.direction, event.ctrl)
+        if aimed is None:
+            return {'PASS_THROUGH', 'CANCELLED'}
+        problem = editing.unread(editing.nets_in_edit_mode(context))
+        return reports.cancelled(self, problem) if problem else self.clicked(aimed)
+
+    @staticmethod
+    def clicked(aimed):
+        return _insert(aimed)
+
+
+class SPLINEWRIGHT_OT_split_here(_ByClick, bpy.types.Operator):
+    bl_idname = "splinewright.split_here"
+    bl_label = "Split by Click"
+    bl_description = "Click the curve or patch where it is to part in two; both go on as they were"
+    thing, does = "Cut", "split"
+
+    @staticmethod
+    def clicked(aimed):
+        return _done_at(aimed, bpy.ops.splinewright.split_curve, bpy.ops.splinewright.patch_split, where='PARAMETER')
+
+
+class SPLINEWRIGHT_OT_extract_here(_ByClick, bpy.types.Operator):
+    bl_idname = "splinewright.extract_here"
+    bl_label = "Extract Isocurve by Click"
+    bl_description = "Click the patch where a curve is to be taken off it: a shape of its own, exact"
+    thing, does = "Isocurve", "extract"
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode != 'OBJECT' or not any(map(replacing.is_patch_shape, context.selected_objects)):
+            cls.poll_message_set("Select a patch shape in Object Mode")
+            return False
+        return super().poll(context)
+
+    @staticmethod
+    def clicked(aimed):
+        if len(aimed.parameters) == 1:
+            return {'CANCELLED'}        # a curve is one already
+        return _done_at(aimed, None, bpy.ops.splinewright.extract_isocurve)
 
 
 def is_possible(context):
@@ -118,24 +171,26 @@ def _found(context, x, y, in_middle):
     return ob, number, aiming.in_middle(surveys.pieces_of(ob.data)[number - 1], parameters)
 
 
-def _status(aimed):
+def _status(aimed, thing, does):
     if aimed is None:
         return "Point at the shape   |   Esc, Right Mouse: Cancel"
     names = {'U': "u", 'V': "v", 'BOTH': "uv"}[aimed.direction] if len(aimed.parameters) == 2 else "u"
     numbers = ", ".join(f"{name} = {value:.4g}" for name, value in zip("uv", aimed.parameters) if name in names)
     wheel = "   |   Wheel: along u, v, both" if len(aimed.parameters) == 2 else ""
-    return f"Knot at {numbers}   |   Click: insert   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel"
+    return f"{thing} at {numbers}   |   Click: {does}   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel"
 
 
 def _insert(aimed):
+    return _done_at(aimed, bpy.ops.splinewright.insert_knot, bpy.ops.splinewright.patch_insert_knot)
+
+
+def _done_at(aimed, to_curve, to_patch, **settings):
     """By the operator whose panel then has the numbers."""
+    settings.update(only=aimed.name, piece=aimed.number)
     if len(aimed.parameters) == 1:
-        return bpy.ops.splinewright.insert_knot(
-            'EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, parameter=aimed.parameters[0])
+        return to_curve('EXEC_DEFAULT', True, parameter=aimed.parameters[0], **settings)
     u, v = aimed.parameters
-    return bpy.ops.splinewright.patch_insert_knot(
-        'EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, direction=aimed.direction, parameter_u=u,
-        parameter_v=v)
+    return to_patch('EXEC_DEFAULT', True, direction=aimed.direction, parameter_u=u, parameter_v=v, **settings)
 
 
-CLASSES = (SPLINEWRIGHT_OT_insert_here,)
+CLASSES = (SPLINEWRIGHT_OT_insert_here, SPLINEWRIGHT_OT_split_here, SPLINEWRIGHT_OT_extract_here)
