@@ -218,3 +218,31 @@ def test_sides_that_are_no_edge_are_refused():
     with pytest.raises(RuntimeError, match="not one edge"):
         bpy.ops.splinewright.hold_seam(first=1, first_side='u_end', second=3, second_side='u_start')
     assert held.read(shape().data) == ()
+
+
+def test_mirrored_seams_hold_on_the_sides_that_are_theirs_then():
+    ob = add(neighbours())
+    hold('G1')
+    ob.scale.x = -1
+    op(bpy.ops.splinewright.apply_transform)
+    seam, = held.read(shape().data)
+    assert (seam.first, seam.second) == ((0, 'v_end'), (1, 'v_start'))
+    net = enter()
+    net_rows = {int(row): vertex for vertex, row in enumerate(numbers_of(bpy.context.object).rows)}
+    select(net, [net_rows[int(row)] for row in numbers_of(bpy.context.object).definition.pieces[0].indices[:, 4]])
+    move(0, 0, 1)
+    followed()
+    assert sc.seam_continuity(value()[0], 'v_end', value()[1], 'v_start').g >= 1
+    leave()
+
+
+def test_a_mirrored_shape_that_is_joined_keeps_its_seams():
+    other = add(neighbours(), "other")
+    hold('C1')
+    other.scale.x = -1
+    bpy.context.view_layer.update()
+    add(neighbours())
+    bpy.data.objects["other"].select_set(True)
+    op(bpy.ops.splinewright.join)
+    seam, = held.read(shape().data)
+    assert (seam.first, seam.second) == ((2, 'v_end'), (3, 'v_start'))

@@ -202,3 +202,79 @@ def test_what_cannot_hold_is_refused_and_nothing_changes():
         with pytest.raises(RuntimeError, match=words):
             bpy.ops.splinewright.hold_joint(**{'first': 1, 'first_end': 'end', 'second': 2, 'second_end': 'start', **settings})
     assert np.array_equal(store.read(shape().data).pool, before) and held.read(shape().data) == ()
+
+
+def corner():
+    """A curve that is only continuous at its knot 1."""
+    points = np.array([[0, 0, 0], [1, 1, 0], [2, 1, 0], [3, 0, 0], [4, 2, 1], [5, 2, 0], [6, 0, 0.0]])
+    return sc.NurbsCurve(3, [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2.0], points)
+
+
+def at():
+    return [(one.first, one.second) for one in held.read(shape().data)]
+
+
+def test_a_knot_that_is_moved_or_typed_elsewhere_takes_along_what_holds_there():
+    add(corner())
+    hold('C1', second=1, knot=1)
+    op(bpy.ops.splinewright.move_knot, knot=2, to=1.25)
+    assert at() == [((0, 1.25), (0, 1.25))] and shape().data.splinewright.value.continuity(1.25).c >= 1
+    op(bpy.ops.splinewright.set_knots, axis='U', knots="0 0 0 0 0.5 0.5 0.5 2 2 2 2")
+    assert at() == [((0, 0.5), (0, 0.5))]
+    net = enter()
+    drag(net, 0, 4, 0, 0, 1)
+    assert shape().data.splinewright.value.continuity(0.5).c >= 1
+    leave()
+
+
+def test_reversed_or_with_another_domain_a_knot_is_never_another_one():
+    add(corner())
+    hold('C1', second=1, knot=1)
+    op(bpy.ops.splinewright.reparametrise, how='AFFINE', start=0.0, end=4.0)
+    assert at() == [((0, 2.0), (0, 2.0))]
+    op(bpy.ops.splinewright.reverse)
+    assert at() == []
+
+
+def test_in_object_mode_the_end_that_is_pulled_leads():
+    add(curves())
+    hold('G1')
+    before = [one.to_nurbs().evaluate(0.0) for one in shape().data.splinewright.value]
+    assert op(bpy.ops.splinewright.pull_here, piece=2, parameter_u=0.0, vector=(0, 0, 1)) == {'FINISHED'}
+    assert np.allclose(shape().data.splinewright.value[1].evaluate(0.0) - before[1], (0, 0, 1), atol=1e-6)
+    require_smooth()
+
+
+def test_what_follows_another_holds_nothing():
+    add(curves(), "other").location.y = 5
+    source = bpy.context.object
+    add(curves())
+    hold()
+    part('bridge.follow').attach(shape(), source, bpy.context.evaluated_depsgraph_get())
+    assert held.read(shape().data) == ()
+
+
+def test_what_goes_with_blenders_own_curve_is_told(capfd):
+    add(curves())
+    hold()
+    op(bpy.ops.splinewright.to_native)
+    assert "that hold" in capfd.readouterr().out and held.KEY not in shape().data.keys()
+
+
+def test_the_very_end_that_is_extruded_is_no_joint_any_more():
+    add(curves())
+    hold('C0')
+    net = enter()
+    second = store.read(shape().data).pieces[1].indices
+    before = store.read(shape().data).pool[second]
+    for spline in net.data.splines:
+        for point in spline.points:
+            point.select = False
+    net.data.splines[0].points[-1].select = True
+    bpy.ops.curve.extrude_move(CURVE_OT_extrude={}, TRANSFORM_OT_translate={'value': (1, 1, 0)})
+    net.data.update_tag()
+    bpy.context.view_layer.update()
+    assert live.problem(net) == "" and held.read(shape().data) == () and "released" in live.note(net)
+    definition = store.read(shape().data)
+    assert np.allclose(definition.pool[definition.pieces[1].indices], before)
+    leave()

@@ -149,7 +149,7 @@ def pulled(view):
 def held(view):
     """The surface is split, and the seam holds G2 while a row beside it is scaled; stripes do not break there."""
     with view.override():
-        bpy.ops.splinewright.patch_split('EXEC_DEFAULT', True, direction='V')
+        bpy.ops.splinewright.patch_split('EXEC_DEFAULT', True, direction='V', parameter_v=2.5)
         assert len(vase().data.splinewright.value) == 2
         bpy.ops.splinewright.hold_seam('EXEC_DEFAULT', True, continuity='G2', moves='second', first=1, first_side='v_end', second=2,
                                        second_side='v_start')
@@ -162,7 +162,7 @@ def held(view):
         select_points(*(vertices[int(row)] for row in net.definition.pieces[0].indices[:, -2]))
     yield from redrawn()
     view.press('S')
-    for key, text in (('ONE', "1"), ('PERIOD', "."), ('TWO', "2")):
+    for key, text in (('ONE', "1"), ('PERIOD', "."), ('ONE', "1")):
         view.press(key, text)
     view.press('RET')
     yield from until(lambda: all(one != other for one, other in zip(vase().data.splinewright.value, before)), "both sides move")

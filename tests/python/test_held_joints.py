@@ -167,12 +167,38 @@ def test_it_is_carried_to_what_pieces_became():
     held = Held((0, 'end'), (1, 'start'), 'G1', 'second')
     first, second = definitions.to_value(definition)
     parts = definitions.from_value([*first.split(4.0), second])
-    assert holds.carried((held,), (0, 0, 1), parts) == (held._replace(first=(1, 'end'), second=(2, 'start')),)
-    assert holds.carried((held,), (0, 1), definitions.from_value([first.reversed(), second])) == ()
-    assert holds.carried((held,), (0,), definitions.from_value([first])) == ()
+    assert holds.carried((held,), (0, 0, 1), definition, parts) == (held._replace(first=(1, 'end'), second=(2, 'start')),)
+    assert holds.carried((held,), (0, 1), definition, definitions.from_value([first.reversed(), second])) == ()
+    assert holds.carried((held,), (0,), definition, definitions.from_value([first])) == ()
     knot = Held((0, 5.0), (0, 5.0), 'G1', 'second')
-    assert holds.carried((knot,), (0,), with_knot(3, False)) == (knot,)
-    assert holds.carried((knot,), (0,), definitions.from_value(first)) == ()
+    assert holds.carried((knot,), (0,), with_knot(3, False), with_knot(3, False)) == (knot,)
+    assert holds.carried((knot,), (0,), with_knot(3, False), definitions.from_value(first)) == ()
+
+
+def test_a_knot_is_carried_to_where_its_point_is():
+    points = np.array([[0, 0, 0], [1, 1, 0], [2, 1, 0], [3, 0, 0], [4, -1, 0], [5, 2, 0], [6, 0, 0], [7, 1, 0], [8, 2, 0], [9, 0, 0.0]])
+    corners = sc.NurbsCurve(3, [0, 0, 0, 0, 0.25, 0.25, 0.25, 0.75, 0.75, 0.75, 1, 1, 1, 1.0], points)
+    before, knot = definitions.from_value(corners), Held((0, 0.25), (0, 0.25), 'C2', 'second')
+
+    def carried(curve):
+        return holds.carried((knot,), (0,), before, definitions.from_value(curve))
+    assert carried(corners.with_domain((0.0, 2.0))) == (knot._replace(first=(0, 0.5), second=(0, 0.5)),)
+    assert carried(corners.elevate()) == (knot,)
+    assert carried(corners.insert_knot(0.5)) == (knot,)
+    assert carried(corners.reversed()) == () and carried(corners.with_points(corners.points + (0, 0, 1))) == ()
+
+
+def test_where_a_knot_is_moved_what_holds_there_goes_along():
+    before, knot = with_knot(3, False), Held((0, 5.0), (0, 5.0), 'C1', 'second')
+    end = Held((0, 'end'), (0, 'start'), 'C0', 'second')
+    piece = before.pieces[0]
+    moved = replace(before, pieces=(replace(piece, knots=(np.where(piece.knots[0] == 5.0, 5.5, piece.knots[0]),)),))
+    assert holds.at_knots_of((knot, end), before, moved) == (knot._replace(first=(0, 5.5), second=(0, 5.5)), end)
+
+
+def test_sides_of_mirrored_patches_are_exchanged():
+    seam = Held((0, 'u_end'), (1, 'v_start'), 'G1', 'both')
+    assert holds.mirrored((seam,)) == (seam._replace(first=(0, 'v_end'), second=(1, 'u_start')),)
 
 
 def test_a_cusp_and_points_that_coincide_do_no_harm():

@@ -19,8 +19,8 @@ def curve_lists(holder):
 
 
 def own_action(holder):
-    """Make the action of a holder its own: one that others use, too, is copied first."""
-    if holder.action.users > 1:
+    """Make the action of a holder its own: one that others use, too, or of another file, is copied first."""
+    if holder.action.users > 1 or holder.action.library:
         slot = getattr(holder, 'action_slot', None)
         handle = slot.handle if slot else None
         holder.action = holder.action.copy()

@@ -10,7 +10,7 @@ import numpy as np
 from ..core import definition as definitions
 from ..core.failures import Refusal, told
 from ..core.recipes.table import FOLLOW
-from . import derived, point_keys, problems, recipes, shape, store
+from . import derived, handles, held, point_keys, problems, recipes, shape, store
 from .file_state import block_of, key, state
 
 
@@ -66,6 +66,8 @@ def attach(ob, source, depsgraph):
     point_keys.tell_lost(ob.data, point_keys.count(ob.data))
     point_keys.remove(ob.data)
     shape.set_definition(ob.data, result.definition)
+    held.write(ob.data, ())
+    handles.write(ob.data, ())
     _write(ob.data, FOLLOW, {}, [source], result.error)
 
 

@@ -18,8 +18,9 @@ def read(data, definition=None):
     try:
         seams = tuple(Held((a, side), (b, other), smoothness, moves)
                       for a, side, b, other, smoothness, moves in json.loads(data[KEY]))
+        definition = definition or store.read(data)
         for seam in seams:
-            held.require_valid(seam, definition or store.read(data))
+            held.require_valid(seam, definition)
     except (Refusal, TypeError, ValueError, RecursionError) as error:
         raise store.UnreadableDefinition(f"What holds in {data.name} is damaged: release it ({error})") from error
     return seams
@@ -58,20 +59,26 @@ def _without(seams, first, second):
     return tuple(seam for seam in seams if {seam.first, seam.second} != {first, second})
 
 
-def of_all(blocks):
-    """The Helds of several shapes, numbered as their pieces are one after the other."""
+def of_all(obs):
+    """The Helds of several shapes, numbered as their pieces are one after the other in the space of the first."""
     found, count = (), 0
-    for data in blocks:
-        found += held.shifted(known(data), count)
-        count += len(store.read(data).pieces)
+    for ob in obs:
+        is_mirrored = ob.matrix_world.determinant() * obs[0].matrix_world.determinant() < 0
+        found += held.shifted(held.mirrored(known(ob.data)) if is_mirrored and ob.type == 'MESH' else known(ob.data), count)
+        count += len(store.read(ob.data).pieces)
     return found
 
 
-def carry(data, seams, parents=None):
-    """After a shape was given other pieces: they came of those with these numbers, by default of those with their own, and
-    these seams held."""
+def mirror(data):
+    """After u and v of patches were exchanged."""
+    write(data, held.mirrored(known(data)))
+
+
+def carry(data, seams, before, parents=None):
+    """After a shape was given other pieces than it had in the definition `before`: they came of those with these numbers, by
+    default of those with their own, and these seams held."""
     if seams:
         definition = store.read(data)
         parents = range(len(definition.pieces)) if parents is None else parents
-        seams = held.carried(seams, parents, definition)
+        seams = held.carried(seams, parents, before, definition)
     write(data, seams)

@@ -74,7 +74,7 @@ def join_ends(active, other, first, second, smoothness):
     shape.set_definition(active.data, changed.definition)
     pieces = curve_pieces.carried(belongings.pieces, changed)
     _give(active, changed.definition, belongings._replace(pieces=pieces))
-    held.carry(active.data, belongings.seams, changed.parents)
+    held.carry(active.data, belongings.seams, definition, changed.parents)
     handles.carry(active.data, belongings.types, definition, changed)
     _remove([other])
     return definition, changed
@@ -93,11 +93,12 @@ def join_patches(active, other, first, second, smoothness, moves):
         replacing.put(active.data, before, found.changed)
         return found
     parted = len(store.read(active.data).pieces)
-    found = patch_joints.joined(together(active, [other]), first, second, smoothness, moves, linear_of(active), parted)
+    definition = together(active, [other])
+    found = patch_joints.joined(definition, first, second, smoothness, moves, linear_of(active), parted)
     belongings = _belongings([active, other])
     shape.set_definition(active.data, found.changed.definition)
     _give(active, found.changed.definition, belongings)
-    held.carry(active.data, belongings.seams, found.changed.parents)
+    held.carry(active.data, belongings.seams, definition, found.changed.parents)
     _remove([other])
     return found
 
@@ -158,7 +159,7 @@ def _belongings(obs):
         if kept is not None:
             painted.append((kept, len(pieces), len(definition.pieces)))
         pieces += [_in_whole(slots, known.get(i, Look())) for i in range(len(definition.pieces))]
-    return _Belongings(materials, pieces, held.of_all([ob.data for ob in obs]),
+    return _Belongings(materials, pieces, held.of_all(obs),
                        handles.of_all([ob.data for ob in obs]), painted)
 
 

@@ -22,10 +22,19 @@ class HeldKnot:
         """Let the knot lie at a parameter; seams that hold do it still. Raises, and nothing has changed, where it may
         not."""
         definition = knots.moved(self.before, self._alongs, self._knot, to)
-        shape.set_definition(self._data, seams_that_hold.applied(definition, self._seams))
+        seams = self._seams_at(definition)
+        shape.set_definition(self._data, seams_that_hold.applied(definition, seams))
+        held.write(self._data, seams)
         self._is_moved = True
+
+    def _seams_at(self, definition):
+        """What holds, at the knot where that lies now."""
+        if not definition.has_curves:
+            return self._seams
+        return seams_that_hold.at_knots_of(self._seams, self.before, definition)
 
     def put_back(self):
         if self._is_moved:
             shape.set_definition(self._data, self.before)
+            held.write(self._data, self._seams)
             self._is_moved = False

@@ -153,7 +153,7 @@ def carry(data, definition):
         return
     is_there = (0 <= of_item) & (of_item < len(before.pool))
     found = np.full(len(of_item), GONE)
-    found[is_there] = keyed_rows.carried(before, definition)[of_item[is_there]]
+    found[is_there] = keyed_rows.carried(before, definition, of_item[is_there])[of_item[is_there]]
     kept = np.flatnonzero(found != GONE)
     is_other = (before.pool[of_item[kept], 3] == 0) != (definition.pool[found[kept], 3] == 0)
     found[kept[is_other]] = GONE        # a place is no direction

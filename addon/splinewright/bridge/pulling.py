@@ -21,7 +21,8 @@ class HeldShape:
         self._seams = held.read(ob.data, self.definition)
 
     def show(self, definition):
-        shape.set_definition(self._data, seams_that_hold.applied(definition, self._seams))
+        led = set(np.flatnonzero((definition.pool != self.definition.pool).any(1)).tolist())
+        shape.set_definition(self._data, seams_that_hold.applied(definition, self._seams, led))
 
     def put_back(self):
         shape.set_definition(self._data, self.definition)

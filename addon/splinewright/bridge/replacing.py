@@ -52,7 +52,7 @@ def put(data, before, changed):
         _put_curves(data, before, changed)
     else:
         _put_patches(data, before, changed)
-    held.carry(data, seams, changed.parents)
+    held.carry(data, seams, before, changed.parents)
 
 
 def _put_curves(data, before, changed):

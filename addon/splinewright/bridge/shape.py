@@ -64,9 +64,9 @@ def set_value(data, value):
     Raises TypeError or ValueError, and changes nothing, if the value does not fit.
     """
     recipes.require_free(data)
-    seams, types = held.known(data), handles.known(data)
+    before, seams, types = store.read(data), held.known(data), handles.known(data)
     set_definition(data, definitions.from_value(value))
-    held.carry(data, seams)
+    held.carry(data, seams, before)
     handles.write(data, fitting(types, store.read(data)))
 
 

@@ -5,7 +5,7 @@ from mathutils import Matrix
 
 from ..core import transform
 from ..core.failures import Refusal
-from . import animation, point_keys, recipes, settings, shape, stamp, store
+from . import animation, held, point_keys, recipes, settings, shape, stamp, store
 
 _CURES = "Restore throws the changes away, Detach keeps them"
 
@@ -62,10 +62,13 @@ def _rest(matrix, location, rotation, scale):
 
 
 def _set_definition(data, definition, matrix):
-    """A mirroring has exchanged u and v of patches: so are their resolutions."""
-    if np.linalg.det(matrix[:3, :3]) < 0 and not definition.has_curves:
+    """A mirroring has exchanged u and v of patches: so are their resolutions, and the sides that hold."""
+    is_exchanged = np.linalg.det(matrix[:3, :3]) < 0 and not definition.has_curves
+    if is_exchanged:
         settings.exchange_resolutions(data)
     shape.set_definition(data, definition)
+    if is_exchanged:
+        held.mirror(data)
 
 
 def _exact(matrix):

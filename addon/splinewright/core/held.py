@@ -36,10 +36,9 @@ def require_valid(held, definition):
     for piece, place in (held.first, held.second):
         if type(piece) is not int or not 0 <= piece < len(definition.pieces) or not _is_place(place, definition.has_curves):
             raise Refusal("what holds is none of the shape's")
-    if definition.has_curves and held.first[1] not in held_joints.ENDS and held.second != held.first:
-        raise Refusal("a knot holds beside itself only")
-    if (held.first == held.second) != (definition.has_curves and held.first[1] not in held_joints.ENDS):
-        raise Refusal("what holds is a side beside itself")
+    is_at_knot = definition.has_curves and not {held.first[1], held.second[1]} <= set(held_joints.ENDS)
+    if (held.first == held.second) != is_at_knot:
+        raise Refusal("a knot holds beside itself, and a side beside another")
     smoothness = held_joints.SMOOTHNESS if definition.has_curves else patch_joints.SMOOTHNESS
     if held.smoothness not in smoothness or held.moves not in patch_joints.MOVES:
         raise Refusal("what holds says nothing that is known")
@@ -82,16 +81,46 @@ def shifted(seams, count):
                  for seam in seams)
 
 
-def carried(seams, parents, definition):
-    """Those of the seams that are seams of a definition still whose pieces came of the pieces with these numbers."""
+def carried(seams, parents, before, definition):
+    """Those of the seams of the definition `before` that are seams of another still, whose pieces came of the pieces with these
+    numbers. A knot is the same that lies in the same place, with the same side before it."""
     found = []
     for held in seams:
         now = [[i for i, parent in enumerate(parents) if parent == piece] for piece, _ in (held.first, held.second)]
-        moved = [held._replace(first=(a, held.first[1]), second=(b, held.second[1])) for a, b in itertools.product(*now)
-                 if held.first != held.second or a == b]
+        moved = [one for a, b in itertools.product(*now) for one in _at_pieces(held, a, b, before, definition)]
         moved = [one for one in moved if are_one(definition, one)]
         found += moved if len(moved) == 1 else []
     return tuple(found)
+
+
+def _at_pieces(held, a, b, before, definition):
+    """A Held between other pieces; of a knot that which is the same on piece `a`."""
+    if held.first != held.second:
+        return [held._replace(first=(a, held.first[1]), second=(b, held.second[1]))]
+    if a != b:
+        return []
+    places = held_joints.same_knots(before, held.first, definition, a)
+    return [held._replace(first=(a, place), second=(a, place)) for place in places]
+
+
+def at_knots_of(seams, before, definition):
+    """The seams of curves at the knots that have the same places in their lists in another definition."""
+    found = []
+    for held in seams:
+        piece, place = held.first
+        if place not in held_joints.ENDS:
+            was, now = before.pieces[piece].knots[0], definition.pieces[piece].knots[0]
+            place = (piece, float(now[np.searchsorted(was, place)]))
+            held = held._replace(first=place, second=place)
+        found.append(held)
+    return tuple(found)
+
+
+def mirrored(seams):
+    """Seams of patches whose u and v were exchanged."""
+    other = {'u': 'v', 'v': 'u'}
+    return tuple(seam._replace(first=(seam.first[0], other[seam.first[1][0]] + seam.first[1][1:]),
+                               second=(seam.second[0], other[seam.second[1][0]] + seam.second[1][1:])) for seam in seams)
 
 
 def applied(definition, seams, led=frozenset()):

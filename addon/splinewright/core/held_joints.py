@@ -12,6 +12,8 @@ from .failures import Refusal
 
 #: Where a piece has a joint: at its ends, or a number, a knot inside it at which only its points meet.
 ENDS = ('start', 'end')
+#: What lies so near, as a part of the size, is in one place.
+_SAME = 1e-9
 SMOOTHNESS = ('C0', 'G1', 'C1', 'G2', 'C2')
 
 
@@ -77,7 +79,36 @@ def meet(definition, held):
     except Refusal:
         return False
     points = definition.pool[rows]
-    return bool(points[:, 3].all()) and bool(np.abs(points[0, :3] - points[1, :3]).max() <= 1e-9 * definition.size)
+    return bool(points[:, 3].all()) and bool(np.abs(points[0, :3] - points[1, :3]).max() <= _SAME * definition.size)
+
+
+def same_knots(before, known, definition, number):
+    """The knots inside piece `number` of a definition at which that goes through the point that piece and knot, `known`, are at in
+    another, with the same side in front."""
+    try:
+        was = [side_at(before.pieces[known[0]], known[1], outwards) for outwards in (False, True)]
+    except Refusal:
+        return []
+    found, piece = [], definition.pieces[number]
+    if piece.kind != 'nurbs' or any(piece.periodic):
+        return []
+    slack = _SAME * max(before.size, definition.size)
+    for knot in np.unique(piece.knots[0]).tolist():
+        try:
+            now = [side_at(piece, knot, outwards) for outwards in (False, True)]
+        except Refusal:
+            continue
+        at, there = before.pool[was[0].rows[0], :3], definition.pool[now[0].rows[0], :3]
+        leads = [_way(before.pool, was), _way(definition.pool, now)]
+        if np.abs(at - there).max() <= slack and leads[0] @ leads[1] >= 0:
+            found.append(knot)
+    return found
+
+
+def _way(pool, sides):
+    """(3,): from the point before a joint to the one after it."""
+    before, after = (pool[side.rows[1], :3] for side in sides)
+    return _unit(after - before)
 
 
 def made_to_hold(definition, pool, held, led):

@@ -76,8 +76,9 @@ def as_present(net, definition, present, rows):
     return definition if np.array_equal(pool, said) else replace(definition, pool=pool)
 
 
-def carried(before, after):
-    """(n,) of each row of a definition the same point's row in another, which came of it, or -1.
+def carried(before, after, rows=None):
+    """(n,) of each row of a definition the same point's row in another, which came of it, or -1. rows: those that matter; others
+    may be left out.
 
     Where the pieces are what they were points have moved, unless they were turned round. Otherwise a point is the same that
     lies where it lay, seen from an end of its piece: what a verb did not touch.
@@ -89,13 +90,14 @@ def carried(before, after):
             found[one.indices.ravel()] = _turned(one, other, lie_alike).ravel()
         return found
     is_left = [True] * len(after.pieces)
-    for one in before.pieces:           # what is whole comes first: parts of others may look like it
+    asked = [one for one in before.pieces if rows is None or np.isin(one.indices, rows).any()]
+    for one in asked:                   # what is whole comes first: parts of others may look like it
         for i, other in enumerate(after.pieces):
             if is_left[i] and _form(one) == _form(other) and lie_alike(one.indices, other.indices).all():
                 found[one.indices.ravel()] = other.indices.ravel()
                 is_left[i] = False
                 break
-    for one in before.pieces:
+    for one in asked:
         if (found[one.indices] < 0).any():
             for i, other in enumerate(after.pieces):
                 if is_left[i] and (one.kind == 'hermite') == (other.kind == 'hermite'):
@@ -110,9 +112,11 @@ def _comparison(pool, other):
 
 
 def _are_alike(before, after, lie_alike):
-    """Whether pieces differ in knots or in which rows they share only, and most points lie where they lay."""
+    """Whether pieces differ in knots only, or in which rows they share, where most points lie where they lay."""
     if [_form(piece) for piece in before.pieces] != [_form(piece) for piece in after.pieces]:
         return False
+    if all(np.array_equal(one.indices, other.indices) for one, other in zip(before.pieces, after.pieces)):
+        return True
     same = [lie_alike(one.indices, other.indices).ravel() for one, other in zip(before.pieces, after.pieces)]
     return 2 * np.concatenate(same).mean() > 1
 

@@ -68,10 +68,13 @@ class _Locks:
             self._known = {}
         self._can_change = replacing.can_change(data)
 
+    def holds(self, joint):
+        """What holds there, or None."""
+        return self._known.get(frozenset(joint.sides))
+
     def draw(self, layout, joint):
         """Its button, if it may hold."""
-        first, second = joint.sides
-        holds = self._known.get(frozenset(joint.sides))
+        (first, second), holds = joint.sides, self.holds(joint)
         if not holds and not can_hold(self._definition, first, second):
             return
         layout = layout.row()
@@ -90,7 +93,7 @@ class _Locks:
 def _draw_joints(layout, survey, locks):
     for joint in survey.joints:
         box = layout.box().column(align=True)
-        row = box.split(factor=0.6) if len(joint.name) <= _SHORT else box
+        row = box.split(factor=0.6) if len(joint.name) <= _SHORT and not locks.holds(joint) else box
         row.label(text=joint.name)
         row = row.row(align=True)
         row.label(text=kind(joint))

@@ -20,7 +20,7 @@ def draw(layout, net_data, shape_data, session, vertices):
     found = types_of(net_data, session, vertices)
     if found:
         column = layout.column(align=True)
-        column.label(text=f"Handles: {in_words(found)}")
+        column.label(text=f"Handles: {in_words(found) if len(found) < 3 else 'Several'}")
         row = column.row(align=True)
         for letter, (name, _, icon) in _TYPES.items():
             row.operator("curve.handle_type_set", text="", icon=icon, depress=found == {letter}).type = name

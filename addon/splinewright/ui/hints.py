@@ -42,7 +42,8 @@ def _known(words, *rooms):
 def redraw(context):
     """Blender draws the status bar anew where its text is set."""
     for window in context.window_manager.windows:
-        window.workspace.status_text_set(state.status or None)
+        if not _is_busy(window):        # a gesture says what its keys do
+            window.workspace.status_text_set(state.status or None)
 
 
 def _is_busy(window):

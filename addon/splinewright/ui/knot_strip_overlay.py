@@ -11,7 +11,7 @@ from gpu_extras.batch import batch_for_shader
 from ..bridge import sights
 from ..bridge.file_state import state
 from ..core import knot_strip
-from . import colors, knot_strip as strip
+from . import colors, hints, knot_strip as strip
 
 #: In pixels of an interface that is not scaled.
 _SIZE, _GAP, _EDGE, _TEXT_ABOVE, _TEXT_BELOW = 11.0, 8.0, 3.0, 9.5, -17.0
@@ -45,6 +45,9 @@ def draw():
     context = bpy.context
     found = strip.shown(context)
     if found is None:
+        if state.pointed_knot and state.pointed_knot.region == context.region.as_pointer():
+            state.pointed_knot = None   # the strip went away below the mouse
+            hints.redraw(context)
         return
     looks = found.boxes, found.spans, found.scale, colors.of_net(), _moved(found)
     picture = sights.kept(found.ob.data, ('strip picture', context.region.as_pointer()), (found.number, *looks),

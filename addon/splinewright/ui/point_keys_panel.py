@@ -30,8 +30,8 @@ class SPLINEWRIGHT_PT_keyed_points(SubPanel, bpy.types.Panel):
         of_item = point_keys.rows(data)
         gone = int((of_item == point_keys.GONE).sum())
         if gone:
-            texts.draw_note(self.layout, f"Keys of {gone} points that are gone go with the net" if gone > 1 else
-                            "Keys of a point that is gone go with the net")
+            texts.draw_note(self.layout, f"Keys of {gone} points that are gone go when the net is left" if gone > 1 else
+                            "Keys of a point that is gone go when the net is left")
         try:
             has_weight, names = keyed_rows.weighted(store.read(data)), _names(context.object, data, of_item)
         except store.UnreadableDefinition:

@@ -76,7 +76,7 @@ class SplinewrightRecipe(bpy.types.PropertyGroup):
     __annotations__ = {
         **{parameters.name_of(recipe, parameter): property_of(parameter, update=_updater(recipe, parameter))
            for recipe in RECIPES.values() for parameter in recipe.parameters},
-        'frame': PointerProperty(type=bpy.types.Object, name="Axis Object", update=_change_frame,
+        'frame': PointerProperty(type=bpy.types.Object, name="About", update=_change_frame,
                                  description="Its place and axes count in place of the shape's own; the shape follows it")}
 
 

@@ -16,6 +16,12 @@ def is_on(event):
     return bpy.context.scene.tool_settings.use_snap != event.ctrl
 
 
+def takes_steps():
+    """Whether the magnet holds to steps where nothing else is near: not where it is set to parts of other objects alone."""
+    elements = bpy.context.scene.tool_settings.snap_elements
+    return bool({'INCREMENT', 'GRID'} & set(elements)) or not set(_ELEMENTS) & set(elements)
+
+
 def place_at(context, region, view, pixel, ignored):
     """(3,): the place in the world at a pixel of a region on other objects than the ignored; None where none is near, or the
     magnet holds to steps."""
@@ -26,6 +32,8 @@ def place_at(context, region, view, pixel, ignored):
     place, corners = hit
     for name in elements:
         places = np.array([place]) if name == 'FACE' else _places(name, corners, place)
+        if not len(places):
+            continue
         away = np.linalg.norm(picking.on_screen(region, view, np.eye(4), places) - pixel, axis=1)
         away[np.isnan(away)] = np.inf
         if away.min() <= picking.near(_NEAR):
@@ -42,7 +50,7 @@ def _face_at(context, region, view, pixel, ignored):
     ob, face, place = found
     shown = ob.evaluated_get(depsgraph)
     if ob.type != 'MESH' or face >= len(shown.data.polygons):
-        return np.array(place), np.array([place])
+        return np.array(place), np.empty((0, 3))
     corners = [shown.matrix_world @ shown.data.vertices[i].co for i in shown.data.polygons[face].vertices]
     return np.array(place), np.array(corners)
 

@@ -2,7 +2,8 @@
 
 from ...core.definition import CURVES
 from ...core.failures import Refusal
-from .. import animation, curve_layers, curve_pieces, handles, mesh_attributes, mesh_looks, recipes, settings, shape, store
+from .. import (animation, curve_layers, curve_pieces, handles, held, mesh_attributes, mesh_looks, point_keys, recipes, settings,
+                shape, store)
 from ..look import Look
 from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
@@ -35,6 +36,7 @@ def _curve(context, ob, value, planned, users):
     pieces, types = curve_pieces.of(data, store.read(data)), handles.known(data)
     if handles.problem(data):
         lost.append("the handle types, which are damaged")
+    lost += _beside(data)
     is_flat, unfilled = native_layers.fill_of(data, range(len(data.splines)))
     if native_links.drop_point_animation(data):
         lost.append("the animation of single points")
@@ -48,9 +50,14 @@ def _curve(context, ob, value, planned, users):
     return deviation, lost + unfilled + [f"{noun} of single points" for noun in unlike]
 
 
+def _beside(data):
+    """What Blender's own curves and surfaces have not, as nouns."""
+    return ["the keys of control points"] * bool(point_keys.count(data)) + ["the joints and seams that hold"] * bool(held.known(data))
+
+
 def _surface(context, ob, value, planned, users):
     mesh = ob.data
-    lost = mesh_attributes.in_words(mesh_attributes.keep(mesh, None))
+    lost = mesh_attributes.in_words(mesh_attributes.keep(mesh, None)) + _beside(mesh)
     chosen = settings.of(mesh)
     surface, deviation = write_native.new_surface(
         context, mesh.name, planned, (chosen.resolution_u, chosen.resolution_v))

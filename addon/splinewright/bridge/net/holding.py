@@ -49,9 +49,10 @@ def _kept(data, current, definition):
     seams = held.read(data)
     if not seams:
         return ()
-    kept = ()
-    if len(definition.pieces) == len(store.read(data).pieces):
-        kept = tuple(joint for joint in seams if seams_that_hold.is_there(definition, joint))
+    kept, shown = (), store.read(data)
+    if len(definition.pieces) == len(shown.pieces):
+        stays = seams_that_hold.is_there if len(definition.pool) == len(shown.pool) else seams_that_hold.are_one
+        kept = tuple(joint for joint in seams if stays(definition, joint))
     if len(kept) < len(seams):
         held.write(data, kept)
         current.released = f"{len(seams) - len(kept)} of the joints that held are released: what they joined is not there any more"

@@ -40,6 +40,14 @@ class Reading(NamedTuple):
     extra: int                          # how many of those present are passed over
 
 
+def _are_typed(positions, typed):
+    """(n,) bool: which vertices lie where a typed number says."""
+    found = np.zeros(len(positions), bool)
+    for number, *position, _ in typed:
+        found[int(number)] |= bool((positions[int(number)] == np.array(position, np.float32)).all())
+    return found
+
+
 def slots(net, present):
     """(n,) of each vertex of a net the slot of its point among those present, or -1."""
     return strays.chosen(present.numbers, len(net.rows), present.links, net.neighbours)
@@ -55,7 +63,7 @@ def read(net, present, typed, last):
     if present.computed is not None:
         is_there = np.zeros(len(found), bool)
         is_there[there] = present.computed[found[there]]
-        is_there &= (np.abs(positions - net.single) <= net.rounding).all(1)
+        is_there &= (np.abs(positions - net.single) <= net.rounding).all(1) & ~_are_typed(positions, typed)
         positions[is_there] = net.single[is_there]
     weights_now = present.weights()
     if weights_now is not None:

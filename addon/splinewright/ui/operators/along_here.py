@@ -181,7 +181,7 @@ class SPLINEWRIGHT_OT_tilt_here(_Changes, bpy.types.Operator):
     angle: FloatProperty(name="Angle", description="What is added to the tilts", default=0.0, subtype='ANGLE', step=100,
                          options={'SKIP_SAVE'})
 
-    means = "back, on", "degrees"
+    means = "turn back, turn on", "degrees"
     #: Pixels, of an interface that is not scaled, of one degree; what Ctrl rounds to, in degrees.
     _degree, _step = 2.0, 5.0
 

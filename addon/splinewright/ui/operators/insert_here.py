@@ -181,7 +181,7 @@ def _status(aimed, thing, does):
 
 
 def _insert(aimed):
-    return _done_at(aimed, bpy.ops.splinewright.insert_knot, bpy.ops.splinewright.patch_insert_knot)
+    return _done_at(aimed, bpy.ops.splinewright.insert_knot, bpy.ops.splinewright.patch_insert_knot, where='PARAMETER', times=1)
 
 
 def _done_at(aimed, to_curve, to_patch, **settings):

@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import BoolProperty
 
-from ...bridge import recipes, shape, transforming
+from ...bridge import point_keys, recipes, shape, transforming
 from ...core.failures import Refusal
 from .selected import OnSelected
 
@@ -30,6 +30,7 @@ class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
     done = "Detached {}"
 
     def work(self, context, ob):
+        point_keys.tell_lost(ob.data, point_keys.count(ob.data))
         shape.detach(ob.data)
 
 

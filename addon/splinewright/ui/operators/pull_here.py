@@ -10,7 +10,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import pulling, store
+from ...bridge import pulling, recipes, shape, store
 from ...bridge.file_state import state
 from ...bridge.net import net_object
 from ...core import decimals, parameters, patch_verbs, verbs
@@ -28,7 +28,7 @@ _STILL = 3.0
 #: As near to a point of a net a press selects it, in pixels.
 _ON_POINT = 8.0
 _AIMING = "Press on the shape and pull   |   D, C on curves: the tangent, the osculating circle   |   Esc, Right Mouse: Cancel"
-_PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: snap   |   "
+_PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: magnet on, off   |   "
             "Wheel: how many points follow   |   {}Esc, Right Mouse: Cancel")
 _OF_CURVES = "T: keep the tangent   |   D, C: pull it, or the circle   |   "
 #: Keys that say what is pulled instead of the point, and of it again.
@@ -199,6 +199,16 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         wanted = _HANDLE_KEYS.get(key, self.handle)
         self.handle = 'POINT' if wanted == self.handle and key in _HANDLE_KEYS else wanted
 
+    def _choose_again(self, key):
+        """_choose() while it is pulled; what cannot be pulled there is not chosen."""
+        drag, was = self._drag, self.handle
+        self._choose(key)
+        try:
+            state.pulled = self._aimed_at(drag.ob, drag.held.definition, self._at(drag.held.definition))
+        except FAILURES:
+            self.handle = was
+        drag.hold_at(state.pulled.start)
+
     def _aimed_at(self, ob, before, at):
         """The Pull of a definition that has not been moved yet."""
         start, lines = self._handle(before, at)
@@ -232,8 +242,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         elif event.type == 'T' and event.value == 'PRESS' and drag.ob.type == 'CURVE':
             self.keep_tangent = not self.keep_tangent
         elif event.type in _HANDLE_KEYS and event.value == 'PRESS' and drag.ob.type == 'CURVE':
-            self._choose(event.type)
-            state.pulled = self._aimed_at(drag.ob, drag.held.definition, self._at(drag.held.definition))
+            self._choose_again(event.type)
         elif not drag.keys.take(event) and drag.ends(event):
             return self._let_go(context)
         self.vector = drag.vector(context, event)
@@ -278,10 +287,15 @@ class _Drag:
     def __init__(self, event, ob, held, start):
         self.ob, self.held, self.keys = ob, held, Keys()
         self.area, self._region, self._view = picking.area_at(event.mouse_x, event.mouse_y)
-        self._anchor = ob.matrix_world @ Vector(start)
+        self.hold_at(start)
+        self._ignored = {ob.name, *(net.name for net in editing.nets()), *_followers()}
         self._pressed = np.array([event.mouse_x, event.mouse_y])
         self._begin = self._place(event)
         self._was_released = False
+
+    def hold_at(self, start):
+        """By this point of the shape's space it is held from now on."""
+        self._anchor = self.ob.matrix_world @ Vector(start)
 
     def vector(self, context, event):
         """By what the point is to be moved, in the world."""
@@ -289,9 +303,8 @@ class _Drag:
         step = 10.0 ** math.floor(math.log10(max(self._view.view_distance, 1e-30))) / 10.0
         is_on, place = snapping.is_on(event), None
         if is_on:
-            ignored = {self.ob.name, *(net.name for net in editing.nets())}
-            place = snapping.place_at(context, self._region, self._view, self._pixel(event), ignored)
-        self.keys.snaps = is_on and place is None
+            place = snapping.place_at(context, self._region, self._view, self._pixel(event), self._ignored)
+        self.keys.snaps = is_on and place is None and snapping.takes_steps()
         return self.keys.vector(self._place(event) - self._begin if place is None else self.keys.along_axis(place - np.array(self._anchor)),
                                 sight, step)
 
@@ -319,6 +332,11 @@ def _held(context, ob):
     """What is pulled at: the net of a shape where that is edited."""
     nets = [net for net in editing.nets_in_edit_mode(context) if net_object.shape_of(net) == ob]
     return pulling.HeldNet(nets[0]) if nets else pulling.HeldShape(ob)
+
+
+def _followers():
+    """The names of objects that follow others, as they may follow what is pulled."""
+    return (ob.name for ob in bpy.context.view_layer.objects if shape.has_shape(ob) and recipes.follows(ob.data))
 
 
 def _into(ob):

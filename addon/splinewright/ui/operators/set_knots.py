@@ -5,7 +5,7 @@ from contextlib import suppress
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
-from ...bridge import recipes, shape, store
+from ...bridge import held, recipes, shape, store
 from ...bridge.file_state import state
 from ...bridge.net import live, net_object
 from ...core import knots
@@ -119,8 +119,9 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             recipes.require_free(owner.data)
             if self._is_of_another():   # the redo panel calls no check() before
                 self._show_knots(owner.data)
-            changed = knots.replaced(store.read(owner.data), self.piece - 1, self._axis(), self.knots)
-            shape.set_definition(owner.data, changed)
+            before, seams = store.read(owner.data), held.known(owner.data)
+            shape.set_definition(owner.data, knots.replaced(before, self.piece - 1, self._axis(), self.knots))
+            held.carry(owner.data, seams, before)
         except FAILURES as error:
             self._keep_refused(owner.data, self.knots)
             return reports.failed(self, error)
