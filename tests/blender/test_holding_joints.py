@@ -217,7 +217,7 @@ def at():
 def test_a_knot_that_is_moved_or_typed_elsewhere_takes_along_what_holds_there():
     add(corner())
     hold('C1', second=1, knot=1)
-    op(bpy.ops.splinewright.move_knot, knot=2, to=1.25)
+    op(bpy.ops.splinewright.move_knot, knot=5, parameter=1.25)
     assert at() == [((0, 1.25), (0, 1.25))] and shape().data.splinewright.value.continuity(1.25).c >= 1
     op(bpy.ops.splinewright.set_knots, axis='U', knots="0 0 0 0 0.5 0.5 0.5 2 2 2 2")
     assert at() == [((0, 0.5), (0, 0.5))]

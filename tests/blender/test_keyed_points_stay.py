@@ -316,3 +316,23 @@ def test_strips_of_the_nonlinear_animation_move_points_too():
     at(14)
     assert np.allclose(pool(ob)[:, 2] - home[:, 2], 3, atol=1e-5)
     require_exact(ob)
+
+
+def test_handles_that_blender_computes_are_where_keys_put_them_with_and_without_a_net():
+    bpy.ops.curve.primitive_bezier_circle_add()
+    ob = bpy.context.object
+    assert op(bpy.ops.splinewright.make_exact) == {'FINISHED'}
+    home = pool(ob)
+    key_at(1)
+    key_at(7, (np.arange(len(home)) == ob.data.splinewright.value.points.shape[0] - 3, (0, 0, 6)))
+    straight(ob.data)
+    without = {frame: (at(frame), pool(ob))[1] for frame in (4, 7, 1)}
+    assert not np.allclose(without[7], home)
+    held = edited(ob)
+    for frame in (4, 7, 4, 1):
+        at(frame)
+        bpy.context.view_layer.update()
+        assert part('bridge.net.live').problem(held) == ""
+        assert np.allclose(pool(ob), without[frame], rtol=0, atol=1e-6), frame
+    leave()
+    assert np.allclose(pool(ob), without[1], rtol=0, atol=1e-6)

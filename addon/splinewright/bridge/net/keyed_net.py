@@ -3,6 +3,7 @@
 import bpy
 import numpy as np
 
+from ...core import handles
 from ...core.failures import Refusal
 from .. import keyed_seams, shape
 from . import live, net_object, selection
@@ -18,15 +19,27 @@ def set_definition(data, definition):
         shape.set_definition(data, definition)
         keyed_seams.write(data, rest)
         return
-    current = live.session(net.data)
-    vertices, rows = _placed(current, net_object.net_of(definition))
+    current, there = live.session(net.data), net_object.net_of(definition)
+    vertices, rows = _placed(current, there)
     faces = shape.set_definition(data, definition)
     keyed_seams.write(data, rest)
     current.pool = definition.pool
     if faces is not None:
         current.wrote(data, faces)
+    _give_true_types(net, current, there)
     selection.place(net, current.net, vertices, rows)
     live.pull(net, Moment.BUSY)
+
+
+def _give_true_types(net, current, there):
+    """Handles that are not where Blender would compute them are given as keys have them: it shall not compute them."""
+    if not current.net.chains:
+        return
+    types, is_there = selection.handle_types(net).copy(), current.slots >= 0
+    letters = np.zeros(len(is_there), types.dtype)
+    letters[is_there] = types[current.slots[is_there]]
+    types[current.slots[is_there]] = handles.true_of_net(there, letters)[is_there]
+    selection.give_handle_types(net, types)
 
 
 def held_net(data):
