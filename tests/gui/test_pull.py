@@ -194,7 +194,7 @@ def to_a_vertex(view):
     """With the magnet on, the point goes to a vertex of another object."""
     before, u = value(), float(np.mean(value().domain))
     with view.override():
-        bpy.ops.mesh.primitive_cube_add(size=0.5, location=(0.5, 1.5, 1.0))
+        bpy.ops.mesh.primitive_cube_add(size=0.4, location=(0.0, 0.7, 0.35))
         cube = bpy.context.object
         cube.select_set(False)
         shape().select_set(True)
