@@ -64,7 +64,8 @@ def set_value(data, value):
     Raises TypeError or ValueError, and changes nothing, if the value does not fit.
     """
     recipes.require_free(data)
-    before, seams, types = store.read(data), held.known(data), handles.known(data)
+    seams, types = held.known(data), handles.known(data)
+    before = store.read(data) if seams else None        # a damaged one is replaced all the same
     set_definition(data, definitions.from_value(value))
     held.carry(data, seams, before)
     handles.write(data, fitting(types, store.read(data)))
