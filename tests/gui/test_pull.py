@@ -218,6 +218,7 @@ def to_a_vertex(view):
     u = bpy.context.window_manager.operators[-1].parameter_u
     assert np.abs(value().evaluate(u) - corner).max() < 1e-5
     tools.use_snap = False
+    bpy.data.objects.remove(cube)
     print("to a vertex", flush=True)
 
 
@@ -245,9 +246,9 @@ def steps():
     yield from on_a_patch(view)
     yield from by_the_tool(view)
     yield from on_a_curve(view)
+    yield from to_a_vertex(view)        # before Ctrl is pressed: 4.3 says of simulated events that it still is
     yield from in_object_mode(view)
     yield from by_tangent_and_circle(view)
-    yield from to_a_vertex(view)
     print("shapes were pulled by the mouse:", bpy.app.version_string, flush=True)
 
 
