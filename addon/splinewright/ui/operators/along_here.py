@@ -13,14 +13,14 @@ from ...core import decimals, typed_number
 from ...core.failures import FAILURES, sentence
 from .. import editing, picking, weight_overlay
 from . import reports
-from .pointing import PASSED, redraw
+from .pointing import PASSED, Typing, redraw
 
 #: With Shift a gesture is so many times slower.
 _FINE = 0.1
 _KEYS = "Move: {}   |   Digits: {}   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
 
 
-class _Changes:
+class _Changes(Typing):
     """What both operators do. They say what the mouse and typed numbers mean, and what that does to points."""
 
     bl_options = {'REGISTER', 'UNDO', 'BLOCKING', 'GRAB_CURSOR_X'}
@@ -53,21 +53,10 @@ class _Changes:
             return {'CANCELLED'}
         elif event.type in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') and event.value == 'PRESS':
             return self._confirmed(context)
-        elif not self._takes(event) and event.type in PASSED:
+        elif not self.takes(event) and event.type in PASSED:
             return {'PASS_THROUGH'}
         self._show(context, event)
         return {'RUNNING_MODAL'}
-
-    def _takes(self, event):
-        """Whether a key is part of a number."""
-        if event.value != 'PRESS' or event.ctrl or event.alt:
-            return False
-        if event.type == 'BACK_SPACE':
-            self._typed = typed_number.shortened(self._typed)
-            return True
-        longer = typed_number.after(self._typed, event.ascii) if event.ascii else None
-        self._typed = longer or self._typed
-        return longer is not None
 
     def _show(self, context, event):
         """Let the shapes have what the mouse or the keys say, and tell of it."""

@@ -13,7 +13,7 @@ from .. import editing, hand
 from .. import knot_strip as strip
 from . import reports
 from .pick_piece import draw_number
-from .pointing import PASSED, redraw
+from .pointing import PASSED, Typing, redraw
 
 #: The mouse has not been moved where it is nearer to where it was pressed, in pixels.
 _STILL = 3.0
@@ -25,7 +25,7 @@ _KEYS = ("Move: the knot   |   Digits: its parameter   |   Ctrl: round numbers  
          "Esc, Right Mouse: as it was")
 
 
-class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
+class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
     bl_idname = "splinewright.move_knot"
     bl_label = "Move Knot"
     bl_description = "Move a knot of the shape between its neighbours: the control points stay, and the shape follows"
@@ -106,7 +106,7 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
         if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
             self.cancel(context)
             return {'CANCELLED'}
-        is_key = self._takes(event)
+        is_key = self.takes(event)
         if not (self._drag or self._refused) and (is_key or abs(event.mouse_x - self._pressed) >= _STILL):
             self._begin(context)
         if event.type == 'MOUSEMOVE':
@@ -137,17 +137,6 @@ class SPLINEWRIGHT_OT_move_knot(bpy.types.Operator):
         if event.type == 'LEFTMOUSE':   # who types lets the button go
             return event.value == ('PRESS' if str(self._typed) else 'RELEASE')
         return event.type in ('RET', 'NUMPAD_ENTER') and event.value == 'PRESS' and not self._problem
-
-    def _takes(self, event):
-        """Whether a key is part of a number."""
-        if event.value != 'PRESS' or event.ctrl or event.alt:
-            return False
-        if event.type == 'BACK_SPACE':
-            self._typed = typed_number.shortened(self._typed)
-            return True
-        longer = typed_number.after(self._typed, event.unicode) if event.unicode else None
-        self._typed = longer or self._typed
-        return longer is not None
 
     def _show(self, event):
         """Let the knot lie where the mouse or the keys say, and tell of it."""

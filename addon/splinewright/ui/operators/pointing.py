@@ -1,5 +1,6 @@
 """Something in the view is pointed at, and clicked: what operators of that kind have in common."""
 
+from ...core import typed_number
 from .. import picking
 
 #: What goes on meanwhile: the view may be turned.
@@ -11,6 +12,21 @@ PASSED = {'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'WHEELINMOUSE', 'WHEE
 def redraw():
     for area, _, _ in picking.views():
         area.tag_redraw()
+
+
+class Typing:
+    """A number may be typed while the mouse leads: `_typed`, a core.typed_number.Typed."""
+
+    def takes(self, event):
+        """Whether a key is part of a number."""
+        if event.value != 'PRESS' or event.ctrl or event.alt:
+            return False
+        if event.type == 'BACK_SPACE':
+            self._typed = typed_number.shortened(self._typed)
+            return True
+        longer = typed_number.after(self._typed, event.unicode) if event.unicode else None
+        self._typed = longer or self._typed
+        return longer is not None
 
 
 class Pointing:

@@ -13,7 +13,7 @@ from ...core import decimals, typed_number
 from ...core.failures import FAILURES, Refusal, sentence
 from .. import editing, picking, weight_overlay
 from . import reports
-from .pointing import PASSED, redraw
+from .pointing import PASSED, Typing, redraw
 
 #: Pixels, of an interface that is not scaled, over which a weight doubles; with Shift ten times as many.
 _DOUBLES, _FINE = 150.0, 0.1
@@ -22,7 +22,7 @@ _STEP = 0.1
 _KEYS = "Move: less, more   |   Digits: the weight   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
 
 
-class SPLINEWRIGHT_OT_weight_here(bpy.types.Operator):
+class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
     bl_idname = "splinewright.weight_here"
     bl_label = "Change Weight"
     bl_description = ("Change the weights of the selected control points by moving the mouse sideways, or type a number; above "
@@ -78,7 +78,7 @@ class SPLINEWRIGHT_OT_weight_here(bpy.types.Operator):
             return {'CANCELLED'}
         elif self._is_over(event) and (event.type == 'LEFTMOUSE' or not self._problem):
             return self._confirmed(context)         # Return takes no number of which the header says why not
-        elif not self._takes(event) and event.type in PASSED:
+        elif not self.takes(event) and event.type in PASSED:
             return {'PASS_THROUGH'}
         self._show(context, event)
         return {'RUNNING_MODAL'}
@@ -87,17 +87,6 @@ class SPLINEWRIGHT_OT_weight_here(bpy.types.Operator):
         if self.is_drag and event.type == 'LEFTMOUSE':
             return event.value == 'RELEASE' and not str(self._typed)        # who types lets the button go
         return event.type in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') and event.value == 'PRESS'
-
-    def _takes(self, event):
-        """Whether a key is part of a number."""
-        if event.value != 'PRESS' or event.ctrl or event.alt:
-            return False
-        if event.type == 'BACK_SPACE':
-            self._typed = typed_number.shortened(self._typed)
-            return True
-        longer = typed_number.after(self._typed, event.ascii) if event.ascii else None
-        self._typed = longer or self._typed
-        return longer is not None
 
     def _show(self, context, event):
         """Give the points the weights that the mouse or the keys say, and tell of it."""
