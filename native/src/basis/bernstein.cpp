@@ -26,6 +26,8 @@ const double* binomial_row(int n) {
 
 }  // namespace
 
+const double* binomials(int degree) noexcept { return binomial_row(degree); }
+
 double binomial(int n, int k) {
   const double* row = binomial_row(n);
   if (k < 0 || k > n) throw std::out_of_range("no binomial " + std::to_string(k) + " in row " + std::to_string(n));

@@ -1,49 +1,38 @@
 #include "splinecore/basis/knot_vector.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
 
+#include "kernels/kernels.hpp"
+#include "span_blocks.hpp"
+#include "span_finder.hpp"
+#include "span_tables.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
-#include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
 
-/// The matrices of all spans, in blocks that whoever asks first builds. No lock is held meanwhile, because long work
-/// may pause; of two that build one block at once the first to be done is taken.
-class KnotVector::Matrices {
+/// What is computed of spans.
+class KnotVector::Tables {
  public:
-  Matrices(std::size_t spans, std::size_t size) {
-    constexpr std::size_t kBlock = std::size_t{1} << 12;  // numbers
-    while ((size << shift_) < kBlock && (std::size_t{1} << shift_) < spans) ++shift_;
-    blocks_ = std::vector<std::atomic<double*>>((spans + (std::size_t{1} << shift_) - 1) >> shift_);
-  }
-  ~Matrices() {
-    for (std::atomic<double*>& block : blocks_) delete[] block.load();
-  }
-  Matrices(const Matrices&) = delete;
-  Matrices& operator=(const Matrices&) = delete;
+  Tables(std::size_t spans, int degree, std::vector<double> starts, double end)
+      : finder(std::move(starts), end),
+        matrices(spans, (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 1)),
+        derivatives{{spans, rows_of(degree, 0)}, {spans, rows_of(degree, 1)}, {spans, rows_of(degree, 2)}} {}
 
-  std::span<const double> of(const State& state, std::size_t span) {
-    const std::size_t order = state.degree + 1;
-    std::atomic<double*>& block = blocks_[span >> shift_];
-    const double* values = block.load(std::memory_order_acquire);
-    if (values == nullptr) values = filled(block, state, span >> shift_ << shift_);
-    return {values + (span & ((std::size_t{1} << shift_) - 1)) * order * order, order * order};
-  }
+  SpanFinder finder;
+  SpanBlocks matrices;
+  SpanBlocks derivatives[3];
 
  private:
-  const double* filled(std::atomic<double*>& block, const State& state, std::size_t first) const;
-
-  int shift_ = 0;  ///< a block has 2^shift_ spans
-  std::vector<std::atomic<double*>> blocks_;
+  static std::size_t rows_of(int degree, int order) {
+    return static_cast<std::size_t>(std::max(degree + 1 - order, 0)) * table_width(degree);
+  }
 };
 
 namespace {
@@ -99,23 +88,6 @@ std::vector<int> positive_spans(std::span<const double> knots, int degree) {
   return spans;
 }
 
-/// Writes the matrix of the span that begins at *start.
-void fill_matrix(const double* start, int degree, double* row) {
-  const std::size_t order = degree + 1;
-  const bool is_bezier = start[1 - degree] == start[0] && start[1] == start[degree];
-  if (degree > 0 && is_bezier) {
-    std::fill_n(row, order * order, 0.0);
-    for (std::size_t j = 0; j < order; ++j) row[j * order + j] = 1.0;
-    return;
-  }
-  std::vector<double> arguments(degree, start[0]);
-  for (std::size_t ends = 0; ends < order; ++ends, row += order) {
-    if (ends > 0) arguments[ends - 1] = start[1];
-    breathe(4 * order * order);
-    blossom_weights(start - degree, degree, arguments, row);
-  }
-}
-
 /// The matrices of all spans may take 1 GB.
 void require_size(int degree, std::size_t spans) {
   const std::size_t order = degree + 1;
@@ -165,8 +137,11 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
   state->knots = std::move(knots);
   state->spans = positive_spans(state->unrolled, degree);
   require_size(degree, state->spans.size());
-  const std::size_t order = degree + 1;
-  state->matrices = std::make_shared<Matrices>(state->spans.size(), order * order);
+  std::vector<double> starts;
+  starts.reserve(state->spans.size());
+  for (const int k : state->spans) starts.push_back(state->unrolled[k]);
+  const double end = state->spans.empty() ? 0.0 : state->unrolled[state->spans.back() + 1];
+  state->tables = std::make_shared<Tables>(state->spans.size(), degree, std::move(starts), end);
   return KnotVector(std::move(state));
 }
 
@@ -240,29 +215,22 @@ double KnotVector::admit(double u, Side side, std::optional<std::size_t> index, 
                      text_of(range.start) + ", " + text_of(range.end) + "]");
 }
 
-int KnotVector::span_of(double u, Side side) const noexcept {
-  const auto& knots = state_->unrolled;
-  const auto& spans = state_->spans;
-  const auto starts_after = [&](double value, int k) {
-    return side == Side::right ? value < knots[k] : value <= knots[k];
+int KnotVector::span_of(double u, Side side) const noexcept { return state_->tables->finder.find(u, side); }
+
+std::span<const double> KnotVector::bezier_matrix(int i) const {
+  const std::size_t order = static_cast<std::size_t>(degree()) + 1;
+  const auto fill = [&](std::size_t span, double* out) {
+    fill_matrix(state_->unrolled.data() + state_->spans[span], degree(), out);
   };
-  const auto next = std::upper_bound(spans.begin() + 1, spans.end(), u, starts_after);
-  return static_cast<int>(next - spans.begin()) - 1;
+  return {state_->tables->matrices.of(i, fill), order * order};
 }
 
-const double* KnotVector::Matrices::filled(std::atomic<double*>& block, const State& state, std::size_t first) const {
-  const std::size_t order = state.degree + 1;
-  const std::size_t count = std::min(std::size_t{1} << shift_, state.spans.size() - first);
-  auto values = std::make_unique<double[]>(count * order * order);
-  for (std::size_t i = 0; i < count; ++i) {
-    fill_matrix(state.unrolled.data() + state.spans[first + i], state.degree, values.get() + i * order * order);
-  }
-  double* known = nullptr;
-  if (block.compare_exchange_strong(known, values.get(), std::memory_order_acq_rel)) known = values.release();
-  return known;
+const double* KnotVector::derivative_table(int i, int order) const {
+  const auto fill = [&](std::size_t span, double* out) {
+    fill_derivative_table(state_->unrolled.data() + state_->spans[span], degree(), order, out);
+  };
+  return state_->tables->derivatives[order].of(i, fill);
 }
-
-std::span<const double> KnotVector::bezier_matrix(int i) const { return state_->matrices->of(*state_, i); }
 
 bool operator==(const KnotVector& a, const KnotVector& b) noexcept {
   return a.state_ == b.state_ || (a.degree() == b.degree() && a.periodic() == b.periodic() &&

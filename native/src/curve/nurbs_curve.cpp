@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "curve_tables.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
@@ -13,7 +14,8 @@ namespace splinecore {
 
 NurbsCurve::NurbsCurve(KnotVector knots, std::vector<glm::dvec4> points)
     : knots_(std::move(knots)), points_(std::move(points)), homogeneous_(homogeneous(points_)),
-      rational_(is_rational(points_)) {
+      rational_(is_rational(points_)),
+      tables_(std::make_shared<CurveTables>(knots_.spans().size(), knots_.degree())) {
   for (int i = 0; i < knots_.unrolled_count() - knots_.count(); ++i) {
     homogeneous_.push_back(homogeneous_[i]);
   }

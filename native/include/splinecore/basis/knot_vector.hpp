@@ -15,7 +15,7 @@ namespace splinecore {
 /// Plain: n + degree + 1 knots for n control points; the domain is [u_degree, u_n].
 /// Periodic: n + 1 knots, one period, for n control points; the parameter is taken modulo
 /// the period, and control point i has the knots u_{i-degree+1} … u_i as its polar values.
-/// Immutable; copies share one state, with the matrices of spans, each built when it is first asked for.
+/// Immutable; copies share one state, with the tables of spans, each built when it is first asked for.
 class KnotVector {
  public:
   /// @throws InvalidShape if the degree is outside [0, kMaxDegree], there are too few knots,
@@ -76,11 +76,15 @@ class KnotVector {
   /// Blossoms, after Ramshaw 1989; the triangle is algorithm A2.2 of The NURBS Book.
   std::span<const double> bezier_matrix(int i) const;
 
+  /// The like of derivative `order`, 0 to 2, of the piece: its degree + 1 - order Bezier points, in rows that zeros fill
+  /// up to a multiple of four numbers.
+  const double* derivative_table(int i, int order) const;
+
   friend bool operator==(const KnotVector& a, const KnotVector& b) noexcept;
 
  private:
   struct State;
-  class Matrices;
+  class Tables;
   struct State {
     int degree = 0;
     bool periodic = false;
@@ -88,7 +92,7 @@ class KnotVector {
     std::vector<double> knots;
     std::vector<double> unrolled;
     std::vector<int> spans;
-    std::shared_ptr<Matrices> matrices;
+    std::shared_ptr<Tables> tables;
   };
 
   explicit KnotVector(std::shared_ptr<const State> state) : state_(std::move(state)) {}

@@ -22,15 +22,18 @@ class Stencil {
 
   int first() const noexcept { return first_; }
   std::span<const double> weights(int order) const noexcept {
-    return {weights_.data() + order * size_, size_};
+    return {weights_.data() + order * width_, size_};
   }
+
+  /// The weights of all orders; those of each are followed by zeros up to a multiple of four numbers.
+  std::span<const double> all_weights() const noexcept { return weights_; }
 
  private:
   KnotVector knots_;
   int order_;
   std::size_t size_;
+  std::size_t width_;
   int first_ = 0;
-  std::vector<double> bernstein_;
   std::vector<double> weights_;
 };
 
@@ -61,7 +64,7 @@ class Samples {
 
   /// Their weights in derivative k at sample i.
   std::span<const double> weights(std::size_t i, int k = 0) const noexcept {
-    return {weights_.data() + (i * (order_ + 1) + k) * width_, width_};
+    return {weights_.data() + (i * (order_ + 1) + k) * width_, size_of_weights_};
   }
 
  private:
@@ -70,7 +73,8 @@ class Samples {
     Side side;
     int first;
   };
-  std::size_t width_ = 0;
+  std::size_t size_of_weights_ = 0;
+  std::size_t width_ = 0;  ///< filled up to a multiple of four numbers
   int order_ = 0;
   std::vector<Place> places_;
   std::vector<double> weights_;

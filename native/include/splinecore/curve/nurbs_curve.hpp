@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "splinecore/basis/point_matrix.hpp"
 
 namespace splinecore {
+
+class CurveTables;
 
 /// n control points with weights on a knot vector of any degree, plain or periodic.
 ///
@@ -40,6 +43,9 @@ class NurbsCurve {
   /// Homogeneous points, unrolled where periodic: what the weights of a Stencil apply to.
   std::span<const glm::dvec4> homogeneous_points() const noexcept { return homogeneous_; }
 
+  /// What evaluation computes of its spans, each when it is first asked for; shared by copies.
+  CurveTables& tables() const noexcept { return *tables_; }
+
   friend bool operator==(const NurbsCurve& a, const NurbsCurve& b) noexcept {
     return a.knots_ == b.knots_ && a.points_ == b.points_;
   }
@@ -51,6 +57,7 @@ class NurbsCurve {
   std::vector<glm::dvec4> points_;
   std::vector<glm::dvec4> homogeneous_;
   bool rational_ = false;
+  std::shared_ptr<CurveTables> tables_;
 };
 
 /// Homogeneous points as a curve takes them that were made of the points of another. Weights that were all 1 are 1

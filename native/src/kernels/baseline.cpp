@@ -1,0 +1,2 @@
+#define SPLINECORE_SET baseline
+#include "set.hpp"

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// What is computed for many parameters at once. Each kernel is compiled for every set of instructions that is worth it
+// and chosen at run time; here are plain numbers alone, so that nothing of one set is taken for the other.
+//
+// A point is x, y, z, w: four doubles. A piece of a curve or of B-spline functions is kept as its Bernstein
+// coefficients, each times its binomial, row after row. It is summed from the end of the span that is nearer: with
+// x = (u - near) / (far - u) in [0, 1] the sum of rows[k] x^k is Horner's scheme in Bernstein form (Volk and Schumaker
+// 1990), without a difference and exact at both ends. The factor ((far - u) / span)^degree cancels in quotients.
+
+namespace splinecore {
+
+/// Half of a span of a curve, for derivatives 0 … order.
+struct CurveHalf {
+  double near;         ///< the end of the span in this half
+  double far;          ///< the other end
+  const double* rows;  ///< the row at the near end; derivative k has degree + 1 - k rows
+  std::ptrdiff_t step;  ///< from row to row: 4 or -4
+};
+
+/// Up to so many parameters, each with a half of its own.
+inline constexpr std::size_t kScattered = 64;
+struct ScatteredHalves {
+  double u[kScattered];
+  double near[kScattered];
+  double far[kScattered];
+  const double* rows[kScattered];
+  std::ptrdiff_t step[kScattered];
+};
+
+/// What all parameters of a batch on a curve have in common.
+struct CurveForm {
+  int degree;
+  int order;      ///< 0, 1 or 2
+  bool rational;  ///< or every w is 1
+};
+
+/// A parameter on B-spline functions: the tables of its span, and its place in it.
+struct BasisPlace {
+  const double* rows[3];  ///< derivative k: degree + 1 - k rows of so many numbers as table_width()
+  double t;               ///< from the start, as a part of the span
+  double s;               ///< to its end
+};
+
+/// Numbers of a row of B-spline functions: those of a degree, filled up to whole lanes.
+inline constexpr std::size_t table_width(int degree) noexcept { return (static_cast<std::size_t>(degree) + 4) / 4 * 4; }
+
+/// A grid of pairs of parameters. The functions along u are summed for a row, then those along v.
+struct GridForm {
+  const double* points;  ///< homogeneous, row after row
+  std::size_t width;     ///< points of a row
+  int degree_u;
+  int degree_v;
+  bool rational;
+};
+
+/// A row of a grid: where its functions begin, and their values and slopes.
+struct GridRow {
+  std::size_t first;
+  const double* values;
+  const double* slopes;
+  double noise;  ///< what rounding may leave of a sum with the slopes; for normals alone
+};
+
+/// Up to four neighbours in a row whose functions begin at one point; lanes of values and slopes, function by function.
+struct GridBlock {
+  std::size_t first;
+  int count;
+  const double* values;
+  const double* slopes;
+  double noise[4];
+};
+
+struct GridBlocks {
+  const GridBlock* blocks;
+  std::size_t count;
+  std::size_t low;   ///< of all blocks: the first column of points
+  std::size_t high;  ///< and the last one
+};
+
+/// Pairs of parameters.
+struct PairPlace {
+  BasisPlace u;
+  BasisPlace v;
+  const double* corner;  ///< the first of the points that it depends on
+};
+
+/// Bits of what a kernel found.
+inline constexpr int kNotFinite = 1;   ///< a point that is no number: all are written
+inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made: NaN is written
+
+struct Kernels {
+  const char* name;
+
+  /// As many of the parameters as lie, four by four, strictly inside the half whose parameters are from low to high.
+  /// Writes 3 (order + 1) numbers for each. @returns how many; `found` takes kNotFinite.
+  std::size_t (*curve_run)(const CurveForm&, const CurveHalf&, double low, double high, const double* u,
+                           std::size_t count, double* out, int* found);
+  std::size_t (*curve_run_single)(const CurveForm&, const CurveHalf&, double low, double high, const double* u,
+                                  std::size_t count, float* out, int* found);
+
+  /// The same for parameters that are scattered.
+  int (*curve_scattered)(const CurveForm&, const ScatteredHalves&, std::size_t count, double* out);
+  int (*curve_scattered_single)(const CurveForm&, const ScatteredHalves&, std::size_t count, float* out);
+
+  /// Homogeneous points of scattered parameters, four numbers for each.
+  void (*curve_homogeneous)(const CurveForm&, const ScatteredHalves&, std::size_t count, double* out);
+
+  /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
+  void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);
+
+  /// x, y, z of a row of the grid; scratch has 4 (high - low + 1) numbers.
+  int (*grid_points)(const GridForm&, const GridRow&, const GridBlocks&, double* scratch, double* out);
+  int (*grid_points_single)(const GridForm&, const GridRow&, const GridBlocks&, double* scratch, float* out);
+
+  /// And unit normals; scratch has twice as many numbers.
+  int (*grid_normals)(const GridForm&, const GridRow&, const GridBlocks&, double* scratch, double* out,
+                      double* normals);
+  int (*grid_normals_single)(const GridForm&, const GridRow&, const GridBlocks&, double* scratch, float* out,
+                             float* normals);
+
+  /// Homogeneous sums of derivatives k along u and l along v, k, l <= order, at one pair: 4 (order + 1)² numbers. The
+  /// functions of each order have table_width() numbers.
+  void (*pair_sums)(const GridForm&, int order, const double* corner, const double* u, const double* v, double* out);
+
+  /// x, y, z of pairs; with their first derivatives 3 * 3 numbers each: point, along u, along v.
+  int (*pair_points)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
+  int (*pair_slopes)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
+};
+
+/// The kernels for this machine, or those that the environment variable SPLINECORE_KERNELS names.
+const Kernels& kernels() noexcept;
+
+}  // namespace splinecore

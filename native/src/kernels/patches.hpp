@@ -1,0 +1,248 @@
+// Kernels of patches. Included in the namespace of each set of instructions: see set.hpp.
+
+/// The point of a row that one column of points is summed to. Terms are added in one order everywhere, so that a pair
+/// of parameters gives the same bits alone and in any grid.
+inline Lanes column_sum(const double* points, std::size_t stride, int degree, const double* functions) {
+  Lanes sum = all(functions[0]) * load(points);
+  for (int i = 1; i <= degree; ++i) sum = mul_add(all(functions[i]), load(points + i * stride), sum);
+  return sum;
+}
+
+/// The sum of a row's points for four parameters at once.
+template <bool kRational>
+inline Points row_sum(const double* row, int degree, const double* functions) {
+  Lanes f = load(functions);
+  Points sum{f * all(row[0]), f * all(row[1]), f * all(row[2]), kRational ? f * all(row[3]) : all(1.0)};
+  for (int j = 1; j <= degree; ++j) {
+    row += 4;
+    f = load(functions + 4 * j);
+    sum.x = mul_add(f, all(row[0]), sum.x);
+    sum.y = mul_add(f, all(row[1]), sum.y);
+    sum.z = mul_add(f, all(row[2]), sum.z);
+    if (kRational) sum.w = mul_add(f, all(row[3]), sum.w);
+  }
+  return sum;
+}
+
+/// The columns from low to high of a row, x, y, z, w each.
+inline void collapse(const GridForm& form, std::size_t first, const double* functions, const GridBlocks& blocks,
+                     double* row) {
+  const double* points = form.points + 4 * (first * form.width + blocks.low);
+  for (std::size_t j = blocks.low; j <= blocks.high; ++j, points += 4, row += 4) {
+    store(column_sum(points, 4 * form.width, form.degree_u, functions), row);
+  }
+}
+
+template <bool kRational>
+inline void project_point(Points& p) {
+  if (!kRational) return;
+  const Lanes r = all(1.0) / p.w;
+  p.x = quotient(p.x, p.w, r);
+  p.y = quotient(p.y, p.w, r);
+  p.z = quotient(p.z, p.w, r);
+}
+
+inline Lanes doubt_of(const Points& p) { return doubt(p.x) + (doubt(p.y) + doubt(p.z)); }
+
+template <class Real>
+inline void store_block(const Points& p, int count, Real* out) {
+  if (count == 4) {
+    store_triples(p.x, p.y, p.z, out);
+  } else {
+    store_triples(p.x, p.y, p.z, count, 3, out);
+  }
+}
+
+template <int kDegree, bool kRational, class Real>
+int grid_points_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, Real* out) {
+  const int degree = kDegree > 0 ? kDegree : form.degree_v;
+  collapse(form, row.first, row.values, blocks, scratch);
+  Lanes doubts = all(0.0);
+  for (std::size_t b = 0; b < blocks.count; ++b) {
+    const GridBlock& block = blocks.blocks[b];
+    Points p = row_sum<kRational>(scratch + 4 * (block.first - blocks.low), degree, block.values);
+    project_point<kRational>(p);
+    doubts += doubt_of(p);
+    store_block(p, block.count, out);
+    out += 3 * block.count;
+  }
+  return is_certain(doubts) ? 0 : kNotFinite;
+}
+
+/// What is left of a derivative where the part along the point itself is taken away.
+inline Points beside(const Points& slope, const Points& point) {
+  return {mul_add(-slope.w, point.x, slope.x), mul_add(-slope.w, point.y, slope.y), mul_add(-slope.w, point.z, slope.z),
+          slope.w};
+}
+
+inline Points times(const Points& p, Lanes factor) { return {p.x * factor, p.y * factor, p.z * factor, p.w}; }
+
+/// The unit vector across two derivatives, NaN where their rounding may have made it.
+inline Points normal_of(const Points& a, const Points& b, Lanes noise_a, Lanes noise_b) {
+  Points n{mul_add(a.y, b.z, -(a.z * b.y)), mul_add(a.z, b.x, -(a.x * b.z)), mul_add(a.x, b.y, -(a.y * b.x)),
+           all(0.0)};
+  const auto square = [](const Points& p) { return mul_add(p.x, p.x, mul_add(p.y, p.y, p.z * p.z)); };
+  const Lanes length = square(n);
+  const Lanes noise = mul_add(square(a), noise_b * noise_b, square(b) * (noise_a * noise_a));
+  constexpr double kClear = 0x1p48;
+  const Lanes r = all(1.0) / square_root(length);
+  const Lanes nothing = all(__builtin_nan(""));
+  const Lanes scale = length > all(kClear) * noise ? r : nothing;
+  n.x *= scale;
+  n.y *= scale;
+  n.z *= scale;
+  return n;
+}
+
+template <int kDegree, bool kRational, class Real>
+int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, Real* out,
+                    Real* normals) {
+  const int degree = kDegree > 0 ? kDegree : form.degree_v;
+  double* const slope_row = scratch + 4 * (blocks.high - blocks.low + 1);
+  collapse(form, row.first, row.values, blocks, scratch);
+  collapse(form, row.first, row.slopes, blocks, slope_row);
+  Lanes doubts = all(0.0);
+  Lanes weak = all(0.0);
+  for (std::size_t b = 0; b < blocks.count; ++b) {
+    const GridBlock& block = blocks.blocks[b];
+    const std::size_t first = 4 * (block.first - blocks.low);
+    Points p = row_sum<kRational>(scratch + first, degree, block.values);
+    Points su = row_sum<kRational>(slope_row + first, degree, block.values);
+    Points sv = row_sum<kRational>(scratch + first, degree, block.slopes);
+    project_point<kRational>(p);
+    if (kRational) {
+      su = beside(su, p);
+      sv = beside(sv, p);
+    }
+    const Points n = normal_of(su, sv, all(row.noise), load(block.noise));
+    doubts += doubt_of(p);
+    weak += doubt(n.x);
+    store_block(p, block.count, out);
+    store_block(n, block.count, normals);
+    out += 3 * block.count;
+    normals += 3 * block.count;
+  }
+  return (is_certain(doubts) ? 0 : kNotFinite) | (is_certain(weak) ? 0 : kWeakNormal);
+}
+
+template <class Real>
+int grid_points(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, Real* out) {
+  const auto with = [&](auto work) { return work(form, row, blocks, scratch, out); };
+  if (form.degree_v == 3) return with(form.rational ? grid_points_of<3, true, Real> : grid_points_of<3, false, Real>);
+  return with(form.rational ? grid_points_of<0, true, Real> : grid_points_of<0, false, Real>);
+}
+
+template <class Real>
+int grid_normals(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, Real* out,
+                 Real* normals) {
+  const auto with = [&](auto work) { return work(form, row, blocks, scratch, out, normals); };
+  if (form.degree_v == 3) return with(form.rational ? grid_normals_of<3, true, Real> : grid_normals_of<3, false, Real>);
+  return with(form.rational ? grid_normals_of<0, true, Real> : grid_normals_of<0, false, Real>);
+}
+
+/// The functions of a pair of parameters.
+template <int kOrder>
+struct PairFunctions {
+  double u[kOrder + 1][kMostDegree + 4];
+  double v[kOrder + 1][kMostDegree + 4];
+};
+
+/// The sum over a row of columns, each of them summed.
+inline Lanes across_sum(const Lanes* columns, int degree, const double* functions) {
+  Lanes sum = all(functions[0]) * columns[0];
+  for (int j = 1; j <= degree; ++j) sum = mul_add(all(functions[j]), columns[j], sum);
+  return sum;
+}
+
+inline void column_sums(const GridForm& form, const double* corner, const double* functions, Lanes* columns) {
+  for (int j = 0; j <= form.degree_v; ++j) {
+    columns[j] = column_sum(corner + 4 * j, 4 * form.width, form.degree_u, functions);
+  }
+}
+
+void pair_sums(const GridForm& form, int order, const double* corner, const double* u, const double* v, double* out) {
+  Lanes columns[kMostDegree + 1];
+  for (int k = 0; k <= order; ++k) {
+    column_sums(form, corner, u + k * table_width(form.degree_u), columns);
+    for (int l = 0; l <= order; ++l, out += 4) {
+      store(across_sum(columns, form.degree_v, v + l * table_width(form.degree_v)), out);
+    }
+  }
+}
+
+/// Of up to four pairs: homogeneous points, and derivatives along u and v.
+template <int kOrder>
+struct FourPairs {
+  Points point;
+  Points along_u;
+  Points along_v;
+};
+
+template <int kOrder>
+inline FourPairs<kOrder> four_pairs(const GridForm& form, const PairPlace* pairs, int lanes) {
+  PairFunctions<kOrder> functions;
+  Lanes columns[kMostDegree + 1];
+  Lanes sums[3][4] = {};
+  for (int lane = 0; lane < lanes; ++lane) {
+    const PairPlace& pair = pairs[lane];
+    for (int k = 0; k <= kOrder; ++k) {
+      functions_of(form.degree_u, k, pair.u, functions.u[k]);
+      functions_of(form.degree_v, k, pair.v, functions.v[k]);
+    }
+    column_sums(form, pair.corner, functions.u[0], columns);
+    sums[0][lane] = across_sum(columns, form.degree_v, functions.v[0]);
+    if (kOrder > 0) {
+      sums[2][lane] = across_sum(columns, form.degree_v, functions.v[kOrder]);
+      column_sums(form, pair.corner, functions.u[kOrder], columns);
+      sums[1][lane] = across_sum(columns, form.degree_v, functions.v[0]);
+    }
+  }
+  for (int lane = lanes; lane < 4; ++lane) {
+    for (int k = 0; k < (kOrder > 0 ? 3 : 1); ++k) sums[k][lane] = sums[k][0];
+  }
+  const auto turned = [&](int k) { return transposed(sums[k][0], sums[k][1], sums[k][2], sums[k][3]); };
+  if constexpr (kOrder == 0) return {turned(0), Points{}, Points{}};
+  return {turned(0), turned(1), turned(2)};
+}
+
+template <bool kRational>
+int pair_points_of(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+  Lanes doubts = all(0.0);
+  for (std::size_t i = 0; i < count; i += 4) {
+    const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
+    Points p = four_pairs<0>(form, pairs + i, lanes).point;
+    project_point<kRational>(p);
+    doubts += doubt_of(p);
+    store_block(p, lanes, out + 3 * i);
+  }
+  return is_certain(doubts) ? 0 : kNotFinite;
+}
+
+template <bool kRational>
+int pair_slopes_of(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+  Lanes doubts = all(0.0);
+  for (std::size_t i = 0; i < count; i += 4) {
+    const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
+    FourPairs<1> d = four_pairs<1>(form, pairs + i, lanes);
+    const Lanes r = all(1.0) / d.point.w;
+    project_point<kRational>(d.point);
+    if (kRational) {
+      d.along_u = times(beside(d.along_u, d.point), r);
+      d.along_v = times(beside(d.along_v, d.point), r);
+    }
+    doubts += doubt_of(d.point) + (doubt_of(d.along_u) + doubt_of(d.along_v));
+    double* const to = out + 9 * i;
+    store_triples(d.point.x, d.point.y, d.point.z, lanes, 9, to);
+    store_triples(d.along_u.x, d.along_u.y, d.along_u.z, lanes, 9, to + 3);
+    store_triples(d.along_v.x, d.along_v.y, d.along_v.z, lanes, 9, to + 6);
+  }
+  return is_certain(doubts) ? 0 : kNotFinite;
+}
+
+int pair_points(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+  return form.rational ? pair_points_of<true>(form, pairs, count, out) : pair_points_of<false>(form, pairs, count, out);
+}
+
+int pair_slopes(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+  return form.rational ? pair_slopes_of<true>(form, pairs, count, out) : pair_slopes_of<false>(form, pairs, count, out);
+}

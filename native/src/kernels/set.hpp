@@ -1,0 +1,34 @@
+// All kernels for one set of instructions, which SPLINECORE_SET names. A source file includes it once; everything has
+// internal linkage, so that a linker cannot take code of one set for that of another.
+
+#include "kernels.hpp"
+
+#if defined(__FMA__) && defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#define SPLINECORE_TEXT_OF(name) #name
+#define SPLINECORE_NAME_OF(name) SPLINECORE_TEXT_OF(name)
+
+namespace splinecore {
+
+const double* binomials(int degree) noexcept;
+
+namespace {
+
+#include "lanes.hpp"
+#include "curves.hpp"
+#include "functions.hpp"
+#include "patches.hpp"
+
+}  // namespace
+
+extern const Kernels SPLINECORE_SET;
+const Kernels SPLINECORE_SET{
+    SPLINECORE_NAME_OF(SPLINECORE_SET),
+    curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>, curve_homogeneous,
+    functions,
+    grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
+    pair_sums, pair_points, pair_slopes};
+
+}  // namespace splinecore
