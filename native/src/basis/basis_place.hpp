@@ -1,7 +1,6 @@
 #pragma once
 
-#include "kernels/kernels.hpp"
-#include "splinecore/basis/knot_vector.hpp"
+#include "knot_tables.hpp"
 
 namespace splinecore {
 
@@ -9,7 +8,7 @@ namespace splinecore {
 inline BasisPlace place_in(const KnotVector& knots, int span, double u, int order) {
   const Interval range = knots.span_interval(span);
   BasisPlace place{{}, (u - range.start) / range.length(), (range.end - u) / range.length()};
-  for (int k = 0; k <= order; ++k) place.rows[k] = knots.derivative_table(span, k);
+  for (int k = 0; k <= order; ++k) place.rows[k] = knots.tables().derivative_rows(knots, span, k);
   return place;
 }
 

@@ -7,33 +7,12 @@
 #include <numeric>
 #include <string>
 
-#include "kernels/kernels.hpp"
-#include "span_blocks.hpp"
-#include "span_finder.hpp"
-#include "span_tables.hpp"
+#include "knot_tables.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
-
-/// What is computed of spans.
-class KnotVector::Tables {
- public:
-  Tables(std::size_t spans, int degree, std::vector<double> starts, double end)
-      : finder(std::move(starts), end),
-        matrices(spans, (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 1)),
-        derivatives{{spans, rows_of(degree, 0)}, {spans, rows_of(degree, 1)}, {spans, rows_of(degree, 2)}} {}
-
-  SpanFinder finder;
-  SpanBlocks matrices;
-  SpanBlocks derivatives[3];
-
- private:
-  static std::size_t rows_of(int degree, int order) {
-    return static_cast<std::size_t>(std::max(degree + 1 - order, 0)) * table_width(degree);
-  }
-};
 
 namespace {
 
@@ -141,7 +120,7 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
   starts.reserve(state->spans.size());
   for (const int k : state->spans) starts.push_back(state->unrolled[k]);
   const double end = state->spans.empty() ? 0.0 : state->unrolled[state->spans.back() + 1];
-  state->tables = std::make_shared<Tables>(state->spans.size(), degree, std::move(starts), end);
+  state->tables = std::make_shared<KnotTables>(state->spans.size(), degree, std::move(starts), end);
   return KnotVector(std::move(state));
 }
 
@@ -223,13 +202,6 @@ std::span<const double> KnotVector::bezier_matrix(int i) const {
     fill_matrix(state_->unrolled.data() + state_->spans[span], degree(), out);
   };
   return {state_->tables->matrices.of(i, fill), order * order};
-}
-
-const double* KnotVector::derivative_table(int i, int order) const {
-  const auto fill = [&](std::size_t span, double* out) {
-    fill_derivative_table(state_->unrolled.data() + state_->spans[span], degree(), order, out);
-  };
-  return state_->tables->derivatives[order].of(i, fill);
 }
 
 bool operator==(const KnotVector& a, const KnotVector& b) noexcept {

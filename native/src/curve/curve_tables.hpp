@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <cstddef>
 
 #include "basis/span_blocks.hpp"
 #include "kernels/kernels.hpp"
@@ -8,24 +8,29 @@
 
 namespace splinecore {
 
-/// The Bernstein coefficients of a curve's spans, for the kernels: its own, and those of its first two derivatives.
+/// Writes the Bernstein coefficients, each times its binomial, of the derivatives 0 … order on a span.
+void fill_rows(const NurbsCurve& curve, std::size_t span, int order, double* out);
+
+/// The coefficients of a curve's spans, for the kernels: its own, and those with its first two derivatives.
 class CurveTables {
  public:
   CurveTables(std::size_t spans, int degree)
-      : points_(spans, 4 * rows_to(degree, 0)), derivatives_(spans, 4 * rows_to(degree, 2)) {}
+      : points_(spans, 4 * rows_to(degree, 0)), derivatives_(spans, 4 * rows_to(degree, kOrder)) {}
 
-  /// The half of a span that a parameter lies in. @param order  of the highest derivative wanted, 2 at most
-  CurveHalf half(const NurbsCurve& curve, int span, bool is_second, int order);
+  /// The coefficients of a span. @param order  of the highest derivative wanted, 2 at most
+  const double* rows(const NurbsCurve& curve, int span, int order) {
+    const auto fill = [&](std::size_t which, double* out) { fill_rows(curve, which, order > 0 ? kOrder : 0, out); };
+    return (order > 0 ? derivatives_ : points_).of(static_cast<std::size_t>(span), fill);
+  }
 
  private:
+  static constexpr int kOrder = 2;
+
   /// How many rows the derivatives 0 … order have.
   static std::size_t rows_to(int degree, int order);
 
   SpanBlocks points_;
   SpanBlocks derivatives_;
 };
-
-/// Whether a parameter of a span is nearer to the end.
-inline bool is_in_second_half(const Interval& span, double u) { return u > span.middle() || u == span.end; }
 
 }  // namespace splinecore

@@ -1,10 +1,12 @@
 #include "splinecore/curve/evaluate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "basis/knot_tables.hpp"
 #include "curve_tables.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -36,50 +38,94 @@ int scattered_of(const CurveForm& form, const ScatteredHalves& halves, std::size
   return kernels().curve_scattered_single(form, halves, count, out);
 }
 
-/// Finds the half of a span for one parameter after the other.
+/// Some parameters, admitted, and the halves of spans that they lie in: twice the span, and 1 more in its second half.
+struct Located {
+  std::array<double, kScattered> u;
+  std::array<std::int32_t, kScattered> half;
+};
+
+/// Finds the halves of spans that parameters lie in.
 class Locator {
  public:
-  Locator(const NurbsCurve& curve, int order, Side side) : curve_(curve), order_(order), side_(side) {}
+  Locator(const NurbsCurve& curve, int order, Side side)
+      : curve_(curve), knots_(curve.knot_vector()), finder_(knots_.tables().finder), tables_(curve.tables()),
+        domain_(knots_.domain()), order_(order), side_(side) {}
 
-  /// The half of an admitted parameter.
-  const CurveHalf& locate(double u) {
-    if (!is_inside(u)) {
-      const int span = curve_.knot_vector().span_of(u, side_);
-      const Interval range = curve_.knot_vector().span_interval(span);
-      const bool is_second = is_in_second_half(range, u);
-      half_ = curve_.tables().half(curve_, span, is_second, order_);
-      low_ = is_second ? range.middle() : range.start;
-      high_ = is_second ? range.end : range.middle();
-    }
-    return half_;
+  double admitted(double u, std::size_t i) const {
+    return u > domain_.start && u < domain_.end ? u : knots_.admit(u, side_, i);
   }
 
-  /// Whether it lies strictly inside the half that was found last.
-  bool is_inside(double u) const { return u > low_ && u < high_; }
-  double low() const { return low_; }
-  double high() const { return high_; }
+  /// @param first  the number of the first parameter
+  void locate(std::span<const double> u, std::size_t first, Located& found) const {
+    for (std::size_t i = 0; i < u.size(); ++i) found.u[i] = admitted(u[i], first + i);
+    finder_.find_all(found.u.data(), u.size(), side_, found.half.data());
+    const double* const bounds = finder_.bounds();
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const double* const ends = bounds + found.half[i];
+      const bool is_second = (found.u[i] > Interval{ends[0], ends[1]}.middle()) | (found.u[i] == ends[1]);
+      found.half[i] = 2 * found.half[i] + static_cast<int>(is_second);
+    }
+  }
+
+  /// The ends of the span of a half.
+  const double* ends(int half) const { return finder_.bounds() + half / 2; }
+
+  /// The row at the near end.
+  const double* rows(int half) const {
+    return tables_.rows(curve_, half / 2, order_) + (half % 2) * (4 * curve_.degree());
+  }
+
+  CurveHalf form(int half) const {
+    const int second = half % 2;
+    return {ends(half)[second], ends(half)[1 - second], rows(half), 4 - 8 * second};
+  }
+
+  Interval range(int half) const {
+    const double middle = Interval{ends(half)[0], ends(half)[1]}.middle();
+    return half % 2 == 0 ? Interval{ends(half)[0], middle} : Interval{middle, ends(half)[1]};
+  }
 
  private:
   const NurbsCurve& curve_;
+  const KnotVector& knots_;
+  const SpanFinder& finder_;
+  CurveTables& tables_;
+  Interval domain_;
   int order_;
   Side side_;
-  CurveHalf half_{};
-  double low_ = 1.0;
-  double high_ = 0.0;
+};
+
+/// Parameters with a half each, for a kernel.
+class Scattered {
+ public:
+  void add(double u, int half, const Locator& locator) {
+    const int second = half % 2;
+    const double* const ends = locator.ends(half);
+    halves_.u[count_] = u;
+    halves_.near[count_] = ends[second];
+    halves_.far[count_] = ends[1 - second];
+    halves_.rows[count_] = locator.rows(half);
+    halves_.step[count_] = 4 - 8 * second;
+    ++count_;
+  }
+  std::size_t size() const { return count_; }
+  const ScatteredHalves& halves() const { return halves_; }
+  void clear() { count_ = 0; }
+
+ private:
+  ScatteredHalves halves_;
+  std::size_t count_ = 0;
 };
 
 /// The homogeneous point at an admitted parameter.
 glm::dvec4 homogeneous_at(const NurbsCurve& curve, double u, Side side) {
-  ScatteredHalves one;
-  Locator locator(curve, 0, side);
-  const CurveHalf& half = locator.locate(u);
-  one.u[0] = u;
-  one.near[0] = half.near;
-  one.far[0] = half.far;
-  one.rows[0] = half.rows;
-  one.step[0] = half.step;
+  const Locator locator(curve, 0, side);
+  Located found;
+  locator.locate({&u, 1}, 0, found);
+  Scattered one;
+  one.add(found.u[0], found.half[0], locator);
   glm::dvec4 point;
-  kernels().curve_homogeneous({curve.degree(), 0, curve.rational()}, one, 1, &point.x);
+  kernels().curve_homogeneous({curve.degree(), 0, curve.rational()}, one.halves(), 1, &point.x);
   return point;
 }
 
@@ -113,51 +159,52 @@ class Batch {
         locator_(curve, order, options.side), u_(u), out_(out), columns_(3 * (static_cast<std::size_t>(order) + 1)) {}
 
   void run() {
-    constexpr std::size_t kMost = std::size_t{1} << 12;
+    Located found;
     for (std::size_t i = 0; i < u_.size();) {
-      const double at = curve_.knot_vector().admit(u_[i], options_.side, i);
-      const CurveHalf& half = locator_.locate(at);
-      const bool is_run = i + 3 < u_.size() && locator_.is_inside(u_[i]) && locator_.is_inside(u_[i + 1]) &&
-                          locator_.is_inside(u_[i + 2]) && locator_.is_inside(u_[i + 3]);
-      if (!is_run) {
-        add(i++, at, half);
-        continue;
+      const std::size_t count = std::min(kScattered, u_.size() - i);
+      locator_.locate(u_.subspan(i, count), i, found);
+      std::size_t done = 0;
+      while (done < count) {
+        const bool is_run = done + 3 < count && found.half[done] == found.half[done + 1] &&
+                            found.half[done] == found.half[done + 2] && found.half[done] == found.half[done + 3];
+        const std::size_t run = is_run ? run_from(i + done, found.half[done]) : 0;
+        if (run == 0) scattered_.add(found.u[done], found.half[done], locator_);
+        done += std::max<std::size_t>(run, 1);
+        if (run == 0 && scattered_.size() == kScattered) flush(i + done);
       }
-      flush();
-      int found = 0;
-      const auto part = u_.subspan(i, std::min(kMost, u_.size() - i));
-      const std::size_t done =
-          run_of(form_, half, locator_.low(), locator_.high(), part, out_.data() + columns_ * i, &found);
-      breathe(done * columns_ * static_cast<std::size_t>(form_.degree + 2));
-      if (found != 0) settle_all(i, i + done);
       i += done;
+      flush(i);
     }
-    flush();
   }
 
  private:
-  void add(std::size_t i, double at, const CurveHalf& half) {
-    if (count_ == 0) first_ = i;
-    halves_.u[count_] = at;
-    halves_.near[count_] = half.near;
-    halves_.far[count_] = half.far;
-    halves_.rows[count_] = half.rows;
-    halves_.step[count_] = half.step;
-    if (++count_ == kScattered) flush();
+  /// As many parameters from i on as lie strictly inside a half, four by four.
+  std::size_t run_from(std::size_t i, int half) {
+    constexpr std::size_t kMost = std::size_t{1} << 12;
+    flush(i);
+    const auto part = u_.subspan(i, std::min(kMost, u_.size() - i));
+    const Interval range = locator_.range(half);
+    int found = 0;
+    const std::size_t done =
+        run_of(form_, locator_.form(half), range.start, range.end, part, out_.data() + columns_ * i, &found);
+    breathe(done * columns_ * static_cast<std::size_t>(form_.degree + 2));
+    if (found != 0) settle_all(i, i + done);
+    return done;
   }
 
-  void flush() {
-    if (count_ == 0) return;
-    breathe(count_ * columns_ * static_cast<std::size_t>(form_.degree + 2));
-    const int found = scattered_of(form_, halves_, count_, out_.data() + columns_ * first_);
-    if (found != 0) settle_all(first_, first_ + count_);
-    count_ = 0;
+  /// Those that are scattered, the last of them before `end`.
+  void flush(std::size_t end) {
+    const std::size_t count = scattered_.size();
+    if (count == 0) return;
+    scattered_.clear();
+    breathe(count * columns_ * static_cast<std::size_t>(form_.degree + 2));
+    const int found = scattered_of(form_, scattered_.halves(), count, out_.data() + columns_ * (end - count));
+    if (found != 0) settle_all(end - count, end);
   }
 
   void settle_all(std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const double at = curve_.knot_vector().admit(u_[i], options_.side, i);
-      settle(curve_, at, options_, out_.subspan(columns_ * i, columns_));
+      settle(curve_, locator_.admitted(u_[i], i), options_, out_.subspan(columns_ * i, columns_));
     }
   }
 
@@ -165,12 +212,10 @@ class Batch {
   CurveForm form_;
   EvaluateOptions options_;
   Locator locator_;
+  Scattered scattered_;
   std::span<const double> u_;
   std::span<Real> out_;
   std::size_t columns_;
-  ScatteredHalves halves_;
-  std::size_t count_ = 0;
-  std::size_t first_ = 0;
 };
 
 /// Homogeneous derivatives 0 … order at an admitted parameter, and the quotient rule.

@@ -6,10 +6,10 @@ struct Derivatives {
   Points at[kOrder + 1];
 };
 
-inline std::ptrdiff_t rows_of(int degree, int k) { return degree - k < 0 ? 0 : degree + 1 - k; }
+SPLINECORE_INLINE std::ptrdiff_t rows_of(int degree, int k) { return degree - k < 0 ? 0 : degree + 1 - k; }
 
 /// The first row of derivative k, counted from the near end.
-inline const double* first_row(const double* rows, std::ptrdiff_t step, int degree, int k) {
+SPLINECORE_INLINE const double* first_row(const double* rows, std::ptrdiff_t step, int degree, int k) {
   // Rows of all derivatives lie one after the other from the start of the span on.
   const std::ptrdiff_t forward = 4;
   if (step > 0) {
@@ -20,7 +20,7 @@ inline const double* first_row(const double* rows, std::ptrdiff_t step, int degr
   return rows;
 }
 
-inline Lanes horner(const double* row, std::ptrdiff_t step, int degree, double x) {
+SPLINECORE_INLINE Lanes horner(const double* row, std::ptrdiff_t step, int degree, double x) {
   row += step * degree;
   Lanes sum = load(row);
   for (int i = degree; i-- > 0;) {
@@ -30,7 +30,7 @@ inline Lanes horner(const double* row, std::ptrdiff_t step, int degree, double x
   return sum;
 }
 
-inline Points horner(const double* row, std::ptrdiff_t step, int degree, Lanes x, bool with_weight) {
+SPLINECORE_INLINE Points horner(const double* row, std::ptrdiff_t step, int degree, Lanes x, bool with_weight) {
   row += step * degree;
   Points sum{all(row[0]), all(row[1]), all(row[2]), all(row[3])};
   for (int i = degree; i-- > 0;) {
@@ -43,7 +43,7 @@ inline Points horner(const double* row, std::ptrdiff_t step, int degree, Lanes x
   return sum;
 }
 
-inline Lanes power(Lanes base, int exponent) {
+SPLINECORE_INLINE Lanes power(Lanes base, int exponent) {
   Lanes result = all(1.0);
   for (; exponent > 0; exponent >>= 1) {
     if (exponent & 1) result = result * base;
@@ -54,7 +54,7 @@ inline Lanes power(Lanes base, int exponent) {
 
 /// Points and derivatives from homogeneous ones (The NURBS Book, A4.2). @param x, f  of the place in the span
 template <bool kRational, int kOrder>
-inline void project(Derivatives<kOrder>& d, Lanes x, Lanes f, int degree) {
+SPLINECORE_INLINE void project(Derivatives<kOrder>& d, Lanes x, Lanes f, int degree) {
   if constexpr (!kRational) {
     for (int k = 0; k <= kOrder; ++k) {
       const Lanes factor = power(f, degree - k);
@@ -92,15 +92,33 @@ inline void project(Derivatives<kOrder>& d, Lanes x, Lanes f, int degree) {
 }
 
 template <int kOrder>
-inline Lanes doubt_of(const Derivatives<kOrder>& d) {
-  Lanes sum = all(0.0);
-  for (int k = 0; k <= kOrder; ++k) sum += doubt(d.at[k].x) + (doubt(d.at[k].y) + doubt(d.at[k].z));
-  return sum;
+SPLINECORE_INLINE Lanes doubt(Lanes before, const Derivatives<kOrder>& d) {
+  for (int k = 0; k <= kOrder; ++k) before = doubt(before, d.at[k].x, d.at[k].y, d.at[k].z);
+  return before;
+}
+
+/// Writes four points with their derivatives: four numbers at once, of which the next three overwrite the last.
+template <int kOrder, class Real>
+SPLINECORE_INLINE void store_four(const Derivatives<kOrder>& d, Real* out) {
+  if constexpr (kOrder == 0) {
+    store_triples(d.at[0].x, d.at[0].y, d.at[0].z, out);
+  } else {
+    Points rows[kOrder + 1];
+    for (int k = 0; k <= kOrder; ++k) rows[k] = transposed(d.at[k].x, d.at[k].y, d.at[k].z, d.at[k].z);
+    for (int k = 0; k <= kOrder; ++k) store(rows[k].x, out + 3 * k);
+    out += 3 * (kOrder + 1);
+    for (int k = 0; k <= kOrder; ++k) store(rows[k].y, out + 3 * k);
+    out += 3 * (kOrder + 1);
+    for (int k = 0; k <= kOrder; ++k) store(rows[k].z, out + 3 * k);
+    out += 3 * (kOrder + 1);
+    for (int k = 0; k < kOrder; ++k) store(rows[k].w, out + 3 * k);
+    store_triple(rows[kOrder].w, out + 3 * kOrder);
+  }
 }
 
 template <int kOrder, class Real>
-inline void store_points(const Derivatives<kOrder>& d, int count, Real* out) {
-  if (kOrder == 0 && count == 4) return store_triples(d.at[0].x, d.at[0].y, d.at[0].z, out);
+SPLINECORE_INLINE void store_points(const Derivatives<kOrder>& d, int count, Real* out) {
+  if (count == 4) return store_four(d, out);
   for (int k = 0; k <= kOrder; ++k) {
     store_triples(d.at[k].x, d.at[k].y, d.at[k].z, count, 3 * (kOrder + 1), out + 3 * k);
   }
@@ -108,7 +126,7 @@ inline void store_points(const Derivatives<kOrder>& d, int count, Real* out) {
 
 /// The part of the span that is left, as a factor. @param far  the way to the far end
 template <bool kRational>
-inline Lanes factor_left(Lanes far, Lanes whole) {
+SPLINECORE_INLINE Lanes factor_left(Lanes far, Lanes whole) {
   return kRational ? far : far / whole;
 }
 
@@ -132,61 +150,74 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
       d.at[k] = degree < k ? Points{} : horner(rows[k], half.step, degree - k, x, kRational);
     }
     project<kRational, kOrder>(d, x, factor_left<kRational>(left, far - near), degree);
-    doubts += doubt_of(d);
-    store_points(d, 4, out + 3 * (kOrder + 1) * i);
+    doubts = doubt(doubts, d);
+    store_four(d, out + 3 * (kOrder + 1) * i);
   }
   if (!is_certain(doubts)) *found |= kNotFinite;
   return i;
 }
 
-template <bool kRational, int kOrder, class Real>
+template <int kDegree, bool kRational, int kOrder, class Real>
 int scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, Real* out) {
+  const int degree = kDegree > 0 ? kDegree : form.degree;
   Lanes doubts = all(0.0);
-  for (std::size_t i = 0; i < count; i += 4) {
-    const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
-    const Lanes near = load(halves.near + i);
-    const Lanes far = load(halves.far + i);
-    const Lanes at = load(halves.u + i);
+  for (std::size_t i = 0, lanes = 4; i < count; i += lanes) {
+    // Four at once; the last ones each for itself, in all lanes.
+    if (count - i < 4) lanes = 1;
+    const Lanes near = lanes == 4 ? load(halves.near + i) : all(halves.near[i]);
+    const Lanes far = lanes == 4 ? load(halves.far + i) : all(halves.far[i]);
+    const Lanes at = lanes == 4 ? load(halves.u + i) : all(halves.u[i]);
     const Lanes left = far - at;
     const Lanes x = (at - near) / left;
     Derivatives<kOrder> d;
     for (int k = 0; k <= kOrder; ++k) {
-      if (form.degree < k) {
+      if (degree < k) {
         d.at[k] = Points{};
         continue;
       }
       Lanes sums[4];
       for (int lane = 0; lane < 4; ++lane) {
-        const std::size_t j = lane < lanes ? i + lane : i;
-        sums[lane] = horner(first_row(halves.rows[j], halves.step[j], form.degree, k), halves.step[j], form.degree - k,
-                            x[lane < lanes ? lane : 0]);
+        const std::size_t j = lanes == 4 ? i + lane : i;
+        sums[lane] = horner(first_row(halves.rows[j], halves.step[j], degree, k), halves.step[j], degree - k, x[lane]);
       }
       d.at[k] = transposed(sums[0], sums[1], sums[2], sums[3]);
     }
-    project<kRational, kOrder>(d, x, factor_left<kRational>(left, far - near), form.degree);
-    const Lanes all_doubts = doubt_of(d);
-    for (int lane = 0; lane < lanes; ++lane) doubts[lane] += all_doubts[lane];
-    store_points(d, lanes, out + 3 * (kOrder + 1) * i);
+    project<kRational, kOrder>(d, x, factor_left<kRational>(left, far - near), degree);
+    doubts = doubt(doubts, d);
+    store_points(d, static_cast<int>(lanes), out + 3 * (kOrder + 1) * i);
   }
   return is_certain(doubts) ? 0 : kNotFinite;
 }
 
+template <int kDegree, class Real>
+std::size_t run_of_degree(const CurveForm& form, const CurveHalf& half, double low, double high, const double* u,
+                          std::size_t count, Real* out, int* found) {
+  const auto with = [&](auto work) { return work(form, half, low, high, u, count, out, found); };
+  if (form.order == 0) return with(form.rational ? run<kDegree, true, 0, Real> : run<kDegree, false, 0, Real>);
+  if (form.order == 1) return with(form.rational ? run<kDegree, true, 1, Real> : run<kDegree, false, 1, Real>);
+  return with(form.rational ? run<kDegree, true, 2, Real> : run<kDegree, false, 2, Real>);
+}
+
+/// Cubics, which are most, have kernels of their own.
 template <class Real>
 std::size_t curve_run(const CurveForm& form, const CurveHalf& half, double low, double high, const double* u,
                       std::size_t count, Real* out, int* found) {
-  const auto with = [&](auto run_of) { return run_of(form, half, low, high, u, count, out, found); };
-  if (form.order == 0 && form.degree == 3) return with(form.rational ? run<3, true, 0, Real> : run<3, false, 0, Real>);
-  if (form.order == 0) return with(form.rational ? run<0, true, 0, Real> : run<0, false, 0, Real>);
-  if (form.order == 1) return with(form.rational ? run<0, true, 1, Real> : run<0, false, 1, Real>);
-  return with(form.rational ? run<0, true, 2, Real> : run<0, false, 2, Real>);
+  return form.degree == 3 ? run_of_degree<3>(form, half, low, high, u, count, out, found)
+                          : run_of_degree<0>(form, half, low, high, u, count, out, found);
+}
+
+template <int kDegree, class Real>
+int scattered_of_degree(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, Real* out) {
+  const auto with = [&](auto work) { return work(form, halves, count, out); };
+  if (form.order == 0) return with(form.rational ? scattered<kDegree, true, 0, Real> : scattered<kDegree, false, 0, Real>);
+  if (form.order == 1) return with(form.rational ? scattered<kDegree, true, 1, Real> : scattered<kDegree, false, 1, Real>);
+  return with(form.rational ? scattered<kDegree, true, 2, Real> : scattered<kDegree, false, 2, Real>);
 }
 
 template <class Real>
 int curve_scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, Real* out) {
-  const auto with = [&](auto work) { return work(form, halves, count, out); };
-  if (form.order == 0) return with(form.rational ? scattered<true, 0, Real> : scattered<false, 0, Real>);
-  if (form.order == 1) return with(form.rational ? scattered<true, 1, Real> : scattered<false, 1, Real>);
-  return with(form.rational ? scattered<true, 2, Real> : scattered<false, 2, Real>);
+  return form.degree == 3 ? scattered_of_degree<3>(form, halves, count, out)
+                          : scattered_of_degree<0>(form, halves, count, out);
 }
 
 void curve_homogeneous(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, double* out) {

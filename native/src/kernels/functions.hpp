@@ -1,7 +1,7 @@
 // Kernels of B-spline functions. Included in the namespace of each set of instructions: see set.hpp.
 
 /// The Bernstein polynomials of a degree where t and s are the parts before and behind.
-inline void bernstein(int degree, double t, double s, const double* choose, double* out) {
+SPLINECORE_INLINE void bernstein(int degree, double t, double s, const double* choose, double* out) {
   double power = 1.0;
   for (int i = 0; i <= degree; ++i, power *= t) out[i] = choose[i] * power;
   power = s;
@@ -9,7 +9,7 @@ inline void bernstein(int degree, double t, double s, const double* choose, doub
 }
 
 /// Up to four functions of a place, one lane each.
-inline Lanes function_lanes(const double* rows, std::size_t width, int degree, const double* bernstein) {
+SPLINECORE_INLINE Lanes function_lanes(const double* rows, std::size_t width, int degree, const double* bernstein) {
   Lanes sum = all(bernstein[0]) * load(rows);
   for (int k = 1; k <= degree; ++k) sum = mul_add(all(bernstein[k]), load(rows + k * width), sum);
   return sum;
@@ -18,7 +18,7 @@ inline Lanes function_lanes(const double* rows, std::size_t width, int degree, c
 inline constexpr int kMostDegree = 255;
 
 /// table_width(degree) numbers of one derivative.
-inline void functions_of(int degree, int order, const BasisPlace& place, double* out) {
+SPLINECORE_INLINE void functions_of(int degree, int order, const BasisPlace& place, double* out) {
   const std::size_t width = table_width(degree);
   if (order > degree) {
     for (std::size_t i = 0; i < width; i += 4) store(all(0.0), out + i);

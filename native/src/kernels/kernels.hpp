@@ -129,6 +129,10 @@ struct Kernels {
   /// x, y, z of pairs; with their first derivatives 3 * 3 numbers each: point, along u, along v.
   int (*pair_points)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
   int (*pair_slopes)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
+
+  /// And unit normals. @param rounding  of a point, which the slopes of the functions multiply
+  int (*pair_normals)(const GridForm&, double rounding, const PairPlace* pairs, std::size_t count, double* out,
+                      double* normals);
 };
 
 /// The kernels for this machine, or those that the environment variable SPLINECORE_KERNELS names.

@@ -2,7 +2,7 @@
 
 /// The point of a row that one column of points is summed to. Terms are added in one order everywhere, so that a pair
 /// of parameters gives the same bits alone and in any grid.
-inline Lanes column_sum(const double* points, std::size_t stride, int degree, const double* functions) {
+SPLINECORE_INLINE Lanes column_sum(const double* points, std::size_t stride, int degree, const double* functions) {
   Lanes sum = all(functions[0]) * load(points);
   for (int i = 1; i <= degree; ++i) sum = mul_add(all(functions[i]), load(points + i * stride), sum);
   return sum;
@@ -10,7 +10,7 @@ inline Lanes column_sum(const double* points, std::size_t stride, int degree, co
 
 /// The sum of a row's points for four parameters at once.
 template <bool kRational>
-inline Points row_sum(const double* row, int degree, const double* functions) {
+SPLINECORE_INLINE Points row_sum(const double* row, int degree, const double* functions) {
   Lanes f = load(functions);
   Points sum{f * all(row[0]), f * all(row[1]), f * all(row[2]), kRational ? f * all(row[3]) : all(1.0)};
   for (int j = 1; j <= degree; ++j) {
@@ -25,7 +25,7 @@ inline Points row_sum(const double* row, int degree, const double* functions) {
 }
 
 /// The columns from low to high of a row, x, y, z, w each.
-inline void collapse(const GridForm& form, std::size_t first, const double* functions, const GridBlocks& blocks,
+SPLINECORE_INLINE void collapse(const GridForm& form, std::size_t first, const double* functions, const GridBlocks& blocks,
                      double* row) {
   const double* points = form.points + 4 * (first * form.width + blocks.low);
   for (std::size_t j = blocks.low; j <= blocks.high; ++j, points += 4, row += 4) {
@@ -34,7 +34,7 @@ inline void collapse(const GridForm& form, std::size_t first, const double* func
 }
 
 template <bool kRational>
-inline void project_point(Points& p) {
+SPLINECORE_INLINE void project_point(Points& p) {
   if (!kRational) return;
   const Lanes r = all(1.0) / p.w;
   p.x = quotient(p.x, p.w, r);
@@ -42,10 +42,10 @@ inline void project_point(Points& p) {
   p.z = quotient(p.z, p.w, r);
 }
 
-inline Lanes doubt_of(const Points& p) { return doubt(p.x) + (doubt(p.y) + doubt(p.z)); }
+SPLINECORE_INLINE Lanes doubt(Lanes before, const Points& p) { return doubt(before, p.x, p.y, p.z); }
 
 template <class Real>
-inline void store_block(const Points& p, int count, Real* out) {
+SPLINECORE_INLINE void store_block(const Points& p, int count, Real* out) {
   if (count == 4) {
     store_triples(p.x, p.y, p.z, out);
   } else {
@@ -62,7 +62,7 @@ int grid_points_of(const GridForm& form, const GridRow& row, const GridBlocks& b
     const GridBlock& block = blocks.blocks[b];
     Points p = row_sum<kRational>(scratch + 4 * (block.first - blocks.low), degree, block.values);
     project_point<kRational>(p);
-    doubts += doubt_of(p);
+    doubts = doubt(doubts, p);
     store_block(p, block.count, out);
     out += 3 * block.count;
   }
@@ -70,15 +70,15 @@ int grid_points_of(const GridForm& form, const GridRow& row, const GridBlocks& b
 }
 
 /// What is left of a derivative where the part along the point itself is taken away.
-inline Points beside(const Points& slope, const Points& point) {
+SPLINECORE_INLINE Points beside(const Points& slope, const Points& point) {
   return {mul_add(-slope.w, point.x, slope.x), mul_add(-slope.w, point.y, slope.y), mul_add(-slope.w, point.z, slope.z),
           slope.w};
 }
 
-inline Points times(const Points& p, Lanes factor) { return {p.x * factor, p.y * factor, p.z * factor, p.w}; }
+SPLINECORE_INLINE Points times(const Points& p, Lanes factor) { return {p.x * factor, p.y * factor, p.z * factor, p.w}; }
 
 /// The unit vector across two derivatives, NaN where their rounding may have made it.
-inline Points normal_of(const Points& a, const Points& b, Lanes noise_a, Lanes noise_b) {
+SPLINECORE_INLINE Points normal_of(const Points& a, const Points& b, Lanes noise_a, Lanes noise_b) {
   Points n{mul_add(a.y, b.z, -(a.z * b.y)), mul_add(a.z, b.x, -(a.x * b.z)), mul_add(a.x, b.y, -(a.y * b.x)),
            all(0.0)};
   const auto square = [](const Points& p) { return mul_add(p.x, p.x, mul_add(p.y, p.y, p.z * p.z)); };
@@ -115,8 +115,8 @@ int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& 
       sv = beside(sv, p);
     }
     const Points n = normal_of(su, sv, all(row.noise), load(block.noise));
-    doubts += doubt_of(p);
-    weak += doubt(n.x);
+    doubts = doubt(doubts, p);
+    weak += n.x;
     store_block(p, block.count, out);
     store_block(n, block.count, normals);
     out += 3 * block.count;
@@ -148,13 +148,13 @@ struct PairFunctions {
 };
 
 /// The sum over a row of columns, each of them summed.
-inline Lanes across_sum(const Lanes* columns, int degree, const double* functions) {
+SPLINECORE_INLINE Lanes across_sum(const Lanes* columns, int degree, const double* functions) {
   Lanes sum = all(functions[0]) * columns[0];
   for (int j = 1; j <= degree; ++j) sum = mul_add(all(functions[j]), columns[j], sum);
   return sum;
 }
 
-inline void column_sums(const GridForm& form, const double* corner, const double* functions, Lanes* columns) {
+SPLINECORE_INLINE void column_sums(const GridForm& form, const double* corner, const double* functions, Lanes* columns) {
   for (int j = 0; j <= form.degree_v; ++j) {
     columns[j] = column_sum(corner + 4 * j, 4 * form.width, form.degree_u, functions);
   }
@@ -170,19 +170,30 @@ void pair_sums(const GridForm& form, int order, const double* corner, const doub
   }
 }
 
-/// Of up to four pairs: homogeneous points, and derivatives along u and v.
-template <int kOrder>
+/// Of up to four pairs: homogeneous points, derivatives along u and v, and what the slopes of the functions amount to.
 struct FourPairs {
   Points point;
   Points along_u;
   Points along_v;
+  Lanes size_u;
+  Lanes size_v;
 };
 
-template <int kOrder>
-inline FourPairs<kOrder> four_pairs(const GridForm& form, const PairPlace* pairs, int lanes) {
+SPLINECORE_INLINE double size_of(const double* functions, int degree) {
+  double sum = 0.0;
+  for (int i = 0; i <= degree; ++i) sum += functions[i] < 0.0 ? -functions[i] : functions[i];
+  return sum;
+}
+
+template <int kDegree, int kOrder>
+SPLINECORE_INLINE FourPairs four_pairs(const GridForm& given, const PairPlace* pairs, int lanes) {
+  GridForm form = given;
+  if (kDegree > 0) form.degree_u = form.degree_v = kDegree;
   PairFunctions<kOrder> functions;
   Lanes columns[kMostDegree + 1];
   Lanes sums[3][4] = {};
+  Lanes size_u = all(0.0);
+  Lanes size_v = all(0.0);
   for (int lane = 0; lane < lanes; ++lane) {
     const PairPlace& pair = pairs[lane];
     for (int k = 0; k <= kOrder; ++k) {
@@ -195,42 +206,44 @@ inline FourPairs<kOrder> four_pairs(const GridForm& form, const PairPlace* pairs
       sums[2][lane] = across_sum(columns, form.degree_v, functions.v[kOrder]);
       column_sums(form, pair.corner, functions.u[kOrder], columns);
       sums[1][lane] = across_sum(columns, form.degree_v, functions.v[0]);
+      size_u[lane] = size_of(functions.u[kOrder], form.degree_u);
+      size_v[lane] = size_of(functions.v[kOrder], form.degree_v);
     }
   }
   for (int lane = lanes; lane < 4; ++lane) {
     for (int k = 0; k < (kOrder > 0 ? 3 : 1); ++k) sums[k][lane] = sums[k][0];
   }
   const auto turned = [&](int k) { return transposed(sums[k][0], sums[k][1], sums[k][2], sums[k][3]); };
-  if constexpr (kOrder == 0) return {turned(0), Points{}, Points{}};
-  return {turned(0), turned(1), turned(2)};
+  if constexpr (kOrder == 0) return {turned(0), Points{}, Points{}, size_u, size_v};
+  return {turned(0), turned(1), turned(2), size_u, size_v};
 }
 
-template <bool kRational>
+template <int kDegree, bool kRational>
 int pair_points_of(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
   Lanes doubts = all(0.0);
   for (std::size_t i = 0; i < count; i += 4) {
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
-    Points p = four_pairs<0>(form, pairs + i, lanes).point;
+    Points p = four_pairs<kDegree, 0>(form, pairs + i, lanes).point;
     project_point<kRational>(p);
-    doubts += doubt_of(p);
+    doubts = doubt(doubts, p);
     store_block(p, lanes, out + 3 * i);
   }
   return is_certain(doubts) ? 0 : kNotFinite;
 }
 
-template <bool kRational>
+template <int kDegree, bool kRational>
 int pair_slopes_of(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
   Lanes doubts = all(0.0);
   for (std::size_t i = 0; i < count; i += 4) {
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
-    FourPairs<1> d = four_pairs<1>(form, pairs + i, lanes);
+    FourPairs d = four_pairs<kDegree, 1>(form, pairs + i, lanes);
     const Lanes r = all(1.0) / d.point.w;
     project_point<kRational>(d.point);
     if (kRational) {
       d.along_u = times(beside(d.along_u, d.point), r);
       d.along_v = times(beside(d.along_v, d.point), r);
     }
-    doubts += doubt_of(d.point) + (doubt_of(d.along_u) + doubt_of(d.along_v));
+    doubts = doubt(doubt(doubt(doubts, d.point), d.along_u), d.along_v);
     double* const to = out + 9 * i;
     store_triples(d.point.x, d.point.y, d.point.z, lanes, 9, to);
     store_triples(d.along_u.x, d.along_u.y, d.along_u.z, lanes, 9, to + 3);
@@ -239,10 +252,43 @@ int pair_slopes_of(const GridForm& form, const PairPlace* pairs, std::size_t cou
   return is_certain(doubts) ? 0 : kNotFinite;
 }
 
+template <int kDegree, bool kRational>
+int pair_normals_of(const GridForm& form, double rounding, const PairPlace* pairs, std::size_t count, double* out,
+                    double* normals) {
+  Lanes doubts = all(0.0);
+  Lanes weak = all(0.0);
+  for (std::size_t i = 0; i < count; i += 4) {
+    const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
+    FourPairs d = four_pairs<kDegree, 1>(form, pairs + i, lanes);
+    project_point<kRational>(d.point);
+    const Points su = kRational ? beside(d.along_u, d.point) : d.along_u;
+    const Points sv = kRational ? beside(d.along_v, d.point) : d.along_v;
+    const Points n = normal_of(su, sv, all(rounding) * d.size_u, all(rounding) * d.size_v);
+    doubts = doubt(doubts, d.point);
+    weak += n.x;
+    store_block(d.point, lanes, out + 3 * i);
+    store_block(n, lanes, normals + 3 * i);
+  }
+  return (is_certain(doubts) ? 0 : kNotFinite) | (is_certain(weak) ? 0 : kWeakNormal);
+}
+
+SPLINECORE_INLINE bool is_bicubic(const GridForm& form) { return form.degree_u == 3 && form.degree_v == 3; }
+
 int pair_points(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
-  return form.rational ? pair_points_of<true>(form, pairs, count, out) : pair_points_of<false>(form, pairs, count, out);
+  const auto with = [&](auto work) { return work(form, pairs, count, out); };
+  if (is_bicubic(form)) return with(form.rational ? pair_points_of<3, true> : pair_points_of<3, false>);
+  return with(form.rational ? pair_points_of<0, true> : pair_points_of<0, false>);
 }
 
 int pair_slopes(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
-  return form.rational ? pair_slopes_of<true>(form, pairs, count, out) : pair_slopes_of<false>(form, pairs, count, out);
+  const auto with = [&](auto work) { return work(form, pairs, count, out); };
+  if (is_bicubic(form)) return with(form.rational ? pair_slopes_of<3, true> : pair_slopes_of<3, false>);
+  return with(form.rational ? pair_slopes_of<0, true> : pair_slopes_of<0, false>);
+}
+
+int pair_normals(const GridForm& form, double rounding, const PairPlace* pairs, std::size_t count, double* out,
+                 double* normals) {
+  const auto with = [&](auto work) { return work(form, rounding, pairs, count, out, normals); };
+  if (is_bicubic(form)) return with(form.rational ? pair_normals_of<3, true> : pair_normals_of<3, false>);
+  return with(form.rational ? pair_normals_of<0, true> : pair_normals_of<0, false>);
 }

@@ -7,6 +7,9 @@
 #include <immintrin.h>
 #endif
 
+// Lanes are kept in registers only where nothing is called.
+#define SPLINECORE_INLINE [[gnu::always_inline]] inline
+
 #define SPLINECORE_TEXT_OF(name) #name
 #define SPLINECORE_NAME_OF(name) SPLINECORE_TEXT_OF(name)
 
@@ -29,6 +32,6 @@ const Kernels SPLINECORE_SET{
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>, curve_homogeneous,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
-    pair_sums, pair_points, pair_slopes};
+    pair_sums, pair_points, pair_slopes, pair_normals};
 
 }  // namespace splinecore

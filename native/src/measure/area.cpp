@@ -7,7 +7,7 @@
 #include <string>
 
 #include "finite_weights.hpp"
-#include "placement.hpp"
+#include "base/placement.hpp"
 #include "quadrature.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "placement.hpp"
+#include "base/placement.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/rescale.hpp"
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "placement.hpp"
+#include "base/placement.hpp"
 #include "quadrature.hpp"
 #include "regular_parts.hpp"
 #include "splinecore/base/errors.hpp"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "placement.hpp"
+#include "base/placement.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/patch/rescale.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "flank.hpp"
-#include "placement.hpp"
+#include "base/placement.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/patch/join.hpp"
 #include "splinecore/patch/rescale.hpp"

@@ -1,13 +1,20 @@
 #include "splinecore/patch/evaluate.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "basis/knot_tables.hpp"
+#include "grid.hpp"
 #include "normal.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
-#include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
 
@@ -15,10 +22,9 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-glm::dvec3 finite_or_nan(const glm::dvec3& point, double u, double v, AtInfinity at_infinity) {
-  if (is_finite(point)) return point;
-  if (at_infinity == AtInfinity::raise) throw PointAtInfinity(u, v);
-  return glm::dvec3(kNan);
+template <class Real>
+bool is_number(const Real* values) {
+  return std::isfinite(values[0]) && std::isfinite(values[1]) && std::isfinite(values[2]);
 }
 
 template <class Real>
@@ -26,112 +32,110 @@ void store(const glm::dvec3& value, Real* out) {
   for (int axis = 0; axis < 3; ++axis) out[axis] = static_cast<Real>(value[axis]);
 }
 
-/// The control points of the curve in v that the patch is where u has these weights.
-void collapse_u(const NurbsPatch& patch, std::span<const double> weights, int first,
-                std::span<glm::dvec4> row) {
-  const std::size_t width = row.size();
-  const glm::dvec4* points = patch.homogeneous_points().data() + first * width;
-  breathe(4 * weights.size() * width);
-  for (std::size_t j = 0; j < width; ++j) row[j] = weights[0] * points[j];
-  for (std::size_t i = 1; i < weights.size(); ++i) {
-    for (std::size_t j = 0; j < width; ++j) row[j] += weights[i] * points[i * width + j];
-  }
+/// The point of weights along u and v by a division, where the kernels found no number. @throws PointAtInfinity
+glm::dvec3 settled_point(const NurbsPatch& patch, const glm::dvec4& h, double u, double v, AtInfinity at_infinity) {
+  const glm::dvec3 point = patch.rational() ? project(h) : glm::dvec3(h);
+  if (is_finite(point)) return point;
+  if (at_infinity == AtInfinity::raise) throw PointAtInfinity(u, v);
+  return glm::dvec3(kNan);
 }
 
-/// The sum over the (p + 1)(q + 1) control points that one pair of parameters depends on.
-glm::dvec4 tensor_sum(const NurbsPatch& patch, std::span<const double> weights_u, int first_u,
-                      std::span<const double> weights_v, int first_v) {
-  const int width = patch.knot_vector(Axis::v).unrolled_count();
-  const glm::dvec4* points = patch.homogeneous_points().data() + first_u * width + first_v;
-  breathe(4 * weights_u.size() * weights_v.size());
-  glm::dvec4 sum = weights_u[0] * weighted_sum(weights_v, points);
-  for (std::size_t i = 1; i < weights_u.size(); ++i) {
-    sum += weights_u[i] * weighted_sum(weights_v, points + i * width);
-  }
-  return sum;
+const double* corner_of(const GridForm& form, int first_u, int first_v) {
+  return form.points + 4 * (static_cast<std::size_t>(first_u) * form.width + static_cast<std::size_t>(first_v));
 }
 
-/// Calls visit(i, u, v, stencil_u, stencil_v) for every pair.
-template <class Visit>
-void for_each_pair(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
-                   int order, PatchOptions options, Visit visit) {
-  const KnotVector& knots_u = patch.knot_vector(Axis::u);
-  const KnotVector& knots_v = patch.knot_vector(Axis::v);
-  Stencil stencil_u(knots_u, order);
-  Stencil stencil_v(knots_v, order);
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const double at_u = knots_u.admit(u[i], options.side_u, i, "u");
-    const double at_v = knots_v.admit(v[i], options.side_v, i, "v");
-    stencil_u.move_to(at_u, options.side_u);
-    stencil_v.move_to(at_v, options.side_v);
-    visit(i, at_u, at_v, stencil_u, stencil_v);
-  }
+int points_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, double* out) {
+  return kernels().grid_points(form, row, blocks, scratch, out);
+}
+int points_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, float* out) {
+  return kernels().grid_points_single(form, row, blocks, scratch, out);
+}
+int normals_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, double* out,
+               double* normals) {
+  return kernels().grid_normals(form, row, blocks, scratch, out, normals);
+}
+int normals_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, float* out,
+               float* normals) {
+  return kernels().grid_normals_single(form, row, blocks, scratch, out, normals);
 }
 
+/// Puts in order what is no number among the points of a row.
 template <class Real>
-void evaluate_pairs(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
-                    std::span<Real> out, PatchOptions options) {
-  for_each_pair(patch, u, v, 0, options,
-                [&](std::size_t i, double at_u, double at_v, const Stencil& su, const Stencil& sv) {
-                  const glm::dvec4 h =
-                      tensor_sum(patch, su.weights(0), su.first(), sv.weights(0), sv.first());
-                  const glm::dvec3 point = patch.rational() ? project(h) : glm::dvec3(h);
-                  store(finite_or_nan(point, at_u, at_v, options.at_infinity), &out[3 * i]);
-                });
-}
-
-/// The point and the normal there, from homogeneous values and derivatives.
-struct PointAndNormal {
-  glm::dvec3 point;
-  glm::dvec3 normal;
-};
-
-PointAndNormal with_normal(const NurbsPatch& patch, const NormalFinder& normal, double u, double v, const glm::dvec4& h,
-                           const glm::dvec4& hu, const glm::dvec4& hv, PatchOptions options) {
-  const glm::dvec3 point = finite_or_nan(patch.rational() ? project(h) : glm::dvec3(h), u, v, options.at_infinity);
-  if (!is_finite(point)) return {point, point};
-  const glm::dvec3 su = (glm::dvec3(hu) - hu.w * point) / h.w;
-  const glm::dvec3 sv = (glm::dvec3(hv) - hv.w * point) / h.w;
-  return {point, normal.at(u, v, su, sv, options)};
+void settle_row(const NurbsPatch& patch, const Samples& u, std::size_t i, const Samples& v, AtInfinity at_infinity,
+                Real* points) {
+  const GridForm form = form_of(patch);
+  for (std::size_t j = 0; j < v.size(); ++j) {
+    if (is_number(points + 3 * j)) continue;
+    glm::dvec4 h;
+    kernels().pair_sums(form, 0, corner_of(form, u.first(i), v.first(j)), u.weights(i).data(), v.weights(j).data(), &h.x);
+    store(settled_point(patch, h, u.parameter(i), v.parameter(j), at_infinity), points + 3 * j);
+  }
 }
 
 template <class Real>
 void grid_points(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<Real> out,
                  AtInfinity at_infinity) {
-  std::vector<glm::dvec4> row(patch.knot_vector(Axis::v).unrolled_count());
+  if (out.empty()) return;
+  const GridForm form = form_of(patch);
+  const GridColumns columns(v, 0);
+  std::vector<double> scratch(columns.scratch_size(1));
   Real* next = out.data();
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    collapse_u(patch, u.weights(i), u.first(i), row);
-    breathe(4 * v.size() * (v.weights(0).size() + 4));
-    for (std::size_t j = 0; j < v.size(); ++j, next += 3) {
-      const glm::dvec4 h = weighted_sum(v.weights(j), row.data() + v.first(j));
-      const glm::dvec3 point = patch.rational() ? project(h) : glm::dvec3(h);
-      store(finite_or_nan(point, u.parameter(i), v.parameter(j), at_infinity), next);
-    }
+  for (std::size_t i = 0; i < u.size(); ++i, next += 3 * v.size()) {
+    breathe(scratch.size() * u.weights(0).size() + 4 * v.size() * (v.weights(0).size() + 4));
+    const int found = points_of(form, grid_row(u, i, 0), columns.blocks(), scratch.data(), next);
+    if (found != 0) settle_row(patch, u, i, v, at_infinity, next);
   }
 }
+
+/// Puts in order what is no number among the normals of a row whose points are there.
+template <class Real>
+void settle_normals(const NormalFinder& finder, const Samples& u, std::size_t i, const Samples& v,
+                    AtInfinity at_infinity, const Real* points, Real* normals) {
+  for (std::size_t j = 0; j < v.size(); ++j) {
+    if (is_number(normals + 3 * j)) continue;
+    const PatchOptions options{u.side(i), v.side(j), at_infinity};
+    const bool is_there = is_number(points + 3 * j);
+    store(is_there ? finder.limit(u.parameter(i), v.parameter(j), options) : glm::dvec3(kNan), normals + 3 * j);
+  }
+}
+
+/// Points and normals of one row after the other of a grid.
+template <class Real>
+class NormalRows {
+ public:
+  NormalRows(const NurbsPatch& patch, const NormalFinder& finder, const Samples& v)
+      : patch_(patch), finder_(finder), v_(v), columns_(v, 1, finder.reach()), scratch_(columns_.scratch_size(2)),
+        others_(finder.is_moved() ? 3 * v.size() : 0) {}
+
+  void write(const Samples& u, std::size_t i, AtInfinity at_infinity, Real* points, Real* normals) {
+    breathe(2 * scratch_.size() * u.weights(0).size() + 12 * v_.size() * (v_.weights(0).size() + 4));
+    const GridRow row = grid_row(u, i, 1, finder_.reach());
+    Real* const seen = finder_.is_moved() ? others_.data() : points;
+    int found = normals_of(form_of(finder_.seen()), row, columns_.blocks(), scratch_.data(), seen, normals);
+    if (finder_.is_moved()) {
+      found |= points_of(form_of(patch_), row, columns_.blocks(), scratch_.data(), points);
+    }
+    if ((found & kNotFinite) != 0) settle_row(patch_, u, i, v_, at_infinity, points);
+    if (found != 0) settle_normals(finder_, u, i, v_, at_infinity, points, normals);
+  }
+
+ private:
+  const NurbsPatch& patch_;
+  const NormalFinder& finder_;
+  const Samples& v_;
+  GridColumns columns_;
+  std::vector<double> scratch_;
+  std::vector<Real> others_;
+};
 
 template <class Real>
 void grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<Real> points,
                        std::span<Real> normals, AtInfinity at_infinity) {
-  const NormalFinder normal(patch);
-  std::vector<glm::dvec4> row(patch.knot_vector(Axis::v).unrolled_count());
-  std::vector<glm::dvec4> slope(row.size());
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    collapse_u(patch, u.weights(i, 0), u.first(i), row);
-    collapse_u(patch, u.weights(i, 1), u.first(i), slope);
-    breathe(12 * v.size() * (v.weights(0).size() + 4));
-    for (std::size_t j = 0; j < v.size(); ++j, next += 3) {
-      const int first = v.first(j);
-      const glm::dvec4 h = weighted_sum(v.weights(j, 0), row.data() + first);
-      const glm::dvec4 hu = weighted_sum(v.weights(j, 0), slope.data() + first);
-      const glm::dvec4 hv = weighted_sum(v.weights(j, 1), row.data() + first);
-      const auto found = with_normal(patch, normal, u.parameter(i), v.parameter(j), h, hu, hv,
-                                     {u.side(i), v.side(j), at_infinity});
-      store(found.point, &points[next]);
-      store(found.normal, &normals[next]);
-    }
+  if (points.empty()) return;
+  const NormalFinder finder(patch);
+  NormalRows<Real> rows(patch, finder, v);
+  for (std::size_t i = 0, next = 0; i < u.size(); ++i, next += 3 * v.size()) {
+    rows.write(u, i, at_infinity, &points[next], &normals[next]);
   }
 }
 
@@ -144,6 +148,138 @@ struct GridSamples {
       : u(Samples::make(patch.knot_vector(Axis::u), at_u, order, options.side_u, "u")),
         v(Samples::make(patch.knot_vector(Axis::v), at_v, order, options.side_v, "v")) {}
 };
+
+constexpr std::size_t kPart = 64;
+
+/// Places of parameters along one direction.
+class AxisPlaces {
+ public:
+  AxisPlaces(const KnotVector& knots, int order, Side side, const char* name)
+      : knots_(knots), tables_(knots.tables()), domain_(knots.domain()), order_(order), side_(side), name_(name) {}
+
+  /// Finds the spans of up to kPart parameters. @param first  the number of the first one
+  void locate(std::span<const double> u, std::size_t first) {
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const bool is_inside = u[i] > domain_.start && u[i] < domain_.end;
+      u_[i] = is_inside ? u[i] : knots_.admit(u[i], side_, first + i, name_);
+    }
+    tables_.finder.find_all(u_.data(), u.size(), side_, spans_.data());
+  }
+
+  /// Writes the place of one of them.
+  void write(std::size_t i, BasisPlace& place) const {
+    const double start = tables_.finder.bounds()[spans_[i]];
+    const double end = tables_.finder.bounds()[spans_[i] + 1];
+    place.t = (u_[i] - start) / (end - start);
+    place.s = (end - u_[i]) / (end - start);
+    for (int k = 0; k <= order_; ++k) place.rows[k] = tables_.derivative_rows(knots_, spans_[i], k);
+  }
+
+  /// The first control point that it depends on.
+  std::size_t first(std::size_t i) const { return static_cast<std::size_t>(knots_.spans()[spans_[i]] - knots_.degree()); }
+
+ private:
+  const KnotVector& knots_;
+  KnotTables& tables_;
+  Interval domain_;
+  int order_;
+  Side side_;
+  const char* name_;
+  std::array<double, kPart> u_;
+  std::array<std::int32_t, kPart> spans_;
+};
+
+/// Calls visit(form, pairs, begin, count) for some pairs after the other.
+template <class Visit>
+void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v, int order,
+                   PatchOptions options, Visit visit) {
+  const GridForm form = form_of(patch);
+  AxisPlaces places_u(patch.knot_vector(Axis::u), order, options.side_u, "u");
+  AxisPlaces places_v(patch.knot_vector(Axis::v), order, options.side_v, "v");
+  std::array<PairPlace, kPart> part;
+  for (std::size_t begin = 0; begin < u.size(); begin += kPart) {
+    const std::size_t count = std::min(kPart, u.size() - begin);
+    places_u.locate(u.subspan(begin, count), begin);
+    places_v.locate(v.subspan(begin, count), begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      places_u.write(i, part[i].u);
+      places_v.write(i, part[i].v);
+      part[i].corner = form.points + 4 * (places_u.first(i) * form.width + places_v.first(i));
+    }
+    breathe(count * 4 * static_cast<std::size_t>((form.degree_u + 1) * (form.degree_v + 1)));
+    visit(form, part.data(), begin, count);
+  }
+}
+
+/// The homogeneous derivatives at one pair.
+struct PairSums {
+  PairSums(const NurbsPatch& patch, int highest)
+      : form(form_of(patch)), order(highest), u(patch.knot_vector(Axis::u), highest),
+        v(patch.knot_vector(Axis::v), highest), sums(static_cast<std::size_t>((highest + 1) * (highest + 1))) {}
+
+  const std::vector<glm::dvec4>& at(double at_u, double at_v, PatchOptions options) {
+    u.move_to(at_u, options.side_u);
+    v.move_to(at_v, options.side_v);
+    breathe(4 * sums.size() * static_cast<std::size_t>(form.degree_v + 1));
+    kernels().pair_sums(form, order, corner_of(form, u.first(), v.first()), u.all_weights().data(),
+                        v.all_weights().data(), &sums.data()->x);
+    return sums;
+  }
+
+  GridForm form;
+  int order;
+  Stencil u;
+  Stencil v;
+  std::vector<glm::dvec4> sums;
+};
+
+glm::dvec3 settled_pair(const NurbsPatch& patch, double u, double v, PatchOptions options) {
+  const double at_u = patch.knot_vector(Axis::u).admit(u, options.side_u);
+  const double at_v = patch.knot_vector(Axis::v).admit(v, options.side_v);
+  PairSums sums(patch, 0);
+  return settled_point(patch, sums.at(at_u, at_v, options)[0], at_u, at_v, options.at_infinity);
+}
+
+/// Puts in order what is no number among the point and the derivatives of one pair.
+void settle_pair(const NurbsPatch& patch, double u, double v, PatchOptions options, std::span<double> values) {
+  if (!is_number(values.data())) store(settled_pair(patch, u, v, options), values.data());
+  for (std::size_t k = 1; 3 * k < values.size(); ++k) {
+    if (is_number(&values[3 * k])) continue;
+    if (options.at_infinity == AtInfinity::raise) {
+      throw InvalidShape("a derivative at u = " + text_of(u) + ", v = " + text_of(v) + " is too large for a number");
+    }
+    store(glm::dvec3(kNan), &values[3 * k]);
+  }
+}
+
+template <class Real>
+void evaluate_pairs(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                    std::span<Real> out, PatchOptions options) {
+  std::array<double, 3 * kPart> values;
+  for_each_part(patch, u, v, 0, options,
+                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
+                  const int found = kernels().pair_points(form, pairs, count, values.data());
+                  for (std::size_t i = 0; found != 0 && i < count; ++i) {
+                    settle_pair(patch, u[begin + i], v[begin + i], options, {&values[3 * i], 3});
+                  }
+                  for (std::size_t i = 0; i < 3 * count; ++i) out[3 * begin + i] = static_cast<Real>(values[i]);
+                });
+}
+
+/// The point and the first derivatives at pairs, 9 numbers each.
+void slopes_at_pairs(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v, PatchOptions options,
+                     const std::function<void(std::size_t, std::span<const double, 9>)>& visit) {
+  std::array<double, 9 * kPart> values;
+  for_each_part(patch, u, v, 1, options,
+                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
+                  const int found = kernels().pair_slopes(form, pairs, count, values.data());
+                  for (std::size_t i = 0; i < count; ++i) {
+                    const std::span<double, 9> here(&values[9 * i], 9);
+                    if (found != 0) settle_pair(patch, u[begin + i], v[begin + i], options, here);
+                    visit(begin + i, here);
+                  }
+                });
+}
 
 }  // namespace
 
@@ -159,16 +295,22 @@ void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<cons
 
 void evaluate_with_normals(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                            std::span<double> points, std::span<double> normals, PatchOptions options) {
-  const NormalFinder normal(patch);
-  for_each_pair(patch, u, v, 1, options,
-                [&](std::size_t i, double at_u, double at_v, const Stencil& su, const Stencil& sv) {
-                  const auto sum = [&](int k, int l) {
-                    return tensor_sum(patch, su.weights(k), su.first(), sv.weights(l), sv.first());
-                  };
-                  const auto found = with_normal(patch, normal, at_u, at_v, sum(0, 0), sum(1, 0), sum(0, 1), options);
-                  store(found.point, &points[3 * i]);
-                  store(found.normal, &normals[3 * i]);
+  const NormalFinder finder(patch);
+  const double rounding = rounding_of(finder.reach());
+  for_each_part(finder.seen(), u, v, 1, options,
+                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
+                  double* const to = &normals[3 * begin];
+                  const int found = kernels().pair_normals(form, rounding, pairs, count, &points[3 * begin], to);
+                  for (std::size_t i = begin; found != 0 && i < begin + count; ++i) {
+                    if (!is_number(&points[3 * i])) store(settled_pair(patch, u[i], v[i], options), &points[3 * i]);
+                    if (is_number(&normals[3 * i])) continue;
+                    const double at_u = patch.knot_vector(Axis::u).admit(u[i], options.side_u);
+                    const double at_v = patch.knot_vector(Axis::v).admit(v[i], options.side_v);
+                    store(is_number(&points[3 * i]) ? finder.limit(at_u, at_v, options) : glm::dvec3(kNan),
+                          &normals[3 * i]);
+                  }
                 });
+  if (finder.is_moved()) evaluate(patch, u, v, points, options);
 }
 
 void evaluate_grid(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
@@ -211,23 +353,26 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const
 void derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                  int order, std::span<double> out, PatchOptions options) {
   require_order(order);
-  const int width = order + 1;
-  const std::size_t size = static_cast<std::size_t>(width) * width;
-  std::vector<glm::dvec4> homogeneous(size);
+  if (order == 0) return evaluate(patch, u, v, out, options);
+  const std::size_t width = static_cast<std::size_t>(order) + 1;
+  const std::size_t size = width * width;
+  std::optional<PairSums> sums(std::in_place, patch, order);
   std::vector<glm::dvec3> values(size);
-  for_each_pair(patch, u, v, order, options,
-                [&](std::size_t i, double at_u, double at_v, const Stencil& su, const Stencil& sv) {
-                  for (std::size_t kl = 0; kl < size; ++kl) {
-                    homogeneous[kl] = tensor_sum(patch, su.weights(static_cast<int>(kl) / width), su.first(),
-                                                 sv.weights(static_cast<int>(kl) % width), sv.first());
-                    values[kl] = glm::dvec3(homogeneous[kl]);
-                  }
-                  if (patch.rational()) quotient_derivatives(homogeneous, order, values);
-                  for (std::size_t kl = 0; kl < size; ++kl) {
-                    store(finite_or_nan(values[kl], at_u, at_v, options.at_infinity),
-                          &out[3 * (i * size + kl)]);
-                  }
-                });
+  const PatchOptions marked{options.side_u, options.side_v, AtInfinity::nan};
+  slopes_at_pairs(patch, u, v, marked, [&](std::size_t i, std::span<const double, 9> first) {
+    const auto row = out.subspan(3 * size * i, 3 * size);
+    const double at_u = patch.knot_vector(Axis::u).admit(u[i], options.side_u);
+    const double at_v = patch.knot_vector(Axis::v).admit(v[i], options.side_v);
+    const std::vector<glm::dvec4>& homogeneous = sums->at(at_u, at_v, options);
+    for (std::size_t kl = 0; kl < size; ++kl) values[kl] = glm::dvec3(homogeneous[kl]);
+    if (patch.rational()) quotient_derivatives(homogeneous, order, values);
+    for (std::size_t kl = 0; kl < size; ++kl) store(values[kl], &row[3 * kl]);
+    // The lowest are the same, bit for bit, whatever the order.
+    std::copy_n(&first[0], 3, &row[0]);
+    std::copy_n(&first[3], 3, &row[3 * width]);
+    std::copy_n(&first[6], 3, &row[3]);
+    settle_pair(patch, at_u, at_v, options, row);
+  });
 }
 
 }  // namespace splinecore

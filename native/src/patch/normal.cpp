@@ -4,7 +4,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <span>
+#include <vector>
 
+#include "base/placement.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -18,39 +22,52 @@ constexpr int kTerms = 4;
 template <class Value>
 using Series = std::array<Value, kTerms>;
 
-/// Homogeneous derivatives around one pair of parameters, of the patch moved so that its point
-/// there is the origin: no digits are lost far from the origin, and no division spreads rounding.
+/// Homogeneous derivatives around one pair of parameters, of the patch moved so that its point there is the origin: no
+/// digits are lost far from the origin, and no division spreads rounding.
 struct LocalDerivatives {
   static constexpr int kWidth = kTerms + 1;
   std::array<glm::dvec4, kWidth * kWidth> values;
-  /// Largest offset from the point, coordinate and weight among the control points.
+  /// Largest offset from the point and largest weight among the control points.
   double offset = 0.0;
-  double coordinate = 0.0;
   double weight = 0.0;
 };
 
-LocalDerivatives local_derivatives(const NurbsPatch& patch, const Samples& u, const Samples& v) {
-  const std::size_t width = patch.knot_vector(Axis::v).unrolled_count();
-  const glm::dvec4* corner = patch.homogeneous_points().data() + u.first(0) * width + v.first(0);
-  LocalDerivatives local;
-  const auto sum = [&](int k, int l) {
-    glm::dvec4 total(0.0);
-    for (std::size_t i = 0; i < u.weights(0).size(); ++i) {
-      total += u.weights(0, k)[i] * weighted_sum(v.weights(0, l), corner + i * width);
-    }
-    return total;
-  };
-  const glm::dvec3 origin = project(sum(0, 0));
-  const auto moved = [&](const glm::dvec4& p) { return glm::dvec4(glm::dvec3(p) - p.w * origin, p.w); };
-  for (int k = 0; k < local.kWidth; ++k) {
-    for (int l = 0; l < local.kWidth; ++l) local.values[k * local.kWidth + l] = moved(sum(k, l));
-  }
+/// The control points that a pair of parameters depends on, as they were given, row after row.
+std::vector<glm::dvec4> control_points(const NurbsPatch& patch, const Samples& u, const Samples& v) {
+  const std::size_t count_u = patch.count(Axis::u);
+  const std::size_t count_v = patch.count(Axis::v);
+  std::vector<glm::dvec4> found;
   for (std::size_t i = 0; i < u.weights(0).size(); ++i) {
     for (std::size_t j = 0; j < v.weights(0).size(); ++j) {
-      const glm::dvec4& p = corner[i * width + j];
-      local.offset = std::max(local.offset, glm::length(glm::dvec3(moved(p))));
-      local.coordinate = std::max(local.coordinate, glm::length(glm::dvec3(p)));
-      local.weight = std::max(local.weight, std::abs(p.w));
+      found.push_back(patch.points()[(u.first(0) + i) % count_u * count_v + (v.first(0) + j) % count_v]);
+    }
+  }
+  return found;
+}
+
+glm::dvec4 local_sum(std::span<const double> u, std::span<const double> v, const std::vector<glm::dvec4>& points) {
+  glm::dvec4 total(0.0);
+  for (std::size_t i = 0; i < u.size(); ++i) total += u[i] * weighted_sum(v, points.data() + i * v.size());
+  return total;
+}
+
+/// With the largest weight near 1.
+LocalDerivatives local_derivatives(const NurbsPatch& patch, const Samples& u, const Samples& v) {
+  std::vector<glm::dvec4> points = control_points(patch, u, v);
+  LocalDerivatives local;
+  for (const glm::dvec4& p : points) local.weight = std::max(local.weight, std::abs(p.w));
+  const int exponent = local.weight > 0.0 ? -std::ilogb(local.weight) : 0;
+  for (glm::dvec4& p : points) p.w = std::ldexp(p.w, exponent);
+  local.weight = std::ldexp(local.weight, exponent);
+  std::vector<glm::dvec4> given = homogeneous(points);
+  const glm::dvec3 origin = project(local_sum(u.weights(0), v.weights(0), given));
+  for (glm::dvec4& p : points) {
+    if (p.w != 0.0) p = glm::dvec4(p.w * (glm::dvec3(p) - origin), p.w);
+    local.offset = std::max(local.offset, glm::length(glm::dvec3(p)));
+  }
+  for (int k = 0; k < local.kWidth; ++k) {
+    for (int l = 0; l < local.kWidth; ++l) {
+      local.values[k * local.kWidth + l] = local_sum(u.weights(0, k), v.weights(0, l), points);
     }
   }
   return local;
@@ -81,21 +98,6 @@ void add_product(Series<glm::dvec3>& sum, const Series<glm::dvec4>& w, const Ser
   }
 }
 
-/// With its largest coordinate about 1, by a power of two.
-glm::dvec3 scaled(const glm::dvec3& vector) {
-  const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
-  if (!(largest > 0.0) || !is_finite(vector)) return glm::dvec3(0.0);
-  const int exponent = -std::ilogb(largest);
-  return {std::ldexp(vector.x, exponent), std::ldexp(vector.y, exponent), std::ldexp(vector.z, exponent)};
-}
-
-/// Across two derivatives whose product is too large for a number; zero where they are so themselves.
-glm::dvec3 across(const glm::dvec3& su, const glm::dvec3& sv) {
-  const glm::dvec3 normal = glm::cross(scaled(su), scaled(sv));
-  const double length = glm::length(normal);
-  return length > 0.0 ? normal / length : glm::dvec3(0.0);
-}
-
 /// From the parameter across the span on the side asked for, or back into the domain.
 double step_inward(const KnotVector& knots, double u, Side side) {
   const Interval span = knots.span_interval(knots.span_of(u, side));
@@ -105,20 +107,22 @@ double step_inward(const KnotVector& knots, double u, Side side) {
 }  // namespace
 
 NormalFinder::NormalFinder(const NurbsPatch& patch) : patch_(patch) {
-  constexpr double kRelative = 1e-12;
+  constexpr double kFar = 16.0;
+  constexpr int kLarge = 128;
   const double size = extent(patch.points());
-  const double rounding = kRelative * std::max(size, largest_coordinate(patch.points()));
-  const double length_u = patch.knot_vector(Axis::u).domain().length();
-  const double length_v = patch.knot_vector(Axis::v).domain().length();
-  negligible_ = (rounding / length_u) * (size / length_v);
-}
-
-glm::dvec3 NormalFinder::at(double u, double v, const glm::dvec3& su, const glm::dvec3& sv,
-                            PatchOptions options) const {
-  const glm::dvec3 normal = glm::cross(su, sv);
-  const double length = glm::length(normal);
-  if (!std::isfinite(length)) return across(su, sv);
-  return length > negligible_ ? normal / length : limit(u, v, options);
+  const double largest = largest_coordinate(patch.points());
+  Placement placement = placement_of(patch.points());
+  const bool is_far = largest > kFar * size;
+  if (is_far && size > 0.0) placement.exponent = std::ilogb(size);
+  if (is_far || std::abs(placement.exponent) > kLarge) near_ = placed(patch, placement);
+  constexpr double kRounding = 0x1p-51;
+  unit_ = kRounding * (near_ ? std::ldexp(largest, -placement.exponent) : largest);
+  double weight = 0.0;
+  for (const glm::dvec4& p : seen().homogeneous_points()) {
+    reach_ = std::max(reach_, glm::length(glm::dvec3(p)));
+    weight = std::max(weight, std::abs(p.w));
+  }
+  reach_ += weight * largest_coordinate(seen().points());
 }
 
 /// S_u x S_v times W^3, from the homogeneous S = A / W, is W A_u x A_v + W_u A_v x A + W_v A x A_u:
@@ -127,7 +131,7 @@ glm::dvec3 NormalFinder::at(double u, double v, const glm::dvec3& su, const glm:
 glm::dvec3 NormalFinder::limit(double u, double v, PatchOptions options) const {
   const KnotVector& knots_u = patch_.knot_vector(Axis::u);
   const KnotVector& knots_v = patch_.knot_vector(Axis::v);
-  const LocalDerivatives local = local_derivatives(patch_, Samples::make(knots_u, {&u, 1}, kTerms, options.side_u),
+  const LocalDerivatives local = local_derivatives(seen(), Samples::make(knots_u, {&u, 1}, kTerms, options.side_u),
                                                    Samples::make(knots_v, {&v, 1}, kTerms, options.side_v));
   const double a = step_inward(knots_u, u, options.side_u);
   const double b = step_inward(knots_v, v, options.side_v);
@@ -139,15 +143,15 @@ glm::dvec3 NormalFinder::limit(double u, double v, PatchOptions options) const {
   add_product(normals, point, slope_u, slope_v);
   add_product(normals, slope_u, slope_v, point);
   add_product(normals, slope_v, point, slope_u);
-  constexpr double kRelative = 1e-11;
-  const double rounding = kRelative * std::max(local.offset, local.coordinate);
+  constexpr double kRelative = 0x1p-40;
+  const double rounding = std::max(kRelative * local.offset, unit_);
   const double negligible = local.weight * (rounding / std::abs(a)) * (local.offset / std::abs(b));
   for (const glm::dvec3& normal : normals) {
     const double length = glm::length(normal);
     if (!std::isfinite(length)) break;
     if (length > negligible) return (point[0].w < 0.0 ? -normal : normal) / length;
   }
-  return glm::dvec3(0.0);
+  return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace splinecore

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "splinecore/patch/evaluate.hpp"
 
@@ -11,15 +12,21 @@ class NormalFinder {
  public:
   explicit NormalFinder(const NurbsPatch& patch);
 
-  /// The normal at (u, v), where the first derivatives are S_u and S_v.
-  glm::dvec3 at(double u, double v, const glm::dvec3& su, const glm::dvec3& sv, PatchOptions options) const;
+  /// The patch whose normals are taken: as it is, or where it is far from the origin, huge or tiny, brought near.
+  const NurbsPatch& seen() const noexcept { return near_ ? *near_ : patch_; }
+  bool is_moved() const noexcept { return near_.has_value(); }
 
- private:
+  /// The size of the homogeneous points of seen().
+  double reach() const noexcept { return reach_; }
+
+  /// The limit of the normal when (u, v) is approached from inside the domain; NaN where there is none.
   glm::dvec3 limit(double u, double v, PatchOptions options) const;
 
+ private:
   const NurbsPatch& patch_;
-  /// Size below which S_u x S_v of this patch is rounding.
-  double negligible_;
+  std::optional<NurbsPatch> near_;
+  double reach_ = 0.0;
+  double unit_ = 0.0;  ///< what rounding of the points themselves may amount to
 };
 
 }  // namespace splinecore

@@ -10,6 +10,8 @@
 
 namespace splinecore {
 
+class KnotTables;
+
 /// A degree and its non-decreasing knots: what places parameters among control points.
 ///
 /// Plain: n + degree + 1 knots for n control points; the domain is [u_degree, u_n].
@@ -76,15 +78,13 @@ class KnotVector {
   /// Blossoms, after Ramshaw 1989; the triangle is algorithm A2.2 of The NURBS Book.
   std::span<const double> bezier_matrix(int i) const;
 
-  /// The like of derivative `order`, 0 to 2, of the piece: its degree + 1 - order Bezier points, in rows that zeros fill
-  /// up to a multiple of four numbers.
-  const double* derivative_table(int i, int order) const;
+  /// What evaluation computes of the spans, each when it is first asked for; shared by copies.
+  KnotTables& tables() const noexcept { return *state_->tables; }
 
   friend bool operator==(const KnotVector& a, const KnotVector& b) noexcept;
 
  private:
   struct State;
-  class Tables;
   struct State {
     int degree = 0;
     bool periodic = false;
@@ -92,7 +92,7 @@ class KnotVector {
     std::vector<double> knots;
     std::vector<double> unrolled;
     std::vector<int> spans;
-    std::shared_ptr<Tables> tables;
+    std::shared_ptr<KnotTables> tables;
   };
 
   explicit KnotVector(std::shared_ptr<const State> state) : state_(std::move(state)) {}

@@ -1,0 +1,61 @@
+#include "grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace splinecore {
+
+GridForm form_of(const NurbsPatch& patch) {
+  const KnotVector& v = patch.knot_vector(Axis::v);
+  return {&patch.homogeneous_points().data()->x, static_cast<std::size_t>(v.unrolled_count()),
+          patch.knot_vector(Axis::u).degree(), v.degree(), patch.rational()};
+}
+
+double rounding_of(double reach) {
+  constexpr double kRounding = 0x1p-48;
+  return kRounding * reach;
+}
+
+namespace {
+
+double noise_of(std::span<const double> slopes, double reach) {
+  double size = 0.0;
+  for (const double slope : slopes) size += std::abs(slope);
+  return rounding_of(reach) * size;
+}
+
+}  // namespace
+
+GridRow grid_row(const Samples& u, std::size_t i, int order, double reach) {
+  const auto slopes = order > 0 ? u.weights(i, 1) : std::span<const double>{};
+  return {static_cast<std::size_t>(u.first(i)), u.weights(i).data(), slopes.data(), noise_of(slopes, reach)};
+}
+
+GridColumns::GridColumns(const Samples& v, int order, double reach) {
+  const std::size_t degree_and_one = v.weights(0).size();
+  constexpr std::size_t kLanes = 4;
+  for (std::size_t begin = 0, end = 0; begin < v.size(); begin = end) {
+    for (end = begin + 1; end < v.size() && end < begin + kLanes && v.first(end) == v.first(begin);) ++end;
+    blocks_.push_back({static_cast<std::size_t>(v.first(begin)), static_cast<int>(end - begin), nullptr, nullptr, {}});
+  }
+  weights_.resize(blocks_.size() * kLanes * degree_and_one * (static_cast<std::size_t>(order) + 1));
+  double* next = weights_.data();
+  std::size_t sample = 0;
+  low_ = blocks_.front().first;
+  for (GridBlock& block : blocks_) {
+    low_ = std::min(low_, block.first);
+    high_ = std::max(high_, block.first + degree_and_one - 1);
+    for (int k = 0; k <= order; ++k, next += kLanes * degree_and_one) {
+      (k == 0 ? block.values : block.slopes) = next;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        // Lanes without a sample repeat the last one.
+        const auto weights = v.weights(sample + std::min<std::size_t>(lane, block.count - 1), k);
+        for (std::size_t j = 0; j < degree_and_one; ++j) next[kLanes * j + lane] = weights[j];
+        if (k == 1) block.noise[lane] = noise_of(weights, reach);
+      }
+    }
+    sample += static_cast<std::size_t>(block.count);
+  }
+}
+
+}  // namespace splinecore
