@@ -13,25 +13,21 @@ using splinecore::NurbsCurve;
 
 namespace {
 
-/// Parameters of a part of a long call: as many as take some hundredths of a second.
-std::size_t part_size(const NurbsCurve& curve) {
-  return (std::size_t{1} << 22) / static_cast<std::size_t>(std::max(64, curve.degree() + 1));
-}
-
 EvaluateOptions options_of(const py::object& side, const py::object& at_infinity) {
   return {side_of(side, "side"), at_infinity_of(at_infinity)};
 }
 
-/// in_parts() over parameters; one that is refused is named by its place among all of them.
+/// work() without the interpreter's lock; a parameter that is refused is named by its place.
 template <class Work>
-void in_parts_of(const Doubles& parameters, const NurbsCurve& curve, const EvaluateOptions& options,
+void unlocked_at(const Doubles& parameters, const NurbsCurve& curve, const EvaluateOptions& options,
                  const py::object& cancel, Work work) {
   try {
-    in_parts(parameters.size(), part_size(curve), cancel, work);
+    unlocked(work, cancel);
   } catch (const InvalidShape&) {
     require_inside(curve.knot_vector(), parameters, options.side, "u");
     throw;
   }
+  heed(cancel);
 }
 
 }  // namespace
@@ -44,31 +40,33 @@ py::array evaluate(const NurbsCurve& curve, const py::object& u, const py::objec
   shape.push_back(3);
   const Output output(shape, out, dtype);
   const EvaluateOptions options = options_of(side, at_infinity);
-  in_parts_of(at, curve, options, cancel, [&](std::size_t begin, std::size_t end) {
-    const std::span parameters(at.data() + begin, end - begin);
+  const std::span parameters(at.data(), static_cast<std::size_t>(at.size()));
+  const std::size_t count = 3 * parameters.size();
+  unlocked_at(at, curve, options, cancel, [&] {
     if (output.single()) {
-      splinecore::evaluate(curve, parameters, output.floats(3 * begin, 3 * (end - begin)), options);
+      splinecore::evaluate(curve, parameters, output.floats(0, count), options);
     } else {
-      splinecore::evaluate(curve, parameters, output.doubles(3 * begin, 3 * (end - begin)), options);
+      splinecore::evaluate(curve, parameters, output.doubles(0, count), options);
     }
   });
   return output.array();
 }
 
 py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::object& order,
-                      const py::object& side, const py::object& at_infinity, const py::object& cancel) {
-  const Doubles at = real_array(u, "u");
+                      const py::object& side, const py::object& at_infinity, const py::object& out,
+                      const py::object& cancel) {
+  const Doubles at = apart_from(real_array(u, "u"), out);
   const int highest = integer(order, "order");
   splinecore::require_order(highest);
   Shape shape(at.shape(), at.shape() + at.ndim());
   shape.push_back(highest + 1);
   shape.push_back(3);
-  const Output output(shape, py::none(), py::none());
+  const Output output(shape, out, py::dtype::of<double>());
   const EvaluateOptions options = options_of(side, at_infinity);
-  const std::size_t row = 3 * (highest + 1);
-  in_parts_of(at, curve, options, cancel, [&](std::size_t begin, std::size_t end) {
-    splinecore::derivatives(curve, {at.data() + begin, end - begin}, highest,
-                            output.doubles(row * begin, row * (end - begin)), options);
+  const std::span parameters(at.data(), static_cast<std::size_t>(at.size()));
+  const std::size_t count = 3 * (static_cast<std::size_t>(highest) + 1) * parameters.size();
+  unlocked_at(at, curve, options, cancel, [&] {
+    splinecore::derivatives(curve, parameters, highest, output.doubles(0, count), options);
   });
   return output.array();
 }

@@ -20,7 +20,8 @@ py::array evaluate(const splinecore::NurbsCurve& curve, const py::object& u, con
                    const py::object& cancel);
 
 py::array derivatives(const splinecore::NurbsCurve& curve, const py::object& u, const py::object& order,
-                      const py::object& side, const py::object& at_infinity, const py::object& cancel);
+                      const py::object& side, const py::object& at_infinity, const py::object& out,
+                      const py::object& cancel);
 
 py::list polylines(const splinecore::NurbsCurve& curve, const py::object& resolution, const py::object& reach,
                    const py::object& around);
@@ -47,12 +48,14 @@ void bind_common(py::class_<Curve>& cls) {
           "at_infinity='nan' marks the point. out is a C-contiguous array of the result's shape; cancel\n"
           "is a callable that ends a long call by returning True. Rows S6, S9, S15.");
   cls.def("derivatives", [](const Curve& self, const py::object& u, const py::object& order, const py::object& side,
-                            const py::object& at_infinity, const py::object& cancel) {
-            return derivatives(form(self), u, order, side, at_infinity, cancel);
+                            const py::object& at_infinity, const py::object& out, const py::object& cancel) {
+            return derivatives(form(self), u, order, side, at_infinity, out, cancel);
           },
           py::arg("u"), py::arg("order"), py::kw_only(), py::arg("side") = "right",
-          py::arg("at_infinity") = "raise", py::arg("cancel") = py::none(),
-          "The point and its derivatives up to order: (...,) -> (..., order + 1, 3). The NURBS Book, A4.2.");
+          py::arg("at_infinity") = "raise", py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          "The point and its derivatives up to order: (...,) -> (..., order + 1, 3) float64. The NURBS Book, A4.2.\n\n"
+          "[..., 0, :] is what evaluate() gives, bit for bit. A derivative that is too large for a number raises\n"
+          "InvalidShape, or is NaN with at_infinity='nan'.");
   cls.def("pieces", [](const Curve& self) { return finite_pieces(form(self)); },
           "Intervals [(start, end), …] on which the curve is finite and in one piece: it is cut where the\n"
           "weight is zero and at knots of multiplicity degree + 1.");

@@ -29,12 +29,6 @@ const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
 const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
 const NurbsPatch& form(const HermitePatch& patch) { return patch.nurbs(); }
 
-/// Pairs of parameters of a part of a long call: as many as take some hundredths of a second.
-std::size_t part_size(const NurbsPatch& patch) {
-  const auto order = [&](Axis axis) { return static_cast<std::size_t>(patch.knot_vector(axis).degree() + 1); };
-  return (std::size_t{1} << 24) / std::max<std::size_t>(512, order(Axis::u) * order(Axis::v));
-}
-
 /// One side for both directions, or a pair.
 PatchOptions options_of(const py::object& side, const py::object& at_infinity) {
   const bool is_pair = py::isinstance<py::tuple>(side) && py::len(side) == 2;
@@ -64,21 +58,22 @@ struct Pairs {
     v = Doubles(both[1]);
     shape.assign(u.shape(), u.shape() + u.ndim());
   }
-  std::span<const double> us(std::size_t begin, std::size_t end) const { return {u.data() + begin, end - begin}; }
-  std::span<const double> vs(std::size_t begin, std::size_t end) const { return {v.data() + begin, end - begin}; }
+  std::span<const double> us() const { return {u.data(), static_cast<std::size_t>(u.size())}; }
+  std::span<const double> vs() const { return {v.data(), static_cast<std::size_t>(v.size())}; }
 };
 
-/// in_parts() over parameters; one that is refused is named by its place among all of them.
+/// work() without the interpreter's lock; a parameter that is refused is named by its place.
 template <class Work>
-void in_parts_of(std::size_t total, std::size_t part, const NurbsPatch& patch, const Doubles& u, const Doubles& v,
-                 const PatchOptions& options, const py::object& cancel, Work work) {
+void unlocked_at(const NurbsPatch& patch, const Doubles& u, const Doubles& v, const PatchOptions& options,
+                 const py::object& cancel, Work work) {
   try {
-    in_parts(total, part, cancel, work);
+    unlocked(work, cancel);
   } catch (const InvalidShape&) {
     require_inside(patch.knot_vector(Axis::u), u, options.side_u, "u");
     require_inside(patch.knot_vector(Axis::v), v, options.side_v, "v");
     throw;
   }
+  heed(cancel);
 }
 
 py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& side,
@@ -89,34 +84,45 @@ py::array evaluate(const NurbsPatch& patch, const py::object& u, const py::objec
   shape.push_back(3);
   const Output output(shape, out, dtype);
   const PatchOptions options = options_of(side, at_infinity);
-  const auto work = [&](std::size_t begin, std::size_t end) {
-    const std::size_t first = 3 * begin;
-    const std::size_t count = 3 * (end - begin);
+  const std::size_t count = 3 * pairs.us().size();
+  unlocked_at(patch, pairs.given_u, pairs.given_v, options, cancel, [&] {
     if (output.single()) {
-      splinecore::evaluate(patch, pairs.us(begin, end), pairs.vs(begin, end), output.floats(first, count), options);
+      splinecore::evaluate(patch, pairs.us(), pairs.vs(), output.floats(0, count), options);
     } else {
-      splinecore::evaluate(patch, pairs.us(begin, end), pairs.vs(begin, end), output.doubles(first, count), options);
+      splinecore::evaluate(patch, pairs.us(), pairs.vs(), output.doubles(0, count), options);
     }
-  };
-  in_parts_of(pairs.u.size(), part_size(patch), patch, pairs.given_u, pairs.given_v, options, cancel, work);
+  });
   return output.array();
 }
 
 py::array derivatives(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& order,
-                      const py::object& side, const py::object& at_infinity, const py::object& cancel) {
-  const Pairs pairs(u, v, py::none());
+                      const py::object& side, const py::object& at_infinity, const py::object& out,
+                      const py::object& cancel) {
+  const Pairs pairs(u, v, out);
   const int highest = integer(order, "order");
   splinecore::require_order(highest);
   Shape shape = pairs.shape;
   shape.insert(shape.end(), {highest + 1, highest + 1, 3});
-  const Output output(shape, py::none(), py::none());
+  const Output output(shape, out, py::dtype::of<double>());
   const PatchOptions options = options_of(side, at_infinity);
-  const std::size_t row = 3 * (highest + 1) * (highest + 1);
-  const auto work = [&](std::size_t begin, std::size_t end) {
-    splinecore::derivatives(patch, pairs.us(begin, end), pairs.vs(begin, end), highest,
-                            output.doubles(row * begin, row * (end - begin)), options);
-  };
-  in_parts_of(pairs.u.size(), part_size(patch), patch, pairs.given_u, pairs.given_v, options, cancel, work);
+  const std::size_t width = static_cast<std::size_t>(highest) + 1;
+  unlocked_at(patch, pairs.given_u, pairs.given_v, options, cancel, [&] {
+    splinecore::derivatives(patch, pairs.us(), pairs.vs(), highest,
+                            output.doubles(0, 3 * width * width * pairs.us().size()), options);
+  });
+  return output.array();
+}
+
+py::array first_derivatives(const NurbsPatch& patch, const py::object& u, const py::object& v, const py::object& side,
+                            const py::object& at_infinity, const py::object& out, const py::object& cancel) {
+  const Pairs pairs(u, v, out);
+  Shape shape = pairs.shape;
+  shape.insert(shape.end(), {3, 3});
+  const Output output(shape, out, py::dtype::of<double>());
+  const PatchOptions options = options_of(side, at_infinity);
+  unlocked_at(patch, pairs.given_u, pairs.given_v, options, cancel, [&] {
+    splinecore::first_derivatives(patch, pairs.us(), pairs.vs(), output.doubles(0, 9 * pairs.us().size()), options);
+  });
   return output.array();
 }
 
@@ -126,11 +132,6 @@ Doubles axis_parameters(const py::object& value, const char* name) {
   throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + ", (n,) is expected");
 }
 
-/// Rows of a grid that make up one part of a long call.
-std::size_t rows_per_part(const NurbsPatch& patch, const Doubles& v) {
-  return std::max<std::size_t>(1, part_size(patch) / std::max<py::ssize_t>(1, v.size()));
-}
-
 py::array evaluate_grid(const NurbsPatch& patch, const py::object& at_u, const py::object& at_v,
                         const py::object& side, const py::object& at_infinity, const py::object& dtype,
                         const py::object& out, const py::object& cancel) {
@@ -138,40 +139,46 @@ py::array evaluate_grid(const NurbsPatch& patch, const py::object& at_u, const p
   const Doubles v = apart_from(axis_parameters(at_v, "v"), out);
   const Output output({u.size(), v.size(), 3}, out, dtype);
   const PatchOptions options = options_of(side, at_infinity);
-  const std::size_t row = 3 * v.size();
-  const std::span columns(v.data(), v.size());
-  in_parts_of(u.size(), rows_per_part(patch, v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
-    const std::span rows(u.data() + begin, end - begin);
+  const std::span rows(u.data(), static_cast<std::size_t>(u.size()));
+  const std::span columns(v.data(), static_cast<std::size_t>(v.size()));
+  const std::size_t count = 3 * rows.size() * columns.size();
+  unlocked_at(patch, u, v, options, cancel, [&] {
     if (output.single()) {
-      splinecore::evaluate_grid(patch, rows, columns, output.floats(row * begin, row * rows.size()), options);
+      splinecore::evaluate_grid(patch, rows, columns, output.floats(0, count), options);
     } else {
-      splinecore::evaluate_grid(patch, rows, columns, output.doubles(row * begin, row * rows.size()), options);
+      splinecore::evaluate_grid(patch, rows, columns, output.doubles(0, count), options);
     }
   });
   return output.array();
 }
 
+/// Where points and normals go: None, or a pair of arrays.
+std::pair<py::object, py::object> outputs_of(const py::object& out) {
+  if (out.is_none()) return {py::none(), py::none()};
+  return pair_argument(out, "out");
+}
+
 py::tuple evaluate_grid_with_normals(const NurbsPatch& patch, const py::object& at_u, const py::object& at_v,
                                      const py::object& side, const py::object& at_infinity, const py::object& dtype,
-                                     const py::object& cancel) {
-  const Doubles u = axis_parameters(at_u, "u");
-  const Doubles v = axis_parameters(at_v, "v");
+                                     const py::object& out, const py::object& cancel) {
+  const auto [to_points, to_normals] = outputs_of(out);
+  const Doubles u = apart_from(apart_from(axis_parameters(at_u, "u"), to_points), to_normals);
+  const Doubles v = apart_from(apart_from(axis_parameters(at_v, "v"), to_points), to_normals);
   const Shape shape{u.size(), v.size(), 3};
-  const Output points(shape, py::none(), dtype);
-  const Output normals(shape, py::none(), dtype);
+  const Output points(shape, to_points, dtype);
+  const Output normals(shape, to_normals, dtype);
+  if (points.single() != normals.single()) throw py::type_error("out: points and normals have not one dtype");
   const PatchOptions options = options_of(side, at_infinity);
-  const std::size_t row = 3 * v.size();
-  const std::span columns(v.data(), v.size());
-  in_parts_of(u.size(), rows_per_part(patch, v), patch, u, v, options, cancel, [&](std::size_t begin, std::size_t end) {
-    const std::span rows(u.data() + begin, end - begin);
-    const std::size_t first = row * begin;
-    const std::size_t count = row * rows.size();
+  const std::span rows(u.data(), static_cast<std::size_t>(u.size()));
+  const std::span columns(v.data(), static_cast<std::size_t>(v.size()));
+  const std::size_t count = 3 * rows.size() * columns.size();
+  unlocked_at(patch, u, v, options, cancel, [&] {
     if (points.single()) {
-      splinecore::evaluate_grid_with_normals(patch, rows, columns, points.floats(first, count),
-                                             normals.floats(first, count), options);
+      splinecore::evaluate_grid_with_normals(patch, rows, columns, points.floats(0, count), normals.floats(0, count),
+                                             options);
     } else {
-      splinecore::evaluate_grid_with_normals(patch, rows, columns, points.doubles(first, count),
-                                             normals.doubles(first, count), options);
+      splinecore::evaluate_grid_with_normals(patch, rows, columns, points.doubles(0, count), normals.doubles(0, count),
+                                             options);
     }
   });
   return py::make_tuple(points.array(), normals.array());
@@ -221,21 +228,32 @@ void bind_common(py::class_<Patch>& cls) {
           "Points at every pair of (a,) u and (b,) v: (a, b, 3).");
   cls.def("evaluate_grid_with_normals",
           [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
-             const py::object& at_infinity, const py::object& dtype, const py::object& cancel) {
-            return evaluate_grid_with_normals(form(self), u, v, side, at_infinity, dtype, cancel);
+             const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& cancel) {
+            return evaluate_grid_with_normals(form(self), u, v, side, at_infinity, dtype, out, cancel);
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
           "(points, unit normals) of a grid, both (a, b, 3). Normals point along S_u x S_v; at a pole or a\n"
-          "collapsed edge they are the limit from inside the domain.");
+          "collapsed edge they are the limit from inside the domain, and NaN where there is none: where the patch\n"
+          "is a curve or a point. out is a pair of arrays.");
   cls.def("derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& order,
-                            const py::object& side, const py::object& at_infinity, const py::object& cancel) {
-            return derivatives(form(self), u, v, order, side, at_infinity, cancel);
+                            const py::object& side, const py::object& at_infinity, const py::object& out,
+                            const py::object& cancel) {
+            return derivatives(form(self), u, v, order, side, at_infinity, out, cancel);
           },
           py::arg("u"), py::arg("v"), py::arg("order"), py::kw_only(), py::arg("side") = "right",
-          py::arg("at_infinity") = "raise", py::arg("cancel") = py::none(),
-          "Mixed derivatives, k along u and l along v, k, l <= order: (..., order + 1, order + 1, 3).\n"
-          "The NURBS Book, A4.4.");
+          py::arg("at_infinity") = "raise", py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          "Mixed derivatives, k along u and l along v, k, l <= order: (..., order + 1, order + 1, 3) float64.\n"
+          "[..., 0, 0, :] is what evaluate() and evaluate_grid() give, bit for bit. One that is too large for a\n"
+          "number raises InvalidShape, or is NaN with at_infinity='nan'. The NURBS Book, A4.4.");
+  cls.def("first_derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
+                                  const py::object& at_infinity, const py::object& out, const py::object& cancel) {
+            return first_derivatives(form(self), u, v, side, at_infinity, out, cancel);
+          },
+          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
+          py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          "The points and their first derivatives along u and v: (..., 3, 3) float64, S, S_u and S_v, the same bits\n"
+          "as of derivatives().");
   cls.def("split", [](const Patch& self, const py::object& axis, const py::object& u) -> py::tuple {
             const Axis direction = axis_of(axis);
             const double at = real(u, "u");

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <span>
+#include <string>
+
 #include "finding.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/exchange/json.hpp"
@@ -25,6 +29,15 @@ inline void look_at_points(const NurbsCurve& curve) {
   });
 }
 
+/// A normal is a unit vector, or NaN where there is none.
+inline void demand_unit_or_none(std::span<const double> normals) {
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    const double length = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
+    const bool is_none = std::isnan(normals[i]) && std::isnan(normals[i + 1]) && std::isnan(normals[i + 2]);
+    demand(is_none || std::abs(length - 1.0) <= 1e-12, "a normal is of length " + std::to_string(length));
+  }
+}
+
 inline void look_at_points(const NurbsPatch& patch) {
   look_at(patch);
   const Interval u = patch.knot_vector(Axis::u).domain();
@@ -36,7 +49,7 @@ inline void look_at_points(const NurbsPatch& patch) {
   attempt([&] {
     evaluate_with_normals(patch, places_u, places_v, points, normals);
     demand_finite<double>(points, "a point");
-    demand_finite<double>(normals, "a normal");
+    demand_unit_or_none(normals);
   });
 }
 

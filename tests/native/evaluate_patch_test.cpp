@@ -78,7 +78,9 @@ TEST(EvaluatePatch, OnAGridAgreesWithPairsAndRoundsFloatsOnce) {
     evaluate_grid_with_normals(patch, u, v, std::span(floats), std::span(float_normals));
     for (int k = 0; k < 60; ++k) {
       EXPECT_EQ(floats[k], static_cast<float>(grid[k]));
-      EXPECT_EQ(float_normals[k], static_cast<float>(normals[k]));
+      // A single point around a period makes a curve, which has no normals.
+      EXPECT_TRUE(float_normals[k] == static_cast<float>(normals[k]) || std::isnan(normals[k]));
+      EXPECT_EQ(std::isnan(float_normals[k]), std::isnan(normals[k]));
       EXPECT_NEAR(grid[k], point_at(patch, u[k / 15], v[k / 3 % 5])[k % 3], 1e-13 * 10);
     }
   }

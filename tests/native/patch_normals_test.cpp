@@ -123,9 +123,54 @@ TEST(PatchNormals, OfRandomPatchesWithTwoCollapsedEdgesAreContinuousTowardsTheDi
   }
 }
 
-TEST(PatchNormals, OfAPatchThatIsACurveAreZero) {
+bool is_none(const glm::dvec3& normal) { return std::isnan(normal.x) && std::isnan(normal.y) && std::isnan(normal.z); }
+
+TEST(PatchNormals, OfAPatchThatIsACurveOrAPointAreNone) {
   const NurbsPatch line = bezier(1, 1, {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1}});
-  EXPECT_EQ(normal_at(line, 0.5, 0.5), glm::dvec3(0.0));
+  EXPECT_TRUE(is_none(normal_at(line, 0.5, 0.5)));
+  const NurbsPatch point = bezier(1, 2, std::vector<glm::dvec4>(6, {1, 2, 3, 1}));
+  EXPECT_TRUE(is_none(normal_at(point, 0.5, 0.25)));
+  EXPECT_TRUE(is_none(normal_at(point, 0.0, 0.0)));
+}
+
+TEST(PatchNormals, OfARegularPatchAreRightAtEveryScale) {
+  const std::vector<glm::dvec4> points{{0, 0, 0, 1}, {0, 1, 0.5, 2}, {1, 0, 0.25, 0.5}, {1, 1, 0, 1}};
+  const NurbsPatch patch = bezier(1, 1, points);
+  for (const double scale : {5e-308, 1e-170, 1e-150, 1e-80, 1e-30, 1e30, 1e80, 1e150, 1e300}) {
+    std::vector<glm::dvec4> scaled = points;
+    for (glm::dvec4& p : scaled) p = glm::dvec4(scale * glm::dvec3(p), p.w);
+    const glm::dvec3 normal = normal_at(bezier(1, 1, scaled), 0.3, 0.6);
+    EXPECT_LE(largest(normal - normal_at(patch, 0.3, 0.6)), 1e-14) << scale;
+    EXPECT_NEAR(glm::length(normal), 1.0, 1e-15) << scale;
+  }
+}
+
+TEST(PatchNormals, OfAThinStripFarAwayAreThoseThatItsPointsTell) {
+  // A strip 2^-13 wide at 1e9, where points lie on a grid of 2^-23: three digits of the width.
+  const double far = 1e9;
+  const double wide = 0x1p-13;
+  const NurbsPatch strip =
+      bezier(1, 1, {{far, 0, 0, 1}, {far, 1, 0, 1}, {far + wide, 0, wide, 1}, {far + wide, 1, wide, 1}});
+  const glm::dvec3 expected = glm::normalize(glm::cross(glm::dvec3(wide, 0, wide), glm::dvec3(0, 1, 0)));
+  for (const double u : {0.0, 0.3, 1.0}) EXPECT_LE(largest(normal_at(strip, u, 0.7) - expected), 1e-12) << u;
+}
+
+TEST(PatchNormals, FarAwayWithWildWeightsAreThoseNearTheOrigin) {
+  // Moved by a power of two by which no point is rounded.
+  Random random(117);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<glm::dvec4> net;
+    for (int k = 0; k < 9; ++k) {
+      const double weight = std::ldexp(1.0, integer(random, -7, 10));
+      const auto grid = [&] { return std::ldexp(std::round(std::ldexp(real(random, -1.0, 1.0), 20)), -20); };
+      net.emplace_back(k / 3 + 0.25 * grid(), k % 3 + 0.25 * grid(), grid(), weight);
+    }
+    std::vector<glm::dvec4> moved = net;
+    for (glm::dvec4& p : moved) p.x += 0x1p27;
+    for (const auto& [u, v] : {std::pair{0.5, 0.5}, {0.0, 1.0}, {0.9, 0.2}}) {
+      EXPECT_LE(largest(normal_at(bezier(2, 2, moved), u, v) - normal_at(bezier(2, 2, net), u, v)), 1e-6) << round;
+    }
+  }
 }
 
 TEST(PatchNormals, DoNotDependOnTheSizeOfThePatchOrItsPlace) {

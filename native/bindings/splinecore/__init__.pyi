@@ -226,6 +226,7 @@ class NurbsCurve:
         *,
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -318,6 +319,7 @@ class BezierCurve:
         *,
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -394,6 +396,7 @@ class HermiteCurve:
         *,
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -468,6 +471,7 @@ class PowerCurve:
         *,
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -559,6 +563,7 @@ class NurbsPatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
+        out: tuple[_Points, _Points] | None = None,
         cancel: _Cancel | None = None,
     ) -> tuple[_Points, _Points]: ...
     def derivatives(
@@ -569,6 +574,17 @@ class NurbsPatch:
         *,
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
+        cancel: _Cancel | None = None,
+    ) -> _Floats: ...
+    def first_derivatives(
+        self,
+        u: ArrayLike,
+        v: ArrayLike,
+        *,
+        side: _Sides = "right",
+        at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def split(self, axis: _Axis, u: float) -> tuple[NurbsPatch, ...]: ...
@@ -667,6 +683,7 @@ class BezierPatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
+        out: tuple[_Points, _Points] | None = None,
         cancel: _Cancel | None = None,
     ) -> tuple[_Points, _Points]: ...
     def derivatives(
@@ -677,6 +694,17 @@ class BezierPatch:
         *,
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
+        cancel: _Cancel | None = None,
+    ) -> _Floats: ...
+    def first_derivatives(
+        self,
+        u: ArrayLike,
+        v: ArrayLike,
+        *,
+        side: _Sides = "right",
+        at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def split(self, axis: _Axis, u: float) -> tuple[BezierPatch, BezierPatch]: ...
@@ -771,6 +799,7 @@ class HermitePatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
+        out: tuple[_Points, _Points] | None = None,
         cancel: _Cancel | None = None,
     ) -> tuple[_Points, _Points]: ...
     def derivatives(
@@ -781,6 +810,17 @@ class HermitePatch:
         *,
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
+        cancel: _Cancel | None = None,
+    ) -> _Floats: ...
+    def first_derivatives(
+        self,
+        u: ArrayLike,
+        v: ArrayLike,
+        *,
+        side: _Sides = "right",
+        at_infinity: _AtInfinity = "raise",
+        out: _Floats | None = None,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def split(self, axis: _Axis, u: float) -> tuple[HermitePatch, HermitePatch]: ...

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -266,21 +264,6 @@ void evaluate_pairs(const NurbsPatch& patch, std::span<const double> u, std::spa
                 });
 }
 
-/// The point and the first derivatives at pairs, 9 numbers each.
-void slopes_at_pairs(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v, PatchOptions options,
-                     const std::function<void(std::size_t, std::span<const double, 9>)>& visit) {
-  std::array<double, 9 * kPart> values;
-  for_each_part(patch, u, v, 1, options,
-                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
-                  const int found = kernels().pair_slopes(form, pairs, count, values.data());
-                  for (std::size_t i = 0; i < count; ++i) {
-                    const std::span<double, 9> here(&values[9 * i], 9);
-                    if (found != 0) settle_pair(patch, u[begin + i], v[begin + i], options, here);
-                    visit(begin + i, here);
-                  }
-                });
-}
-
 }  // namespace
 
 void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
@@ -350,29 +333,41 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const
   grid_with_normals(patch, u, v, points, normals, at_infinity);
 }
 
+void first_derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                       std::span<double> out, PatchOptions options) {
+  for_each_part(patch, u, v, 1, options,
+                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
+                  const int found = kernels().pair_slopes(form, pairs, count, &out[9 * begin]);
+                  for (std::size_t i = begin; found != 0 && i < begin + count; ++i) {
+                    settle_pair(patch, u[i], v[i], options, out.subspan(9 * i, 9));
+                  }
+                });
+}
+
 void derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                  int order, std::span<double> out, PatchOptions options) {
   require_order(order);
   if (order == 0) return evaluate(patch, u, v, out, options);
   const std::size_t width = static_cast<std::size_t>(order) + 1;
   const std::size_t size = width * width;
-  std::optional<PairSums> sums(std::in_place, patch, order);
+  std::vector<double> first(9 * u.size());
+  first_derivatives(patch, u, v, first, {options.side_u, options.side_v, AtInfinity::nan});
+  PairSums sums(patch, order);
   std::vector<glm::dvec3> values(size);
-  const PatchOptions marked{options.side_u, options.side_v, AtInfinity::nan};
-  slopes_at_pairs(patch, u, v, marked, [&](std::size_t i, std::span<const double, 9> first) {
+  for (std::size_t i = 0; i < u.size(); ++i) {
     const auto row = out.subspan(3 * size * i, 3 * size);
     const double at_u = patch.knot_vector(Axis::u).admit(u[i], options.side_u);
     const double at_v = patch.knot_vector(Axis::v).admit(v[i], options.side_v);
-    const std::vector<glm::dvec4>& homogeneous = sums->at(at_u, at_v, options);
+    const std::vector<glm::dvec4>& homogeneous = sums.at(at_u, at_v, options);
     for (std::size_t kl = 0; kl < size; ++kl) values[kl] = glm::dvec3(homogeneous[kl]);
     if (patch.rational()) quotient_derivatives(homogeneous, order, values);
     for (std::size_t kl = 0; kl < size; ++kl) store(values[kl], &row[3 * kl]);
     // The lowest are the same, bit for bit, whatever the order.
-    std::copy_n(&first[0], 3, &row[0]);
-    std::copy_n(&first[3], 3, &row[3 * width]);
-    std::copy_n(&first[6], 3, &row[3]);
+    std::copy_n(&first[9 * i], 3, &row[0]);
+    std::copy_n(&first[9 * i + 3], 3, &row[3 * width]);
+    std::copy_n(&first[9 * i + 6], 3, &row[3]);
     settle_pair(patch, at_u, at_v, options, row);
-  });
+  }
 }
 
 }  // namespace splinecore

@@ -45,6 +45,7 @@ void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,
   }
   gather<double>(vertex_samples_, points, positions);
   gather<double>(corner_samples_, normals, corner_normals);
+  for (float& number : corner_normals) number = std::isnan(number) ? 0.0F : number;
 }
 
 void Tessellation::evaluate_positions(const PatchSet& set, std::span<float> positions) const {

@@ -35,7 +35,7 @@ void evaluate_grid(const NurbsPatch& patch, std::span<const double> u, std::span
 /// The grid's points, and unit normals along S_u x S_v.
 ///
 /// Where S_u x S_v vanishes (a pole, a collapsed edge) the normal is its limit when approached
-/// from inside the domain; (0, 0, 0) where derivatives up to the third have none.
+/// from inside the domain; NaN where derivatives up to the third have none, as where the patch is a curve or a point.
 void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double> u,
                                 std::span<const double> v, std::span<double> points,
                                 std::span<double> normals, PatchOptions options = {});
@@ -51,6 +51,10 @@ void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, 
 void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
                                 std::span<double> points, std::span<double> normals,
                                 AtInfinity at_infinity = AtInfinity::raise);
+
+/// The point and the derivatives along u and v at each pair; out.size() == 9 * u.size().
+void first_derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
+                       std::span<double> out, PatchOptions options = {});
 
 /// All mixed derivatives k along u and l along v with k, l <= order at each pair;
 /// out.size() == 3 * (order + 1)² * u.size() (The NURBS Book, A4.4).

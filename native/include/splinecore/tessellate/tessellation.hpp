@@ -46,7 +46,8 @@ class Tessellation {
   /// u, v of each corner, scaled to [0, 1] over the patch's domain.
   std::span<const float> corner_uvs() const noexcept { return corner_uvs_; }
 
-  /// x, y, z of each vertex and of the normal at each corner, of a set with the same patches.
+  /// x, y, z of each vertex and of the normal at each corner, of a set with the same patches; (0, 0, 0) where the
+  /// surface has no normal.
   void evaluate(const PatchSet& set, std::span<float> positions, std::span<float> corner_normals) const;
 
   /// The positions only, for a shape that is being dragged.

@@ -1,0 +1,140 @@
+"""The kernels: one value gives one set of bits however it is asked for, and nearly the same on every processor."""
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import splinecore as sc
+
+RNG = np.random.default_rng(13)
+SETS = ['baseline', 'x86-64-v3']
+
+
+def knots(degree, spans, kind, rng):
+    """Knots with a double one inside, for spans + degree points or, where periodic, so many as spans."""
+    inner = np.sort(rng.uniform(0.0, 1.0, spans - 1))
+    if spans > 3 and degree > 1:
+        inner[1] = inner[0]
+    if kind == 'periodic':
+        return np.concatenate([[0.0], inner, [1.0]])
+    if kind == 'clamped':
+        return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
+    return np.concatenate([-np.sort(rng.uniform(0.0, 1.0, degree))[::-1], [0.0], inner, [1.0],
+                           1.0 + np.sort(rng.uniform(0.0, 1.0, degree))])
+
+
+def weights(shape, rational, rng):
+    return rng.uniform(0.5, 2.0, shape) if rational else None
+
+
+def curves(rng):
+    for degree in [*range(1, 10), 25]:
+        for kind in ('clamped', 'unclamped', 'periodic'):
+            for spans in (1, 7) if kind != 'periodic' else (degree + 3,):
+                for rational in (False, True):
+                    values = knots(degree, spans, kind, rng)
+                    count = len(values) - (1 if kind == 'periodic' else degree + 1)
+                    yield sc.NurbsCurve(degree, values, rng.normal(size=(count, 3)), weights(count, rational, rng),
+                                        periodic=kind == 'periodic')
+
+
+def patches(rng):
+    for degree in ((1, 1), (2, 3), (3, 3), (3, 1), (5, 4), (7, 9)):
+        for kind in ('clamped', 'unclamped', 'periodic'):
+            for rational in (False, True):
+                pair = [knots(p, p + 3 if kind == 'periodic' else 5, kind, rng) for p in degree]
+                shape = tuple(len(k) - (1 if kind == 'periodic' else p + 1) for k, p in zip(pair, degree))
+                yield sc.NurbsPatch(degree, pair, rng.normal(size=(*shape, 3)), weights(shape, rational, rng),
+                                    (kind == 'periodic',) * 2)
+
+
+def parameters(count, rng):
+    """Sorted stretches, single ones, knots and both ends."""
+    places = np.concatenate([np.sort(rng.uniform(0.0, 1.0, count // 2)), rng.uniform(0.0, 1.0, count // 2), [0.0, 1.0]])
+    return places
+
+
+@pytest.mark.parametrize('curve', list(curves(np.random.default_rng(1))), ids=str)
+def test_a_curve_gives_the_same_bits_however_it_is_asked(curve):
+    u = np.concatenate([parameters(60, RNG), np.unique(curve.knots.clip(0.0, 1.0))])
+    points = curve.evaluate(u)
+    for order in range(5):
+        derivatives = curve.derivatives(u, order)
+        np.testing.assert_array_equal(derivatives[:, 0], points)
+        np.testing.assert_array_equal(derivatives[:, :3], curve.derivatives(u, 6)[:, :order + 1][:, :3])
+    np.testing.assert_array_equal([curve.evaluate(one) for one in u], points)
+    order = RNG.permutation(len(u))
+    np.testing.assert_array_equal(curve.evaluate(u[order]), points[order])
+    np.testing.assert_array_equal(curve.evaluate(u, dtype=np.float32), points.astype(np.float32))
+    for size in (1, 2, 3, 5, 63, 64, 65):
+        parts = [curve.evaluate(u[i:i + size]) for i in range(0, len(u), size)]
+        np.testing.assert_array_equal(np.concatenate(parts), points)
+
+
+@pytest.mark.parametrize('patch', list(patches(np.random.default_rng(2))), ids=str)
+def test_a_patch_gives_the_same_bits_however_it_is_asked(patch):
+    u, v = parameters(20, RNG), parameters(30, RNG)
+    grid = patch.evaluate_grid(u, v)
+    np.testing.assert_array_equal(patch.evaluate(u[:, None], v[None, :]), grid)
+    points, normals = patch.evaluate_grid_with_normals(u, v)
+    np.testing.assert_array_equal(points, grid)
+    first = patch.first_derivatives(u[:, None], v[None, :])
+    np.testing.assert_array_equal(first[:, :, 0], grid)
+    for order in (1, 2, 3):
+        derivatives = patch.derivatives(u[:, None], v[None, :], order)
+        np.testing.assert_array_equal(derivatives[:, :, 0, 0], grid)
+        np.testing.assert_array_equal(derivatives[:, :, 1, 0], first[:, :, 1])
+        np.testing.assert_array_equal(derivatives[:, :, 0, 1], first[:, :, 2])
+    rows, columns = RNG.permutation(len(u)), RNG.permutation(len(v))
+    np.testing.assert_array_equal(patch.evaluate_grid(u[rows], v[columns]), grid[rows][:, columns])
+    turned = patch.evaluate_grid_with_normals(u[rows], v[columns])[1]
+    np.testing.assert_array_equal(turned, normals[rows][:, columns])
+    np.testing.assert_array_equal(patch.evaluate_grid(u[:1], v), grid[:1])
+    np.testing.assert_array_equal(patch.evaluate_grid(u, v[:1]), grid[:, :1])
+    np.testing.assert_array_equal(patch.evaluate_grid(u, v, dtype=np.float32), grid.astype(np.float32))
+
+
+PROGRAM = """
+import json, sys
+import numpy as np
+sys.path[:0] = json.loads(sys.argv[1])
+import test_kernels
+rng = np.random.default_rng(3)
+found = {}
+for i, curve in enumerate(test_kernels.curves(np.random.default_rng(1))):
+    found[f'curve{i}'] = curve.derivatives(test_kernels.parameters(200, rng), 2)
+    found[f'size curve{i}'] = np.abs(curve.points).max()
+for i, patch in enumerate(test_kernels.patches(np.random.default_rng(2))):
+    u, v = test_kernels.parameters(20, rng), test_kernels.parameters(30, rng)
+    points, normals = patch.evaluate_grid_with_normals(u, v)
+    found[f'grid{i}'] = points
+    found[f'size grid{i}'] = found[f'size first{i}'] = np.abs(patch.points).max()
+    found[f'first{i}'] = patch.first_derivatives(u[:, None], v[None, :])
+    found[f'normals{i}'] = normals
+np.savez(sys.argv[2], **found)
+"""
+
+
+def test_every_set_of_instructions_gives_nearly_the_same(tmp_path):
+    """Points within 4 ulp of the largest coordinate, derivatives by as much of theirs, normals by what they are worth."""
+    found = {}
+    for name in SETS:
+        target = tmp_path / f"{name}.npz"
+        subprocess.run([sys.executable, '-c', PROGRAM, json.dumps(sys.path), str(target)], check=True,
+                       env={**os.environ, 'SPLINECORE_KERNELS': name})
+        found[name] = np.load(target)
+    for key in found['baseline'].files:
+        ours, theirs = (found[name][key] for name in SETS)
+        if key.startswith('size'):
+            continue
+        if key.startswith('normals'):
+            np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-9)
+            continue
+        if not key.startswith('grid'):
+            np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-9 * np.abs(ours).max())
+            ours, theirs = ours[..., 0, :], theirs[..., 0, :]
+        assert np.abs(ours - theirs).max() <= 4 * np.spacing(found['baseline'][f"size {key}"]), key
