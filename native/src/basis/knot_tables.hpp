@@ -15,6 +15,13 @@ namespace splinecore {
 
 /// What is computed of the spans of a knot vector, once for all its copies.
 class KnotTables {
+  /// What SpanBlocks fill the rows of a span with.
+  static auto filler(const KnotVector& knots, int order) {
+    return [&knots, order](std::size_t span, double* out) {
+      fill_derivative_table(knots.unrolled().data() + knots.spans()[span], knots.degree(), order, out);
+    };
+  }
+
  public:
   KnotTables(std::size_t spans, int degree, std::vector<double> starts, double end)
       : finder(std::move(starts), end),
@@ -23,9 +30,12 @@ class KnotTables {
 
   /// Rows of a span for derivative `order`: see fill_derivative_table().
   const double* derivative_rows(const KnotVector& knots, int span, int order) {
-    return derivatives[order].of(static_cast<std::size_t>(span), [&](std::size_t which, double* out) {
-      fill_derivative_table(knots.unrolled().data() + knots.spans()[which], knots.degree(), order, out);
-    });
+    return derivatives[order].of(static_cast<std::size_t>(span), filler(knots, order));
+  }
+
+  /// Those of all spans, derivatives[order].size() numbers each, if they are few; or nullptr.
+  const double* all_derivative_rows(const KnotVector& knots, int order) {
+    return derivatives[order].together(filler(knots, order));
   }
 
   SpanFinder finder;

@@ -2,34 +2,30 @@
 
 #include <algorithm>
 
-#include "basis_place.hpp"
+#include "axis_places.hpp"
 #include "span_tables.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
 
-Stencil::Stencil(const KnotVector& knots, int order)
-    : knots_(knots), order_(order), size_(knots.degree() + 1), width_(table_width(knots.degree())),
-      weights_(width_ * (order + 1)) {}
+namespace {
 
-void Stencil::move_to(double u, Side side) {
-  constexpr int kTables = 2;
-  breathe((4 * static_cast<std::size_t>(order_) + 1) * size_ * size_);
-  const int degree = knots_.degree();
-  const int span = knots_.span_of(u, side);
-  first_ = knots_.spans()[span] - degree;
-  const BasisPlace place = place_in(knots_, span, u, std::min(order_, kTables));
-  kernels().functions(degree, std::min(order_, kTables), &place, 1, weights_.data());
-  const double* start = knots_.unrolled().data() + knots_.spans()[span];
-  for (int k = kTables + 1; k <= std::min(order_, degree); ++k) {
+constexpr int kTables = 2;
+
+/// The weights of derivatives that no table has. *start is the knot at which the span begins.
+void write_high_orders(const double* start, int degree, int order, double u, std::size_t width, double* weights) {
+  for (int k = kTables + 1; k <= order; ++k) {
+    double* const row = weights + k * width;
+    std::fill_n(row, width, 0.0);
+    if (k > degree) continue;
     const std::vector<double> arguments(degree - k, u);
-    double* const weights = weights_.data() + k * width_;
-    std::fill_n(weights, width_, 0.0);
-    blossom_weights(start - (degree - k), degree - k, arguments, weights);
-    differentiate(start, degree - k, {weights, size_});
+    blossom_weights(start - (degree - k), degree - k, arguments, row);
+    differentiate(start, degree - k, {row, static_cast<std::size_t>(degree) + 1});
   }
 }
+
+}  // namespace
 
 Samples Samples::make(const KnotVector& knots, std::span<const double> parameters, int order,
                       std::span<const Side> sides, const char* name) {
@@ -38,17 +34,48 @@ Samples Samples::make(const KnotVector& knots, std::span<const double> parameter
   samples.width_ = table_width(knots.degree());
   samples.order_ = order;
   samples.places_.reserve(parameters.size());
-  samples.weights_.reserve(parameters.size() * (order + 1) * samples.width_);
-  Stencil stencil(knots, order);
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Side side = sides[sides.size() == 1 ? 0 : i];
-    const double u = knots.admit(parameters[i], side, i, name);
-    stencil.move_to(u, side);
-    samples.places_.push_back({u, side, stencil.first()});
-    const auto weights = stencil.all_weights();
-    samples.weights_.insert(samples.weights_.end(), weights.begin(), weights.end());
+  const std::size_t row = samples.width_ * (static_cast<std::size_t>(order) + 1);
+  samples.weights_.resize(parameters.size() * row);
+  AxisPlaces places(knots, std::min(order, kTables), name);
+  std::array<BasisPlace, AxisPlaces::kMost> found;
+  const auto side_at = [&](std::size_t i) { return sides[sides.size() == 1 ? 0 : i]; };
+  for (std::size_t begin = 0, end = 0; begin < parameters.size(); begin = end) {
+    const Side side = side_at(begin);
+    for (end = begin + 1; end < std::min(begin + found.size(), parameters.size()) && side_at(end) == side;) ++end;
+    places.locate(parameters.subspan(begin, end - begin), begin, side);
+    breathe((end - begin) * (4 * static_cast<std::size_t>(order) + 1) * samples.width_ * samples.width_);
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      places.write(i, found[i]);
+      samples.places_.push_back({places.parameter(i), side, places.first(i)});
+    }
+    double* const weights = samples.weights_.data() + begin * row;
+    if (order <= kTables) {
+      kernels().functions(knots.degree(), order, found.data(), end - begin, weights);
+      continue;
+    }
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      const double* start = knots.unrolled().data() + places.first(i) + knots.degree();
+      kernels().functions(knots.degree(), kTables, &found[i], 1, weights + i * row);
+      write_high_orders(start, knots.degree(), order, places.parameter(i), samples.width_, weights + i * row);
+    }
   }
   return samples;
+}
+
+Stencil::Stencil(const KnotVector& knots, int order)
+    : knots_(knots), order_(order), size_(knots.degree() + 1), width_(table_width(knots.degree())),
+      weights_(width_ * (order + 1)) {}
+
+void Stencil::move_to(double u, Side side) {
+  breathe((4 * static_cast<std::size_t>(order_) + 1) * size_ * size_);
+  AxisPlaces places(knots_, std::min(order_, kTables), "u");
+  places.locate({&u, 1}, 0, side);
+  BasisPlace place;
+  places.write(0, place);
+  first_ = places.first(0);
+  const int degree = knots_.degree();
+  kernels().functions(degree, std::min(order_, kTables), &place, 1, weights_.data());
+  write_high_orders(knots_.unrolled().data() + first_ + degree, degree, order_, u, width_, weights_.data());
 }
 
 }  // namespace splinecore

@@ -23,6 +23,14 @@ class SpanBlocks {
   SpanBlocks(const SpanBlocks&) = delete;
   SpanBlocks& operator=(const SpanBlocks&) = delete;
 
+  std::size_t size() const noexcept { return size_; }
+
+  /// The numbers of all spans, one after the other, if they are few enough to lie together; or nullptr.
+  template <class Fill>
+  const double* together(const Fill& fill) {
+    return count() == 1 ? of(0, fill) : nullptr;
+  }
+
   /// The numbers of a span, which fill(span, out) writes if nobody has yet.
   template <class Fill>
   const double* of(std::size_t span, const Fill& fill) {

@@ -13,18 +13,27 @@ void fill_rows(const NurbsCurve& curve, std::size_t span, int order, double* out
 
 /// The coefficients of a curve's spans, for the kernels: its own, and those with its first two derivatives.
 class CurveTables {
+  static constexpr int kOrder = 2;
+
+  static auto filler(const NurbsCurve& curve, int order) {
+    return [&curve, order](std::size_t span, double* out) { fill_rows(curve, span, order > 0 ? kOrder : 0, out); };
+  }
+
  public:
   CurveTables(std::size_t spans, int degree)
       : points_(spans, 4 * rows_to(degree, 0)), derivatives_(spans, 4 * rows_to(degree, kOrder)) {}
 
   /// The coefficients of a span. @param order  of the highest derivative wanted, 2 at most
   const double* rows(const NurbsCurve& curve, int span, int order) {
-    const auto fill = [&](std::size_t which, double* out) { fill_rows(curve, which, order > 0 ? kOrder : 0, out); };
-    return (order > 0 ? derivatives_ : points_).of(static_cast<std::size_t>(span), fill);
+    return of_order(order).of(static_cast<std::size_t>(span), filler(curve, order));
   }
 
+  /// Those of all spans, size() numbers each, if they are few; or nullptr.
+  const double* all_rows(const NurbsCurve& curve, int order) { return of_order(order).together(filler(curve, order)); }
+  std::size_t size(int order) { return of_order(order).size(); }
+
  private:
-  static constexpr int kOrder = 2;
+  SpanBlocks& of_order(int order) { return order > 0 ? derivatives_ : points_; }
 
   /// How many rows the derivatives 0 … order have.
   static std::size_t rows_to(int degree, int order);

@@ -49,7 +49,8 @@ class Locator {
  public:
   Locator(const NurbsCurve& curve, int order, Side side)
       : curve_(curve), knots_(curve.knot_vector()), finder_(knots_.tables().finder), tables_(curve.tables()),
-        domain_(knots_.domain()), order_(order), side_(side) {}
+        domain_(knots_.domain()), order_(order), side_(side), rows_(tables_.all_rows(curve, order)),
+        size_(tables_.size(order)) {}
 
   double admitted(double u, std::size_t i) const {
     return u > domain_.start && u < domain_.end ? u : knots_.admit(u, side_, i);
@@ -72,7 +73,9 @@ class Locator {
 
   /// The row at the near end.
   const double* rows(int half) const {
-    return tables_.rows(curve_, half / 2, order_) + (half % 2) * (4 * curve_.degree());
+    const double* const span = rows_ != nullptr ? rows_ + static_cast<std::size_t>(half / 2) * size_
+                                                : tables_.rows(curve_, half / 2, order_);
+    return span + (half % 2) * (4 * knots_.degree());
   }
 
   CurveHalf form(int half) const {
@@ -93,6 +96,8 @@ class Locator {
   Interval domain_;
   int order_;
   Side side_;
+  const double* rows_;
+  std::size_t size_;
 };
 
 /// Parameters with a half each, for a kernel.

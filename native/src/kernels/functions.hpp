@@ -8,6 +8,12 @@ SPLINECORE_INLINE void bernstein(int degree, double t, double s, const double* c
   for (int i = degree - 1; i >= 0; --i, power *= s) out[i] *= power;
 }
 
+/// Binomials, those of low degrees without a call.
+SPLINECORE_INLINE const double* choices(int degree) {
+  static constexpr double kFew[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
+  return degree < 4 ? kFew[degree] : binomials(degree);
+}
+
 /// Up to four functions of a place, one lane each.
 SPLINECORE_INLINE Lanes function_lanes(const double* rows, std::size_t width, int degree, const double* bernstein) {
   Lanes sum = all(bernstein[0]) * load(rows);
@@ -25,7 +31,7 @@ SPLINECORE_INLINE void functions_of(int degree, int order, const BasisPlace& pla
     return;
   }
   double values[kMostDegree + 1];
-  bernstein(degree - order, place.t, place.s, binomials(degree - order), values);
+  bernstein(degree - order, place.t, place.s, choices(degree - order), values);
   for (std::size_t i = 0; i < width; i += 4) {
     store(function_lanes(place.rows[order] + i, width, degree - order, values), out + i);
   }

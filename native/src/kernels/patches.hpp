@@ -191,31 +191,31 @@ SPLINECORE_INLINE FourPairs four_pairs(const GridForm& given, const PairPlace* p
   if (kDegree > 0) form.degree_u = form.degree_v = kDegree;
   PairFunctions<kOrder> functions;
   Lanes columns[kMostDegree + 1];
-  Lanes sums[3][4] = {};
+  Lanes points[4];
+  Lanes along_u[4];
+  Lanes along_v[4];
   Lanes size_u = all(0.0);
   Lanes size_v = all(0.0);
-  for (int lane = 0; lane < lanes; ++lane) {
-    const PairPlace& pair = pairs[lane];
+  for (int lane = 0; lane < 4; ++lane) {
+    // Lanes without a pair repeat the last one.
+    const PairPlace& pair = pairs[lane < lanes ? lane : lanes - 1];
     for (int k = 0; k <= kOrder; ++k) {
       functions_of(form.degree_u, k, pair.u, functions.u[k]);
       functions_of(form.degree_v, k, pair.v, functions.v[k]);
     }
     column_sums(form, pair.corner, functions.u[0], columns);
-    sums[0][lane] = across_sum(columns, form.degree_v, functions.v[0]);
-    if (kOrder > 0) {
-      sums[2][lane] = across_sum(columns, form.degree_v, functions.v[kOrder]);
-      column_sums(form, pair.corner, functions.u[kOrder], columns);
-      sums[1][lane] = across_sum(columns, form.degree_v, functions.v[0]);
-      size_u[lane] = size_of(functions.u[kOrder], form.degree_u);
-      size_v[lane] = size_of(functions.v[kOrder], form.degree_v);
+    points[lane] = across_sum(columns, form.degree_v, functions.v[0]);
+    if constexpr (kOrder > 0) {
+      along_v[lane] = across_sum(columns, form.degree_v, functions.v[1]);
+      column_sums(form, pair.corner, functions.u[1], columns);
+      along_u[lane] = across_sum(columns, form.degree_v, functions.v[0]);
+      size_u[lane] = size_of(functions.u[1], form.degree_u);
+      size_v[lane] = size_of(functions.v[1], form.degree_v);
     }
   }
-  for (int lane = lanes; lane < 4; ++lane) {
-    for (int k = 0; k < (kOrder > 0 ? 3 : 1); ++k) sums[k][lane] = sums[k][0];
-  }
-  const auto turned = [&](int k) { return transposed(sums[k][0], sums[k][1], sums[k][2], sums[k][3]); };
-  if constexpr (kOrder == 0) return {turned(0), Points{}, Points{}, size_u, size_v};
-  return {turned(0), turned(1), turned(2), size_u, size_v};
+  const auto turned = [](const Lanes* sums) { return transposed(sums[0], sums[1], sums[2], sums[3]); };
+  if constexpr (kOrder == 0) return {turned(points), Points{}, Points{}, size_u, size_v};
+  return {turned(points), turned(along_u), turned(along_v), size_u, size_v};
 }
 
 template <int kDegree, bool kRational>

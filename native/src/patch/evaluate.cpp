@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "basis/knot_tables.hpp"
+#include "basis/axis_places.hpp"
 #include "grid.hpp"
 #include "normal.hpp"
 #include "splinecore/base/errors.hpp"
@@ -147,62 +147,24 @@ struct GridSamples {
         v(Samples::make(patch.knot_vector(Axis::v), at_v, order, options.side_v, "v")) {}
 };
 
-constexpr std::size_t kPart = 64;
-
-/// Places of parameters along one direction.
-class AxisPlaces {
- public:
-  AxisPlaces(const KnotVector& knots, int order, Side side, const char* name)
-      : knots_(knots), tables_(knots.tables()), domain_(knots.domain()), order_(order), side_(side), name_(name) {}
-
-  /// Finds the spans of up to kPart parameters. @param first  the number of the first one
-  void locate(std::span<const double> u, std::size_t first) {
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      const bool is_inside = u[i] > domain_.start && u[i] < domain_.end;
-      u_[i] = is_inside ? u[i] : knots_.admit(u[i], side_, first + i, name_);
-    }
-    tables_.finder.find_all(u_.data(), u.size(), side_, spans_.data());
-  }
-
-  /// Writes the place of one of them.
-  void write(std::size_t i, BasisPlace& place) const {
-    const double start = tables_.finder.bounds()[spans_[i]];
-    const double end = tables_.finder.bounds()[spans_[i] + 1];
-    place.t = (u_[i] - start) / (end - start);
-    place.s = (end - u_[i]) / (end - start);
-    for (int k = 0; k <= order_; ++k) place.rows[k] = tables_.derivative_rows(knots_, spans_[i], k);
-  }
-
-  /// The first control point that it depends on.
-  std::size_t first(std::size_t i) const { return static_cast<std::size_t>(knots_.spans()[spans_[i]] - knots_.degree()); }
-
- private:
-  const KnotVector& knots_;
-  KnotTables& tables_;
-  Interval domain_;
-  int order_;
-  Side side_;
-  const char* name_;
-  std::array<double, kPart> u_;
-  std::array<std::int32_t, kPart> spans_;
-};
+constexpr std::size_t kPart = AxisPlaces::kMost;
 
 /// Calls visit(form, pairs, begin, count) for some pairs after the other.
 template <class Visit>
 void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v, int order,
                    PatchOptions options, Visit visit) {
   const GridForm form = form_of(patch);
-  AxisPlaces places_u(patch.knot_vector(Axis::u), order, options.side_u, "u");
-  AxisPlaces places_v(patch.knot_vector(Axis::v), order, options.side_v, "v");
+  AxisPlaces places_u(patch.knot_vector(Axis::u), order, "u");
+  AxisPlaces places_v(patch.knot_vector(Axis::v), order, "v");
   std::array<PairPlace, kPart> part;
   for (std::size_t begin = 0; begin < u.size(); begin += kPart) {
     const std::size_t count = std::min(kPart, u.size() - begin);
-    places_u.locate(u.subspan(begin, count), begin);
-    places_v.locate(v.subspan(begin, count), begin);
+    places_u.locate(u.subspan(begin, count), begin, options.side_u);
+    places_v.locate(v.subspan(begin, count), begin, options.side_v);
     for (std::size_t i = 0; i < count; ++i) {
       places_u.write(i, part[i].u);
       places_v.write(i, part[i].v);
-      part[i].corner = form.points + 4 * (places_u.first(i) * form.width + places_v.first(i));
+      part[i].corner = corner_of(form, places_u.first(i), places_v.first(i));
     }
     breathe(count * 4 * static_cast<std::size_t>((form.degree_u + 1) * (form.degree_v + 1)));
     visit(form, part.data(), begin, count);
