@@ -123,6 +123,7 @@ PATCH = {
     "evaluate": lambda one, at: [one.evaluate(*pairs_of(one)), one.evaluate(*pairs_of(one), side=("left", "right"))],
     "evaluate_grid": lambda one, at: one.evaluate_grid(*places_of(one)),
     "evaluate_grid_with_normals": lambda one, at: one.evaluate_grid_with_normals(*places_of(one)),
+    "first_derivatives": lambda one, at: one.first_derivatives(*places_of(one)),
     "derivatives": lambda one, at: one.derivatives(*pairs_of(one), at.order),
     "split": lambda one, at: [one.split(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
     "reversed": lambda one, at: [one.reversed(axis) for axis in "uv"],

@@ -13,9 +13,10 @@ import splinecore as sc
 from shapes import circle, random_points, torus, wavy_patch
 
 MANY = np.linspace(0, 4, 400_000)
+MORE = np.linspace(0, 4, 4_000_000)
 CALLS = {
-    "curve.evaluate": lambda cancel: circle().evaluate(MANY, cancel=cancel),
-    "curve.derivatives": lambda cancel: circle().derivatives(MANY, 1, cancel=cancel),
+    "curve.evaluate": lambda cancel: circle().evaluate(MORE, cancel=cancel),
+    "curve.derivatives": lambda cancel: circle().derivatives(MORE, 1, cancel=cancel),
     "patch.evaluate": lambda cancel: torus().evaluate(MANY, MANY, cancel=cancel),
     "patch.derivatives": lambda cancel: torus().derivatives(MANY, MANY, 1, cancel=cancel),
     "Tessellation.adaptive":

@@ -81,6 +81,13 @@ struct GridBlocks {
   std::size_t high;  ///< and the last one
 };
 
+/// What normals of pairs need to know.
+struct NormalForm {
+  double rounding;  ///< of a point, which the slopes of the functions multiply
+  double scale_u;   ///< powers of two, about the lengths of the domains: derivatives are multiplied by them
+  double scale_v;
+};
+
 /// Pairs of parameters.
 struct PairPlace {
   BasisPlace u;
@@ -130,8 +137,8 @@ struct Kernels {
   int (*pair_points)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
   int (*pair_slopes)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
 
-  /// And unit normals. @param rounding  of a point, which the slopes of the functions multiply
-  int (*pair_normals)(const GridForm&, double rounding, const PairPlace* pairs, std::size_t count, double* out,
+  /// And unit normals.
+  int (*pair_normals)(const GridForm&, const NormalForm&, const PairPlace* pairs, std::size_t count, double* out,
                       double* normals);
 };
 

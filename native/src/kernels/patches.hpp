@@ -253,7 +253,7 @@ int pair_slopes_of(const GridForm& form, const PairPlace* pairs, std::size_t cou
 }
 
 template <int kDegree, bool kRational>
-int pair_normals_of(const GridForm& form, double rounding, const PairPlace* pairs, std::size_t count, double* out,
+int pair_normals_of(const GridForm& form, const NormalForm& normal, const PairPlace* pairs, std::size_t count, double* out,
                     double* normals) {
   Lanes doubts = all(0.0);
   Lanes weak = all(0.0);
@@ -261,9 +261,12 @@ int pair_normals_of(const GridForm& form, double rounding, const PairPlace* pair
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
     FourPairs d = four_pairs<kDegree, 1>(form, pairs + i, lanes);
     project_point<kRational>(d.point);
-    const Points su = kRational ? beside(d.along_u, d.point) : d.along_u;
-    const Points sv = kRational ? beside(d.along_v, d.point) : d.along_v;
-    const Points n = normal_of(su, sv, all(rounding) * d.size_u, all(rounding) * d.size_v);
+    const Lanes scale_u = all(normal.scale_u);
+    const Lanes scale_v = all(normal.scale_v);
+    const Points su = times(kRational ? beside(d.along_u, d.point) : d.along_u, scale_u);
+    const Points sv = times(kRational ? beside(d.along_v, d.point) : d.along_v, scale_v);
+    const Lanes rounding = all(normal.rounding);
+    const Points n = normal_of(su, sv, rounding * (d.size_u * scale_u), rounding * (d.size_v * scale_v));
     doubts = doubt(doubts, d.point);
     weak += n.x;
     store_block(d.point, lanes, out + 3 * i);
@@ -286,9 +289,9 @@ int pair_slopes(const GridForm& form, const PairPlace* pairs, std::size_t count,
   return with(form.rational ? pair_slopes_of<0, true> : pair_slopes_of<0, false>);
 }
 
-int pair_normals(const GridForm& form, double rounding, const PairPlace* pairs, std::size_t count, double* out,
+int pair_normals(const GridForm& form, const NormalForm& normal, const PairPlace* pairs, std::size_t count, double* out,
                  double* normals) {
-  const auto with = [&](auto work) { return work(form, rounding, pairs, count, out, normals); };
+  const auto with = [&](auto work) { return work(form, normal, pairs, count, out, normals); };
   if (is_bicubic(form)) return with(form.rational ? pair_normals_of<3, true> : pair_normals_of<3, false>);
   return with(form.rational ? pair_normals_of<0, true> : pair_normals_of<0, false>);
 }

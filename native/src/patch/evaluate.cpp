@@ -75,12 +75,12 @@ void grid_points(const NurbsPatch& patch, const Samples& u, const Samples& v, st
                  AtInfinity at_infinity) {
   if (out.empty()) return;
   const GridForm form = form_of(patch);
-  const GridColumns columns(v, 0);
+  const GridColumns columns(v);
   std::vector<double> scratch(columns.scratch_size(1));
   Real* next = out.data();
   for (std::size_t i = 0; i < u.size(); ++i, next += 3 * v.size()) {
     breathe(scratch.size() * u.weights(0).size() + 4 * v.size() * (v.weights(0).size() + 4));
-    const int found = points_of(form, grid_row(u, i, 0), columns.blocks(), scratch.data(), next);
+    const int found = points_of(form, grid_row(u, i), columns.blocks(), scratch.data(), next);
     if (found != 0) settle_row(patch, u, i, v, at_infinity, next);
   }
 }
@@ -102,12 +102,12 @@ template <class Real>
 class NormalRows {
  public:
   NormalRows(const NurbsPatch& patch, const NormalFinder& finder, const Samples& v)
-      : patch_(patch), finder_(finder), v_(v), columns_(v, 1, finder.reach()), scratch_(columns_.scratch_size(2)),
+      : patch_(patch), finder_(finder), v_(v), columns_(v, finder.reach(), finder.scale(Axis::v)), scratch_(columns_.scratch_size(2)),
         others_(finder.is_moved() ? 3 * v.size() : 0) {}
 
   void write(const Samples& u, std::size_t i, AtInfinity at_infinity, Real* points, Real* normals) {
     breathe(2 * scratch_.size() * u.weights(0).size() + 12 * v_.size() * (v_.weights(0).size() + 4));
-    const GridRow row = grid_row(u, i, 1, finder_.reach());
+    const GridRow row = grid_row(u, i, finder_.reach(), finder_.scale(Axis::u), slopes_);
     Real* const seen = finder_.is_moved() ? others_.data() : points;
     int found = normals_of(form_of(finder_.seen()), row, columns_.blocks(), scratch_.data(), seen, normals);
     if (finder_.is_moved()) {
@@ -123,6 +123,7 @@ class NormalRows {
   const Samples& v_;
   GridColumns columns_;
   std::vector<double> scratch_;
+  std::vector<double> slopes_;
   std::vector<Real> others_;
 };
 
@@ -241,11 +242,11 @@ void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<cons
 void evaluate_with_normals(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                            std::span<double> points, std::span<double> normals, PatchOptions options) {
   const NormalFinder finder(patch);
-  const double rounding = rounding_of(finder.reach());
+  const NormalForm normal{rounding_of(finder.reach()), finder.scale(Axis::u), finder.scale(Axis::v)};
   for_each_part(finder.seen(), u, v, 1, options,
                 [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
                   double* const to = &normals[3 * begin];
-                  const int found = kernels().pair_normals(form, rounding, pairs, count, &points[3 * begin], to);
+                  const int found = kernels().pair_normals(form, normal, pairs, count, &points[3 * begin], to);
                   for (std::size_t i = begin; found != 0 && i < begin + count; ++i) {
                     if (!is_number(&points[3 * i])) store(settled_pair(patch, u[i], v[i], options), &points[3 * i]);
                     if (is_number(&normals[3 * i])) continue;

@@ -26,12 +26,22 @@ double noise_of(std::span<const double> slopes, double reach) {
 
 }  // namespace
 
-GridRow grid_row(const Samples& u, std::size_t i, int order, double reach) {
-  const auto slopes = order > 0 ? u.weights(i, 1) : std::span<const double>{};
+GridRow grid_row(const Samples& u, std::size_t i) {
+  return {static_cast<std::size_t>(u.first(i)), u.weights(i).data(), nullptr, 0.0};
+}
+
+GridRow grid_row(const Samples& u, std::size_t i, double reach, double scale, std::vector<double>& slopes) {
+  const auto given = u.weights(i, 1);
+  slopes.assign(given.begin(), given.end());
+  for (double& slope : slopes) slope *= scale;
   return {static_cast<std::size_t>(u.first(i)), u.weights(i).data(), slopes.data(), noise_of(slopes, reach)};
 }
 
-GridColumns::GridColumns(const Samples& v, int order, double reach) {
+GridColumns::GridColumns(const Samples& v) { fill(v, 0, 0.0, 1.0); }
+
+GridColumns::GridColumns(const Samples& v, double reach, double scale) { fill(v, 1, reach, scale); }
+
+void GridColumns::fill(const Samples& v, int order, double reach, double scale) {
   const std::size_t degree_and_one = v.weights(0).size();
   constexpr std::size_t kLanes = 4;
   for (std::size_t begin = 0, end = 0; begin < v.size(); begin = end) {
@@ -50,8 +60,9 @@ GridColumns::GridColumns(const Samples& v, int order, double reach) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         // Lanes without a sample repeat the last one.
         const auto weights = v.weights(sample + std::min<std::size_t>(lane, block.count - 1), k);
-        for (std::size_t j = 0; j < degree_and_one; ++j) next[kLanes * j + lane] = weights[j];
-        if (k == 1) block.noise[lane] = noise_of(weights, reach);
+        const double factor = k == 0 ? 1.0 : scale;
+        for (std::size_t j = 0; j < degree_and_one; ++j) next[kLanes * j + lane] = factor * weights[j];
+        if (k == 1) block.noise[lane] = scale * noise_of(weights, reach);
       }
     }
     sample += static_cast<std::size_t>(block.count);

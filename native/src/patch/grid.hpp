@@ -15,8 +15,10 @@ GridForm form_of(const NurbsPatch& patch);
 /// The columns of a grid, four by four where they lie in one span.
 class GridColumns {
  public:
-  /// @param reach  the size of the points, for normals
-  GridColumns(const Samples& v, int order, double reach = 0.0);
+  explicit GridColumns(const Samples& v);
+
+  /// For normals. @param reach  the size of the points @param scale  of the slopes
+  GridColumns(const Samples& v, double reach, double scale);
 
   GridBlocks blocks() const noexcept { return {blocks_.data(), blocks_.size(), low_, high_}; }
 
@@ -24,6 +26,8 @@ class GridColumns {
   std::size_t scratch_size(std::size_t rows) const noexcept { return 4 * rows * (high_ - low_ + 1); }
 
  private:
+  void fill(const Samples& v, int order, double reach, double scale);
+
   std::vector<GridBlock> blocks_;
   std::vector<double> weights_;
   std::size_t low_ = 0;
@@ -33,7 +37,10 @@ class GridColumns {
 /// What rounding may leave of a sum of points that reach so far; the slopes of functions multiply it.
 double rounding_of(double reach);
 
-/// A row of a grid. @param order  1 for normals
-GridRow grid_row(const Samples& u, std::size_t i, int order, double reach = 0.0);
+/// A row of a grid.
+GridRow grid_row(const Samples& u, std::size_t i);
+
+/// The same for normals. @param slopes  takes the slopes, times the scale
+GridRow grid_row(const Samples& u, std::size_t i, double reach, double scale, std::vector<double>& slopes);
 
 }  // namespace splinecore

@@ -22,14 +22,18 @@ constexpr int kTerms = 4;
 template <class Value>
 using Series = std::array<Value, kTerms>;
 
+/// A homogeneous vector, and what rounding may have made of its part in space and of its weight.
+struct Rounded {
+  glm::dvec4 value{0.0};
+  double noise = 0.0;
+  double weight_noise = 0.0;
+};
+
 /// Homogeneous derivatives around one pair of parameters, of the patch moved so that its point there is the origin: no
 /// digits are lost far from the origin, and no division spreads rounding.
 struct LocalDerivatives {
   static constexpr int kWidth = kTerms + 1;
-  std::array<glm::dvec4, kWidth * kWidth> values;
-  /// Largest offset from the point and largest weight among the control points.
-  double offset = 0.0;
-  double weight = 0.0;
+  std::array<Rounded, kWidth * kWidth> values;
 };
 
 /// The control points that a pair of parameters depends on, as they were given, row after row.
@@ -51,49 +55,77 @@ glm::dvec4 local_sum(std::span<const double> u, std::span<const double> v, const
   return total;
 }
 
-/// With the largest weight near 1.
-LocalDerivatives local_derivatives(const NurbsPatch& patch, const Samples& u, const Samples& v) {
+/// The same sum with what rounding may do to it. @param unit  the rounding of a point
+Rounded rounded_sum(std::span<const double> u, std::span<const double> v, const std::vector<glm::dvec4>& points,
+                    double unit) {
+  constexpr double kRounding = 0x1p-47;
+  Rounded sum{local_sum(u, v, points)};
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    for (std::size_t j = 0; j < v.size(); ++j) {
+      const glm::dvec4& p = points[i * v.size() + j];
+      const double share = std::abs(u[i] * v[j]);
+      sum.noise += share * (kRounding * glm::length(glm::dvec3(p)) + unit * std::abs(p.w));
+      sum.weight_noise += share * kRounding * std::abs(p.w);
+    }
+  }
+  return sum;
+}
+
+LocalDerivatives local_derivatives(const NurbsPatch& patch, const Samples& u, const Samples& v, double unit) {
   std::vector<glm::dvec4> points = control_points(patch, u, v);
-  LocalDerivatives local;
-  for (const glm::dvec4& p : points) local.weight = std::max(local.weight, std::abs(p.w));
-  const int exponent = local.weight > 0.0 ? -std::ilogb(local.weight) : 0;
+  double heaviest = 0.0;
+  for (const glm::dvec4& p : points) heaviest = std::max(heaviest, std::abs(p.w));
+  const int exponent = heaviest > 0.0 ? -std::ilogb(heaviest) : 0;
   for (glm::dvec4& p : points) p.w = std::ldexp(p.w, exponent);
-  local.weight = std::ldexp(local.weight, exponent);
-  std::vector<glm::dvec4> given = homogeneous(points);
-  const glm::dvec3 origin = project(local_sum(u.weights(0), v.weights(0), given));
+  const glm::dvec3 origin = project(local_sum(u.weights(0), v.weights(0), homogeneous(points)));
   for (glm::dvec4& p : points) {
     if (p.w != 0.0) p = glm::dvec4(p.w * (glm::dvec3(p) - origin), p.w);
-    local.offset = std::max(local.offset, glm::length(glm::dvec3(p)));
   }
+  LocalDerivatives local;
   for (int k = 0; k < local.kWidth; ++k) {
     for (int l = 0; l < local.kWidth; ++l) {
-      local.values[k * local.kWidth + l] = local_sum(u.weights(0, k), v.weights(0, l), points);
+      local.values[k * local.kWidth + l] = rounded_sum(u.weights(0, k), v.weights(0, l), points, unit);
     }
   }
   return local;
 }
 
 /// The derivative in_u, in_v along the way (a, b) from the point.
-Series<glm::dvec4> along(const LocalDerivatives& local, double a, double b, int in_u, int in_v) {
-  Series<glm::dvec4> series;
+Series<Rounded> along(const LocalDerivatives& local, double a, double b, int in_u, int in_v) {
+  Series<Rounded> series;
   double factorial = 1.0;
   for (int n = 0; n < kTerms; ++n, factorial *= n) {
-    series[n] = glm::dvec4(0.0);
     for (int k = 0; k <= n; ++k) {
       const double factor = binomial(n, k) / factorial * std::pow(a, k) * std::pow(b, n - k);
-      series[n] += factor * local.values[(k + in_u) * local.kWidth + (n - k + in_v)];
+      const Rounded& there = local.values[(k + in_u) * local.kWidth + (n - k + in_v)];
+      series[n].value += factor * there.value;
+      series[n].noise += std::abs(factor) * there.noise;
+      series[n].weight_noise += std::abs(factor) * there.weight_noise;
     }
   }
   return series;
 }
 
+/// A normal, and what rounding may have made of it.
+struct RoundedNormal {
+  glm::dvec3 value{0.0};
+  double noise = 0.0;
+};
+
 /// Adds w (x x y) to a series of normals.
-void add_product(Series<glm::dvec3>& sum, const Series<glm::dvec4>& w, const Series<glm::dvec4>& x,
-                 const Series<glm::dvec4>& y) {
+void add_product(Series<RoundedNormal>& sum, const Series<Rounded>& w, const Series<Rounded>& x,
+                 const Series<Rounded>& y) {
   for (int i = 0; i < kTerms; ++i) {
     for (int j = 0; i + j < kTerms; ++j) {
-      const glm::dvec3 normal = glm::cross(glm::dvec3(x[i]), glm::dvec3(y[j]));
-      for (int k = 0; i + j + k < kTerms; ++k) sum[i + j + k] += w[k].w * normal;
+      const glm::dvec3 at_x(x[i].value);
+      const glm::dvec3 at_y(y[j].value);
+      const glm::dvec3 normal = glm::cross(at_x, at_y);
+      const double size = glm::length(at_x) * glm::length(at_y);
+      const double noise = x[i].noise * glm::length(at_y) + (glm::length(at_x) + x[i].noise) * y[j].noise;
+      for (int k = 0; i + j + k < kTerms; ++k) {
+        sum[i + j + k].value += w[k].value.w * normal;
+        sum[i + j + k].noise += std::abs(w[k].value.w) * noise + w[k].weight_noise * (size + noise);
+      }
     }
   }
 }
@@ -115,7 +147,7 @@ NormalFinder::NormalFinder(const NurbsPatch& patch) : patch_(patch) {
   const bool is_far = largest > kFar * size;
   if (is_far && size > 0.0) placement.exponent = std::ilogb(size);
   if (is_far || std::abs(placement.exponent) > kLarge) near_ = placed(patch, placement);
-  constexpr double kRounding = 0x1p-51;
+  constexpr double kRounding = 0x1p-49;
   unit_ = kRounding * (near_ ? std::ldexp(largest, -placement.exponent) : largest);
   double weight = 0.0;
   for (const glm::dvec4& p : seen().homogeneous_points()) {
@@ -125,31 +157,34 @@ NormalFinder::NormalFinder(const NurbsPatch& patch) : patch_(patch) {
   reach_ += weight * largest_coordinate(seen().points());
 }
 
+double NormalFinder::scale(Axis axis) const {
+  return std::ldexp(1.0, std::ilogb(patch_.knot_vector(axis).domain().length()));
+}
+
 /// S_u x S_v times W^3, from the homogeneous S = A / W, is W A_u x A_v + W_u A_v x A + W_v A x A_u:
 /// as a power series along a straight way into the domain its first coefficient that is not
 /// rounding is the direction of the limit.
 glm::dvec3 NormalFinder::limit(double u, double v, PatchOptions options) const {
   const KnotVector& knots_u = patch_.knot_vector(Axis::u);
   const KnotVector& knots_v = patch_.knot_vector(Axis::v);
-  const LocalDerivatives local = local_derivatives(seen(), Samples::make(knots_u, {&u, 1}, kTerms, options.side_u),
-                                                   Samples::make(knots_v, {&v, 1}, kTerms, options.side_v));
+  const LocalDerivatives local =
+      local_derivatives(seen(), Samples::make(knots_u, {&u, 1}, kTerms, options.side_u),
+                        Samples::make(knots_v, {&v, 1}, kTerms, options.side_v), unit_);
   const double a = step_inward(knots_u, u, options.side_u);
   const double b = step_inward(knots_v, v, options.side_v);
   const auto point = along(local, a, b, 0, 0);
   const auto slope_u = along(local, a, b, 1, 0);
   const auto slope_v = along(local, a, b, 0, 1);
-  Series<glm::dvec3> normals;
-  normals.fill(glm::dvec3(0.0));
+  Series<RoundedNormal> normals;
   add_product(normals, point, slope_u, slope_v);
   add_product(normals, slope_u, slope_v, point);
   add_product(normals, slope_v, point, slope_u);
-  constexpr double kRelative = 0x1p-40;
-  const double rounding = std::max(kRelative * local.offset, unit_);
-  const double negligible = local.weight * (rounding / std::abs(a)) * (local.offset / std::abs(b));
-  for (const glm::dvec3& normal : normals) {
-    const double length = glm::length(normal);
+  for (const RoundedNormal& normal : normals) {
+    // About the size of the derivatives by the parts of a span: no square leaves the numbers.
+    const glm::dvec3 value = normal.value * std::abs(a) * std::abs(b);
+    const double length = glm::length(value);
     if (!std::isfinite(length)) break;
-    if (length > negligible) return (point[0].w < 0.0 ? -normal : normal) / length;
+    if (length > normal.noise * std::abs(a) * std::abs(b)) return (point[0].value.w < 0.0 ? -value : value) / length;
   }
   return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
 }

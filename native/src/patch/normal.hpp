@@ -19,6 +19,9 @@ class NormalFinder {
   /// The size of the homogeneous points of seen().
   double reach() const noexcept { return reach_; }
 
+  /// By what derivatives along a direction are multiplied: a power of two, about the length of its domain.
+  double scale(Axis axis) const;
+
   /// The limit of the normal when (u, v) is approached from inside the domain; NaN where there is none.
   glm::dvec3 limit(double u, double v, PatchOptions options) const;
 
