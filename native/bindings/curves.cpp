@@ -155,14 +155,17 @@ void bind_nurbs(py::module_& module) {
             const std::span out(rows, static_cast<std::size_t>(pieces) * (self.degree() + 1));
             unlocked([&] {
               splinecore::bezier_points(self, out);
-              if (self.weight_exponent() == 0) return;
               for (glm::dvec4& row : out) {
-                for (int axis = 0; axis < 4; ++axis) row[axis] = std::scalbn(row[axis], self.weight_exponent());
+                for (int axis = 0; self.weight_exponent() != 0 && axis < 4; ++axis) {
+                  row[axis] = std::scalbn(row[axis], self.weight_exponent());
+                  if (!std::isfinite(row[axis])) throw InvalidShape("points times weights are too large for numbers");
+                }
               }
             });
             return points;
           },
-          "(pieces, degree + 1, 4): wx, wy, wz, w of the control points of to_bezier(), in one array.");
+          "(pieces, degree + 1, 4): wx, wy, wz, w of the control points of to_bezier(), in one array.\n"
+          "InvalidShape where one is too large for a number.");
   bind_to_power(cls);
   cls.def("__repr__", &text_of);
 }

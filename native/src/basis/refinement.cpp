@@ -21,9 +21,11 @@ struct Merged {
 };
 
 std::vector<double> admitted(const KnotVector& knots, std::span<const double> inserted) {
+  const Interval domain = knots.domain();
   std::vector<double> values(inserted.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = knots.admit(inserted[i], Side::right, i, "knots");
+    const double u = inserted[i];
+    values[i] = u > domain.start && u < domain.end ? u : knots.admit(u, Side::right, i, "knots");
   }
   if (!std::ranges::is_sorted(values)) std::ranges::sort(values);
   const auto given = knots.knots();
@@ -123,6 +125,83 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
     row += degree + 1;
   });
   return {knots, std::move(refined), std::move(rows)};
+}
+
+namespace {
+
+/// The knots of a refined plain vector, and how many old ones stand before each.
+struct Line {
+  std::vector<double> knots;
+  std::vector<int> old_before;
+
+  bool is_old(std::size_t i) const { return old_before[i + 1] > old_before[i]; }
+};
+
+Line merged_line(const KnotVector& knots, const std::vector<double>& inserted) {
+  const auto old = knots.knots();
+  const double end = knots.domain().end;
+  Line line;
+  line.knots.resize(old.size() + inserted.size());
+  line.old_before.resize(line.knots.size() + 1);
+  std::size_t next = 0;
+  int taken = 0;
+  for (std::size_t i = 0; i < line.knots.size(); ++i) {
+    line.old_before[i] = taken;
+    // After the old ones of its value, but at the end of the domain before them.
+    const bool is_new = next < inserted.size() &&
+                        (inserted[next] < old[taken] || (inserted[next] == old[taken] && inserted[next] == end));
+    line.knots[i] = is_new ? inserted[next++] : old[taken++];
+  }
+  line.old_before.back() = taken;
+  return line;
+}
+
+/// The blossom at the arguments, the last first, of arguments.size() + 1 points that share their other knots; t as in
+/// blossom_weights(). The points are overwritten.
+void reduce(const double* t, int degree, std::span<const double> arguments, glm::dvec4* points) {
+  const int levels = static_cast<int>(arguments.size());
+  for (int level = levels; level >= 1; --level) {
+    const double u = arguments[level - 1];
+    for (int r = 0; r < level; ++r) {
+      const double low = t[levels - level + 1 + r];
+      const double high = t[degree + 1 + r];
+      points[r] = ((high - u) / (high - low)) * points[r] + ((u - low) / (high - low)) * points[r + 1];
+    }
+  }
+}
+
+}  // namespace
+
+RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> points, std::span<const double> inserted) {
+  constexpr std::size_t kBlock = 256;
+  const int degree = knots.degree();
+  const double* old = knots.knots().data();
+  Line line = merged_line(knots, admitted(knots, inserted));
+  const std::size_t count = line.knots.size() - degree - 1;
+  std::vector<glm::dvec4> made(count);
+  std::vector<int> copied(count, -1);
+  std::vector<glm::dvec4> part(degree + 1);
+  std::vector<double> arguments(degree);
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j % kBlock == 0) breathe(8 * kBlock * static_cast<std::size_t>(degree));
+    int number = 0;
+    for (std::size_t i = j + 1; i <= j + degree; ++i) {
+      if (!line.is_old(i)) arguments[number++] = line.knots[i];
+    }
+    const int first = line.old_before[j + 1] - 1 - number;
+    if (number == 0) {
+      made[j] = points[first];
+      copied[j] = first;
+      continue;
+    }
+    std::copy_n(points.begin() + first, number + 1, part.begin());
+    reduce(old + first, degree, {arguments.data(), static_cast<std::size_t>(number)}, part.data());
+    made[j] = part[0];
+    for (int i = first; i <= first + number; ++i) {
+      if (made[j] == points[i]) copied[j] = i;
+    }
+  }
+  return {KnotVector::make(degree, std::move(line.knots)), std::move(made), std::move(copied)};
 }
 
 std::vector<double> missing_inside(const KnotVector& knots, const KnotVector& other) {

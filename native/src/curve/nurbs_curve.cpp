@@ -56,7 +56,17 @@ NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve) {
 }
 
 NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
-  return applied(refinement(curve.knot_vector(), inserted), curve);
+  if (curve.periodic()) return applied(refinement(curve.knot_vector(), inserted), curve);
+  auto [knots, points, copied] = refined(curve.knot_vector(), curve.homogeneous_points(), inserted);
+  if (!curve.rational()) {
+    for (glm::dvec4& point : points) point.w = 1.0;
+    return NurbsCurve::make(std::move(knots), std::move(points));
+  }
+  GivenPoints given = as_given_from(curve, points);
+  for (std::size_t i = 0; i < copied.size(); ++i) {
+    if (copied[i] >= 0) given.made[i] = given.old[copied[i]];
+  }
+  return NurbsCurve::make(std::move(knots), std::move(given.made));
 }
 
 NurbsCurve insert_knot(const NurbsCurve& curve, double u, int times) {
