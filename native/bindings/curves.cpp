@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "approximation.hpp"
 #include "arrays.hpp"
 #include "curve_methods.hpp"
@@ -143,8 +145,27 @@ void bind_nurbs(py::module_& module) {
   cls.def("unrolled", [](const NurbsCurve& self) { return splinecore::unrolled(self); },
           "The same curve as a plain one: knots and points of a periodic curve repeated.");
   cls.def("reversed", [](const NurbsCurve& self) { return splinecore::reversed(self); },
-          "The same points in the opposite direction, over the same domain.");
+          "The same points in the opposite direction, over the same domain; over [-end, -start] where rounding\n"
+          "start + end - u would spoil short spans far from zero.");
   cls.def("to_nurbs", [](const NurbsCurve& self) { return self; }, "The curve itself.");
+  cls.def("bezier_points", [](const NurbsCurve& self) {
+            const auto pieces = static_cast<py::ssize_t>(self.knot_vector().spans().size());
+            py::array_t<double> points(Shape{pieces, self.degree() + 1, 4});
+            auto* rows = reinterpret_cast<glm::dvec4*>(points.mutable_data());
+            const std::span out(rows, static_cast<std::size_t>(pieces) * (self.degree() + 1));
+            unlocked([&] {
+              splinecore::bezier_points(self, out);
+              for (glm::dvec4& row : out) {
+                for (int axis = 0; self.weight_exponent() != 0 && axis < 4; ++axis) {
+                  row[axis] = std::scalbn(row[axis], self.weight_exponent());
+                  if (!std::isfinite(row[axis])) throw InvalidShape("points times weights are too large for numbers");
+                }
+              }
+            });
+            return points;
+          },
+          "(pieces, degree + 1, 4): wx, wy, wz, w of the control points of to_bezier(), in one array.\n"
+          "InvalidShape where one is too large for a number.");
   bind_to_power(cls);
   cls.def("__repr__", &text_of);
 }
@@ -171,12 +192,12 @@ void bind_degrees(py::class_<BezierCurve>& cls) {
             return unlocked([&] { return splinecore::elevated(self, count); });
           }, py::arg("times") = 1,
           "The same curve with a degree higher by times. The NURBS Book, eq. 5.36; lecture row S6.\n\n"
-          "InvalidShape unless times is 1 or more and the degree at most 255.");
+          "InvalidShape if times is below 0 or the degree would exceed 255.");
   cls.def("reduce", &reduced, py::arg("times") = 1, py::arg("tolerance") = py::none(),
           "Approximation of the curve by one of a degree lower by times, with the same ends.\n\n"
           "Each step takes the nearest such curve, by the constrained Chebyshev polynomial (Lachance 1988). The\n"
           "error is exact for one step on a polynomial curve, otherwise an upper bound; a larger one than the\n"
-          "tolerance raises ToleranceNotReached. Weights must be positive. Lecture row S6.");
+          "tolerance raises ToleranceNotReached. Weights must have one sign. Lecture row S6.");
   cls.def("flatten", &flattened, py::arg("tolerance"),
           "(parameters (m,), points (m, 3)): the polyline from which the curve lies nowhere farther than tolerance.\n\n"
           "By halving until the hull of each part is that flat, which also holds for rational curves. A curve\n"
@@ -248,7 +269,8 @@ void bind_hermite(py::module_& module) {
   cls.def("split", [](const HermiteCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
           py::arg("u"), "(before, after), each on its part of the domain.");
   cls.def("reversed", [](const HermiteCurve& self) { return splinecore::reversed(self); },
-          "The same points in the opposite direction, over the same domain.");
+          "The same points in the opposite direction, over the same domain; over [-end, -start] where rounding\n"
+          "start + end - u would spoil short spans far from zero.");
   cls.def("to_nurbs", [](const HermiteCurve& self) { return self.nurbs(); },
           "The same curve as a cubic NurbsCurve with triple knots.");
   bind_to_power(cls);

@@ -93,13 +93,14 @@ void bind_removal(py::class_<NurbsPatch>& cls) {
           "Every line of the net becomes the nearest in its control points; those that the knot has no part in\n"
           "stay bit for bit. The error is as of largest_distance(). InvalidShape if u is no inner knot,\n"
           "ToleranceNotReached with a tolerance that the error exceeds. The NURBS Book, 5.4; row S20.");
-  cls.def("remove_knots", [](const NurbsPatch& self, const py::object& axis, const py::object& tolerance) {
+  cls.def("remove_knots", [](const NurbsPatch& self, const py::object& axis, const py::object& tolerance,
+                             const py::object& cancel) {
             const Axis direction = axis_of(axis);
             const double most = real(tolerance, "tolerance");
-            return wrap(unlocked([&] { return splinecore::remove_knots(self, direction, most); }));
-          }, py::arg("axis"), py::arg("tolerance"),
-          "Approximation by the patch without every inner knot of an axis that can go within the tolerance, a\n"
-          "length. From the first to the last. Row S20.");
+            return wrap(unlocked([&] { return splinecore::remove_knots(self, direction, most); }, cancel));
+          }, py::arg("axis"), py::arg("tolerance"), py::kw_only(), py::arg("cancel") = py::none(),
+          "Approximation by the patch without the inner knots of an axis that can go within the tolerance, a length.\n\n"
+          "Least error first, as of a curve. cancel is a callable that ends a long call by returning True. Row S20.");
 }
 
 void bind_ends(py::class_<NurbsPatch>& cls) {

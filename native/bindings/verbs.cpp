@@ -44,12 +44,13 @@ void bind_knot_verbs(py::class_<NurbsCurve>& cls) {
           "The nearest in its control points; those that the knot has no part in stay bit for bit. The error is\n"
           "the largest distance at equal parameters, at most 1 % too large. InvalidShape if u is no inner knot,\n"
           "ToleranceNotReached with a tolerance that the error exceeds. The NURBS Book, 5.4; row S15.");
-  cls.def("remove_knots", [](const NurbsCurve& self, const py::object& tolerance) {
+  cls.def("remove_knots", [](const NurbsCurve& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
-            return wrap(unlocked([&] { return splinecore::remove_knots(self, most); }));
-          }, py::arg("tolerance"),
-          "Approximation by the curve without every inner knot that can go within the tolerance, a length.\n"
-          "From the first to the last. Row S15.");
+            return wrap(unlocked([&] { return splinecore::remove_knots(self, most); }, cancel));
+          }, py::arg("tolerance"), py::kw_only(), py::arg("cancel") = py::none(),
+          "Approximation by the curve without the inner knots that can go within the tolerance, a length.\n\n"
+          "Least error first: knots that nothing needs go before any that shapes the curve. cancel is a callable that\n"
+          "ends a long call by returning True. The NURBS Book, A5.9; row S15.");
   cls.def("elevate", [](const NurbsCurve& self, const py::object& times) {
             const int count = integer(times, "times");
             return unlocked([&] { return splinecore::elevated(self, count); });

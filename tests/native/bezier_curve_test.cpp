@@ -1,6 +1,7 @@
 #include "splinecore/curve/bezier_curve.hpp"
 
 #include "reference.hpp"
+#include "splinecore/base/points.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -57,8 +58,8 @@ TEST(BezierCurveSplit, GivesBothSidesOfDeCasteljausTriangle) {
       const auto [left, right] = split(curve, u);
       for (int i = 0; i <= degree; ++i) {
         const double tolerance = 1e-13 * size_of(curve.nurbs());
-        EXPECT_LE(largest(left.nurbs().homogeneous_points()[i] - glm::dvec4(triangle.left[i])), tolerance) << degree;
-        EXPECT_LE(largest(right.nurbs().homogeneous_points()[i] - glm::dvec4(triangle.right[i])), tolerance) << degree;
+        EXPECT_LE(largest(homogeneous(left.points()[i]) - glm::dvec4(triangle.left[i])), tolerance) << degree;
+        EXPECT_LE(largest(homogeneous(right.points()[i]) - glm::dvec4(triangle.right[i])), tolerance) << degree;
       }
       EXPECT_EQ(left.points().front(), curve.points().front());
       EXPECT_EQ(right.points().back(), curve.points().back());

@@ -46,8 +46,9 @@ TEST(Elevated, KeepsTheCurveOnAThousandRationalCurves) {
 
 TEST(Elevated, RefusesTimesAndDegreesOutOfRange) {
   const BezierCurve line = BezierCurve::make({{0, 0, 0, 1}, {1, 0, 0, 1}});
-  EXPECT_EQ(refusal([&] { elevated(line, 0); }), "times = 0 is outside [1, 254]");
-  EXPECT_EQ(refusal([&] { elevated(line, 255); }), "times = 255 is outside [1, 254]");
+  EXPECT_EQ(elevated(line, 0), line);
+  EXPECT_EQ(refusal([&] { elevated(line, -1); }), "times = -1 is outside [0, 254]");
+  EXPECT_EQ(refusal([&] { elevated(line, 255); }), "times = 255 is outside [0, 254]");
   EXPECT_EQ(elevated(line, 254).degree(), 255);
 }
 
@@ -121,7 +122,7 @@ TEST(Reduced, KeepsToTheTolerance) {
   EXPECT_EQ(refusal([&] { reduced(curve, 1, -1); }), "tolerance = -1 is not 0 or more");
   EXPECT_EQ(refusal([&] { reduced(reduced(curve).value); }), "degree = 1 cannot be reduced");
   EXPECT_EQ(refusal([&] { reduced(BezierCurve::make({{0, 0, 0, 1}, {1, 0, 0, 0}, {1, 1, 0, 1}})); }),
-            "weights[1] = 0: the degree is reduced only where all weights are positive");
+            "weights[1] = 0: the degree is reduced only where all weights have one sign");
 }
 
 double distance_to_line(const glm::dvec3& point, const Flattened& line) {

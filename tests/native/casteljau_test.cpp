@@ -95,7 +95,7 @@ TEST(Cut, PartsAreTheCurve) {
   Random random(502);
   for (int round = 0; round < 200; ++round) {
     const BezierCurve curve = random_bezier(random, Weights::any);
-    const auto points = curve.nurbs().homogeneous_points();
+    const std::vector<glm::dvec4> points = homogeneous(curve.points());
     const double u = real(random, 0, 1);
     const auto [before, after] = cut(points, u);
     EXPECT_EQ(before.back(), after.front());

@@ -154,8 +154,15 @@ TEST(EvaluateCurve, RefusesOrMarksAPointAtInfinity) {
 TEST(EvaluateCurve, RefusesAQuotientThatOverflows) {
   const NurbsCurve curve = NurbsCurve::make(KnotVector::bezier(1), {{1e300, 0, 0, 1}, {1e300, 0, 0, -0.999999999999}});
   EXPECT_NO_THROW(point_at(curve, 0.25));
+  const NurbsCurve far = NurbsCurve::make(KnotVector::bezier(1), {{1e300, 0, 0, 1}, {-1e300, 0, 0, -0.999999999999}});
+  EXPECT_THROW(point_at(far, 0.5), PointAtInfinity);
+}
+
+TEST(EvaluateCurve, FindsFinitePointsWhoseProductsWithWeightsOverflow) {
   const NurbsCurve huge = NurbsCurve::make(KnotVector::bezier(1), {{1e200, 0, 0, 1e200}, {0, 0, 0, 1}});
-  EXPECT_THROW(point_at(huge, 0.25), PointAtInfinity);
+  EXPECT_EQ(point_at(huge, 0.25).x, 1e200);
+  const NurbsCurve tiny = NurbsCurve::make(KnotVector::bezier(1), {{0.1, 0, 0, 5e-324}, {0.3, 0, 0, 5e-324}});
+  EXPECT_DOUBLE_EQ(point_at(tiny, 0.5).x, 0.2);
 }
 
 TEST(EvaluateCurve, NamesAParameterOutsideTheDomain) {

@@ -1,4 +1,5 @@
 // SISL (SINTEF, Debian's libsisl-dev) computes the same in its own way.
+#include "splinecore/base/points.hpp"
 #include "splinecore/conic/conic_arc.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/join.hpp"
@@ -29,7 +30,7 @@ SislCurve in_sisl(const NurbsCurve& curve, Kind kind = Kind::rational) {
   constexpr int kCopied = 1;
   std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
   std::vector<double> points;
-  for (const glm::dvec4& p : curve.homogeneous_points()) points.insert(points.end(), {p.x, p.y, p.z, p.w});
+  for (const glm::dvec4& p : homogeneous(curve.points())) points.insert(points.end(), {p.x, p.y, p.z, p.w});
   return owned(newCurve(static_cast<int>(curve.points().size()), curve.degree() + 1, knots.data(), points.data(),
                         static_cast<int>(kind), kind == Kind::rational ? 3 : 4, kCopied));
 }
@@ -56,7 +57,7 @@ void expect_equal(const NurbsCurve& curve, const SISLCurve& other, double tolera
   for (int i = 0; i < other.in; ++i) {
     const double* p = (other.ikind == 1 ? other.ecoef : other.rcoef) + 4 * i;
     const glm::dvec4 point(p[0], p[1], p[2], p[3]);
-    EXPECT_LT(largest(point - curve.homogeneous_points()[i]), tolerance * size_of(curve)) << i;
+    EXPECT_LT(largest(point - homogeneous(curve.points()[i])), tolerance * size_of(curve)) << i;
   }
 }
 

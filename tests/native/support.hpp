@@ -162,7 +162,7 @@ inline glm::dvec3 point_at(const NurbsCurve& curve, double u, Side side = Side::
 inline glm::dvec4 homogeneous_at(const NurbsCurve& curve, double u, Side side = Side::right) {
   glm::dvec4 point;
   evaluate_homogeneous(curve, {&u, 1}, {&point, 1}, side);
-  return point;
+  return std::ldexp(1.0, curve.weight_exponent()) * point;
 }
 
 inline glm::dvec3 point_at(const NurbsPatch& patch, double u, double v, PatchOptions options = {}) {
@@ -171,7 +171,7 @@ inline glm::dvec3 point_at(const NurbsPatch& patch, double u, double v, PatchOpt
   return point;
 }
 
-/// The homogeneous point, through samples: defined also where the patch is at infinity.
+/// The homogeneous point of weights as given, through samples: defined also where the patch is at infinity.
 inline glm::dvec4 homogeneous_at(const NurbsPatch& patch, double u, double v) {
   const Samples su = Samples::make(patch.knot_vector(Axis::u), {&u, 1});
   const Samples sv = Samples::make(patch.knot_vector(Axis::v), {&v, 1});
@@ -181,7 +181,7 @@ inline glm::dvec4 homogeneous_at(const NurbsPatch& patch, double u, double v) {
     const glm::dvec4* row = patch.homogeneous_points().data() + (su.first(0) + i) * width + sv.first(0);
     sum += su.weights(0)[i] * weighted_sum(sv.weights(0), row);
   }
-  return sum;
+  return std::ldexp(1.0, patch.weight_exponent()) * sum;
 }
 
 template <class Vector>
@@ -196,7 +196,7 @@ template <class Shape>
 double size_of(const Shape& shape) {
   double size = 0.0;
   for (const glm::dvec4& p : shape.homogeneous_points()) size = std::max(size, largest(p));
-  return size;
+  return std::ldexp(size, shape.weight_exponent());
 }
 
 /// The message with which an action is refused.

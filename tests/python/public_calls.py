@@ -81,6 +81,7 @@ NURBS_CURVE = {
     "unrolled": lambda one, at: one.unrolled(),
     "remove_knot": lambda one, at: one.remove_knot(inner_knot(one.knots, one.domain)),
     "remove_knots": lambda one, at: one.remove_knots(1e-3 * at.size),
+    "bezier_points": lambda one, at: one.bezier_points(),
     "with_domain": lambda one, at: one.with_domain((2, 5)),
     "clamped": lambda one, at: one.clamped(),
     "unclamped": lambda one, at: one.unclamped(),

@@ -31,6 +31,67 @@ std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given) {
   return points;
 }
 
+namespace {
+
+/// Smallest and largest exponent of the numbers that are not zero.
+struct Exponents {
+  int least = std::numeric_limits<int>::max();
+  int most = std::numeric_limits<int>::min();
+
+  void add(double value) {
+    if (value == 0.0) return;
+    const int exponent = std::ilogb(value);
+    least = std::min(least, exponent);
+    most = std::max(most, exponent);
+  }
+};
+
+glm::dvec4 divided(const glm::dvec4& point, int exponent) {
+  if (point.w != 0.0) return {glm::dvec3(point), std::scalbn(point.w, -exponent)};
+  return {std::scalbn(point.x, -exponent), std::scalbn(point.y, -exponent), std::scalbn(point.z, -exponent), 0.0};
+}
+
+}  // namespace
+
+int weight_exponent(std::span<const glm::dvec4> given) noexcept {
+  constexpr int kRoom = 900;      // so that a product with any modest coordinate is a number with all its digits
+  constexpr int kLargest = 1020;  // of the coordinates of a direction
+  Exponents weights;
+  Exponents directions;
+  for (const glm::dvec4& p : given) {
+    weights.add(p.w);
+    for (int axis = 0; p.w == 0.0 && axis < 3; ++axis) directions.add(p[axis]);
+  }
+  if (weights.most < weights.least) return 0;
+  const int exponent = std::max(std::min(weights.most, weights.least + kRoom), weights.most - kRoom);
+  return directions.most < directions.least ? exponent : std::max(exponent, directions.most - kLargest);
+}
+
+std::vector<glm::dvec4> with_weights_divided(std::span<const glm::dvec4> given, int exponent) {
+  std::vector<glm::dvec4> points(given.begin(), given.end());
+  if (exponent == 0) return points;
+  for (glm::dvec4& point : points) point = divided(point, exponent);
+  return points;
+}
+
+std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given, int exponent) {
+  std::vector<glm::dvec4> points = with_weights_divided(given, exponent);
+  for (glm::dvec4& point : points) point = homogeneous(point);
+  return points;
+}
+
+GivenPoints as_given_from(std::span<const glm::dvec4> old, bool is_rational, int exponent,
+                          std::span<const glm::dvec4> points) {
+  if (!is_rational) return {as_given_polynomial(points), old, {}};
+  std::vector<glm::dvec4> made = as_given(points);
+  if (exponent == 0) return {std::move(made), old, {}};
+  const auto comes_back = [&](const glm::dvec4& point) { return divided(divided(point, -exponent), exponent) == point; };
+  if (std::ranges::all_of(made, comes_back)) return {with_weights_divided(made, -exponent), old, {}};
+  std::vector<glm::dvec4> divided = with_weights_divided(old, exponent);
+  const std::span<const glm::dvec4> view = divided;
+  return {std::move(made), view, std::move(divided)};
+}
+
 std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, std::size_t row_length) {
   std::vector<glm::dvec4> points = homogeneous(given);
   for (std::size_t i = 0; i < points.size(); ++i) {

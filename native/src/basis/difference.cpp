@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <queue>
+#include <ranges>
 
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
@@ -164,8 +165,10 @@ double DifferencePiece::bound() const {
     for (const glm::dvec4& p : points.values) longest = std::max(longest, length_of(p) / std::abs(p.w));
     return longest;
   }
+  if (!is_rounding() || !(limit > 0.0)) return HUGE_VAL;
   // Points that are not left out have no smaller weight where both are the same but for rounding.
-  return is_rounding() && limit > 0.0 ? rounding / (limit * limit) : HUGE_VAL;
+  const auto lengths = points.values | std::views::transform(length_of);
+  return std::ranges::max(lengths) / (limit * limit);
 }
 
 double DifferencePiece::known() const {

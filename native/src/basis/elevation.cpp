@@ -80,8 +80,9 @@ struct Window {
   int first_copy = 0;
 };
 
-Window window_at(const std::vector<Copy>& copies, long begin, int size) {
-  Window window;
+void find_window(const std::vector<Copy>& copies, long begin, int size, Window& window) {
+  window.runs.clear();
+  window.counts.clear();
   window.first_copy = copies[begin].copy;
   for (long i = begin; i < begin + size; ++i) {
     if (window.runs.empty() || window.runs.back() != copies[i].run) {
@@ -90,7 +91,6 @@ Window window_at(const std::vector<Copy>& copies, long begin, int size) {
     }
     ++window.counts.back();
   }
-  return window;
 }
 
 /// A point of a refined curve: the arguments that its blossom has beside old knots, which begin at `shared`.
@@ -100,8 +100,8 @@ struct Blossom {
 };
 
 /// The blossom whose arguments are the knots of the window without one copy of a run.
-Blossom blossom_without(const Window& window, std::size_t removed, const std::vector<Run>& runs) {
-  Blossom blossom;
+void find_blossom_without(const Window& window, std::size_t removed, const std::vector<Run>& runs, Blossom& blossom) {
+  blossom.arguments.clear();
   bool is_begun = false;
   for (std::size_t i = 0; i < window.runs.size(); ++i) {
     const Run& run = runs[window.runs[i]];
@@ -116,31 +116,42 @@ Blossom blossom_without(const Window& window, std::size_t removed, const std::ve
       blossom.shared = i == 0 ? run.first + run.count - old : run.first;
     }
   }
-  return blossom;
 }
 
-/// Adds rows to the matrix: the weights of old points, from the lowest that any blossom needs.
-void add_row(const Window& window, const std::vector<Run>& runs, const OldKnots& old, int degree, bool periodic,
-             PointMatrix::Rows& rows) {
+/// Memory that is kept from one row to the next.
+struct Scratch {
+  Window window;
+  Blossom blossom;
   std::vector<long> firsts;
   std::vector<std::vector<double>> parts;
+};
+
+/// Adds rows to the matrix: the weights of old points, from the lowest that any blossom needs.
+void add_row(const std::vector<Run>& runs, const OldKnots& old, int degree, bool periodic, Scratch& scratch,
+             PointMatrix::Rows& rows) {
+  const Window& window = scratch.window;
+  std::vector<long>& firsts = scratch.firsts;
+  std::vector<std::vector<double>>& parts = scratch.parts;
+  firsts.clear();
+  parts.resize(std::max(parts.size(), window.runs.size()));
   for (std::size_t i = 0; i < window.runs.size(); ++i) {
-    const Blossom blossom = blossom_without(window, i, runs);
+    Blossom& blossom = scratch.blossom;
+    find_blossom_without(window, i, runs, blossom);
     const long first = blossom.shared - 1 - static_cast<long>(blossom.arguments.size());
-    std::vector<double> part(blossom.arguments.size() + 1);
+    std::vector<double>& part = parts[i];
+    part.resize(blossom.arguments.size() + 1);
     breathe(static_cast<std::size_t>(degree) + 4 * part.size() * part.size());
     blossom_weights(old.at(first), degree, blossom.arguments, part.data());
     firsts.push_back(first);
-    parts.push_back(std::move(part));
   }
   const long lowest = std::ranges::min(firsts);
-  std::vector<double> row(rows.width, 0.0);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  rows.weights.resize(rows.weights.size() + rows.width);
+  double* row = rows.weights.data() + rows.weights.size() - rows.width;
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
     const double share = static_cast<double>(window.counts[i]) / (degree + 1);
     for (std::size_t r = 0; r < parts[i].size(); ++r) row[firsts[i] - lowest + r] += share * parts[i][r];
   }
   rows.first.push_back(lowest + (periodic ? degree : 0));
-  rows.weights.insert(rows.weights.end(), row.begin(), row.end());
 }
 
 }  // namespace
@@ -158,9 +169,13 @@ PointMatrix elevation(const KnotVector& knots) {
   KnotVector elevated = KnotVector::make(degree + 1, std::move(values), periodic);
 
   PointMatrix::Rows rows{2L * degree + 2, {}, {}};
+  rows.first.reserve(elevated.count());
+  rows.weights.reserve(elevated.count() * rows.width);
+  Scratch scratch;
   for (int j = 0; j < elevated.count(); ++j) {
     const long begin = part.begin + j + (periodic ? -degree : 1);
-    add_row(window_at(copies, begin, degree + 1), runs, old, degree, periodic, rows);
+    find_window(copies, begin, degree + 1, scratch.window);
+    add_row(runs, old, degree, periodic, scratch, rows);
   }
   return {knots, std::move(elevated), std::move(rows)};
 }

@@ -1,9 +1,11 @@
 #include "splinecore/basis/knot_vector.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <string>
 
@@ -126,7 +128,11 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
 
 KnotVector KnotVector::bezier(int degree) {
   require_degree(degree);
-  return make(degree, repeated(0.0, 1.0, degree + 1));
+  // One for each degree: pieces by the thousand share their knots.
+  static std::array<std::once_flag, kMaxDegree + 1> flags;
+  static std::array<std::optional<KnotVector>, kMaxDegree + 1> known;
+  std::call_once(flags[degree], [&] { known[degree] = make(degree, repeated(0.0, 1.0, degree + 1)); });
+  return *known[degree];
 }
 
 KnotVector KnotVector::clamped(int degree, int count) {

@@ -4,6 +4,16 @@
 
 namespace splinecore {
 
+int copied_point(std::span<const double> row) noexcept {
+  int copied = -1;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i] == 0.0) continue;
+    if (copied >= 0 || row[i] != 1.0) return -1;
+    copied = static_cast<int>(i);
+  }
+  return copied;
+}
+
 std::size_t PointMatrix::old_index(std::size_t j, long r) const noexcept {
   const long count = from_.count();
   return ((rows_.first[j] + r) % count + count) % count;
@@ -11,15 +21,16 @@ std::size_t PointMatrix::old_index(std::size_t j, long r) const noexcept {
 
 void PointMatrix::apply(const glm::dvec4* points, std::size_t stride, glm::dvec4* out,
                         std::size_t out_stride) const {
+  constexpr std::size_t kBlock = 256;
   const long width = rows_.width;
   for (std::size_t j = 0; j < rows_.first.size(); ++j) {
+    if (j % kBlock == 0) breathe(8 * kBlock * static_cast<std::size_t>(width));
     glm::dvec4 sum(0.0);
-    breathe(8 * static_cast<std::size_t>(width));
+    const double* weights = rows_.weights.data() + j * width;
     for (long r = 0; r < width; ++r) {
-      const double weight = rows_.weights[j * width + r];
-      if (weight == 0.0) continue;
-      const glm::dvec4& point = points[old_index(j, r) * stride];
-      sum = weight == 1.0 ? point : sum + weight * point;
+      if (weights[r] == 0.0) continue;
+      const std::size_t index = from_.periodic() ? old_index(j, r) : static_cast<std::size_t>(rows_.first[j] + r);
+      sum += weights[r] * points[index * stride];
     }
     out[j * out_stride] = sum;
   }
@@ -40,9 +51,8 @@ std::vector<glm::dvec4> PointMatrix::apply_transposed(const std::vector<glm::dve
 void PointMatrix::keep_untouched(const glm::dvec4* points, std::size_t stride, glm::dvec4* out,
                                  std::size_t out_stride) const {
   for (std::size_t j = 0; j < rows_.first.size(); ++j) {
-    for (long r = 0; r < rows_.width; ++r) {
-      if (rows_.weights[j * rows_.width + r] == 1.0) out[j * out_stride] = points[old_index(j, r) * stride];
-    }
+    const int copied = copied_point(row(j));
+    if (copied >= 0) out[j * out_stride] = points[old_index(j, copied) * stride];
   }
 }
 

@@ -21,20 +21,27 @@ struct Merged {
 };
 
 std::vector<double> admitted(const KnotVector& knots, std::span<const double> inserted) {
+  const Interval domain = knots.domain();
   std::vector<double> values(inserted.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = knots.admit(inserted[i], Side::right, i, "knots");
+    const double u = inserted[i];
+    values[i] = u > domain.start && u < domain.end ? u : knots.admit(u, Side::right, i, "knots");
   }
-  std::ranges::sort(values);
+  if (!std::ranges::is_sorted(values)) std::ranges::sort(values);
+  const auto given = knots.knots();
+  auto old = given.begin();
   for (std::size_t i = 0; i < values.size();) {
-    const auto end = std::upper_bound(values.begin() + i, values.end(), values[i]);
-    const long times = (end - values.begin()) - static_cast<long>(i) + multiplicity(knots, values[i]);
+    std::size_t end = i;
+    while (end < values.size() && values[end] == values[i]) ++end;
+    while (old != given.end() && *old < values[i]) ++old;
+    const bool is_old = (old != given.end() && *old == values[i]) || knots.periodic();
+    const long times = static_cast<long>(end - i) + (is_old ? multiplicity(knots, values[i]) : 0);
     if (times > knots.degree() + 1) {
       throw InvalidShape("knots: " + text_of(values[i]) + " would have multiplicity " +
                          std::to_string(times) + ", above degree + 1 = " +
                          std::to_string(knots.degree() + 1));
     }
-    i = end - values.begin();
+    i = end;
   }
   return values;
 }
@@ -46,15 +53,18 @@ std::vector<Merged> merge(const KnotVector& knots, const OldKnots& old,
   const bool periodic = knots.periodic();
   const long reach = periodic ? knots.degree() + 1 : 0;
   const long last = periodic ? knots.count() + reach : static_cast<long>(old.values.size()) - 1;
-  std::vector<Merged> merged;
-  for (long i = -reach; i <= last; ++i) merged.push_back({*old.at(i), i, false});
-  const double low = merged.front().value;
-  const double high = merged.back().value;
+  std::vector<Merged> kept;
+  kept.reserve(last + reach + 1);
+  for (long i = -reach; i <= last; ++i) kept.push_back({*old.at(i), i, false});
+  const double low = kept.front().value;
+  const double high = kept.back().value;
+  std::vector<Merged> added;
+  added.reserve(inserted.size());
   const long turns = periodic ? reach / knots.count() + 1 : 0;
   for (long turn = -turns; turn <= turns; ++turn) {
     for (const double value : inserted) {
       const double image = periodic ? periodic_image(knots.knots(), value, turn) : value;
-      if (image >= low && image <= high) merged.push_back({image, 0, true});
+      if (image >= low && image <= high) added.push_back({image, 0, true});
     }
   }
   const double end = knots.domain().end;
@@ -62,7 +72,8 @@ std::vector<Merged> merge(const KnotVector& knots, const OldKnots& old,
     if (!knot.inserted) return 1;
     return !periodic && knot.value == end ? 0 : 2;
   };
-  std::ranges::stable_sort(merged, [&](const Merged& a, const Merged& b) {
+  std::vector<Merged> merged(kept.size() + added.size());
+  std::ranges::merge(kept, added, merged.begin(), [&](const Merged& a, const Merged& b) {
     return a.value != b.value ? a.value < b.value : rank(a) < rank(b);
   });
   return merged;
@@ -94,6 +105,7 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
   const auto is_origin = [](const Merged& k) { return !k.inserted && k.old_index == 0; };
   const long origin = std::ranges::find_if(merged, is_origin) - merged.begin();
   std::vector<double> values;
+  values.reserve(knots.knots().size() + inserted.size());
   for (std::size_t i = 0; i < knots.knots().size() + inserted.size(); ++i) {
     values.push_back(merged[origin + i].value);
   }
@@ -103,14 +115,93 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
   // The window of new point j: the knots after knot j where plain, up to knot j where periodic.
   const long start = origin + (knots.periodic() ? 1 - degree : 1);
   PointMatrix::Rows rows{degree + 1, {}, {}};
-  std::vector<double> row(degree + 1);
+  const std::size_t count = refined.count();
+  rows.first.reserve(count);
+  rows.weights.assign(count * (degree + 1), 0.0);
+  double* row = rows.weights.data();
   for_each_window(merged, start, refined.count(), degree, [&](long first, const auto& arguments) {
-    std::ranges::fill(row, 0.0);
-    blossom_weights(old.at(first), degree, arguments, row.data());
+    blossom_weights(old.at(first), degree, arguments, row);
     rows.first.push_back(first + (knots.periodic() ? degree : 0));
-    rows.weights.insert(rows.weights.end(), row.begin(), row.end());
+    row += degree + 1;
   });
   return {knots, std::move(refined), std::move(rows)};
+}
+
+namespace {
+
+/// The knots of a refined plain vector, and how many old ones stand before each.
+struct Line {
+  std::vector<double> knots;
+  std::vector<int> old_before;
+
+  bool is_old(std::size_t i) const { return old_before[i + 1] > old_before[i]; }
+};
+
+Line merged_line(const KnotVector& knots, const std::vector<double>& inserted) {
+  const auto old = knots.knots();
+  const double end = knots.domain().end;
+  Line line;
+  line.knots.resize(old.size() + inserted.size());
+  line.old_before.resize(line.knots.size() + 1);
+  std::size_t next = 0;
+  int taken = 0;
+  for (std::size_t i = 0; i < line.knots.size(); ++i) {
+    line.old_before[i] = taken;
+    // After the old ones of its value, but at the end of the domain before them.
+    const bool is_new = next < inserted.size() &&
+                        (inserted[next] < old[taken] || (inserted[next] == old[taken] && inserted[next] == end));
+    line.knots[i] = is_new ? inserted[next++] : old[taken++];
+  }
+  line.old_before.back() = taken;
+  return line;
+}
+
+/// The blossom at the arguments, the last first, of arguments.size() + 1 points that share their other knots; t as in
+/// blossom_weights(). The points are overwritten.
+void reduce(const double* t, int degree, std::span<const double> arguments, glm::dvec4* points) {
+  const int levels = static_cast<int>(arguments.size());
+  for (int level = levels; level >= 1; --level) {
+    const double u = arguments[level - 1];
+    for (int r = 0; r < level; ++r) {
+      const double low = t[levels - level + 1 + r];
+      const double high = t[degree + 1 + r];
+      points[r] = ((high - u) / (high - low)) * points[r] + ((u - low) / (high - low)) * points[r + 1];
+    }
+  }
+}
+
+}  // namespace
+
+RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> points, std::span<const double> inserted) {
+  constexpr std::size_t kBlock = 256;
+  const int degree = knots.degree();
+  const double* old = knots.knots().data();
+  Line line = merged_line(knots, admitted(knots, inserted));
+  const std::size_t count = line.knots.size() - degree - 1;
+  std::vector<glm::dvec4> made(count);
+  std::vector<int> copied(count, -1);
+  std::vector<glm::dvec4> part(degree + 1);
+  std::vector<double> arguments(degree);
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j % kBlock == 0) breathe(8 * kBlock * static_cast<std::size_t>(degree));
+    int number = 0;
+    for (std::size_t i = j + 1; i <= j + degree; ++i) {
+      if (!line.is_old(i)) arguments[number++] = line.knots[i];
+    }
+    const int first = line.old_before[j + 1] - 1 - number;
+    if (number == 0) {
+      made[j] = points[first];
+      copied[j] = first;
+      continue;
+    }
+    std::copy_n(points.begin() + first, number + 1, part.begin());
+    reduce(old + first, degree, {arguments.data(), static_cast<std::size_t>(number)}, part.data());
+    made[j] = part[0];
+    for (int i = first; i <= first + number; ++i) {
+      if (made[j] == points[i]) copied[j] = i;
+    }
+  }
+  return {KnotVector::make(degree, std::move(line.knots)), std::move(made), std::move(copied)};
 }
 
 std::vector<double> missing_inside(const KnotVector& knots, const KnotVector& other) {

@@ -1,8 +1,10 @@
 #include "splinecore/basis/selection.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "splinecore/base/double_double.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -70,20 +72,49 @@ Selection unrolled(const KnotVector& knots) {
   return {KnotVector::make(knots.degree(), {all.begin(), all.end()}), std::move(indices)};
 }
 
-Selection reversed(const KnotVector& knots) {
-  const Interval range = knots.domain();
-  std::vector<double> mirrored(knots.knots().rbegin(), knots.knots().rend());
-  for (double& u : mirrored) {
-    u = u == range.start ? range.end : range.start + (range.end - u);
+namespace {
+
+/// start + end - u, rounded once.
+double mirror_image(double u, const Interval& range) {
+  return (exact_sum(range.end, -u) + range.start).rounded();
+}
+
+/// Whether every `window` steps that have a length keep it but for a few roundings of that length.
+bool keeps_steps(std::span<const double> knots, std::span<const double> mirrored, std::size_t window) {
+  constexpr double kSlack = 0x1p-40;
+  const std::size_t last = knots.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) {
+    const std::size_t end = std::min(i + window, last);
+    const double step = knots[end] - knots[i];
+    for (std::size_t k = i + 1; k <= end; ++k) {
+      const double moved = (mirrored[last - i] - mirrored[last - k]) - (knots[k] - knots[i]);
+      if (!(std::abs(moved) <= kSlack * step)) return false;
+    }
   }
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> mirrored(std::span<const double> knots, const Interval& range, std::size_t window) {
+  std::vector<double> about_middle(knots.rbegin(), knots.rend());
+  for (double& u : about_middle) u = mirror_image(u, range);
   // Rounding may push a knot past an end of the domain by an ulp.
-  std::inclusive_scan(mirrored.begin(), mirrored.end(), mirrored.begin(),
+  std::inclusive_scan(about_middle.begin(), about_middle.end(), about_middle.begin(),
                       [](double a, double b) { return std::max(a, b); });
+  if (keeps_steps(knots, about_middle, window)) return about_middle;
+  std::vector<double> about_zero(knots.rbegin(), knots.rend());
+  for (double& u : about_zero) u = 0.0 - u;
+  return about_zero;
+}
+
+Selection reversed(const KnotVector& knots) {
+  std::vector<double> turned = mirrored(knots.knots(), knots.domain(), std::max(1, knots.degree()));
   const int count = knots.count();
   const int last = knots.periodic() ? count + knots.degree() - 1 : count - 1;
   std::vector<int> indices(count);
   for (int i = 0; i < count; ++i) indices[i] = modulo(last - i, count);
-  return {KnotVector::make(knots.degree(), std::move(mirrored), knots.periodic()), std::move(indices)};
+  return {KnotVector::make(knots.degree(), std::move(turned), knots.periodic()), std::move(indices)};
 }
 
 void require_inside(const KnotVector& knots, double u) {

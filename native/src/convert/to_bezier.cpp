@@ -3,17 +3,11 @@
 #include <algorithm>
 
 #include "splinecore/base/points.hpp"
-#include "splinecore/basis/samples.hpp"
+#include "splinecore/basis/point_matrix.hpp"
 
 namespace splinecore {
 
 namespace {
-
-/// Which old point a row of weights is a copy of, or -1.
-int copied_point(std::span<const double> row) {
-  const auto one = std::ranges::find(row, 1.0);
-  return one == row.end() ? -1 : static_cast<int>(one - row.begin());
-}
 
 /// Puts the given points, whose every digit counts, where a Bezier point is one of them.
 void keep_points(std::span<const glm::dvec4> given, std::span<const double> matrix, int first, int count,
@@ -34,7 +28,7 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
   const auto matrix_u = knots_u.bezier_matrix(span_u);
   const auto matrix_v = knots_v.bezier_matrix(span_v);
   std::vector<glm::dvec4> net = bezier_points(patch, span_u, span_v);
-  net = patch.rational() ? as_given(net) : as_given_polynomial(net);
+  net = as_given_from(patch, net).made;
   for (std::size_t i = 0; i < rows; ++i) {
     const int row = copied_point(matrix_u.subspan(i * rows, rows));
     if (row < 0) continue;
@@ -55,7 +49,7 @@ std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
   const KnotVector& knots = curve.knot_vector();
   std::vector<BezierCurve> beziers;
   for (int span = 0; span < static_cast<int>(knots.spans().size()); ++span) {
-    std::vector<glm::dvec4> given = as_given_from(curve, bezier_points(curve, span));
+    std::vector<glm::dvec4> given = as_given_from(curve, bezier_points(curve, span)).made;
     keep_points(curve.points(), knots.bezier_matrix(span), knots.spans()[span] - knots.degree(), knots.count(), given);
     beziers.push_back(BezierCurve::make(std::move(given)));
   }

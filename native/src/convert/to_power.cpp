@@ -1,5 +1,7 @@
 #include "splinecore/convert/to_power.hpp"
 
+#include <cmath>
+
 #include "splinecore/basis/power.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 
@@ -8,7 +10,12 @@ namespace splinecore {
 namespace {
 
 PowerCurve power_on(const BezierCurve& curve, Interval range, double origin) {
-  return PowerCurve::make(bernstein_to_power(curve.nurbs().homogeneous_points(), range, origin), origin, range);
+  std::vector<glm::dvec4> rows = bernstein_to_power(curve.nurbs().homogeneous_points(), range, origin);
+  const int exponent = curve.nurbs().weight_exponent();
+  for (glm::dvec4& row : rows) {
+    for (int axis = 0; exponent != 0 && axis < 4; ++axis) row[axis] = std::scalbn(row[axis], exponent);
+  }
+  return PowerCurve::make(std::move(rows), origin, range);
 }
 
 }  // namespace

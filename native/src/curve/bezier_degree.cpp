@@ -105,11 +105,12 @@ double bound(const glm::dvec4& change, const Points& before, const Points& after
   return largest / weight;
 }
 
-void require_positive(const Points& points, const char* when) {
+void require_one_sign(std::span<const glm::dvec4> points, const char* when = "") {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].w > 0.0) continue;
-    throw InvalidShape("weights" + index_text(i) + " = " + text_of(points[i].w) + when +
-                       ": the degree is reduced only where all weights are positive");
+    const double w = points[i].w;
+    if (points[0].w < 0.0 ? w < 0.0 : w > 0.0) continue;
+    throw InvalidShape("weights" + index_text(i) + " = " + text_of(w) + when +
+                       ": the degree is reduced only where all weights have one sign");
   }
 }
 
@@ -121,21 +122,27 @@ Approximation<Points> one_lower(const Points& points) {
   Points nearest = points;
   for (int i = 1; i < degree; ++i) nearest[i] -= leading * chebyshev[i];
   Points result = lowered(nearest);
-  require_positive(result, " after a step");
+  require_one_sign(result, " after a step");
   const double error = bound(leading * constrained_maximum(degree), points, result);
   return {std::move(result), error};
 }
 
-void require_times(int times, int most) {
-  if (times >= 1 && times <= most) return;
-  throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " + std::to_string(most) + "]");
+void require_times(int times, int least, int most) {
+  if (times >= least && times <= most) return;
+  throw InvalidShape("times = " + std::to_string(times) + " is outside [" + std::to_string(least) + ", " +
+                     std::to_string(most) + "]");
 }
 
-BezierCurve with_ends(Points points, const BezierCurve& curve) {
-  points = as_given(points);
-  points.front() = curve.points().front();
-  points.back() = curve.points().back();
-  return BezierCurve::make(std::move(points));
+/// The same points with weights of the other sign.
+void turn(Points& points) {
+  for (glm::dvec4& point : points) point = -point;
+}
+
+BezierCurve with_ends(const Points& points, const BezierCurve& curve) {
+  auto [made, old, divided] = as_given_from(curve.nurbs(), points);
+  made.front() = old.front();
+  made.back() = old.back();
+  return BezierCurve::make(std::move(made));
 }
 
 Points homogeneous_points(const BezierCurve& curve) {
@@ -146,25 +153,29 @@ Points homogeneous_points(const BezierCurve& curve) {
 }  // namespace
 
 BezierCurve elevated(const BezierCurve& curve, int times) {
-  require_times(times, kMaxDegree - curve.degree());
+  require_times(times, 0, kMaxDegree - curve.degree());
+  if (times == 0) return curve;
   Points points = homogeneous_points(curve);
   for (int i = 0; i < times; ++i) points = raised(points);
-  return with_ends(std::move(points), curve);
+  return with_ends(points, curve);
 }
 
 Approximation<BezierCurve> reduced(const BezierCurve& curve, int times) {
   if (curve.degree() == 1) throw InvalidShape("degree = 1 cannot be reduced");
-  require_times(times, curve.degree() - 1);
+  require_times(times, 1, curve.degree() - 1);
   Points points = homogeneous_points(curve);
-  require_positive(points, "");
+  const bool is_negative = points.front().w < 0.0;
+  if (is_negative) turn(points);
+  require_one_sign(curve.points());
   double error = 0.0;
   for (int i = 0; i < times; ++i) {
     Approximation<Points> lower = one_lower(points);
     points = std::move(lower.value);
     error += lower.error;
   }
+  if (is_negative) turn(points);
   if (!std::isfinite(error)) throw InvalidShape("points are so large that the error overflows");
-  return {with_ends(std::move(points), curve), error};
+  return {with_ends(points, curve), error};
 }
 
 Approximation<BezierCurve> reduced(const BezierCurve& curve, int times, double tolerance) {

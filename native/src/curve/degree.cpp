@@ -60,7 +60,7 @@ NurbsCurve reduced_once(const NurbsCurve& curve) {
   const PointMatrix matrix = elevation(target);
   const std::vector<double> inserted = missing(curve.knot_vector(), matrix.knots());
   const NurbsCurve fine = inserted.empty() ? curve : refine(curve, inserted);
-  const std::vector<glm::dvec4> points = homogeneous(fine.points());
+  const std::vector<glm::dvec4> points = homogeneous(fine.points(), fine.weight_exponent());
   std::vector<glm::dvec4> start = first_guess(points, target.count());
   std::vector<int> fixed;
   if (!curve.periodic()) {
@@ -68,10 +68,10 @@ NurbsCurve reduced_once(const NurbsCurve& curve) {
     start.front() = points.front();
     start.back() = points.back();
   }
-  std::vector<glm::dvec4> found = as_given_from(curve, closest_preimage(matrix, points, std::move(start), fixed));
+  auto [found, old, divided] = as_given_from(fine, closest_preimage(matrix, points, std::move(start), fixed));
   if (!curve.periodic()) {
-    found.front() = curve.points().front();
-    found.back() = curve.points().back();
+    found.front() = old.front();
+    found.back() = old.back();
   }
   return NurbsCurve::make(target, std::move(found));
 }

@@ -105,13 +105,13 @@ NurbsCurve unclamped(const NurbsCurve& curve) {
   const KnotVector& old = whole.knot_vector();
   const int p = whole.degree();
   std::vector<double> knots(old.knots().begin(), old.knots().end());
-  std::vector<glm::dvec4> points = homogeneous(whole.points());
+  std::vector<glm::dvec4> points = homogeneous(whole.points(), whole.weight_exponent());
   const int last = static_cast<int>(old.spans().size()) - 1;
   unclamp_start(p, outer_step(p, old.span_interval(0).length()), knots, points);
   unclamp_end(p, outer_step(p, old.span_interval(last).length()), knots, points);
-  points = as_given_from(whole, points);
-  for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) points[i] = whole.points()[i];
-  return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(points));
+  GivenPoints given = as_given_from(whole, points);
+  for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) given.made[i] = given.old[i];
+  return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(given.made));
 }
 
 namespace {

@@ -196,14 +196,15 @@ std::vector<Chain> chains_of(const NurbsCurve& curve, const Room& room) {
   return chains;
 }
 
-NurbsCurve curve_of(Chain chain, int degree) {
+NurbsCurve curve_of(Chain chain, const NurbsCurve& whole) {
+  const int degree = whole.degree();
   std::vector<double> knots{chain.ends.front()};
   for (const double u : chain.ends) knots.insert(knots.end(), degree, u);
   knots.push_back(chain.ends.back());
   if (chain.points.front().w < 0.0) {
     for (glm::dvec4& p : chain.points) p = -p;
   }
-  return NurbsCurve::from_homogeneous(KnotVector::make(degree, std::move(knots)), chain.points);
+  return NurbsCurve::make(KnotVector::make(degree, std::move(knots)), as_given_from(whole, chain.points).made);
 }
 
 /// Parameters at which the curve may jump, the seam of a periodic curve among them.
@@ -256,7 +257,7 @@ std::vector<NurbsCurve> finite_arcs(const NurbsCurve& curve, double length, std:
   std::vector<Chain> chains = chains_of(curve, room);
   if (is_cut_by_seam(curve, chains)) chains = chains_of(opened(curve, chains.front().ends.back()), room);
   std::vector<NurbsCurve> arcs;
-  for (Chain& chain : chains) arcs.push_back(curve_of(std::move(chain), curve.degree()));
+  for (Chain& chain : chains) arcs.push_back(curve_of(std::move(chain), curve));
   return arcs;
 }
 

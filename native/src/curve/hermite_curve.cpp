@@ -7,6 +7,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/hermite.hpp"
+#include "splinecore/basis/selection.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {
@@ -80,10 +81,8 @@ HermiteCurve reversed(const HermiteCurve& curve) {
   for (auto t = curve.tangents().rbegin(); t != curve.tangents().rend(); ++t) {
     tangents.push_back({-t->outgoing, -t->incoming});
   }
-  const double start = curve.parameters().front();
-  const double end = curve.parameters().back();
-  std::vector<double> parameters(curve.parameters().rbegin(), curve.parameters().rend());
-  for (double& u : parameters) u = u == start ? end : start + (end - u);
+  const auto given = curve.parameters();
+  std::vector<double> parameters = mirrored(given, {given.front(), given.back()}, 1);
   return HermiteCurve::make({curve.points().rbegin(), curve.points().rend()}, std::move(tangents),
                             std::move(parameters));
 }

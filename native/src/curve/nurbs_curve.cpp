@@ -13,8 +13,9 @@
 namespace splinecore {
 
 NurbsCurve::NurbsCurve(KnotVector knots, std::vector<glm::dvec4> points)
-    : knots_(std::move(knots)), points_(std::move(points)), homogeneous_(homogeneous(points_)),
-      rational_(is_rational(points_)),
+    : knots_(std::move(knots)), points_(std::move(points)), rational_(is_rational(points_)),
+      weight_exponent_(rational_ ? splinecore::weight_exponent(points_) : 0),
+      homogeneous_(rational_ || knots_.periodic() ? homogeneous(points_, weight_exponent_) : std::vector<glm::dvec4>{}),
       tables_(std::make_shared<CurveTables>(knots_.spans().size(), knots_.degree())) {
   for (int i = 0; i < knots_.unrolled_count() - knots_.count(); ++i) {
     homogeneous_.push_back(homogeneous_[i]);
@@ -44,20 +45,30 @@ NurbsCurve NurbsCurve::from_homogeneous(KnotVector knots, std::span<const glm::d
   return make(std::move(knots), as_given(points));
 }
 
-std::vector<glm::dvec4> as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points) {
-  return curve.rational() ? as_given(points) : as_given_polynomial(points);
+GivenPoints as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points) {
+  return as_given_from(curve.points(), curve.rational(), curve.weight_exponent(), points);
 }
 
 NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve) {
   std::vector<glm::dvec4> points(matrix.knots().count());
   matrix.apply(curve.homogeneous_points().data(), 1, points.data(), 1);
-  points = as_given_from(curve, points);
-  matrix.keep_untouched(curve.points().data(), 1, points.data(), 1);
-  return NurbsCurve::make(matrix.knots(), std::move(points));
+  GivenPoints given = as_given_from(curve, points);
+  matrix.keep_untouched(given.old.data(), 1, given.made.data(), 1);
+  return NurbsCurve::make(matrix.knots(), std::move(given.made));
 }
 
 NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
-  return applied(refinement(curve.knot_vector(), inserted), curve);
+  if (curve.periodic()) return applied(refinement(curve.knot_vector(), inserted), curve);
+  auto [knots, points, copied] = refined(curve.knot_vector(), curve.homogeneous_points(), inserted);
+  if (!curve.rational()) {
+    for (glm::dvec4& point : points) point.w = 1.0;
+    return NurbsCurve::make(std::move(knots), std::move(points));
+  }
+  GivenPoints given = as_given_from(curve, points);
+  for (std::size_t i = 0; i < copied.size(); ++i) {
+    if (copied[i] >= 0) given.made[i] = given.old[copied[i]];
+  }
+  return NurbsCurve::make(std::move(knots), std::move(given.made));
 }
 
 NurbsCurve insert_knot(const NurbsCurve& curve, double u, int times) {
@@ -101,15 +112,30 @@ NurbsCurve unrolled(const NurbsCurve& curve) {
 
 NurbsCurve reversed(const NurbsCurve& curve) { return selected(curve, reversed(curve.knot_vector())); }
 
-std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span) {
+namespace {
+
+void write_bezier_points(const NurbsCurve& curve, int span, glm::dvec4* out) {
   const KnotVector& knots = curve.knot_vector();
   const std::size_t order = knots.degree() + 1;
   const auto matrix = knots.bezier_matrix(span);
   const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
   breathe(4 * order * order);
-  std::vector<glm::dvec4> points(order);
-  for (std::size_t j = 0; j < order; ++j) points[j] = weighted_sum(matrix.subspan(j * order, order), first);
+  for (std::size_t j = 0; j < order; ++j) out[j] = weighted_sum(matrix.subspan(j * order, order), first);
+}
+
+}  // namespace
+
+std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span) {
+  std::vector<glm::dvec4> points(curve.degree() + 1);
+  write_bezier_points(curve, span, points.data());
   return points;
+}
+
+void bezier_points(const NurbsCurve& curve, std::span<glm::dvec4> out) {
+  const std::size_t order = curve.degree() + 1;
+  for (std::size_t span = 0; span < curve.knot_vector().spans().size(); ++span) {
+    write_bezier_points(curve, static_cast<int>(span), out.data() + span * order);
+  }
 }
 
 }  // namespace splinecore

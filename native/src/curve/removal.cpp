@@ -7,8 +7,10 @@
 #include "splinecore/base/as_many.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
+#include "splinecore/basis/knot_removal.hpp"
 #include "splinecore/basis/least_squares.hpp"
 #include "splinecore/basis/refinement.hpp"
+#include "splinecore/basis/removal_rounds.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
 
@@ -63,16 +65,80 @@ Kept kept_points(const PointMatrix& matrix, const std::vector<glm::dvec4>& point
   return kept;
 }
 
-NurbsCurve removed(const NurbsCurve& curve, double u, int times) {
+/// The nearest by conjugate gradients, for any number of copies.
+NurbsCurve nearest_without(const NurbsCurve& curve, double u, int times) {
   const KnotVector target = without(curve.knot_vector(), u, times);
   const PointMatrix matrix = refinement(target, std::vector<double>(times, u));
-  const std::vector<glm::dvec4> points = homogeneous(curve.points());
+  const std::vector<glm::dvec4> points = homogeneous(curve.points(), curve.weight_exponent());
   Kept kept = kept_points(matrix, points);
-  const Kept given = kept_points(matrix, {curve.points().begin(), curve.points().end()});
   const std::vector<glm::dvec4> nearest = closest_preimage(matrix, points, std::move(kept.start), kept.fixed);
-  std::vector<glm::dvec4> found = as_given_from(curve, nearest);
+  auto [found, old, divided] = as_given_from(curve, nearest);
+  const Kept given = kept_points(matrix, {old.begin(), old.end()});
   for (const int i : kept.fixed) found[i] = given.start[i];
   return NurbsCurve::make(target, std::move(found));
+}
+
+KnotList list_of(const NurbsCurve& plain) {
+  const auto points = plain.homogeneous_points();
+  return {plain.knot_vector(), {points.begin(), points.end()}, 1};
+}
+
+/// A plain curve without these knots of its list, one after the other.
+NurbsCurve without_listed(const NurbsCurve& plain, std::span<const int> order) {
+  KnotList list = list_of(plain);
+  for (const int i : order) list.remove(i);
+  const KnotList::Rest rest = list.rest();
+  auto [made, old, divided] = as_given_from(plain, rest.rows);
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    if (rest.origins[i] >= 0) made[i] = old[rest.origins[i]];
+  }
+  return NurbsCurve::make(rest.knots, std::move(made));
+}
+
+/// Part of a plain curve, as far as copies of a knot that go reach, in place of it.
+NurbsCurve nearest_on_plain(const NurbsCurve& plain, double u, int times) {
+  const auto knots = plain.knot_vector().knots();
+  const int degree = plain.degree();
+  const auto [low, high] = std::ranges::equal_range(knots, u);
+  if (times == 1) {
+    const int last = static_cast<int>(high - knots.begin()) - 1;
+    return without_listed(plain, {&last, 1});
+  }
+  const long begin = std::max(0L, (low - knots.begin()) - 2 * degree - 2);
+  const long end = std::min<long>(knots.size(), (high - knots.begin()) + 2 * degree + 2);
+  const long row_end = end - degree - 1;
+  const auto points = plain.points();
+  const NurbsCurve part = NurbsCurve::make(KnotVector::make(degree, {knots.begin() + begin, knots.begin() + end}),
+                                           {points.begin() + begin, points.begin() + row_end});
+  const NurbsCurve shorter = nearest_without(part, u, times);
+  std::vector<glm::dvec4> made(points.begin(), points.begin() + begin);
+  made.insert(made.end(), shorter.points().begin(), shorter.points().end());
+  made.insert(made.end(), points.begin() + row_end, points.end());
+  return NurbsCurve::make(without(plain.knot_vector(), u, times), std::move(made));
+}
+
+/// The plain curve that unrolled() made of a periodic one as that again: no point near its ends has changed.
+NurbsCurve rolled_up(const NurbsCurve& plain) {
+  KnotVector knots = rolled_up(plain.knot_vector());
+  const auto points = plain.points().first(knots.count());
+  return NurbsCurve::make(std::move(knots), {points.begin(), points.end()});
+}
+
+NurbsCurve removed(const NurbsCurve& curve, double u, int times) {
+  if (!curve.periodic()) return nearest_on_plain(curve, u, times);
+  if (std::ranges::binary_search(knots_at_seam(curve.knot_vector()), u)) return nearest_without(curve, u, times);
+  return rolled_up(nearest_on_plain(unrolled(curve), u, times));
+}
+
+/// How far the curve around one knot of a list moves when it goes.
+double true_cost(const KnotList& list, int i) {
+  const KnotList::Rest part = list.around_of(i);
+  try {
+    const NurbsCurve before = NurbsCurve::from_homogeneous(part.knots, part.rows);
+    return largest_distance(before, nearest_on_plain(before, list.knot(i), 1));
+  } catch (const InvalidShape&) {
+    return HUGE_VAL;  // a part at infinity
+  }
 }
 
 }  // namespace
@@ -114,10 +180,20 @@ Approximation<NurbsCurve> without_copies(Approximation<NurbsCurve> best, double 
 
 Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance) {
   if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
-  Approximation<NurbsCurve> best{curve.periodic() ? with_whole_seam(curve) : curve, 0.0};
-  std::vector<double> distinct(best.value.knot_vector().knots().begin(), best.value.knot_vector().knots().end());
-  distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
-  for (const double u : distinct) best = without_copies(std::move(best), u, curve, tolerance);
+  const NurbsCurve whole = curve.periodic() ? with_whole_seam(curve) : curve;
+  const auto without = [](const NurbsCurve& some, std::span<const int> order) {
+    return some.periodic() ? rolled_up(without_listed(unrolled(some), order)) : without_listed(some, order);
+  };
+  const auto list = [](const NurbsCurve& some) { return list_of(unrolled(some)); };
+  const auto distance = [&](const NurbsCurve& some) { return largest_distance(curve, some); };
+  std::vector<double> kept = curve.periodic() ? knots_at_seam(whole.knot_vector()) : std::vector<double>{};
+  Approximation<NurbsCurve> best =
+      without_listed_knots<NurbsCurve>({whole, 0.0}, tolerance, std::move(kept), list, without, distance, &true_cost);
+  if (!curve.periodic()) return best;
+  std::vector<double> at_seam = knots_at_seam(best.value.knot_vector());
+  std::erase_if(at_seam, [&](double u) { return u < curve.domain().start || u >= curve.domain().end; });
+  at_seam.erase(std::ranges::unique(at_seam).begin(), at_seam.end());
+  for (const double u : at_seam) best = without_copies(std::move(best), u, curve, tolerance);
   return best;
 }
 

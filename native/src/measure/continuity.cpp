@@ -30,7 +30,7 @@ struct Sizes {
 
 Sizes sizes_of(const NurbsCurve& curve) {
   Sizes sizes{largest_coordinate(curve.points()), 0.0};
-  for (const glm::dvec4& p : curve.points()) sizes.weight = std::max(sizes.weight, std::abs(p.w));
+  for (const glm::dvec4& p : curve.homogeneous_points()) sizes.weight = std::max(sizes.weight, std::abs(p.w));
   return sizes;
 }
 

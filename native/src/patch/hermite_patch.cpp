@@ -6,6 +6,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/hermite.hpp"
+#include "splinecore/basis/selection.hpp"
 #include "splinecore/patch/evaluate.hpp"
 
 namespace splinecore {
@@ -149,8 +150,7 @@ HermitePatch reversed(const HermitePatch& patch, Axis axis) {
   for (glm::dvec3& tangent : net.tangents_u) tangent = -tangent;
   for (glm::dvec3& twist : net.twists) twist = -twist;
   const auto given = patch.parameters(Axis::u);
-  std::vector<double> parameters(given.rbegin(), given.rend());
-  for (double& u : parameters) u = u == given.front() ? given.back() : given.front() + (given.back() - u);
+  std::vector<double> parameters = mirrored(given, {given.front(), given.back()}, 1);
   return HermitePatch::make(count_u, count_v, std::move(net), std::move(parameters),
                             {patch.parameters(Axis::v).begin(), patch.parameters(Axis::v).end()});
 }

@@ -4,22 +4,21 @@
 
 #include "lines.hpp"
 #include "splinecore/base/points.hpp"
+#include "splinecore/basis/point_matrix.hpp"
 #include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// The point that a stencil makes of a line, whose points repeat where it is periodic.
-glm::dvec4 given_point(const Stencil& stencil, std::span<const glm::dvec4> given, const Lines& lines,
-                       std::size_t line) {
+/// The homogeneous point that a stencil makes of a line, whose points repeat where it is periodic.
+glm::dvec4 point_of(const Stencil& stencil, std::span<const glm::dvec4> net, const Lines& lines, std::size_t line) {
   const auto weights = stencil.weights(0);
-  const auto point = [&](std::size_t i) { return given[lines.at(line, (stencil.first() + i) % lines.size)]; };
-  const auto copied = std::ranges::find(weights, 1.0);
-  if (copied != weights.end()) return point(copied - weights.begin());
   glm::dvec4 sum(0.0);
-  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * homogeneous(point(i));
-  return as_given(sum);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    sum += weights[i] * net[lines.at(line, (stencil.first() + i) % lines.size)];
+  }
+  return sum;
 }
 
 BezierCurve as_bezier(const NurbsCurve& curve) {
@@ -33,12 +32,15 @@ NurbsCurve isocurve(const NurbsPatch& patch, Axis axis, double at, Side side) {
   Stencil stencil(knots, 0);
   stencil.move_to(knots.admit(at, side), side);
   const Lines lines = lines_of(patch, axis);
+  const std::vector<glm::dvec4> net = homogeneous(patch.points(), patch.weight_exponent());
   std::vector<glm::dvec4> points;
-  for (std::size_t line = 0; line < lines.count; ++line) {
-    points.push_back(given_point(stencil, patch.points(), lines, line));
-    if (!patch.rational()) points.back().w = 1.0;
+  for (std::size_t line = 0; line < lines.count; ++line) points.push_back(point_of(stencil, net, lines, line));
+  GivenPoints given = as_given_from(patch, points);
+  if (const int copied = copied_point(stencil.weights(0)); copied >= 0) {
+    const std::size_t place = (stencil.first() + copied) % lines.size;
+    for (std::size_t line = 0; line < lines.count; ++line) given.made[line] = given.old[lines.at(line, place)];
   }
-  return NurbsCurve::make(patch.knot_vector(across(axis)), std::move(points));
+  return NurbsCurve::make(patch.knot_vector(across(axis)), std::move(given.made));
 }
 
 BezierCurve isocurve(const BezierPatch& patch, Axis axis, double at) {

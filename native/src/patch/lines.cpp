@@ -1,6 +1,9 @@
 #include "lines.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
@@ -8,11 +11,6 @@
 namespace splinecore {
 
 namespace {
-
-/// Homogeneous points made of a patch's, as points of a patch; a polynomial patch stays one.
-std::vector<glm::dvec4> as_given_from(const NurbsPatch& patch, std::span<const glm::dvec4> points) {
-  return patch.rational() ? as_given(points) : as_given_polynomial(points);
-}
 
 std::vector<glm::dvec4> line_of(std::span<const glm::dvec4> net, const Lines& lines, std::size_t line) {
   std::vector<glm::dvec4> points(lines.size);
@@ -44,18 +42,24 @@ Line changed(const KnotVector& knots, std::vector<glm::dvec4> points, bool ratio
 }
 
 /// Gives the points of a line that are old ones the form in which those were given. They come in the old order.
-void keep_given(std::span<const glm::dvec4> old, std::span<const glm::dvec4> old_given,
-                std::span<const glm::dvec4> points, std::span<glm::dvec4> given) {
+void keep_given(std::span<const glm::dvec4> old, std::span<const glm::dvec4> old_given, const Lines& old_lines,
+                std::span<const glm::dvec4> points, std::span<glm::dvec4> given, const Lines& lines, std::size_t line) {
+  const auto less = [](const glm::dvec4& a, const glm::dvec4& b) {
+    return std::tie(a.x, a.y, a.z, a.w) < std::tie(b.x, b.y, b.z, b.w);
+  };
+  std::vector<std::size_t> order(old_lines.size);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto at = [&](std::size_t j) -> const glm::dvec4& { return old[old_lines.at(line, j)]; };
+  std::ranges::stable_sort(order, less, at);
   std::size_t expected = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    breathe(old.size());
-    for (std::size_t k = 0; k < old.size(); ++k) {
-      const std::size_t j = (expected + k) % old.size();
-      if (points[i] != old[j]) continue;
-      given[i] = old_given[j];
-      expected = j + 1;
-      break;
-    }
+  for (std::size_t i = 0; i < lines.size; ++i) {
+    const auto equal = std::ranges::equal_range(order, points[lines.at(line, i)], less, at);
+    if (equal.empty()) continue;
+    // Of equal ones the next in the old order, or the first of all.
+    const auto next = std::ranges::lower_bound(equal, expected);
+    const std::size_t j = next == equal.end() ? equal.front() : *next;
+    given[lines.at(line, i)] = old_given[old_lines.at(line, j)];
+    expected = j + 1;
   }
 }
 
@@ -73,16 +77,16 @@ NurbsPatch with_axis(const NurbsPatch& patch, Axis axis, const KnotVector& knots
 NurbsPatch applied(const PointMatrix& matrix, const NurbsPatch& patch, Axis axis) {
   const Lines old = lines_of(patch, axis);
   const Lines lines(axis, old.count, matrix.knots().count());
-  const std::vector<glm::dvec4> old_points = homogeneous(patch.points());
+  const std::vector<glm::dvec4> old_points = homogeneous(patch.points(), patch.weight_exponent());
   std::vector<glm::dvec4> points(lines.count * lines.size);
   for (std::size_t i = 0; i < lines.count; ++i) {
     matrix.apply(old_points.data() + old.at(i, 0), old.step, points.data() + lines.at(i, 0), lines.step);
   }
-  points = as_given_from(patch, points);
+  GivenPoints given = as_given_from(patch, points);
   for (std::size_t i = 0; i < lines.count; ++i) {
-    matrix.keep_untouched(patch.points().data() + old.at(i, 0), old.step, points.data() + lines.at(i, 0), lines.step);
+    matrix.keep_untouched(given.old.data() + old.at(i, 0), old.step, given.made.data() + lines.at(i, 0), lines.step);
   }
-  return with_axis(patch, axis, matrix.knots(), std::move(points));
+  return with_axis(patch, axis, matrix.knots(), std::move(given.made));
 }
 
 NurbsPatch selected(const NurbsPatch& patch, Axis axis, const Selection& selection) {
@@ -104,21 +108,21 @@ NurbsPatch cut(const NurbsPatch& patch, Axis axis, double u) {
 
 NurbsPatch along(const NurbsPatch& patch, Axis axis, const Verb& verb) {
   const Lines old = lines_of(patch, axis);
-  const std::vector<glm::dvec4> old_points = homogeneous(patch.points());
+  const std::vector<glm::dvec4> old_points = homogeneous(patch.points(), patch.weight_exponent());
   std::optional<KnotVector> knots;
   std::vector<glm::dvec4> points;
   for (std::size_t i = 0; i < old.count; ++i) {
-    const std::vector<glm::dvec4> before = line_of(old_points, old, i);
     breathe(100 * old.size);
-    const Line after = changed(patch.knot_vector(axis), before, patch.rational(), verb);
-    std::vector<glm::dvec4> given = as_given_from(patch, after.points);
-    keep_given(before, line_of(patch.points(), old, i), after.points, given);
-    const Lines lines(axis, old.count, given.size());
+    const Line after = changed(patch.knot_vector(axis), line_of(old_points, old, i), patch.rational(), verb);
+    const Lines lines(axis, old.count, after.points.size());
     points.resize(lines.count * lines.size);
-    for (std::size_t k = 0; k < lines.size; ++k) points[lines.at(i, k)] = given[k];
+    for (std::size_t k = 0; k < lines.size; ++k) points[lines.at(i, k)] = after.points[k];
     if (!knots) knots = after.knots;
   }
-  return with_axis(patch, axis, *knots, std::move(points));
+  GivenPoints given = as_given_from(patch, points);
+  const Lines lines(axis, old.count, knots->count());
+  for (std::size_t i = 0; i < lines.count; ++i) keep_given(old_points, given.old, old, points, given.made, lines, i);
+  return with_axis(patch, axis, *knots, std::move(given.made));
 }
 
 BezierPatch as_bezier(const NurbsPatch& patch) {

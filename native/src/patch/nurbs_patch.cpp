@@ -16,11 +16,12 @@ namespace {
 
 std::vector<glm::dvec4> unrolled_net(std::span<const glm::dvec4> points, const KnotVector& knots_u,
                                      const KnotVector& knots_v) {
+  if (!knots_u.periodic() && !knots_v.periodic()) return {points.begin(), points.end()};
   std::vector<glm::dvec4> net;
   net.reserve(static_cast<std::size_t>(knots_u.unrolled_count()) * knots_v.unrolled_count());
   for (int i = 0; i < knots_u.unrolled_count(); ++i) {
     for (int j = 0; j < knots_v.unrolled_count(); ++j) {
-      net.push_back(homogeneous(points[(i % knots_u.count()) * knots_v.count() + j % knots_v.count()]));
+      net.push_back(points[(i % knots_u.count()) * knots_v.count() + j % knots_v.count()]);
     }
   }
   return net;
@@ -37,7 +38,8 @@ void require_axis(const KnotVector& knots, const char* name) {
 
 NurbsPatch::NurbsPatch(KnotVector knots_u, KnotVector knots_v, std::vector<glm::dvec4> points)
     : knots_u_(std::move(knots_u)), knots_v_(std::move(knots_v)), points_(std::move(points)),
-      homogeneous_(unrolled_net(points_, knots_u_, knots_v_)), rational_(is_rational(points_)) {}
+      rational_(is_rational(points_)), weight_exponent_(rational_ ? splinecore::weight_exponent(points_) : 0),
+      homogeneous_(unrolled_net(homogeneous(points_, weight_exponent_), knots_u_, knots_v_)) {}
 
 NurbsPatch NurbsPatch::make(KnotVector knots_u, KnotVector knots_v, std::vector<glm::dvec4> points) {
   require_axis(knots_u, "u");
@@ -55,6 +57,10 @@ NurbsPatch NurbsPatch::make(KnotVector knots_u, KnotVector knots_v, std::vector<
 NurbsPatch NurbsPatch::from_homogeneous(KnotVector knots_u, KnotVector knots_v,
                                         std::span<const glm::dvec4> points) {
   return make(std::move(knots_u), std::move(knots_v), as_given(points));
+}
+
+GivenPoints as_given_from(const NurbsPatch& patch, std::span<const glm::dvec4> points) {
+  return as_given_from(patch.points(), patch.rational(), patch.weight_exponent(), points);
 }
 
 NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> inserted) {

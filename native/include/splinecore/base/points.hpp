@@ -26,6 +26,27 @@ inline glm::dvec4 as_given(const glm::dvec4& point) noexcept {
 std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given);
 std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points);
 
+/// What weights are divided by in the homogeneous form of a shape, as an exponent of two: then the largest is about 1,
+/// so that products stay in the range of numbers, and where it can be none is so small that it loses digits.
+int weight_exponent(std::span<const glm::dvec4> given) noexcept;
+
+/// Weights, or directions, divided by a power of two: the same points, if all of a shape are.
+std::vector<glm::dvec4> with_weights_divided(std::span<const glm::dvec4> given, int exponent);
+
+/// homogeneous() of points with_weights_divided().
+std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given, int exponent);
+
+/// The points of a shape and those that were made of its homogeneous ones, as given. Weights that were all 1 are 1
+/// again: what is polynomial stays so. Weights have the size of the old ones, unless a new one would lose digits so: then
+/// all stay divided by a power of two.
+struct GivenPoints {
+  std::vector<glm::dvec4> made;
+  std::span<const glm::dvec4> old;  ///< of the shape itself, or of `divided`
+  std::vector<glm::dvec4> divided;
+};
+GivenPoints as_given_from(std::span<const glm::dvec4> old, bool is_rational, int exponent,
+                          std::span<const glm::dvec4> homogeneous_points);
+
 /// homogeneous() of all. @throws InvalidShape naming a point that its weight makes too large for a number.
 /// @param row_length  0 for a row of points, otherwise the length of a net's rows
 std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, std::size_t row_length = 0);

@@ -1,16 +1,20 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "splinecore/basis/knot_vector.hpp"
 
 namespace splinecore {
 
+/// Which point a row of weights is a copy of, because no other has a part in it; -1 where none is.
+int copied_point(std::span<const double> row) noexcept;
+
 /// The sparse matrix that takes the control points on one knot vector to those on another.
 ///
 /// Row j holds `width` weights, all in [0, 1], for the old points first(j), first(j) + 1, …, modulo the old
-/// count where periodic. A point that stays as it is has one weight 1: it is copied bit for bit.
+/// count where periodic. A point that stays as it is has one weight, 1: it is copied bit for bit.
 class PointMatrix {
  public:
   struct Rows {
@@ -39,6 +43,9 @@ class PointMatrix {
                       std::size_t out_stride) const;
 
  private:
+  std::span<const double> row(std::size_t j) const noexcept {
+    return {rows_.weights.data() + j * rows_.width, static_cast<std::size_t>(rows_.width)};
+  }
   std::size_t old_index(std::size_t j, long r) const noexcept;
 
   KnotVector from_;

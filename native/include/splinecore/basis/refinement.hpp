@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,14 @@ namespace splinecore {
 /// @param inserted  parameters of the domain, in any order, repeated for more multiplicity
 /// @throws InvalidShape if one lies outside the domain or its multiplicity would exceed degree + 1.
 PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted);
+
+/// What refinement() makes of points on a plain vector, without its matrix.
+struct RefinedPoints {
+  KnotVector knots;
+  std::vector<glm::dvec4> points;
+  std::vector<int> copied;  ///< of each point: which old one it is, or -1
+};
+RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> points, std::span<const double> inserted);
 
 /// `times` copies of u.
 /// @throws InvalidShape unless 1 <= times <= degree + 1.

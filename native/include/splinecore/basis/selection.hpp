@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "splinecore/basis/knot_vector.hpp"
@@ -31,7 +33,12 @@ Selection closed_up(const KnotVector& knots);
 /// The plain vector with unrolled() knots.
 Selection unrolled(const KnotVector& knots);
 
-/// The knots mirrored in the middle of the domain.
+/// Increasing numbers mirrored in the middle of the domain, as start + end - u. Where its rounding would change the
+/// lengths of up to `window` steps in a row by more than some roundings of their own, short steps far from zero, they
+/// are mirrored at zero, which is exact: then the domain is [-end, -start].
+std::vector<double> mirrored(std::span<const double> knots, const Interval& domain, std::size_t window);
+
+/// The knots mirrored, as mirrored() says.
 Selection reversed(const KnotVector& knots);
 
 /// @throws InvalidShape unless u lies strictly inside the domain of a plain vector.

@@ -29,7 +29,8 @@ void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::
 void derivatives(const NurbsCurve& curve, std::span<const double> parameters, int order,
                  std::span<double> out, EvaluateOptions options = {});
 
-/// The homogeneous point at each parameter: defined also where the curve is at infinity.
+/// The homogeneous point at each parameter, divided as homogeneous_points() are: defined also where the curve is at
+/// infinity.
 void evaluate_homogeneous(const NurbsCurve& curve, std::span<const double> parameters,
                           std::span<glm::dvec4> out, Side side = Side::right);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
+#include "splinecore/base/points.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/point_matrix.hpp"
 
@@ -40,8 +41,12 @@ class NurbsCurve {
   Interval domain() const { return knots_.domain(); }
   std::span<const glm::dvec4> points() const noexcept { return points_; }
 
-  /// Homogeneous points, unrolled where periodic: what the weights of a Stencil apply to.
-  std::span<const glm::dvec4> homogeneous_points() const noexcept { return homogeneous_; }
+  /// Homogeneous points, unrolled where periodic: what the weights of a Stencil apply to. Weights, and directions,
+  /// are divided by 2^weight_exponent().
+  std::span<const glm::dvec4> homogeneous_points() const noexcept {
+    return homogeneous_.empty() ? std::span(points_) : std::span(homogeneous_);
+  }
+  int weight_exponent() const noexcept { return weight_exponent_; }
 
   /// What evaluation computes of its spans, each when it is first asked for; shared by copies.
   CurveTables& tables() const noexcept { return *tables_; }
@@ -55,14 +60,14 @@ class NurbsCurve {
 
   KnotVector knots_;
   std::vector<glm::dvec4> points_;
-  std::vector<glm::dvec4> homogeneous_;
   bool rational_ = false;
+  int weight_exponent_ = 0;
+  std::vector<glm::dvec4> homogeneous_;  ///< none where they are the points as given
   std::shared_ptr<CurveTables> tables_;
 };
 
-/// Homogeneous points as a curve takes them that were made of the points of another. Weights that were all 1 are 1
-/// again: a polynomial curve stays one.
-std::vector<glm::dvec4> as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points);
+/// The curve's points and those made of its homogeneous_points(), as given.
+GivenPoints as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points);
 
 /// The points that a matrix makes of the curve's, on its new knots; what stays is copied bit for bit.
 NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve);
@@ -87,11 +92,15 @@ NurbsCurve opened(const NurbsCurve& curve, double u);
 /// domain needs them. A plain curve is returned as it is.
 NurbsCurve unrolled(const NurbsCurve& curve);
 
-/// The same points in the opposite direction, over the same domain.
+/// The same points in the opposite direction, over the same domain; where rounding would spoil short spans far from
+/// zero, over [-end, -start].
 NurbsCurve reversed(const NurbsCurve& curve);
 
 /// The homogeneous Bezier points of the piece on one of the spans of the knot vector.
 std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span);
+
+/// Those of all pieces, row after row.
+void bezier_points(const NurbsCurve& curve, std::span<glm::dvec4> out);
 
 /// The intervals of the domain, in order, on which the curve is finite and in one piece: it is
 /// cut where the weight is zero and at knots of multiplicity degree + 1. Ends may be at infinity.

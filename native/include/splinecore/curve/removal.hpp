@@ -25,7 +25,8 @@ NurbsCurve without_knot(const NurbsCurve& curve, double u, int times);
 Approximation<NurbsCurve> without_copies(Approximation<NurbsCurve> best, double u, const NurbsCurve& original,
                                          double tolerance);
 
-/// The curve without every inner knot that can go while the error stays within the tolerance.
+/// The curve without the inner knots that can go while the error stays within the tolerance, least error first: knots
+/// that nothing needs go before any that shapes the curve (after The NURBS Book, A5.9, verified by the true distance).
 /// @throws InvalidShape unless tolerance >= 0.
 Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance);
 

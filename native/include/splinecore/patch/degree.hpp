@@ -23,7 +23,7 @@ Approximation<NurbsPatch> reduced(const NurbsPatch& patch, Axis axis, int times 
                                   std::optional<double> tolerance = {});
 
 /// The same patch with a degree higher by `times`; its outer points keep every digit (The NURBS Book, eq. 5.36).
-/// @throws InvalidShape unless times >= 1 and the new degree is at most kMaxDegree.
+/// @throws InvalidShape if times is below 0 or the degree would exceed kMaxDegree.
 BezierPatch elevated(const BezierPatch& patch, Axis axis, int times = 1);
 
 /// A patch with a degree lower by `times` and the same ends: each step takes the nearest homogeneous lines in

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
+#include "splinecore/base/points.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 namespace splinecore {
@@ -33,8 +34,10 @@ class NurbsPatch {
   bool rational() const noexcept { return rational_; }
   std::span<const glm::dvec4> points() const noexcept { return points_; }
 
-  /// Homogeneous points, unrolled in both directions, row after row.
+  /// Homogeneous points, unrolled in both directions, row after row. Weights, and directions, are divided by
+  /// 2^weight_exponent().
   std::span<const glm::dvec4> homogeneous_points() const noexcept { return homogeneous_; }
+  int weight_exponent() const noexcept { return weight_exponent_; }
 
   friend bool operator==(const NurbsPatch& a, const NurbsPatch& b) noexcept {
     return a.knots_u_ == b.knots_u_ && a.knots_v_ == b.knots_v_ && a.points_ == b.points_;
@@ -46,9 +49,13 @@ class NurbsPatch {
   KnotVector knots_u_;
   KnotVector knots_v_;
   std::vector<glm::dvec4> points_;
-  std::vector<glm::dvec4> homogeneous_;
   bool rational_ = false;
+  int weight_exponent_ = 0;
+  std::vector<glm::dvec4> homogeneous_;
 };
+
+/// The patch's points and those made of its homogeneous ones, as given.
+GivenPoints as_given_from(const NurbsPatch& patch, std::span<const glm::dvec4> points);
 
 /// refine() of a curve, in one direction.
 NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> inserted);

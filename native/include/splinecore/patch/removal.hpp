@@ -23,7 +23,8 @@ Approximation<NurbsPatch> remove_knot(const NurbsPatch& patch, Axis axis, double
 Approximation<NurbsPatch> without_copies(Approximation<NurbsPatch> best, Axis axis, double u,
                                          const NurbsPatch& original, double tolerance);
 
-/// The patch without every inner knot of one direction that can go while the error stays within the tolerance.
+/// The patch without the inner knots of one direction that can go while the error stays within the tolerance, least
+/// error first.
 /// @throws InvalidShape unless tolerance >= 0.
 Approximation<NurbsPatch> remove_knots(const NurbsPatch& patch, Axis axis, double tolerance);
 
