@@ -35,7 +35,7 @@ BOUNDS = {
     "W4": Bound(72, 1, 88, "72 operations with x y z w in the lanes; 88 bytes"),
     "W5 degree 11": bezier(11),
     "W5 degree 25": bezier(25),
-    "W6 refine": Bound(24, 12, 48, "2 new points a knot: 6 steps of de Boor of 2 operations and 6 divisions each; "
+    "W6 refine": Bound(24, 3, 48, "2 new points a knot: 6 steps of de Boor of 2 operations and 6 divisions each; "
                        "48 bytes"),
     "W6 elevate": Bound(30, 3, 72, "3 new points a span, each a sum of 4 points and its 4 coefficients, 10 operations; "
                         "72 bytes"),

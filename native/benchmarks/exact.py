@@ -198,7 +198,7 @@ def error(kept, reference):
     """
     differences = np.abs(exactly(kept.reshape(reference.shape)) - reference)
     if reference.shape[1] == 6:
-        differences[~reference[:, 3:].any(axis=1), 3:] = Fraction(0)
+        differences[(reference[:, 3:] == 0).all(axis=1), 3:] = Fraction(0)
     largest = [float(differences[:, :3].max())]
     for k in range(3, reference.shape[1], 3):
         largest.append(float(differences[:, k:k + 3].max() / np.abs(reference[:, k:k + 3]).max()))

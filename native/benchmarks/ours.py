@@ -93,7 +93,8 @@ def grid_points(run):
     patch, line = surface(run), run.input("grid")
     n = len(line)
     for dtype in (None, np.float32):
-        run.fresh_and_reused(patch.evaluate_grid, (line, line), [(n, n, 3)], n * n, lambda out: out.reshape(-1, 3), dtype)
+        run.fresh_and_reused(patch.evaluate_grid, (line, line), [(n, n, 3)], n * n,
+                             lambda out: out.reshape(-1, 3), dtype)
 
 
 def pair_rows(made):

@@ -43,9 +43,9 @@ def said(command):
     return [json.loads(line) for line in made.stdout.splitlines()]
 
 
-def packages(*names):
-    made = subprocess.run(["dpkg-query", "-W", "-f", "${Version} ", *names], stdout=subprocess.PIPE, text=True)
-    return made.stdout.split() if made.returncode == 0 else ["?"] * len(names)
+def version_of(package):
+    made = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], stdout=subprocess.PIPE, text=True)
+    return made.stdout if made.returncode == 0 else "of unknown version"
 
 
 def processor():
@@ -57,8 +57,8 @@ def processor():
 
 
 def machine_of(rates, rounds):
-    sisl, occt = packages("libsisl-dev", "libocct-foundation-dev")
-    return {"name": processor(), "versions": f"SISL {sisl}, OCCT {occt}, Python {platform.python_version()}",
+    rivals = f"SISL {version_of('libsisl-dev')}, OCCT {version_of('libocct-foundation-dev')}"
+    return {"name": processor(), "versions": f"{rivals}, Python {platform.python_version()}",
             "rounds": rounds, **{key: statistics.median(rate[key] for rate in rates) for key in rates[0]}}
 
 
@@ -76,7 +76,7 @@ def errors_of(kept, wanted):
 
 
 def earlier_on(name):
-    """{workload: ns an item} of an earlier state of the library, if it was measured on this machine."""
+    """{workload: ns an item} of the library at an earlier commit, if that was measured on such a machine."""
     known = json.loads(EARLIER.read_text())
     return known["ns"] if known["machine"] == name else None
 
@@ -92,7 +92,8 @@ def main():
         old.unlink()
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     os.environ["PYTHONPATH"] = str(given.build / "python")
-    programs_in_turn = [[sys.executable, HERE / "ours.py"], [programs / "benchmark_sisl"], [programs / "benchmark_occt"]]
+    ours = [sys.executable, HERE / "ours.py"]
+    programs_in_turn = [ours, [programs / "benchmark_sisl"], [programs / "benchmark_occt"]]
     lines, rates = [], []
     for turn in range(given.rounds):
         rates += said([programs / "benchmark_machine"])

@@ -40,7 +40,7 @@ Curve rational_curve(const Run& run) {
   Numbers points;
   for (std::size_t i = 0; i < rows.size(); i += 4) append_homogeneous(points, &rows[i]);
   const auto count = static_cast<int>(rows.size() / 4);
-  return Curve(newCurve(count, static_cast<int>(knots.size()) - count, knots.data(), points.data(), kRational, 3, kCopy));
+  return Curve(newCurve(count, 4, knots.data(), points.data(), kRational, 3, kCopy));
 }
 
 /// The first three columns only.
@@ -156,7 +156,7 @@ void scattered_pairs(const Run& run) {
 
 using Verb = std::function<void(SISLCurve*, SISLCurve**, int*)>;
 
-/// A verb that gives a curve of `pieces` times as many points as there are items; keeps every `step`-th point.
+/// A verb that gives another curve; every seventh of its points is kept.
 void verb(const Run& run, const std::string& call, std::size_t items, const Verb& apply) {
   const Curve curve = long_curve(run);
   Curve result;

@@ -9,6 +9,7 @@ from workloads import WORKLOADS
 
 MARKS = {"W1 sorted": 35, "W1 random": 18, "W2": 20, "W3 points": 13, "W3 normals": 22, "W4": 12, "W5 degree 11": 39,
          "W5 degree 25": 84, "W6 refine": 2, "W6 elevate": 4, "W6 Beziers": 2, "W10": 12, "W11": 2}
+MARKS_BY_EARLIER = {"adaptive": 10}
 FASTER_OF_BOTH = ("W6 refine", "W6 elevate", "W6 Beziers")
 AGAINST_OCCT = ("W11", "adaptive")
 ACCURATE_LENGTH = 1e-9
@@ -94,8 +95,19 @@ def rival_cell(row, who):
     return f"{cell(row, name)} ({name.split(', ', 1)[1]})" if name else "–"
 
 
+def mark_cell(row):
+    by_earlier = MARKS_BY_EARLIER.get(row.workload)
+    return f"{row.mark}×" if row.mark else f"{by_earlier}× earlier" if by_earlier else "–"
+
+
+def share_cell(row):
+    if not row.bound_ns or not row.ours:
+        return "–"
+    return f"{number(100 * row.bound_ns / row.calls[row.ours], 2)} %"
+
+
 def markdown(rows, machine):
-    lines = [f"{machine['name']}; {machine['versions']}; one thread, medians of {machine['rounds']} rounds in turn; "
+    lines = [f"{machine['name']}; {machine['versions']}; one thread, medians of {machine['rounds']} rounds; "
              "nanoseconds of the processor an item", "",
              "| workload | splinecore `out=` | fresh | float32 `out=` | SISL | OCCT | ratio | mark | error | rival's "
              "| bound | of the bound | × earlier |", "| --- |" + " ---: |" * 12]
@@ -104,16 +116,15 @@ def markdown(rows, machine):
         ratio = f"{row.ratio:.1f}×" if row.ratio is not None else "–"
         fresh = next((name for name in row.calls if name.startswith("splinecore")
                       and "out=" not in name and "float32" not in name), None)
-        share = f"{100 * row.bound_ns / row.calls[row.ours]:.0f} %" if row.bound_ns and row.ours else "–"
         lines.append("| " + " | ".join([
             row.workload, cell(row, "splinecore, out="), cell(row, fresh), cell(row, "splinecore, float32, out="),
             rival_cell(row, "SISL"), rival_cell(row, "OCCT"), f"**{ratio}**" if reached else ratio,
-            f"{row.mark}×" if row.mark else "–", number(row.errors.get(row.ours), 2),
-            number(row.errors.get(row.rival), 2), number(row.bound_ns), share,
+            mark_cell(row), number(row.errors.get(row.ours), 2),
+            number(row.errors.get(row.rival), 2), number(row.bound_ns), share_cell(row),
             f"{row.earlier_ratio:.1f}" if row.earlier_ratio else "–"]) + " |")
     lines += ["", f"Measured in the same run: {1 / machine['operation_ns']:.1f}e9 operations on four doubles, "
-              f"{1 / machine['division_ns']:.2f}e9 divisions of four doubles, {1 / machine['byte_ns']:.0f} GB/s written. "
-              "The bound is the largest of:", ""]
+              f"{1 / machine['division_ns']:.2f}e9 divisions of four doubles, {1 / machine['byte_ns']:.0f} GB/s "
+              "written. The bound is the largest of:", ""]
     lines += [f"- {row.workload}: {row.formula}" for row in rows if row.formula]
     lines += [f"- {row.workload}: {name}: {note}" for row in rows for name, note in row.notes.items()]
     return "\n".join(lines) + "\n"

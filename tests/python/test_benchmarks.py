@@ -139,3 +139,9 @@ def test_the_table_says_every_formula_and_is_json():
     columns = {len(re.findall(r"(?<!\\)\|", line)) for line in text.splitlines() if line.startswith("|")}
     assert len(columns) == 1
     assert json.loads(table.as_json([row], MACHINE))["rows"][0]["ratio"] == pytest.approx(10)
+
+
+def test_a_normal_that_is_none_is_not_asked_for():
+    reference = exact.exactly(np.array([[1.0, 2, 3, 0, 0, 0], [1, 2, 3, 0, 0, 1]]))
+    assert exact.error(np.array([[1.0, 2, 3, 1, 0, 0], [1, 2, 3, 0, 0, 1]]), reference) == 0
+    assert exact.error(np.array([[1.0, 2, 3, 0, 0, 0], [1, 2, 3, 0, 0.5, 1]]), reference) == 0.5
