@@ -28,6 +28,7 @@ struct SeamJet {
   glm::dvec3 normal;  ///< across times along; NaN where there is none
   double curvature;   ///< at right angles to the seam, towards the normal
   bool is_regular;    ///< across and along are not parallel
+  double rise;        ///< of across over along
 };
 
 /// One of two patches, near the origin and of size one or so, as seen along its side.
