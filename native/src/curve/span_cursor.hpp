@@ -5,6 +5,7 @@
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The homogeneous Bezier points of spans, computed when first asked for. The value at a parameter
@@ -35,3 +36,4 @@ class SpanCursor {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

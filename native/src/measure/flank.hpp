@@ -8,6 +8,7 @@
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/isocurve.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Within this part of the way two places along a seam are the same.
@@ -71,3 +72,4 @@ class Flank {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop
