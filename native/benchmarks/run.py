@@ -28,7 +28,7 @@ def arguments():
     parser.add_argument("build", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("workloads", nargs="*", metavar="WORKLOAD", help=", ".join(workloads.WORKLOADS))
     parser.add_argument("--rounds", type=int, default=3)
-    given = parser.parse_args()
+    given = parser.parse_intermixed_args()
     unknown = set(given.workloads) - set(workloads.WORKLOADS)
     if unknown:
         parser.error(f"no workload {', '.join(sorted(unknown))}; there are {', '.join(workloads.WORKLOADS)}")

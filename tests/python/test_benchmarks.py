@@ -2,6 +2,7 @@
 
 import json
 import re
+import subprocess
 import sys
 from fractions import Fraction
 from pathlib import Path
@@ -145,3 +146,12 @@ def test_a_normal_that_is_none_is_not_asked_for():
     reference = exact.exactly(np.array([[1.0, 2, 3, 0, 0, 0], [1, 2, 3, 0, 0, 1]]))
     assert exact.error(np.array([[1.0, 2, 3, 1, 0, 0], [1, 2, 3, 0, 0, 1]]), reference) == 0
     assert exact.error(np.array([[1.0, 2, 3, 0, 0, 0], [1, 2, 3, 0, 0.5, 1]]), reference) == 0.5
+
+
+def test_options_stand_before_and_after_workloads():
+    program = [sys.executable, BENCHMARKS / "run.py", "no-build"]
+    for words in (["--rounds", "0", "W2"], ["W2", "--rounds", "0"]):
+        done = subprocess.run([*program, *words], capture_output=True, text=True)
+        assert done.returncode == 2 and "one round at least" in done.stderr
+    done = subprocess.run([*program, "W2", "W99"], capture_output=True, text=True)
+    assert done.returncode == 2 and "no workload W99; there are W1 sorted, W1 random, W2," in done.stderr
