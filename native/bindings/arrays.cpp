@@ -38,14 +38,31 @@ std::string short_text(const py::handle& value) {
 
 bool is_real_number(const py::handle& value) {
   if (PyFloat_Check(value.ptr())) return true;
+  if (py::hasattr(value, "dtype")) {
+    const std::string kind = py::str(value.attr("dtype").attr("kind"));
+    return kind == "f" || kind == "i" || kind == "u";
+  }
   if (!PyLong_Check(value.ptr()) || PyBool_Check(value.ptr())) return false;
   int overflow = 0;
   PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
   return overflow == 0;
 }
 
+/// A list's elements as they were given: numpy makes strings of all numbers beside one.
+py::array as_given(const py::handle& value, const py::array& array) {
+  if (py::isinstance<py::array>(value)) return array;
+  try {
+    const py::array given = py::module_::import("numpy").attr("asarray")(value, "object");
+    return given.size() == array.size() ? given : array;
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
+    return array;
+  }
+}
+
 /// Names the first element of an array that is no array of real numbers.
-[[noreturn]] void refuse_elements(const py::array& array, const char* name) {
+[[noreturn]] void refuse_elements(const py::handle& value, const py::array& converted, const char* name) {
+  const py::array array = as_given(value, converted);
   const py::list elements = array.attr("ravel")().attr("tolist")();
   py::ssize_t first = 0;
   for (const py::handle& element : elements) {
@@ -126,7 +143,7 @@ Doubles real_array(const py::handle& value, const char* name) {
   if (value.is_none()) throw py::type_error(std::string(name) + " is missing: an array is expected, not None");
   const py::array array = array_of(value, name);
   const char kind = array.dtype().kind();
-  if (kind != 'f' && kind != 'i' && kind != 'u') refuse_elements(array, name);
+  if (kind != 'f' && kind != 'i' && kind != 'u') refuse_elements(value, array, name);
   const Doubles numbers(array);
   return is_aligned(numbers) ? numbers : Doubles(numbers.attr("copy")());
 }
@@ -176,6 +193,10 @@ bool boolean(const py::handle& value, const char* name) {
     refuse_type(value, name, "True or False");
   }
   return py::bool_(py::reinterpret_borrow<py::object>(value));
+}
+
+std::optional<bool> optional_boolean(const py::handle& value, const char* name) {
+  return value.is_none() ? std::nullopt : std::optional(boolean(value, name));
 }
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }

@@ -46,6 +46,9 @@ double parameter(const py::handle& value, const splinecore::KnotVector& knots);
 
 bool boolean(const py::handle& value, const char* name);
 
+/// True or False, or none for None.
+std::optional<bool> optional_boolean(const py::handle& value, const char* name);
+
 /// "(3, 4)"
 std::string shape_text(const py::array& array);
 

@@ -93,6 +93,7 @@ void bind_nurbs(py::module_& module) {
       module, "NurbsCurve", py::module_local(),
       "NurbsCurve(degree, knots, points, weights=None, periodic=False)\n\n"
       "n control points (n, 2 or 3) with weights (n,) on n + degree + 1 knots; periodic on n + 1, one period.\n"
+      "A parameter lies in the domain; a periodic curve takes any and goes on, turn after turn.\n"
       "A weight of 0 makes a point a direction, negative weights are allowed. Raises InvalidShape (a\n"
       "ValueError) or TypeError naming the argument, index and value. Lecture rows S11, S15.");
   cls.def(py::init([](const py::object& degree, const py::object& knots, const py::object& points,

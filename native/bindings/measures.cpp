@@ -85,8 +85,9 @@ void bind_curve(py::class_<Curve> cls) {
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::kw_only(),
           py::arg("tolerance") = splinecore::kLengthTolerance,
           "The length between two parameters, by default of all: a float, right to a relative tolerance.\n\n"
-          "Adaptive Gauss-Legendre quadrature on every span, also through cusps. InvalidShape unless start <= end\n"
-          "in the domain, PointAtInfinity if the curve runs to infinity, ToleranceNotReached. Row S15.");
+          "Adaptive Gauss-Legendre quadrature on every span, also through cusps. Of a periodic curve start and end\n"
+          "may be any numbers: it goes on, and turns are counted. InvalidShape unless start <= end in the domain of\n"
+          "another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached. Row S15.");
   cls.def("curvature", [](const Curve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::curvature);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",

@@ -4,6 +4,7 @@
 #include "rooms.hpp"
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/base/errors.hpp"
+#include "wrong_calls.hpp"
 
 namespace py = pybind11;
 
@@ -55,4 +56,6 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_formula(module);
   bindings::bind_from_formulas(module);
   bindings::bind_exchange(module);
+
+  bindings::explain_wrong_calls(module);
 }

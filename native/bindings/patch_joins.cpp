@@ -69,15 +69,17 @@ py::object as_bezier(const NurbsPatch& patch) {
 }
 
 JoinedPatches join_patches(const py::object& first, const py::object& first_side, const py::object& second,
-                           const py::object& second_side, const py::object& continuity, const py::object& moves) {
+                           const py::object& second_side, const py::object& continuity, const py::object& moves,
+                           const py::object& reversed) {
   const AnyPatch a = patch_of(first, "first");
   const Border on_a = border_of(first_side, "first_side");
   const AnyPatch b = patch_of(second, "second");
   const Border on_b = border_of(second_side, "second_side");
   const PatchSmoothness smoothness = smoothness_of(continuity);
   const JoinMoves moved = moves_of(moves);
+  const std::optional<bool> against = optional_boolean(reversed, "reversed");
   const auto join = unlocked([&] {
-    return splinecore::joined_patches(nurbs_of(a), on_a, nurbs_of(b), on_b, smoothness, moved);
+    return splinecore::joined_patches(nurbs_of(a), on_a, nurbs_of(b), on_b, smoothness, moved, against);
   });
   // One span on [0, 1] in both directions is what two Bezier patches stay.
   const bool are_bezier = std::holds_alternative<BezierPatch>(a) && std::holds_alternative<BezierPatch>(b);
@@ -89,17 +91,18 @@ JoinedPatches join_patches(const py::object& first, const py::object& first_side
 SeamContinuity seam_continuity(const AnyPatch& a, const py::object& first_side, const py::object& second,
                                const char* second_name, const char* first_side_name, const py::object& second_side,
                                const char* second_side_name, const py::object& tolerance,
-                               const py::object& parameters) {
+                               const py::object& parameters, const py::object& reversed) {
   const Border on_a = border_of(first_side, first_side_name);
   const AnyPatch b = patch_of(second, second_name);
   const Border on_b = border_of(second_side, second_side_name);
   const double most = real(tolerance, "tolerance");
+  const std::optional<bool> against = optional_boolean(reversed, "reversed");
   std::optional<std::vector<double>> given;
   if (!parameters.is_none()) given = numbers(parameters, "parameters");
   return unlocked([&] {
     std::optional<std::span<const double>> places;
     if (given) places = *given;
-    return splinecore::seam_continuity(nurbs_of(a), on_a, nurbs_of(b), on_b, most, places);
+    return splinecore::seam_continuity(nurbs_of(a), on_a, nurbs_of(b), on_b, most, places, against);
   });
 }
 
@@ -147,17 +150,18 @@ void bind_seam(py::module_& module) {
 void bind_seam_function(py::module_& module) {
   module.def("seam_continuity", [](const py::object& first, const py::object& first_side, const py::object& second,
                                    const py::object& second_side, const py::object& tolerance,
-                                   const py::object& parameters) {
+                                   const py::object& parameters, const py::object& reversed) {
                return seam_continuity(patch_of(first, "first"), first_side, second, "second", "first_side",
-                                      second_side, "second_side", tolerance, parameters);
+                                      second_side, "second_side", tolerance, parameters, reversed);
              }, py::arg("first"), py::arg("first_side"), py::arg("second"), py::arg("second_side"), py::kw_only(),
              py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("parameters") = py::none(),
+             py::arg("reversed") = py::none(),
              "The SeamContinuity of two patches of any kinds across a side of each: 'u_start', 'u_end', 'v_start' or\n"
              "'v_end'.\n\n"
-             "Places of both are those equally far along the parameters of their sides, in the direction in which the\n"
-             "ends lie nearer: close in every span, both sides of each knot, or parameters (n,) in [0, 1]. Below the\n"
-             "relative tolerance a difference of derivatives is called none, below its root one of angles or\n"
-             "curvatures; a gap is none if rounding makes it. Where tangent planes are common, one curvature decides\n"
+             "Places of both are those equally far along the parameters of their sides, the second's against the\n"
+             "first's if reversed, by default as their ends lie nearer: close in every span, both sides of each knot, or\n"
+             "parameters (n,) in [0, 1]. Below the tolerance an angle or a relative difference of derivatives or\n"
+             "curvatures is called none; a gap is none if rounding makes it. Where tangent planes are common, one curvature decides\n"
              "(Pegna and Wolter 1992). InvalidShape if a side lies at infinity or is the seam of a periodic axis.\n"
              "Rows S16, S21.");
 }
@@ -166,11 +170,12 @@ template <class Patch>
 void bind_continuity_to(const py::module_& module, const char* name) {
   auto cls = py::reinterpret_borrow<py::class_<Patch>>(module.attr(name));
   cls.def("continuity_to", [](const Patch& self, const py::object& side, const py::object& other,
-                              const py::object& other_side, const py::object& tolerance) {
+                              const py::object& other_side, const py::object& tolerance,
+                              const py::object& reversed) {
             return seam_continuity(AnyPatch(self), side, other, "other", "side", other_side, "other_side", tolerance,
-                                   py::none());
+                                   py::none(), reversed);
           }, py::arg("side"), py::arg("other"), py::arg("other_side"),
-          py::arg("tolerance") = splinecore::kContinuityTolerance,
+          py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("reversed") = py::none(),
           "The SeamContinuity between a side of this patch and one of another, of any kind: seam_continuity().\n"
           "Rows S16, S21.");
 }
@@ -196,11 +201,13 @@ void bind_join(py::module_& module) {
   py::module_ build = module.attr("build");
   build.def("join_patches", &join_patches, py::arg("first"), py::arg("first_side"), py::arg("second"),
             py::arg("second_side"), py::arg("continuity") = "G1", py::arg("moves") = "second",
+            py::arg("reversed") = py::none(),
             "The JoinedPatches of two patches of any kinds, brought together along a side of each: 'u_start',\n"
             "'u_end', 'v_start' or 'v_end'. Lecture row S21.\n\n"
             "continuity: 'C0' for a common edge, 'G1' for common tangent planes, 'C1' for equal first derivatives\n"
             "across, 'G2' for common curvatures, 'C2' for equal first two; c1 and g1 are taken, too. moves: which\n"
-            "patch gives way, 'second', 'first' or 'both'.\n\n"
+            "patch gives way, 'second', 'first' or 'both'. reversed: whether the second runs against the first along\n"
+            "the edge, by default as their ends lie nearer.\n\n"
             "Domains and directions of parameters stay. Both get, exactly, one degree and the same knots along the\n"
             "edge, and are clamped; periodic along it where both are. The rows of points beside the edge move by the\n"
             "least that the condition asks for, with ratios constant along it (Farin 2002 and Faux and Pratt\n"

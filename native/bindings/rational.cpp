@@ -68,10 +68,12 @@ void bind_rational_verbs(py::class_<BezierCurve>& cls) {
             return arrays_of(splinecore::casteljau_triangle(self, real(u, "u")));
           }, py::arg("u"),
           "All rows of the homogeneous algorithm at u: degree + 1, degree, … 1 points (k, 4), each wx, wy, wz, w.\n"
-          "Defined at any weights. InvalidShape if a product with a weight is too large for a number. Lecture row S9.");
+          "Defined at any weights and any finite u: outside [0, 1] it extrapolates. InvalidShape if a number would be\n"
+          "too large. Lecture row S9.");
   cls.def("rational_casteljau_triangle", &rational_rows, py::arg("u"),
           "(rows, breakdown): all rows of the rational algorithm at u, (k, 4) arrays of x, y, z, w, and None.\n"
-          "Where it would divide by zero, or overflow: the rows before, and (row, index, reason). Farin 1983; row S9.");
+          "Where it would divide by zero, or overflow: the rows before, and (row, index, reason). Outside [0, 1] it\n"
+          "extrapolates. Farin 1983; row S9.");
 }
 
 }  // namespace bindings

@@ -85,10 +85,21 @@ TEST(Casteljau, RationalAlgorithmSaysWhichPointOverflows) {
   EXPECT_EQ(overflown.rows.size(), 1u);
 }
 
-TEST(Casteljau, RefusesParametersOutside) {
+TEST(Casteljau, ExtrapolatesOutside) {
+  const BezierCurve parabola = BezierCurve::make({{0, 0, 0, 1}, {1, 2, 0, 1}, {2, 0, 0, 1}});
+  for (const double u : {-0.5, 1.5}) {
+    const glm::dvec4 expected(2 * u, 4 * u * (1 - u), 0, 1);
+    EXPECT_EQ(casteljau_triangle(parabola, u).back()[0], expected) << u;
+    EXPECT_EQ(rational_casteljau_triangle(parabola, u).rows.back()[0], expected) << u;
+  }
+}
+
+TEST(Casteljau, RefusesWhatIsNoNumber) {
   const BezierCurve line = BezierCurve::make({{0, 0, 0, 1}, {1, 1, 0, 1}});
-  EXPECT_THROW(casteljau_triangle(line, 1.1), InvalidShape);
-  EXPECT_THROW(rational_casteljau_triangle(line, std::nan("")), InvalidShape);
+  for (const double u : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    EXPECT_THROW(casteljau_triangle(line, u), InvalidShape);
+    EXPECT_THROW(rational_casteljau_triangle(line, u), InvalidShape);
+  }
 }
 
 TEST(Cut, PartsAreTheCurve) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <glm/ext/vector_common.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -50,6 +51,14 @@ inline std::vector<Real> all_knots(const KnotVector& knots) {
   for (int i = 0; i < knots.degree(); ++i) all.push_back(all[all.size() - count] + period);
   for (int i = 0; i < knots.degree(); ++i) all.insert(all.begin(), all[count - 1] - period);
   return all;
+}
+
+/// Of derivative k of all functions: what rounding is relative to.
+inline double sum_of_sizes(const KnotVector& knots, int k, Real u) {
+  const std::vector<Real> all = all_knots(knots);
+  Real sum = 0.0L;
+  for (int i = 0; i < knots.unrolled_count(); ++i) sum += std::abs(derivative(all, i, knots.degree(), k, u));
+  return static_cast<double>(sum);
 }
 
 /// Derivative k of the homogeneous curve at a parameter of its domain.

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/patch/evaluate.hpp"
 
@@ -171,17 +170,16 @@ inline glm::dvec3 point_at(const NurbsPatch& patch, double u, double v, PatchOpt
   return point;
 }
 
-/// The homogeneous point of weights as given, through samples: defined also where the patch is at infinity.
+/// The homogeneous point, as the library evaluates wx, wy, wz and w where they are coordinates of patches without
+/// weights: defined also where the patch is at infinity.
 inline glm::dvec4 homogeneous_at(const NurbsPatch& patch, double u, double v) {
-  const Samples su = Samples::make(patch.knot_vector(Axis::u), {&u, 1});
-  const Samples sv = Samples::make(patch.knot_vector(Axis::v), {&v, 1});
-  const int width = patch.knot_vector(Axis::v).unrolled_count();
-  glm::dvec4 sum(0.0);
-  for (std::size_t i = 0; i < su.weights(0).size(); ++i) {
-    const glm::dvec4* row = patch.homogeneous_points().data() + (su.first(0) + i) * width + sv.first(0);
-    sum += su.weights(0)[i] * weighted_sum(sv.weights(0), row);
+  std::vector<glm::dvec4> places;
+  std::vector<glm::dvec4> weights;
+  for (const glm::dvec4& p : patch.points()) {
+    places.emplace_back((p.w == 0.0 ? 1.0 : p.w) * glm::dvec3(p), 1.0);
+    weights.emplace_back(p.w, 0.0, 0.0, 1.0);
   }
-  return std::ldexp(1.0, patch.weight_exponent()) * sum;
+  return {point_at(patch.with_points(places), u, v), point_at(patch.with_points(weights), u, v).x};
 }
 
 template <class Vector>

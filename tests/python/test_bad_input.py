@@ -161,11 +161,22 @@ def test_what_is_no_real_number_raises_type_error_that_names_the_argument(argume
 
 
 @pytest.mark.parametrize("bad, words", [
-    ([(0, 0), (1, None)], r"points\[1, 1\] = None"), ([(0, "x"), (1, 1)], r"points\[0, \d\] = '"),
+    ([(0, 0), (1, None)], r"points\[1, 1\] = None"), ([(0, "x"), (1, 1)], r"points\[0, 1\] = 'x' is"),
+    ([(0, 0), (1, 2j)], r"points\[1, 1\] = 2j"), ([(0, 0), (b"1", 0)], r"points\[1, 0\] = b'1'"),
+    ([(np.float32(0), np.int8(1)), (np.longdouble(2), "y")], r"points\[1, 1\] = 'y'"),
+    (np.array([["0", "1"]]), r"points\[0, 0\] = '0'"),
     ([(0, 10**30), (1, 1)], r"points\[0, 1\] = 10{30}")])
 def test_the_first_element_that_is_no_number_is_named(bad, words):
     with pytest.raises(TypeError, match=words):
         nurbs(points=bad)
+
+
+@pytest.mark.parametrize("argument", [name for name in TAKES_NUMBERS if name not in ("points", "tangents", "tangents_u",
+                                                                                   "tangents_v", "twists")])
+def test_a_word_among_numbers_is_named_and_not_its_neighbours(argument):
+    for bad in ([0.0, "abc", 1.0], (0.0, "abc", 1.0)):
+        with pytest.raises(TypeError, match=rf"^{argument}\[1\] = 'abc' is not a real number"):
+            TAKES_NUMBERS[argument](bad)
 
 
 TAKES_ONE = {

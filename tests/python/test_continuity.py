@@ -65,12 +65,12 @@ def test_the_curvature_at_the_end_of_a_conic_falls_with_the_square_of_its_middle
     assert math.isclose(found.curvature_difference, abs(1 / weight**2 - 1), rel_tol=1e-12) and found.g == 1
 
 
-@pytest.mark.parametrize("angle", [0, 1e-7, 1e-3, 0.5, math.pi / 2, 3, math.pi])
+@pytest.mark.parametrize("angle", [0, 1e-9, 1e-7, 5e-5, 1e-3, 0.5, math.pi / 2, 3, math.pi])
 def test_the_angle_of_two_lines_is_the_angle(angle):
     turn = (1 + math.cos(angle), math.sin(angle))
     (_, found), *_ = curve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), turn]).joints()
     assert abs(found.angle - angle) <= 1e-15 + 1e-9 * angle and found.gap == 0
-    assert found.c == (1 if angle == 0 else 0) and found.g == (0 if angle > 1e-4 else max(2, found.c))
+    assert (found.c, found.g) == ((1, 2) if angle <= 1e-8 else (0, 0))
 
 
 def test_a_gap_has_a_length_and_no_continuity():
@@ -157,10 +157,34 @@ def test_a_point_at_infinity_has_no_continuity():
         circle().continuity_to(curve(1, [2, 2, 3, 3], [(0, 0), (1, 1)], [0, 1]))
 
 
+@pytest.mark.parametrize("turn", [5e-5, 2e-8, 1e-10])
+def test_direction_and_derivative_are_judged_by_one_tolerance(turn):
+    """A line goes on as one of another speed: a corner for both, or for neither."""
+    first = sc.BezierCurve([(0, 0), (1, 0)]).to_nurbs()
+    corner = sc.BezierCurve([(1, 0), (1 + math.cos(turn), math.sin(turn))]).to_nurbs()
+    slower = sc.BezierCurve([(1, 0), (1 + math.cos(turn) / 2, math.sin(turn) / 2)]).to_nurbs()
+    is_corner = turn > 1e-8
+    assert first.continuity_to(corner).c == (0 if is_corner else 1)
+    for other in (corner, slower):
+        assert first.continuity_to(other).g == (0 if is_corner else 2)
+        assert first.continuity_to(other, turn / 2).g == 0 and first.continuity_to(other, 2 * turn).g == 2
+
+
+def test_rounding_alone_makes_no_corner():
+    """Far from the origin, and after verbs, ends that were smooth are smooth."""
+    one = curve(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [(0, 0), (1, 2), (3, 1), (4, -2), (6, 0), (7, 1)])
+    for shift in (0, 1e6, 1e10):
+        moved = one.with_points(one.points + [shift, -shift, shift])
+        for before, after in (moved.split(1.3), moved.elevate(2).split(2), moved.split(0.7)):
+            found = before.continuity_to(after)
+            assert found.c >= 2 and found.g >= 2, (shift, found)
+            assert before.moebius(3).continuity_to(after).g == 2, shift
+
+
 def test_a_looser_tolerance_forgives_more():
     kinked = curve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (2, 1e-3)])
     assert [(kinked.continuity(1, most).c, kinked.continuity(1, most).g) for most in (0, 1e-8, 1e-5, 1e-2)] == [
-        (0, 0), (0, 0), (0, 2), (1, 2)]
+        (0, 0), (0, 0), (0, 0), (1, 2)]
 
 
 @pytest.mark.parametrize("scale", [1e-300, 1e-150, 1e150, 1e300])

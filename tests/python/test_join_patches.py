@@ -45,6 +45,22 @@ def test_the_second_edge_goes_to_the_first_and_the_other_side_stays():
     assert far <= done.second_error <= 1.02 * far
 
 
+@pytest.mark.parametrize("moves", MOVES)
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_caller_may_choose_the_direction_of_the_edge(kind, moves):
+    def done_with(**options):
+        return sc.build.join_patches(square(), "u_end", square((1.5, 0, 1)), "u_start", kind, moves, **options)
+
+    assert not done_with().reversed and done_with(reversed=None).first == done_with().first
+    for against in (False, True):
+        done = done_with(reversed=against)
+        assert done.reversed is against
+        first, second = edge_rows(done.first, "u_end"), edge_rows(done.second, "u_start")
+        assert np.abs(first - (second[::-1] if against else second)).max() <= 1e-15
+        found = sc.seam_continuity(done.first, "u_end", done.second, "u_start", reversed=against)
+        assert found.reversed is against and found.gap <= 1e-14
+
+
 def test_both_edges_go_to_their_middle():
     done = join(square(), "u_end", square((1.5, 0, 1)), "u_start", "C0", "both")
     for patch, side in ((done.first, "u_end"), (done.second, "u_start")):

@@ -141,7 +141,26 @@ def test_a_straight_line_has_no_torsion_and_a_knot_two_curvatures():
     assert chain.curvature(1.0, side="left") != chain.curvature(1.0)
 
 
+def test_a_periodic_curve_goes_on_however_far():
+    ring = sc.NurbsCurve(3, range(8), np.random.default_rng(5).normal(size=(7, 3)), periodic=True)
+    whole, part = ring.length(), ring.length(0, 1)
+    for start, end, expected in [
+            (0, 8, whole + part), (-1, 0, ring.length(6, 7)), (6.5, 7.5, ring.length(6.5, 7) + ring.length(0, 0.5)),
+            (7, 14, whole), (0, 70, 10 * whole), (-3.5, 17.5, 3 * whole), (3, 3, 0), (7, 7, 0), (14, 15, part),
+            (6.5, 14.25, ring.length(6.5, 7) + whole + ring.length(0, 0.25)), (-7e6, 7e6, 2e6 * whole)]:
+        assert near(ring.length(start, end), expected, 1e-12), (start, end)
+    assert near(ring.length(start=-2), ring.length(5, 7) + whole, 1e-12)
+    assert ring.evaluate(8).tolist() == ring.evaluate(1).tolist()
+
+
+def test_a_curve_of_any_parameters_has_a_length():
+    for size in (1e-200, 1e160, 1e308):
+        ring = sc.NurbsCurve(1, [0, size / 2, size], [(0, 0), (1, 0)], periodic=True)
+        assert near(ring.length(-size, size / 2), 3, 1e-13) and near(ring.length(-size / 4, size / 4), 1, 1e-13)
+
+
 @pytest.mark.parametrize("call, error, message", [
+    (lambda: circle().to_periodic().value.length(0, math.inf), sc.InvalidShape, "end = inf"),
     (lambda: hyperbola().length(), sc.PointAtInfinity, "infinity"),
     (lambda: circle().length(2, 1), sc.InvalidShape, "start = 2 is above end = 1"),
     (lambda: circle().length(-1), sc.InvalidShape, "start = -1 is outside the domain [0, 4]"),

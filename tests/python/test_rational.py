@@ -1,5 +1,7 @@
 """Rational curves: both de Casteljau algorithms, Moebius maps, the standard form, finite arcs (rows S9, S12)."""
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -53,6 +55,29 @@ def test_the_rational_algorithm_says_where_it_breaks():
     rows, (row, index, reason) = semicircle().rational_casteljau_triangle(0.5)
     assert (rows, row, index) == ([], 0, 1) and "weights[1] = 0" in reason
     assert semicircle().casteljau_triangle(0.5)[-1].tolist() == [[0, 0.5, 0, 0.5]]
+
+
+@given(beziers(), st.floats(-3, 4))
+def test_outside_the_domain_both_extrapolate(curve, u):
+    power = curve.to_power().with_domain((-3, 4))
+    rows = curve.casteljau_triangle(u)
+    slack = 1e-13 * 9.0**curve.degree * np.abs(curve.homogeneous_points).max()
+    assert [len(row) for row in rows] == list(range(curve.degree + 1, 0, -1))
+    point = np.polynomial.polynomial.polyval(u, power.homogeneous_coefficients)
+    assert np.abs(rows[-1][0] - point).max() <= slack
+    rational, breakdown = curve.rational_casteljau_triangle(u)
+    for one, other in zip(rows, rational):
+        assert np.allclose(one[:, 3], other[:, 3], rtol=1e-9, atol=slack)
+    assert breakdown or len(rational) == len(rows)
+
+
+def test_a_parabola_goes_on_outside():
+    curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+    for u in (-0.5, 1.5):
+        at = [2 * u, 4 * u * (1 - u), 0]
+        assert curve.casteljau_triangle(u)[-1].tolist() == [[*at, 1]]
+        rows, breakdown = curve.rational_casteljau_triangle(u)
+        assert breakdown is None and np.allclose(rows[-1], [[*at, 1]], rtol=0, atol=1e-15)
 
 
 @given(point_lists(), positive, unit)
@@ -176,7 +201,8 @@ REFUSED = [
     (lambda: hyperbola().moebius(-1), r"rho = -1 is not positive"), (lambda: circle().moebius(1e200), r"range of numbers"),
     (lambda: closed_cubic().standard_form(), r"not clamped"),
     (lambda: semicircle().with_weights([1, 1, -1]).standard_form(), r"have not one sign"),
-    (lambda: semicircle().casteljau_triangle(1.5), r"u\[0\] = 1.5|u = 1.5"),
+    (lambda: semicircle().casteljau_triangle(math.inf), r"u = inf"),
+    (lambda: semicircle().casteljau_triangle(1e200), r"u = 1e\+200: point 0 of row 2 is too large"),
     (lambda: semicircle().rational_casteljau_triangle(float("nan")), r"u"),
 ]
 

@@ -76,15 +76,16 @@ class _Between(NamedTuple):
         degree = max(before.degree, after.degree)
         sides = (self.piece, ENDS[self.end]), (self.other, ENDS[self.other_end])
         if (self.end, self.other_end) == (0, 1):
-            return _measured(f"{self.other + 1} → → {self.piece + 1}", degree, sides[::-1], lambda: after.continuity_to(before))
+            return _measured(f"{self.other + 1} → → {self.piece + 1}", degree, sides[::-1],
+                             lambda: after.continuity_to(before, joints.SMOOTH))
         name = f"{self.piece + 1} {'←→'[self.end]} {'→←'[self.other_end]} {self.other + 1}"
         before = before if self.end else before.reversed()
         after = after.reversed() if self.other_end else after
-        return _measured(name, degree, sides, lambda: before.continuity_to(after))
+        return _measured(name, degree, sides, lambda: before.continuity_to(after, joints.SMOOTH))
 
 
 def _at(nurbs, u):
-    return nurbs.continuity_to(nurbs) if u is None else nurbs.continuity(u)
+    return nurbs.continuity_to(nurbs, joints.SMOOTH) if u is None else nurbs.continuity(u, joints.SMOOTH)
 
 
 def _measured(name, degree, sides, measure):

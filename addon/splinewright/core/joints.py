@@ -11,6 +11,10 @@ from .failures import Refusal
 #: For continuity, in the order in which it asks for more.
 SMOOTHNESS = ('C0', 'G1', 'C1', 'C2')
 
+#: Below this an angle, or a relative difference of derivatives or curvatures, is what points in single precision
+#: leave of a smooth joint.
+SMOOTH = 1e-4
+
 _START, _END = 0, 1
 
 
@@ -188,7 +192,7 @@ def _as_one(curves, row, tolerance):
         if whole is None:
             whole = part
             continue
-        is_smooth = whole.curve.continuity_to(part.curve).g >= 1
+        is_smooth = whole.curve.continuity_to(part.curve, SMOOTH).g >= 1
         whole, moved = _joined(whole, part, 'C1' if is_smooth else 'C0')
         error += moved
     found = whole.curve.remove_knots(tolerance)

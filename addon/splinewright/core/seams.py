@@ -6,6 +6,7 @@ import numpy as np
 
 from . import definition as definitions
 from .continuity import Joint, Survey
+from .joints import SMOOTH
 from .library import sc
 
 #: More derivatives than are compared: none is ever all of a seam's.
@@ -56,7 +57,7 @@ def _is_periodic(definition, first, second):
 
 def _measured(patch_set, first, second):
     try:
-        return sc.seam_continuity(patch_set[first[0]], first[1], patch_set[second[0]], second[1])
+        return sc.seam_continuity(patch_set[first[0]], first[1], patch_set[second[0]], second[1], tolerance=SMOOTH)
     except (sc.InvalidShape, sc.PointAtInfinity):
         return None
 

@@ -603,7 +603,12 @@ class NurbsPatch:
     def isocurve(self, axis: _Axis, at: float) -> NurbsCurve: ...
     def boundary(self, side: _Border) -> NurbsCurve: ...
     def continuity_to(
-        self, side: _Border, other: _Patch, other_side: _Border, tolerance: float = 1e-8
+        self,
+        side: _Border,
+        other: _Patch,
+        other_side: _Border,
+        tolerance: float = 1e-8,
+        reversed: bool | None = None,
     ) -> SeamContinuity: ...
     def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> NurbsPatch: ...
     def reduce(
@@ -722,7 +727,12 @@ class BezierPatch:
     def isocurve(self, axis: _Axis, at: float) -> BezierCurve: ...
     def boundary(self, side: _Border) -> BezierCurve: ...
     def continuity_to(
-        self, side: _Border, other: _Patch, other_side: _Border, tolerance: float = 1e-8
+        self,
+        side: _Border,
+        other: _Patch,
+        other_side: _Border,
+        tolerance: float = 1e-8,
+        reversed: bool | None = None,
     ) -> SeamContinuity: ...
     def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> BezierPatch: ...
     def reduce(
@@ -838,7 +848,12 @@ class HermitePatch:
     def isocurve(self, axis: _Axis, at: float) -> NurbsCurve: ...
     def boundary(self, side: _Border) -> NurbsCurve: ...
     def continuity_to(
-        self, side: _Border, other: _Patch, other_side: _Border, tolerance: float = 1e-8
+        self,
+        side: _Border,
+        other: _Patch,
+        other_side: _Border,
+        tolerance: float = 1e-8,
+        reversed: bool | None = None,
     ) -> SeamContinuity: ...
     def dragged(
         self,
@@ -975,5 +990,6 @@ def seam_continuity(
     *,
     tolerance: float = 1e-8,
     parameters: ArrayLike | None = None,
+    reversed: bool | None = None,
 ) -> SeamContinuity:
     """The SeamContinuity of two patches across a side of each, at close places or at parameters (n,) in [0, 1]."""

@@ -160,6 +160,7 @@ def join_patches(
     second_side: _Border,
     continuity: _PatchSmoothness = "G1",
     moves: Literal["second", "first", "both"] = "second",
+    reversed: bool | None = None,
 ) -> JoinedPatches:
     """Two patches brought together along a side of each: the rows of points beside it move by the least.
 

@@ -12,6 +12,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Where shapes are brought before they are measured: the middle of their box to the origin, and their
@@ -60,3 +61,4 @@ inline double finite_size(double value, int dimension, const Placement& placemen
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -4,6 +4,7 @@
 
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The knots that a window of a new vector can reach; begin is the index of the first.
@@ -23,3 +24,4 @@ inline OldKnots reachable(const KnotVector& knots, long margin) {
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

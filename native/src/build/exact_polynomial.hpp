@@ -5,6 +5,7 @@
 #include "splinecore/base/interval.hpp"
 #include "splinecore/formula/polynomial.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The degree less one, where the polynomial allows it: divided by (1 - s) + s in the direction of u.
@@ -23,3 +24,4 @@ ScaledBernstein with_degrees(ScaledBernstein a, int degree_u, int degree_v);
 std::vector<double> bezier_ordinates(const ScaledBernstein& a);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

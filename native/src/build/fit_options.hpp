@@ -4,6 +4,7 @@
 
 #include "splinecore/base/interval.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 inline constexpr int kMaxPieces = 100'000;
@@ -31,3 +32,4 @@ double parameter_at(const Interval& interval, double place) noexcept;
 bool can_be_cut(const Interval& interval) noexcept;
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// What the control points of one axis count at a parameter: in the value there, and in its first two derivatives.
@@ -37,3 +38,4 @@ struct HermiteInfluence {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

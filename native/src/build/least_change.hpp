@@ -6,6 +6,7 @@
 
 #include "splinecore/build/drag.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// What of a shape may be moved, and what its point at a parameter and the derivatives there gain by it.
@@ -38,3 +39,4 @@ using Motion = std::vector<std::vector<double>>;
 Motion least_change(const Movable& movable, int order, const Following& following, const std::string& where);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -8,6 +8,7 @@
 #include "splinecore/base/interval.hpp"
 #include "splinecore/build/polynomial.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// A polynomial by divided differences: sum a_k (x - z_0) … (x - z_{k-1}), with 32 digits.
@@ -38,3 +39,4 @@ class NewtonForm {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

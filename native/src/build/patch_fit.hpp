@@ -13,6 +13,7 @@
 #include "splinecore/formula/taylor.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Mixed derivatives k, l <= 2 at a corner, at [3 * k + l].
@@ -42,3 +43,4 @@ Approximation<NurbsPatch> fitted_patch(std::span<const Formula> coordinates, con
                                        double tolerance);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 
 #include "splinecore/base/interval.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// A point with the first two derivatives by the parameter u.
@@ -40,3 +41,4 @@ std::vector<double> quintic_knots(std::span<const double> joints, std::span<cons
 std::array<double, 3> polar_weights(std::span<const double, 5> knots);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

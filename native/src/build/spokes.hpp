@@ -6,6 +6,7 @@
 
 #include "splinecore/build/sweeps.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Where a control point goes as it turns: foot + x out + y across on a circle of (x, y). Of a direction (weight
@@ -31,3 +32,4 @@ double require_length(const glm::dvec3& vector, const std::string& argument);
 void require_place(const glm::dvec3& place, const std::string& argument);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

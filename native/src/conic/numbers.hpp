@@ -9,6 +9,7 @@
 
 #include "splinecore/base/errors.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -48,3 +49,4 @@ inline void normalise(std::array<double, 6>& k) {
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -3,6 +3,7 @@
 #include "program.hpp"
 #include "splinecore/formula/formula.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// A letter or _, then letters, digits and _, all ASCII.
@@ -12,3 +13,4 @@ bool is_name(std::string_view text) noexcept;
 Program parse(std::string_view text, const std::vector<std::string>& variables, const Formula::Constants& constants);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 
 #include "splinecore/formula/formula.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// For each variable its values, one a row.
@@ -17,3 +18,4 @@ void require_places(const Formula& formula, Places values, std::size_t count);
 std::string place_text(const Formula& formula, Places values, std::size_t row);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

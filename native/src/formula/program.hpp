@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 enum class Operation {
@@ -53,3 +54,4 @@ class ProgramBuilder {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 #include "program.hpp"
 #include "splinecore/base/quotient.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// c_0 + c_1 s + … + c_order s^order, cut off. NaN where a coefficient does not exist.
@@ -24,3 +25,4 @@ Series apply(const Step& step, const Series& a) noexcept;
 Series apply(Operation operation, const Series& a, const Series& b) noexcept;
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -3,6 +3,7 @@
 #include "series.hpp"
 
 // What the rules of all functions are made of. Series that are put together have one order.
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 Series constant(int order, double value) noexcept;
@@ -29,3 +30,4 @@ Series integral_of_quotient(double start, const Series& a, const Series& b) noex
 double integral_of_product(const Series& a, const Series& b, int k) noexcept;
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -90,6 +90,8 @@ struct Limit {
   glm::dvec3 curvature{0.0};
   bool is_regular = false;  ///< the first derivative is not zero
   bool is_bent = false;     ///< the curvature grows beyond all bounds
+  double turn = 0.0;        ///< how far rounding may turn the direction, an angle
+  double bend = 0.0;        ///< how far it may move the curvature
 };
 
 double factorial(int n) { return std::tgamma(n + 1.0); }
@@ -107,7 +109,11 @@ Limit limit_of(const End& end) {
   // Arriving at s = 0 from below, s^m has the sign (-1)^m, and the curve moves against it.
   const double forward = end.sign < 0.0 && m % 2 == 0 ? -1.0 : 1.0;
   limit.direction = forward * end.derivatives[m] / length(m);
+  limit.turn = end.rounding[m] / length(m);
   const double a = length(m) / factorial(m);
+  if (2 * m <= order) {
+    limit.bend = 2.0 * (end.rounding[2 * m] + 2.0 * length(2 * m) * limit.turn) / factorial(2 * m) / (a * a);
+  }
   for (int k = m + 1; k <= order; ++k) {
     const glm::dvec3 across = end.derivatives[k] - glm::dot(end.derivatives[k], limit.direction) * limit.direction;
     const double b = glm::length(across);
@@ -138,6 +144,15 @@ void require_tolerance(double tolerance) {
   if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
 }
 
+/// What of point, direction and curvature two ends have in common: 0, 1 or 2.
+int common_shape(const Limit& before, const Limit& after, const Continuity& found, double tolerance) {
+  const auto rests = [](const Limit& limit) { return limit.direction == glm::dvec3(0.0); };
+  if (rests(before) != rests(after) || !(found.angle <= std::max(tolerance, before.turn + after.turn))) return 0;
+  const double largest = std::max(glm::length(before.curvature), glm::length(after.curvature));
+  const bool is_as_bent = found.curvature_difference <= std::max(tolerance * largest, before.bend + after.bend);
+  return is_as_bent ? 2 : 1;
+}
+
 Continuity compared(const End& left, const End& right, int degree, double tolerance) {
   const Limit before = limit_of(left);
   const Limit after = limit_of(right);
@@ -148,14 +163,8 @@ Continuity compared(const End& left, const End& right, int degree, double tolera
   found.curvature_difference = is_bent ? HUGE_VAL : glm::length(after.curvature - before.curvature);
   found.c = std::min(common_derivatives(left, right, tolerance), degree);
   if (found.c < 0) return found;
-  found.g = 0;
-  const auto rests = [](const Limit& limit) { return limit.direction == glm::dvec3(0.0); };
-  if (rests(before) != rests(after) || !(found.angle <= std::sqrt(tolerance))) return found;
-  found.g = 1;
-  if (is_bent) return found;
-  const double largest = std::max(glm::length(before.curvature), glm::length(after.curvature));
-  if (!(found.curvature_difference <= std::sqrt(tolerance) * largest)) return found;
-  found.g = before.is_regular && after.is_regular ? std::max(2, found.c) : 2;
+  found.g = common_shape(before, after, found, tolerance);
+  if (before.is_regular && after.is_regular) found.g = std::max(found.g, found.c);
   return found;
 }
 

@@ -105,8 +105,11 @@ void Flank::add(std::span<const SeamPlace> places, Side side, std::span<SeamJet>
     if (places[i].side != side) continue;
     const auto& at = values[next];
     SeamJet& jet = jets[i];
-    jet = {at[0], turn_ * at[is_u ? 1 : 3], way_ * at[is_u ? 3 : 1], at[is_u ? 6 : 2], glm::dvec3(kNan), kNan, false};
-    jet.is_regular = glm::length(glm::cross(jet.across, jet.along)) > negligible_;
+    jet = {at[0], turn_ * at[is_u ? 1 : 3], way_ * at[is_u ? 3 : 1], at[is_u ? 6 : 2], glm::dvec3(kNan), kNan, false,
+           0.0};
+    const double area = glm::length(glm::cross(jet.across, jet.along));
+    jet.is_regular = area > negligible_;
+    jet.rise = area / glm::length(jet.along);
     if (is_finite(jet.point) && normals[next] != glm::dvec3(0.0)) jet.normal = sign * normals[next];
     if (glm::length(jet.along) > 0.0) jet.curvature = sign * curvature_beside(bends[next], jet.along, jet.normal);
     ++next;

@@ -8,6 +8,7 @@
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/isocurve.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Within this part of the way two places along a seam are the same.
@@ -28,6 +29,7 @@ struct SeamJet {
   glm::dvec3 normal;  ///< across times along; NaN where there is none
   double curvature;   ///< at right angles to the seam, towards the normal
   bool is_regular;    ///< across and along are not parallel
+  double rise;        ///< of across over along
 };
 
 /// One of two patches, near the origin and of size one or so, as seen along its side.
@@ -70,3 +72,4 @@ class Flank {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -11,6 +11,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -76,18 +77,12 @@ class Speed {
   Stencil at_;
 };
 
-}  // namespace
-
-Approximation<double> length(const NurbsCurve& curve, Interval range, double tolerance) {
-  require_relative(tolerance);
-  const Interval domain = curve.domain();
-  range = {admitted(range.start, domain, "start"), admitted(range.end, domain, "end")};
-  if (range.start > range.end) {
-    throw InvalidShape("start = " + text_of(range.start) + " is above end = " + text_of(range.end));
-  }
+Approximation<double> length_inside(const NurbsCurve& curve, const Interval& range, double tolerance) {
   require_finite_points(curve, range);
   const Placement placement = placement_of(curve.points());
-  const NurbsCurve near = placed(curve, placement);
+  const int exponent = scale_of(curve.knot_vector());
+  const NurbsCurve placed_curve = placed(curve, placement);
+  const NurbsCurve near = exponent == 0 ? placed_curve : divided(placed_curve, {.parameters = exponent});
   Speed speed(near);
   const auto rule = [&](const Cell<1>& cell) {
     const auto nodes = gauss_nodes(cell.box[0]);
@@ -100,9 +95,49 @@ Approximation<double> length(const NurbsCurve& curve, Interval range, double tol
     }
     return sum;
   };
-  const auto cells = cells_of(near, range);
+  const auto cells = cells_of(near, {std::scalbn(range.start, -exponent), std::scalbn(range.end, -exponent)});
   const auto found = adaptive_integral(cells, rule, tolerance, kMostCells, "the length cannot be found");
   return {finite_size(found.value, 1, placement, "length"), given_size(found.error, 1, placement)};
+}
+
+/// Whole turns, and what is left of one, which may lie on both sides of the seam.
+Approximation<double> length_around(const NurbsCurve& curve, const Interval& range, double tolerance) {
+  const KnotVector& knots = curve.knot_vector();
+  const Interval domain = curve.domain();
+  const double start = knots.admit(range.start, Side::right, {}, "start");
+  const double end = knots.admit(range.end, Side::left, {}, "end");
+  if (range.start == range.end) return {0.0, 0.0};
+  const auto part = [&](double from, double to) { return length_inside(curve, {from, to}, tolerance); };
+  // Halves, because the distance itself may overflow.
+  const double ways = (0.5 * range.end - 0.5 * range.start - (0.5 * end - 0.5 * start)) / (0.5 * domain.length());
+  double turns = std::round(ways);
+  Approximation<double> total{0.0, 0.0};
+  const auto add = [&](double times, const Approximation<double>& more) {
+    total.value += times * more.value;
+    total.error += times * more.error;
+  };
+  if (start <= end) {
+    add(1.0, part(start, end));
+  } else {
+    add(1.0, part(start, domain.end));
+    add(1.0, part(domain.start, end));
+    turns -= 1.0;
+  }
+  if (turns > 0.0) add(turns, part(domain.start, domain.end));
+  if (!std::isfinite(total.value)) throw InvalidShape("the length is too large for a number");
+  return total;
+}
+
+}  // namespace
+
+Approximation<double> length(const NurbsCurve& curve, Interval range, double tolerance) {
+  require_relative(tolerance);
+  if (range.start > range.end) {
+    throw InvalidShape("start = " + text_of(range.start) + " is above end = " + text_of(range.end));
+  }
+  if (curve.periodic()) return length_around(curve, range, tolerance);
+  const Interval domain = curve.domain();
+  return length_inside(curve, {admitted(range.start, domain, "start"), admitted(range.end, domain, "end")}, tolerance);
 }
 
 Approximation<double> length(const NurbsCurve& curve) { return length(curve, curve.domain()); }

@@ -11,6 +11,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/interval.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Gauss's and Legendre's rule: exact for polynomials up to degree 2 kGaussNodes - 1.
@@ -161,3 +162,4 @@ Approximation<double> adaptive_integral(const std::vector<Cell<Dimension>>& cell
 void require_relative(double tolerance);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -4,6 +4,7 @@
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Parts of a range of the domain, in order and within one span each, inside which the first derivative is
@@ -14,3 +15,4 @@ namespace splinecore {
 std::vector<Interval> regular_parts(const NurbsCurve& curve, const Interval& range);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

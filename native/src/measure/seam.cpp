@@ -57,6 +57,7 @@ struct Jets {
 void take_normal(const SeamJet& from, SeamJet& to) {
   to.normal = from.normal;
   to.curvature = from.curvature;
+  to.rise = from.rise;
 }
 
 /// Where a normal is the limit of many, as at the end of a meridian, both are those a little way on along the seam,
@@ -96,6 +97,7 @@ struct Extremes {
   std::array<double, 2> derivatives{};
   std::array<double, 2> differences{};
   double curvature = 0.0;
+  double steepness = 0.0;  ///< one by the least rise of across over along, where there is a normal
   int places = 0;
   int normals = 0;  ///< places with an angle
 };
@@ -118,6 +120,7 @@ void add(const SeamJet& a, const SeamJet& b, SeamContinuity& found, Extremes& ex
     raise(extremes.derivatives[0], glm::length(jet->across));
     raise(extremes.derivatives[1], glm::length(jet->second_across));
     raise(extremes.curvature, std::abs(jet->curvature));
+    if (!std::isnan(angle)) raise(extremes.steepness, 1.0 / jet->rise);
   }
   raise(extremes.differences[0], glm::length(b.across - a.across));
   raise(extremes.differences[1], glm::length(b.second_across - a.second_across));
@@ -136,9 +139,11 @@ void classify(SeamContinuity& found, const Extremes& extremes, const std::array<
   };
   found.c = !agrees(0) ? 0 : !agrees(1) ? 1 : 2;
   found.g = 0;
-  if (extremes.normals == 0 || found.angle > std::sqrt(tolerance)) return;
+  const double turn = 2.0 * rounding[1] * extremes.steepness;
+  if (extremes.normals == 0 || found.angle > std::max(tolerance, turn)) return;
   found.g = 1;
-  const double slack = std::max(std::sqrt(tolerance) * extremes.curvature, tolerance / size);
+  const double bend = (2.0 * rounding[2] * extremes.steepness + extremes.curvature * turn) * extremes.steepness;
+  const double slack = std::max(tolerance * std::max(extremes.curvature, 1.0 / size), bend);
   if (found.curvature_difference <= slack) found.g = 2;
 }
 
@@ -183,7 +188,8 @@ void bring_back(SeamContinuity& found, const Placement& placement) {
 }  // namespace
 
 SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
-                               double tolerance, std::optional<std::span<const double>> places) {
+                               double tolerance, std::optional<std::span<const double>> places,
+                               std::optional<bool> reversed) {
   if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
   require_side(a, side_a, "first");
   require_side(b, side_b, "second");
@@ -194,7 +200,7 @@ SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPa
   const NurbsPatch first = divided(placed(a, placement), scales_a);
   const NurbsPatch second = divided(placed(b, placement), scales_b);
   SeamContinuity found;
-  found.reversed = run_against(first, side_a, second, side_b);
+  found.reversed = reversed ? *reversed : run_against(first, side_a, second, side_b);
   const Flank on_a(first, side_a, Flank::Role::first, false);
   const Flank on_b(second, side_b, Flank::Role::second, found.reversed);
   const std::vector<SeamPlace> chosen = places ? given_places(*places) : dense_places(on_a, on_b);

@@ -3,6 +3,7 @@
 #include "splinecore/patch/isocurve.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Two patches that are clamped across a side and alike along it.
@@ -20,3 +21,4 @@ struct CommonEdge {
 CommonEdge on_common_edge(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b, bool is_reversed);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 
 #include "edge_rows.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// B(t) is (1 + g t + e t² / 2) A(k t + m t² / 2) up to the second order.
@@ -82,3 +83,4 @@ Constants follow_locally(const LocalRows& a, LocalRows& b, PatchSmoothness smoot
 void follow(const EdgeRows& a, EdgeRows& b, PatchSmoothness smoothness, bool is_rational, KnownRatios known);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 
 #include "splinecore/patch/join.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 inline constexpr int kMostRows = 3;
@@ -47,3 +48,4 @@ void follow(const EdgeRows& a, EdgeRows& b, PatchSmoothness smoothness, bool is_
 void meet(EdgeRows& a, EdgeRows& b, PatchSmoothness smoothness, bool is_rational);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

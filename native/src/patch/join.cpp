@@ -125,8 +125,8 @@ std::vector<std::size_t> in_order(std::size_t count) {
 }
 
 PatchJoin joined_near_one(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
-                          PatchSmoothness smoothness, bool is_first_moved) {
-  const bool is_reversed = run_against(a, side_a, b, side_b);
+                          PatchSmoothness smoothness, bool is_first_moved, std::optional<bool> reversed) {
+  const bool is_reversed = reversed ? *reversed : run_against(a, side_a, b, side_b);
   CommonEdge edge = on_common_edge(a, side_a, b, side_b, is_reversed);
   const auto columns_of_a = in_order(edge.columns_of_b.size());
   if (is_first_moved) edge.a = with_room(edge.a, side_a, smoothness);
@@ -179,15 +179,16 @@ bool run_against(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border
 }
 
 PatchJoin joined_patches(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
-                         PatchSmoothness smoothness, JoinMoves moves) {
+                         PatchSmoothness smoothness, JoinMoves moves, std::optional<bool> reversed) {
   require_edge(a, side_a, "first");
   require_edge(b, side_b, "second");
   const int exponent = exponent_of(a, b);
   const NurbsPatch first = scaled(a, -exponent);
   const NurbsPatch second = scaled(b, -exponent);
   const bool is_swapped = moves == JoinMoves::first;
-  PatchJoin join = is_swapped ? joined_near_one(second, side_b, first, side_a, smoothness, false)
-                              : joined_near_one(first, side_a, second, side_b, smoothness, moves == JoinMoves::both);
+  PatchJoin join =
+      is_swapped ? joined_near_one(second, side_b, first, side_a, smoothness, false, reversed)
+                 : joined_near_one(first, side_a, second, side_b, smoothness, moves == JoinMoves::both, reversed);
   if (is_swapped) {
     std::swap(join.first, join.second);
     std::swap(join.first_error, join.second_error);

@@ -10,6 +10,7 @@
 #include "splinecore/patch/bezier_patch.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 // A patch along one axis is a bundle of curves, the lines of its net, on the same knots.
@@ -55,3 +56,4 @@ NurbsPatch along(const NurbsPatch& patch, Axis axis, const std::function<NurbsCu
 BezierPatch as_bezier(const NurbsPatch& patch);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

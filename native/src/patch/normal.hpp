@@ -5,6 +5,7 @@
 
 #include "splinecore/patch/evaluate.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Unit normals of one patch: what is the same for all its points.
@@ -33,3 +34,4 @@ class NormalFinder {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// @throws InvalidShape unless the tolerance, if there is one, is 0 or more.
@@ -17,3 +18,4 @@ Approximation<NurbsPatch> within(std::optional<double> tolerance, const NurbsPat
                                  const char* what);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

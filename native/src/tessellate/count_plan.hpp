@@ -8,6 +8,7 @@
 #include "splinecore/patch/panels.hpp"
 #include "splinecore/tessellate/mesh_spans.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The number of the axis that a side runs along: 0 for u, 1 for v.
@@ -42,3 +43,4 @@ class CountPlan {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

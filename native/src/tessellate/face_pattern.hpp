@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The faces of a rectangle with more vertices on its sides: quads as far as they go, triangles elsewhere.
@@ -48,3 +49,4 @@ std::vector<std::vector<Spot>> face_pattern(const std::array<Spot, 4>& corners,
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -8,6 +8,7 @@
 
 #include "splinecore/tessellate/tessellation.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// A corner of a face: its vertex, and where the patch's normal is taken.
@@ -56,3 +57,4 @@ class MeshWriter {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 
 #include "splinecore/patch/panels.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The vertices on the sides of panels. Those of an edge are the same for all its sides, those of a corner for all
@@ -30,3 +31,4 @@ class SideVertices {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

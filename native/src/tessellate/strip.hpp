@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Scaled parameters nearer than this are one.
@@ -37,3 +38,4 @@ inline std::vector<StripFace> strip_faces(std::span<const double> outer, std::sp
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -15,7 +15,7 @@ struct Continuity {
   int g = -1;  ///< -1 for a gap, 0, 1, 2, or c where that is more and the curve moves on
 };
 
-/// Relative size below which a difference is called none.
+/// Relative size below which a difference is called none; of directions, the angle. What rounding makes is none, too.
 inline constexpr double kContinuityTolerance = 1e-8;
 
 /// At a parameter. Directions and curvatures are limits: where a derivative falls to zero the next ones tell.

@@ -23,7 +23,7 @@ struct SeamContinuity {
   double second_difference = 0.0;      ///< the same of the second derivatives
   int c = -1;                          ///< -1 for a gap, otherwise derivatives across that agree: 0, 1 or 2
   int g = -1;                          ///< -1 for a gap, 0, 1 for tangent planes, 2 for curvatures that agree
-  bool reversed = false;               ///< b runs against a along the seam: run_against()
+  bool reversed = false;               ///< b runs against a along the seam
   std::vector<double> parameters;      ///< places, as parts of the way along a's side
   std::vector<glm::dvec3> points;      ///< of a there
   std::vector<double> gaps;
@@ -39,10 +39,12 @@ struct SeamContinuity {
 /// and tangent planes are as curved in every direction if they are at right angles to the side (Pegna and Wolter,
 /// 1992), so one number decides g = 2. The ends have no gap if they lie apart by no more than rounding does; other
 /// differences are none as in continuity_between(), and curvatures below the tolerance divided by the patches' size.
+/// @param reversed  b runs against a along the seam; without it run_against() says
 /// @throws InvalidShape if a side lies at infinity or is the seam of a periodic direction, for places outside [0, 1]
 ///         or a tolerance below 0.
 SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
                                double tolerance = kContinuityTolerance,
-                               std::optional<std::span<const double>> places = {});
+                               std::optional<std::span<const double>> places = {},
+                               std::optional<bool> reversed = {});
 
 }  // namespace splinecore

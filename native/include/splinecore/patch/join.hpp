@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "splinecore/patch/isocurve.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
@@ -44,9 +46,11 @@ bool run_against(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border
 /// Where both move, their points do so by the least sum of squares that gives these conditions, k being that of
 /// both patches' legs (total least squares); between rational ones the first keeps its weights but for the edge,
 /// which has the means of both.
+/// @param reversed  the second runs against the first along the edge; without it run_against() says
 /// @throws InvalidShape if a side is one point, lies at infinity or is the seam of a periodic direction, if a
 ///         patch leaves the edge in no direction (g1, g2), or knots along the edge cannot be told apart.
 PatchJoin joined_patches(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
-                         PatchSmoothness smoothness, JoinMoves moves = JoinMoves::second);
+                         PatchSmoothness smoothness, JoinMoves moves = JoinMoves::second,
+                         std::optional<bool> reversed = {});
 
 }  // namespace splinecore

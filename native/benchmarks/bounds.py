@@ -1,0 +1,47 @@
+"""The least that one core can need for an item: what must be computed or moved, at the rates measured beside it.
+
+An operation is one on a vector of four doubles (a multiplication with addition counts once). Divisions and memory run
+beside the operations, so the bound is the largest of the three, never their sum.
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass
+class Bound:
+    operations: float
+    divisions: float
+    bytes: int
+    formula: str
+
+    def nanoseconds(self, machine):
+        return max(self.operations * machine["operation_ns"], self.divisions * machine["division_ns"],
+                   self.bytes * machine["byte_ns"])
+
+
+def bezier(degree):
+    return Bound(3.5 * degree / 4, 0, 32, f"Horner after Volk and Schumaker, {degree} · (3 FMA + half a power), "
+                 "in lanes of 4 parameters; 32 bytes")
+
+
+BOUNDS = {
+    "W1 sorted": Bound(4, 0.25, 32, "12 FMA, 1 subtraction, 3 products in lanes of 4 parameters; 32 bytes"),
+    "W1 random": Bound(28, 1, 32, "look-up of the span 8, 4 loads, 1 subtraction, 3 FMA, reciprocal 4, stores and "
+                       "shuffles 8, x y z w in the lanes; 32 bytes"),
+    "W2": Bound(11, 0.25, 80, "24 FMA for the sums, 20 for the quotients, in lanes of 4 parameters; 80 bytes"),
+    "W3 points": Bound(4.6, 0.25, 24, "as W1, and 2.4 FMA a point for rows and spans; 24 bytes"),
+    "W3 normals": Bound(14, 0.75, 48, "32 FMA for S, Su, Sv, 24 for quotients, cross product, length, in lanes of 4; "
+                        "48 bytes"),
+    "W4": Bound(72, 1, 88, "72 operations with x y z w in the lanes; 88 bytes"),
+    "W5 degree 11": bezier(11),
+    "W5 degree 25": bezier(25),
+    "W6 refine": Bound(24, 3, 48, "2 new points a knot: 6 steps of de Boor of 2 operations and 6 divisions each; "
+                       "48 bytes"),
+    "W6 elevate": Bound(30, 3, 72, "3 new points a span, each a sum of 4 points and its 4 coefficients, 10 operations; "
+                        "72 bytes"),
+    "W6 Beziers": Bound(12, 3, 96, "3 new points a span, each 2 steps of de Boor of 2 operations; 96 bytes"),
+    "W10": Bound(11, 0.5, 48, "24 FMA for S, Su, Sv, 18 for cross product and length, in lanes of 4, 0.5 for rows; "
+                 "48 bytes"),
+    "W11": Bound(61 * 20 * 12, 61 * 20 / 2, 0, "61 spans, 20 places of Gauss's rule each, as W2 without its second "
+                 "derivative, and a root"),
+}

@@ -1,0 +1,193 @@
+"""Times splinecore through its Python module: ours.py DATA KEPT WORKLOAD, as the rivals' programs do."""
+
+import json
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import splinecore as sc
+
+import workloads
+
+SECONDS = 0.4
+FEWEST, MOST = 3, 200
+
+
+def takes(function, argument):
+    return f"{argument}:" in function.__doc__ or f"{argument} =" in function.__doc__
+
+
+def alone(function):
+    """One thread, where a function can have more."""
+    return {"threads": 1} if takes(function, "threads") else {}
+
+
+class Run:
+    def __init__(self, data, kept, workload):
+        self.data, self.kept, self.workload = Path(data), Path(kept), workload
+
+    def input(self, name, *shape):
+        return np.fromfile(self.data / f"{name}.f64").reshape(shape or (-1,))
+
+    def time(self, call, items, work, note=""):
+        work()
+        times = []
+        while len(times) < FEWEST or (len(times) < MOST and sum(times) < SECONDS):
+            start = time.process_time()
+            result = work()
+            times.append(time.process_time() - start)
+            del result
+        print(json.dumps({"workload": self.workload, "who": "splinecore", "call": call,
+                          "seconds": statistics.median(times), "items": items, "note": note}))
+
+    def keep(self, call, rows, step=workloads.SAMPLE_STEP):
+        rows = np.asarray(rows, float)[::step]
+        rows.tofile(self.kept / f"{self.workload}.splinecore.{call}.f64")
+
+    def fresh_and_reused(self, function, arguments, shapes, items, rows, dtype=None):
+        """`function` into fresh arrays, and into reused ones where it takes them; rows(result) is what is kept."""
+        kind = {} if dtype is None else {"dtype": dtype}
+        prefix = "" if dtype is None else f"{np.dtype(dtype)}, "
+        options = alone(function)
+        self.time(prefix + "fresh", items, lambda: function(*arguments, **kind, **options))
+        self.keep(prefix + "fresh", rows(function(*arguments, **kind, **options)))
+        if takes(function, "out"):
+            made = [np.empty(shape, dtype or float) for shape in shapes]
+            out = made[0] if len(made) == 1 else tuple(made)
+            self.time(prefix + "out=", items, lambda: function(*arguments, out=out, **options))
+            self.keep(prefix + "out=", rows(out))
+
+
+def curve(run):
+    rows = run.input("curve.points", -1, 4)
+    return sc.NurbsCurve(3, run.input("curve.knots"), rows[:, :3], rows[:, 3])
+
+
+def long_curve(run):
+    return sc.NurbsCurve(3, run.input("long.knots"), run.input("long.points", -1, 4)[:, :3])
+
+
+def surface(run):
+    rows = run.input("surface.points", 32, 32, 4)
+    knots = run.input("surface.knots_u"), run.input("surface.knots_v")
+    return sc.NurbsPatch((3, 3), knots, rows[..., :3], rows[..., 3])
+
+
+def teapot(run):
+    return [sc.BezierPatch(net) for net in run.input("teapot", -1, 4, 4, 3)]
+
+
+def points(run, shape, parameters):
+    count = len(parameters)
+    run.fresh_and_reused(shape.evaluate, (parameters,), [(count, 3)], count, lambda out: out)
+
+
+def second_derivatives(run):
+    u = run.input("sorted")
+    run.fresh_and_reused(curve(run).derivatives, (u, 2), [(len(u), 3, 3)], len(u), lambda out: out.reshape(-1, 9))
+
+
+def grid_points(run):
+    patch, line = surface(run), run.input("grid")
+    n = len(line)
+    for dtype in (None, np.float32):
+        run.fresh_and_reused(patch.evaluate_grid, (line, line), [(n, n, 3)], n * n,
+                             lambda out: out.reshape(-1, 3), dtype)
+
+
+def pair_rows(made):
+    return np.concatenate([part.reshape(-1, 3) for part in made], 1)
+
+
+def grid_normals(run):
+    patch, line = surface(run), run.input("grid")
+    n = len(line)
+    for dtype in (None, np.float32):
+        run.fresh_and_reused(patch.evaluate_grid_with_normals, (line, line), [(n, n, 3)] * 2, n * n, pair_rows, dtype)
+
+
+def first_derivatives(run):
+    pairs = run.input("pairs", -1, 2)
+    u, v = pairs[:, 0].copy(), pairs[:, 1].copy()
+
+    def rows(out):
+        return np.stack([out[:, 0, 0], out[:, 1, 0], out[:, 0, 1]], 1).reshape(-1, 9)
+
+    run.fresh_and_reused(surface(run).derivatives, (u, v, 1), [(len(u), 2, 2, 3)], len(u), rows)
+
+
+def verb(run, call, items, work, rows):
+    run.time(call, items, work)
+    run.keep(call, rows(work()), 7)
+
+
+def refine(run):
+    shape, knots = long_curve(run), run.input("inserted")
+    verb(run, "refine", len(knots), lambda: shape.refine(knots), lambda made: made.points)
+
+
+def elevate(run):
+    shape = long_curve(run)
+    verb(run, "elevate", 1000, lambda: shape.elevate(2), lambda made: made.points)
+
+
+def beziers(run):
+    shape = long_curve(run)
+    verb(run, "to_bezier", 997, shape.to_bezier, lambda made: np.concatenate([piece.points for piece in made]))
+
+
+def many_patches(run):
+    patches, line = teapot(run), run.input("patch_grid")
+    n, count = len(line), len(patches)
+    together = sc.PatchSet.from_patches(patches)
+    if hasattr(together, "evaluate_grid_with_normals"):
+        run.fresh_and_reused(together.evaluate_grid_with_normals, (line, line), [(count, n, n, 3)] * 2,
+                             count * n * n, pair_rows)
+    else:
+        def each():
+            return [patch.evaluate_grid_with_normals(line, line) for patch in patches]
+
+        run.time("a call a patch", count * n * n, each)
+        run.keep("a call a patch", np.concatenate([pair_rows(made) for made in each()]))
+
+
+def length(run):
+    shape = curve(run)
+    run.time("length", 1, lambda: shape.length(tolerance=1e-9))
+    run.keep("length", [shape.length(tolerance=1e-9)])
+
+
+def adaptive(run):
+    """The mesh with its points: a mesh for a modeller has both."""
+    patch_set = sc.PatchSet.from_patches(teapot(run))
+
+    def mesh():
+        made = sc.Tessellation.adaptive(patch_set, tolerance=1e-3)
+        return made, made.evaluate_positions(patch_set)
+
+    made, _ = mesh()
+    triangles = len(made.corner_vertices) - 2 * len(made.face_patches)
+    run.time("adaptive", 1, mesh, f"{made.vertex_count} vertices, {triangles} triangles")
+
+
+RUNS = {
+    "W1 sorted": lambda run: points(run, curve(run), run.input("sorted")),
+    "W1 random": lambda run: points(run, curve(run), run.input("random")),
+    "W2": second_derivatives,
+    "W3 points": grid_points,
+    "W3 normals": grid_normals,
+    "W4": first_derivatives,
+    "W5 degree 11": lambda run: points(run, sc.BezierCurve(run.input("bezier11.points", -1, 3)), run.input("sorted")),
+    "W5 degree 25": lambda run: points(run, sc.BezierCurve(run.input("bezier25.points", -1, 3)), run.input("sorted")),
+    "W6 refine": refine,
+    "W6 elevate": elevate,
+    "W6 Beziers": beziers,
+    "W10": many_patches,
+    "W11": length,
+    "adaptive": adaptive,
+}
+
+if __name__ == "__main__":
+    RUNS[sys.argv[3]](Run(*sys.argv[1:]))

@@ -1,0 +1,157 @@
+"""The table: medians of all rounds, one row a workload, as Markdown and JSON."""
+
+import json
+import statistics
+from dataclasses import asdict, dataclass, field
+
+from bounds import BOUNDS
+from workloads import WORKLOADS
+
+MARKS = {"W1 sorted": 35, "W1 random": 18, "W2": 20, "W3 points": 13, "W3 normals": 22, "W4": 12, "W5 degree 11": 39,
+         "W5 degree 25": 84, "W6 refine": 2, "W6 elevate": 4, "W6 Beziers": 2, "W10": 12, "W11": 2}
+MARKS_BY_EARLIER = {"adaptive": 10}
+FASTER_OF_BOTH = ("W6 refine", "W6 elevate", "W6 Beziers")
+AGAINST_OCCT = ("W11", "adaptive")
+ACCURATE_LENGTH = 1e-9
+
+
+@dataclass
+class Row:
+    workload: str
+    calls: dict = field(default_factory=dict)  # "who, call" -> ns an item
+    notes: dict = field(default_factory=dict)
+    errors: dict = field(default_factory=dict)
+    bound_ns: float | None = None
+    formula: str = ""
+    ours: str | None = None
+    rival: str | None = None
+    ratio: float | None = None
+    mark: float | None = None
+    earlier_ratio: float | None = None
+
+
+def rows_of(lines, errors, machine, earlier=None):
+    """`lines` are what the programs said, in all rounds; errors is {workload: {"who, call": error}}."""
+    rows = []
+    for workload in WORKLOADS:
+        times, row = {}, Row(workload, errors=errors.get(workload, {}), mark=MARKS.get(workload))
+        for line in lines:
+            if line["workload"] == workload:
+                name = f"{line['who']}, {line['call']}"
+                times.setdefault(name, []).append(line["seconds"] / line["items"] * 1e9)
+                if line["note"]:
+                    row.notes[name] = line["note"]
+        row.calls = {name: statistics.median(values) for name, values in times.items()}
+        if workload in BOUNDS:
+            row.bound_ns, row.formula = BOUNDS[workload].nanoseconds(machine), BOUNDS[workload].formula
+        compare(row, earlier)
+        rows.append(row)
+    return rows
+
+
+def fastest(row, names):
+    return min(names, key=row.calls.get, default=None)
+
+
+def best_of_ours(row):
+    """The call with reused arrays, where there is one."""
+    reused = [name for name in row.calls if name == "splinecore, out="]
+    return fastest(row, reused or [name for name in row.calls
+                                   if name.startswith("splinecore") and "float32" not in name])
+
+
+def rival_of(row):
+    rivals = [name for name in row.calls if not name.startswith("splinecore")]
+    if row.workload in AGAINST_OCCT:
+        rivals = [name for name in rivals if name.startswith("OCCT")]
+    elif row.workload not in FASTER_OF_BOTH:
+        rivals = [name for name in rivals if name.startswith("SISL")]
+    if row.workload == "W11":
+        rivals = [name for name in rivals if row.errors.get(name, 0) <= ACCURATE_LENGTH]
+    return fastest(row, rivals)
+
+
+def compare(row, earlier):
+    row.ours, row.rival = best_of_ours(row), rival_of(row)
+    if row.ours and row.rival:
+        row.ratio = row.calls[row.rival] / row.calls[row.ours]
+    if row.ours and earlier and row.workload in earlier:
+        row.earlier_ratio = earlier[row.workload] / row.calls[row.ours]
+
+
+def number(value, digits=3):
+    if value is None:
+        return "–"
+    return f"{value:.{digits}g}" if value < 1000 else f"{value:,.0f}"
+
+
+def cell(row, name):
+    return number(row.calls.get(name)) if name else "–"
+
+
+def rival_cell(row, who):
+    name = fastest(row, [name for name in row.calls if name.startswith(who)])
+    name = row.rival if row.rival and row.rival.startswith(who) else name
+    return f"{cell(row, name)} ({name.split(', ', 1)[1]})" if name else "–"
+
+
+def mark_cell(row):
+    by_earlier = MARKS_BY_EARLIER.get(row.workload)
+    return f"{row.mark}×" if row.mark else f"{by_earlier}× earlier" if by_earlier else "–"
+
+
+def share_cell(row):
+    if not row.bound_ns or not row.ours:
+        return "–"
+    return f"{number(100 * row.bound_ns / row.calls[row.ours], 2)} %"
+
+
+def markdown(rows, machine):
+    lines = [f"{machine['name']}; {machine['versions']}; one thread, medians of {machine['rounds']} rounds; "
+             "nanoseconds of the processor an item", "",
+             "| workload | splinecore `out=` | fresh | float32 `out=` | SISL | OCCT | ratio | mark | error | rival's "
+             "| bound | of the bound | × earlier |", "| --- |" + " ---: |" * 12]
+    for row in rows:
+        reached = row.ratio is not None and row.mark is not None and row.ratio >= row.mark
+        ratio = f"{row.ratio:.1f}×" if row.ratio is not None else "–"
+        fresh = next((name for name in row.calls if name.startswith("splinecore")
+                      and "out=" not in name and "float32" not in name), None)
+        lines.append("| " + " | ".join([
+            row.workload, cell(row, "splinecore, out="), cell(row, fresh), cell(row, "splinecore, float32, out="),
+            rival_cell(row, "SISL"), rival_cell(row, "OCCT"), f"**{ratio}**" if reached else ratio,
+            mark_cell(row), number(row.errors.get(row.ours), 2),
+            number(row.errors.get(row.rival), 2), number(row.bound_ns), share_cell(row),
+            f"{row.earlier_ratio:.1f}" if row.earlier_ratio else "–"]) + " |")
+    lines += ["", f"Measured in the same run: {1 / machine['operation_ns']:.1f}e9 operations on four doubles, "
+              f"{1 / machine['division_ns']:.2f}e9 divisions of four doubles, {1 / machine['byte_ns']:.0f} GB/s "
+              "written. The bound is the largest of:", ""]
+    lines += [f"- {row.workload}: {row.formula}" for row in rows if row.formula]
+    lines += [f"- {row.workload}: {name}: {note}" for row in rows for name, note in row.notes.items()]
+    return "\n".join(lines) + "\n"
+
+
+WHAT = {
+    "W1 sorted": "points of a rational cubic curve, parameters in order", "W1 random": "the same, in any order",
+    "W2": "two derivatives", "W3 points": "a grid of a rational bicubic surface, 1000 × 1000",
+    "W3 normals": "the same with unit normals", "W4": "point and first derivatives at scattered pairs",
+    "W5 degree 11": "a Bezier curve of degree 11", "W5 degree 25": "of degree 25",
+    "W6 refine": "1000 knots into a cubic of 1000 points, a knot", "W6 elevate": "its degree from 3 to 5, a point",
+    "W6 Beziers": "its Bezier pieces, a piece", "W10": "32 patches of 64 × 64 points with normals",
+    "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3",
+}
+
+
+def brief(rows, machine):
+    """The table of the README."""
+    lines = [f"{machine['name']}, {machine['versions']}, one thread; nanoseconds an item:", "",
+             "| | splinecore | rival | ratio | error |", "| --- | ---: | ---: | ---: | ---: |"]
+    for row in rows:
+        rival = f"{cell(row, row.rival)} ({row.rival.replace(',', '')})" if row.rival else "–"
+        ratio = f"{row.ratio:.1f}×" if row.ratio is not None else "–"
+        lines.append(f"| {WHAT[row.workload]} | {cell(row, row.ours)} | {rival} | {ratio} "
+                     f"| {number(row.errors.get(row.ours), 2)} |")
+    return "\n".join(lines) + "\n"
+
+
+def as_json(rows, machine):
+    return json.dumps({"machine": machine, "rows": [asdict(row) for row in rows]}, indent=1, ensure_ascii=False) + "\n"

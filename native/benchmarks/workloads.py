@@ -1,0 +1,79 @@
+"""What is measured: the same numbers on every machine, written as raw float64 for the programs that time them."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
+             "W6 refine", "W6 elevate", "W6 Beziers", "W10", "W11", "adaptive")
+PARAMETERS = 1_000_000
+GRID = 1000
+PATCH_GRID = 64
+SAMPLE_STEP = 2503
+TEAPOT = Path(__file__).parents[2] / "addon/splinewright/core/teapot.json"
+
+
+def random(seed, count):
+    """Numbers of [0, 1) from splitmix64 (Steele, Lea, Flood 2014), reproducible in any language."""
+    with np.errstate(over="ignore"):
+        z = np.uint64(seed << 32) + np.arange(1, count + 1, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C15)
+        z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+        z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+        z = z ^ (z >> np.uint64(31))
+    return (z >> np.uint64(11)).astype(float) * 2.0**-53
+
+
+def uneven_knots(seed, count, degree=3):
+    """Clamped simple knots on [0, 1] whose spans are from 0.5 to 1.5 of the mean."""
+    ends = np.cumsum(0.5 + random(seed, count - degree))
+    return np.concatenate([np.zeros(degree + 1), ends[:-1] / ends[-1], np.ones(degree + 1)])
+
+
+def helix(count, seed):
+    """Rows x, y, z, w of a helix with noise, weights from 0.5 to 2."""
+    t = np.linspace(0, 1, count)
+    noise = 0.1 * (random(seed, 3 * count).reshape(count, 3) - 0.5)
+    points = np.stack([np.cos(12 * t), np.sin(12 * t), 2 * t], 1) + noise
+    return np.column_stack([points, 0.5 + 1.5 * random(seed + 1, count)])
+
+
+def sheet(count):
+    """Rows x, y, z, w of a wavy sheet with noise, (count, count, 4), weights from 0.5 to 2."""
+    u, v = np.meshgrid(*[np.linspace(0, 1, count)] * 2, indexing="ij")
+    noise = random(7, 3 * count * count).reshape(count, count, 3) - 0.5
+    step = 0.3 / (count - 1)
+    z = 0.2 * np.sin(9 * u) * np.cos(7 * v) + 0.02 * noise[..., 2]
+    weights = 0.5 + 1.5 * random(8, count * count).reshape(count, count)
+    return np.stack([u + step * noise[..., 0], v + step * noise[..., 1], z, weights], -1)
+
+
+def bezier(degree, seed):
+    noise = random(seed, 2 * (degree + 1)).reshape(-1, 2)
+    return np.stack([0.3 + noise[:, 0], 0.2 * noise[:, 1], 3 * np.linspace(0, 1, degree + 1)], 1)
+
+
+def teapot():
+    """Newell's 32 bicubic patches: (32, 4, 4, 3)."""
+    data = json.loads(TEAPOT.read_text())
+    return np.array(data["points"])[np.array(data["patches"])].reshape(32, 4, 4, 3)
+
+
+def inputs():
+    """Every array by its name."""
+    scattered = random(4, PARAMETERS)
+    return {
+        "curve.knots": uneven_knots(1, 64), "curve.points": helix(64, 2),
+        "random": scattered, "sorted": np.sort(scattered),
+        "surface.knots_u": uneven_knots(5, 32), "surface.knots_v": uneven_knots(6, 32), "surface.points": sheet(32),
+        "grid": np.linspace(0, 1, GRID), "pairs": random(9, 2 * PARAMETERS).reshape(-1, 2),
+        "bezier11.points": bezier(11, 10), "bezier25.points": bezier(25, 11),
+        "long.knots": uneven_knots(12, 1000), "long.points": helix(1000, 13), "inserted": np.sort(random(15, 1000)),
+        "teapot": teapot(), "patch_grid": np.linspace(0, 1, PATCH_GRID),
+    }
+
+
+def write(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, array in inputs().items():
+        np.ascontiguousarray(array, dtype="<f8").tofile(folder / f"{name}.f64")

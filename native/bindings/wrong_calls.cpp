@@ -1,0 +1,210 @@
+#include "wrong_calls.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arrays.hpp"
+
+namespace bindings {
+
+namespace {
+
+struct Parameter {
+  std::string name;
+  std::string kind;    ///< the class it must be of; empty for any object
+  std::string preset;  ///< what it is unless given; empty if it must be given
+  bool is_by_name;     ///< only
+};
+
+/// A function as its callers see it, without self.
+struct Signature {
+  std::string name;
+  std::vector<Parameter> parameters;
+  bool takes_more = false;  ///< any number by place
+};
+
+/// The parts between commas outside brackets and quotes, up to the bracket that closes.
+std::vector<std::string> parts_of(std::string_view text) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  char quote = 0;
+  for (const char letter : text) {
+    if (quote != 0) {
+      quote = letter == quote ? '\0' : quote;
+    } else if (letter == '\'' || letter == '"') {
+      quote = letter;
+    } else if (std::strchr("([{", letter) != nullptr) {
+      ++depth;
+    } else if (std::strchr(")]}", letter) != nullptr && depth-- == 0) {
+      break;
+    } else if (letter == ',' && depth == 0) {
+      parts.emplace_back();
+      continue;
+    }
+    if (letter != ' ' || quote != 0 || !parts.back().empty()) parts.back() += letter;
+  }
+  return parts;
+}
+
+/// "u: object" or "times: object = 1"
+Parameter parameter_of(const std::string& part, bool is_by_name) {
+  const std::size_t colon = part.find(':');
+  const std::size_t equals = part.find(" = ");
+  Parameter parameter{part.substr(0, colon), "", "", is_by_name};
+  if (equals != std::string::npos) parameter.preset = part.substr(equals + 3);
+  if (colon == std::string::npos) return parameter;
+  const std::string kind = part.substr(colon + 2, equals == std::string::npos ? equals : equals - colon - 2);
+  if (kind != "object") parameter.kind = kind.substr(kind.rfind('.') + 1);
+  return parameter;
+}
+
+/// From the first line that pybind11 writes into a documentation: "evaluate(self: …, u: object, *, …) -> …".
+Signature signature_of(const std::string& name, const std::string& documentation, bool has_self) {
+  Signature signature{name, {}};
+  const std::string line = documentation.substr(0, documentation.find('\n'));
+  bool is_by_name = false;
+  std::vector<std::string> parts = parts_of(std::string_view(line).substr(line.find('(') + 1));
+  if (has_self) parts.erase(parts.begin());
+  for (const std::string& part : parts) {
+    if (part.starts_with('*')) {
+      is_by_name = true;
+      signature.takes_more = signature.takes_more || part.size() > 1;
+    } else if (!part.empty() && part != "/") {
+      signature.parameters.push_back(parameter_of(part, is_by_name));
+    }
+  }
+  return signature;
+}
+
+/// "(u, times=1, *, side='right')"
+std::string list_of(const Signature& signature) {
+  std::string text;
+  bool is_by_name = false;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  for (const Parameter& parameter : signature.parameters) {
+    if (parameter.is_by_name && !is_by_name) add(signature.takes_more ? "*values" : "*");
+    is_by_name = parameter.is_by_name;
+    add(parameter.name + (parameter.preset.empty() ? "" : "=" + parameter.preset));
+  }
+  return "(" + text + ")";
+}
+
+std::string given_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " is" : " are") + " given"; }
+
+/// What keeps a value from being an argument; nothing if it can be one.
+std::string trouble_with(const Parameter& parameter, const py::handle& value) {
+  if (parameter.kind.empty() || type_name(value) == parameter.kind) return "";
+  return parameter.name + " must be a " + parameter.kind + ", not " + type_name(value);
+}
+
+/// The first thing that is wrong with a call. @param from  the first argument that is not self
+std::string trouble_with(const Signature& signature, const py::args& given, std::size_t from, const py::kwargs& named) {
+  const auto& parameters = signature.parameters;
+  const auto places = static_cast<std::size_t>(std::ranges::count(parameters, false, &Parameter::is_by_name));
+  const std::size_t count = given.size() - from;
+  if (count > places && !signature.takes_more) {
+    const char* arguments = places == 1 ? " argument by place, " : " arguments by place, ";
+    return "takes " + std::to_string(places) + arguments + given_text(count);
+  }
+  for (const auto& [key, value] : named) {
+    const std::string name = py::str(key);
+    const bool is_known = std::ranges::find(parameters, name, &Parameter::name) != parameters.end();
+    if (!is_known) return "has no argument '" + name + "'";
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& parameter = parameters[i];
+    const bool is_placed = i < std::min(count, places);
+    const bool is_named = named.contains(parameter.name.c_str());
+    if (is_placed && is_named) return "is given " + parameter.name + " twice";
+    if (!is_placed && !is_named && parameter.preset.empty()) return "misses " + parameter.name;
+    if (!is_placed && !is_named) continue;
+    const py::object value = is_placed ? py::object(given[from + i]) : py::object(named[parameter.name.c_str()]);
+    const std::string trouble = trouble_with(parameter, value);
+    if (!trouble.empty()) return "cannot be called: " + trouble;
+  }
+  return "cannot be called so";
+}
+
+[[noreturn]] void refuse(const Signature& signature, const py::args& given, std::size_t from, const py::kwargs& named) {
+  throw py::type_error(signature.name + "() " + trouble_with(signature, given, from, named) + "; it takes " +
+                       list_of(signature));
+}
+
+char* copy_of(const std::string& text) {
+  auto* copy = static_cast<char*>(std::malloc(text.size() + 1));
+  if (copy == nullptr) throw std::bad_alloc();
+  std::memcpy(copy, text.c_str(), text.size() + 1);
+  return copy;
+}
+
+enum class Form { function, method, constructor };
+
+/// Adds what is called when the function's own arguments do not fit. Its documentation stays as it was.
+void explain(const py::object& scope, const std::string& name, const py::handle& function, Form form) {
+  PyMethodDef* definition = reinterpret_cast<PyCFunctionObject*>(function.ptr())->m_ml;
+  if (definition->ml_doc == nullptr || std::strchr(definition->ml_doc, '(') == nullptr) return;
+  const std::string documentation = definition->ml_doc;
+  const bool is_in_class = PyType_Check(scope.ptr()) != 0;
+  const std::string owner = is_in_class ? std::string(py::str(scope.attr("__name__"))) : "";
+  const std::string shown = form == Form::constructor ? owner : is_in_class ? owner + "." + name : name;
+  const Signature signature = signature_of(shown, documentation, form != Form::function);
+  const py::sibling before(function);
+  if (form == Form::constructor) {
+    py::cpp_function([signature](py::detail::value_and_holder&, const py::args& given, const py::kwargs& named) {
+      refuse(signature, given, 0, named);
+    }, py::name(name.c_str()), py::is_method(scope), before, py::detail::is_new_style_constructor());
+  } else if (form == Form::method) {
+    py::cpp_function([signature](const py::args& given, const py::kwargs& named) -> py::object {
+      refuse(signature, given, 1, named);
+    }, py::name(name.c_str()), py::is_method(scope), before);
+  } else {
+    py::cpp_function([signature](const py::args& given, const py::kwargs& named) -> py::object {
+      refuse(signature, given, 0, named);
+    }, py::name(name.c_str()), py::scope(scope), before);
+  }
+  std::free(const_cast<char*>(definition->ml_doc));  // pybind11 has allocated it, and frees the new one
+  definition->ml_doc = copy_of(documentation);
+}
+
+/// Operators are left as they are: what does not fit them is NotImplemented.
+bool is_special(const std::string& name) { return name.starts_with("__") && name != "__init__"; }
+
+void explain_class(const py::object& cls) {
+  const py::list members = py::dict(cls.attr("__dict__").attr("copy")()).attr("items")();
+  for (const py::handle& member : members) {
+    const std::string name = py::str(member[py::int_(0)]);
+    const py::object value = member[py::int_(1)];
+    if (is_special(name)) continue;
+    if (PyInstanceMethod_Check(value.ptr()) != 0) {
+      const py::handle function = PyInstanceMethod_GET_FUNCTION(value.ptr());
+      explain(cls, name, function, name == "__init__" ? Form::constructor : Form::method);
+    } else if (type_name(value) == "staticmethod") {
+      explain(cls, name, cls.attr(name.c_str()), Form::function);
+    }
+  }
+}
+
+void explain_module(const py::object& module, const std::string& root) {
+  const py::list members = py::dict(module.attr("__dict__")).attr("items")();
+  for (const py::handle& member : members) {
+    const std::string name = py::str(member[py::int_(0)]);
+    const py::object value = member[py::int_(1)];
+    if (PyCFunction_Check(value.ptr()) != 0) {
+      explain(module, name, value, Form::function);
+    } else if (PyType_Check(value.ptr()) != 0 && !PyExceptionClass_Check(value.ptr())) {
+      explain_class(value);
+    } else if (PyModule_Check(value.ptr()) != 0 && std::string(PyModule_GetName(value.ptr())).starts_with(root)) {
+      explain_module(value, root);
+    }
+  }
+}
+
+}  // namespace
+
+void explain_wrong_calls(py::module_& module) { explain_module(module, py::str(module.attr("__name__"))); }
+
+}  // namespace bindings

@@ -1,0 +1,86 @@
+// Small workloads whose instructions are counted: counted WORKLOAD. Only what runs inside of counted_work() counts.
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "counted_work.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/patch/evaluate.hpp"
+#include "splinecore/tessellate/tessellation.hpp"
+
+namespace {
+
+using splinecore::KnotVector;
+
+constexpr int kDegree = 3;
+
+/// Clamped on [0, 1], no two spans next to each other of one length.
+KnotVector uneven_knots(int count) {
+  std::vector<double> knots(kDegree, 0.0);
+  const int spans = count - kDegree;
+  for (int i = 0; i <= spans; ++i) knots.push_back((i + (0 < i && i < spans ? 0.3 * std::sin(i) : 0.0)) / spans);
+  knots.insert(knots.end(), kDegree, 1.0);
+  return KnotVector::make(kDegree, knots);
+}
+
+std::vector<double> even_parameters(int count) {
+  std::vector<double> parameters(count);
+  for (int i = 0; i < count; ++i) parameters[i] = static_cast<double>(i) / (count - 1);
+  return parameters;
+}
+
+splinecore::NurbsPatch sheet(int count) {
+  std::vector<glm::dvec4> points;
+  for (int k = 0; k < count * count; ++k) {
+    const double x = static_cast<double>(k / count) / (count - 1);
+    const double y = static_cast<double>(k % count) / (count - 1);
+    points.emplace_back(x, y, 0.2 * std::sin(9 * x) * std::cos(7 * y), 1.25 + 0.75 * std::sin(k));
+  }
+  return splinecore::NurbsPatch::make(uneven_knots(count), uneven_knots(count), points);
+}
+
+void curve_points() {
+  constexpr int kCount = 64;
+  std::vector<glm::dvec4> points;
+  for (int i = 0; i < kCount; ++i) {
+    const double t = i / (kCount - 1.0);
+    points.emplace_back(std::cos(12 * t), std::sin(12 * t), 2 * t, 1.25 + 0.75 * std::sin(i));
+  }
+  const auto curve = splinecore::NurbsCurve::make(uneven_knots(kCount), points);
+  const std::vector<double> parameters = even_parameters(10'000);
+  std::vector<double> out(3 * parameters.size());
+  counted_work([&] { evaluate(curve, parameters, std::span(out)); });
+}
+
+void grid_points() {
+  const splinecore::NurbsPatch patch = sheet(32);
+  const std::vector<double> line = even_parameters(128);
+  std::vector<double> out(3 * line.size() * line.size());
+  counted_work([&] { evaluate_grid(patch, line, line, std::span(out)); });
+}
+
+void adaptive_mesh() {
+  const std::vector<splinecore::AnyPatch> patches{sheet(6)};
+  const auto set = splinecore::PatchSet::of(patches, true);
+  std::vector<float> positions;
+  counted_work([&] {
+    const auto mesh = splinecore::Tessellation::adaptive(set, {.distance = 1e-3, .angle = HUGE_VAL});
+    positions.resize(3 * mesh.vertex_count());
+    mesh.evaluate_positions(set, positions);
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::map<std::string, void (*)()> workloads = {
+      {"curve points", curve_points}, {"grid points", grid_points}, {"adaptive mesh", adaptive_mesh}};
+  const auto found = argc == 2 ? workloads.find(argv[1]) : workloads.end();
+  if (found == workloads.end()) {
+    std::fprintf(stderr, "usage: counted 'curve points' | 'grid points' | 'adaptive mesh'\n");
+    return 2;
+  }
+  found->second();
+}

@@ -1,0 +1,92 @@
+"""Counts the instructions of counted.cpp's workloads under callgrind and holds them against counts.json.
+
+judge.py PROGRAM --compiler "x86_64 GNU 12.2.0" --build Release [--write]
+
+Both kernels of the library are counted: SPLINECORE_KERNELS names them. --write commits what is found.
+"""
+
+import argparse
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+COUNTS = Path(__file__).with_name("counts.json")
+WORKLOADS = ("curve points", "grid points", "adaptive mesh")
+KERNELS = ("baseline", "x86-64-v3")
+#: Above this the library has become slower; below it the committed figures would no longer notice that it does again.
+MOST, LEAST = 1.05, 0.8
+SKIPPED = 77
+
+
+def kernels_here():
+    """Those that this machine can run."""
+    flags = Path("/proc/cpuinfo").read_text().split()
+    return KERNELS if {"avx2", "fma"} <= set(flags) else KERNELS[:1]
+
+
+def counted(program, workload, kernels):
+    """The instructions inside of counted_work()."""
+    command = ["valgrind", "--tool=callgrind", "--toggle-collect=counted_work", "--callgrind-out-file=/dev/null",
+               program, workload]
+    made = subprocess.run(command, env={**os.environ, "SPLINECORE_KERNELS": kernels}, text=True, stderr=subprocess.PIPE)
+    found = re.search(r"Collected : (\d+)", made.stderr)
+    if made.returncode != 0 or not found or found[1] == "0":
+        sys.exit(f"{workload} could not be counted:\n{made.stderr}")
+    return int(found[1])
+
+
+def verdict(name, count, committed):
+    """What is wrong with a count; nothing if it is near what was committed."""
+    if committed is None:
+        return f"{name}: {count:,} instructions, and no figure is committed"
+    ratio = count / committed
+    if ratio > MOST:
+        return f"{name}: {count:,} instructions, {100 * (ratio - 1):.1f} % more than the {committed:,} committed"
+    if ratio < LEAST:
+        return f"{name}: {count:,} instructions instead of {committed:,}: commit what was won"
+    return None
+
+
+def troubles(counts, committed):
+    return [trouble for kernels, found in counts.items() for workload, count in found.items()
+            if (trouble := verdict(f"{workload}, {kernels}", count, committed.get(kernels, {}).get(workload)))]
+
+
+def arguments():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--compiler", required=True)
+    parser.add_argument("--build", required=True)
+    parser.add_argument("--write", action="store_true", help="commit what is found")
+    return parser.parse_args()
+
+
+def main():
+    given = arguments()
+    known = json.loads(COUNTS.read_text())
+    if given.build != "Release" or (given.compiler not in known and not given.write):
+        print(f"counts are committed of Release builds by {', '.join(known)}; this is {given.build} by {given.compiler}")
+        return SKIPPED
+    if not shutil.which("valgrind"):
+        sys.exit("valgrind is missing: apt-get install valgrind")
+    counts = {kernels: {workload: counted(given.program, workload, kernels) for workload in WORKLOADS}
+              for kernels in kernels_here()}
+    print(json.dumps(counts, indent=1))
+    if given.write:
+        COUNTS.write_text(json.dumps({**known, given.compiler: counts}, indent=1) + "\n")
+        return 0
+    found = troubles(counts, known[given.compiler])
+    for trouble in found:
+        print(trouble)
+    if found:
+        print(f"If that is meant: {shlex.join([sys.executable, *sys.argv])} --write")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

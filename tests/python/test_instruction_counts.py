@@ -1,0 +1,34 @@
+"""How instructions are judged; ctest counts them."""
+
+import importlib.util
+import json
+from pathlib import Path
+
+COUNTS = Path(__file__).resolve().parents[1] / "counts"
+spec = importlib.util.spec_from_file_location("judge", COUNTS / "judge.py")
+judge = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(judge)
+
+
+def test_more_instructions_are_a_trouble():
+    assert judge.verdict("W", 1_050, 1_000) is None and judge.verdict("W", 800, 1_000) is None
+    assert judge.verdict("W", 1_051, 1_000) == "W: 1,051 instructions, 5.1 % more than the 1,000 committed"
+
+
+def test_what_was_won_must_be_committed_or_it_is_lost_again():
+    assert judge.verdict("W", 799, 1_000) == "W: 799 instructions instead of 1,000: commit what was won"
+
+
+def test_a_workload_without_a_figure_is_a_trouble():
+    assert judge.troubles({"baseline": {"W": 5}}, {"baseline": {"W": 5}}) == []
+    assert judge.troubles({"baseline": {"W": 5}}, {}) == ["W, baseline: 5 instructions, and no figure is committed"]
+
+
+def test_every_workload_has_figures_and_a_program():
+    known = json.loads((COUNTS / "counts.json").read_text())
+    assert known
+    for compiler, counts in known.items():
+        assert set(counts) == set(judge.KERNELS), compiler
+        assert all(set(found) == set(judge.WORKLOADS) for found in counts.values()), compiler
+    program = (COUNTS / "counted.cpp").read_text()
+    assert all(f'{{"{workload}", ' in program for workload in judge.WORKLOADS)
