@@ -33,7 +33,7 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
   const std::size_t columns = knots_v.degree() + 1;
   const auto matrix_u = knots_u.bezier_matrix(span_u);
   const auto matrix_v = knots_v.bezier_matrix(span_v);
-  std::vector<glm::dvec4> net = bezier_points(patch, span_u, span_v);
+  std::vector<glm::dvec4> net = bezier_piece(patch, span_u, span_v).values;
   net = patch.rational() ? as_given(net) : as_given_polynomial(net);
   for (std::size_t i = 0; i < rows; ++i) {
     const int row = copied_point(matrix_u.subspan(i * rows, rows));
@@ -55,7 +55,7 @@ std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
   const KnotVector& knots = curve.knot_vector();
   std::vector<BezierCurve> beziers;
   for (int span = 0; span < static_cast<int>(knots.spans().size()); ++span) {
-    std::vector<glm::dvec4> given = as_given_from(curve, bezier_points(curve, span));
+    std::vector<glm::dvec4> given = as_given_from(curve, bezier_piece(curve, span).values);
     keep_points(curve.points(), knots.bezier_matrix(span), knots.spans()[span] - knots.degree(), knots.count(), given);
     beziers.push_back(BezierCurve::make(std::move(given)));
   }

@@ -3,10 +3,8 @@
 #include <string>
 
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/refinement.hpp"
-#include "splinecore/basis/samples.hpp"
 #include "splinecore/basis/selection.hpp"
 
 namespace splinecore {
@@ -98,16 +96,5 @@ NurbsCurve unrolled(const NurbsCurve& curve) {
 }
 
 NurbsCurve reversed(const NurbsCurve& curve) { return selected(curve, reversed(curve.knot_vector())); }
-
-std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span) {
-  const KnotVector& knots = curve.knot_vector();
-  const std::size_t order = knots.degree() + 1;
-  const auto matrix = knots.bezier_matrix(span);
-  const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
-  breathe(4 * order * order);
-  std::vector<glm::dvec4> points(order);
-  for (std::size_t j = 0; j < order; ++j) points[j] = weighted_sum(matrix.subspan(j * order, order), first);
-  return points;
-}
 
 }  // namespace splinecore

@@ -3,9 +3,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "splinecore/curve/bezier_curve.hpp"
@@ -38,10 +36,5 @@ struct RationalTriangle {
 /// It breaks down at a weight that is zero, or is the rounding of two that cancel.
 /// @throws InvalidShape unless 0 <= u <= 1.
 RationalTriangle rational_casteljau_triangle(const BezierCurve& curve, double u);
-
-using HomogeneousPoints = std::vector<glm::dvec4>;
-
-/// The homogeneous Bezier points before and after u.
-std::pair<HomogeneousPoints, HomogeneousPoints> cut(std::span<const glm::dvec4> points, double u);
 
 }  // namespace splinecore

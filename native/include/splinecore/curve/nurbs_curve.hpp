@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
+#include "splinecore/basis/bernstein_net.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/point_matrix.hpp"
 
@@ -84,7 +85,9 @@ NurbsCurve unrolled(const NurbsCurve& curve);
 NurbsCurve reversed(const NurbsCurve& curve);
 
 /// The homogeneous Bezier points of the piece on one of the spans of the knot vector.
-std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span);
+inline BernsteinNet<glm::dvec4> bezier_piece(const NurbsCurve& curve, int span) {
+  return bezier_piece(curve.knot_vector(), span, curve.homogeneous_points().data());
+}
 
 /// The intervals of the domain, in order, on which the curve is finite and in one piece: it is
 /// cut where the weight is zero and at knots of multiplicity degree + 1. Ends may be at infinity.
