@@ -7,7 +7,7 @@ namespace splinecore {
 
 namespace {
 
-/// Parallel lines of a net: where the first point of one lies from that of the last, and the points of one.
+/// Parallel lines of a net: how many, of how many points, and the ways from one line and one point to the next.
 struct Strides {
   std::size_t lines;
   std::size_t size;
@@ -17,7 +17,8 @@ struct Strides {
 
 template <class Value>
 Strides strides_along(const BernsteinNet<Value>& net, Axis axis) {
-  return axis == Axis::u ? Strides{net.columns, net.rows, 1, net.columns} : Strides{net.rows, net.columns, net.columns, 1};
+  if (axis == Axis::u) return {net.columns, net.rows, 1, net.columns};
+  return {net.rows, net.columns, net.columns, 1};
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ void require_finite_points(const NurbsPatch& patch) {
   const KnotVector& knots_v = patch.knot_vector(Axis::v);
   for (int i = 0; i < static_cast<int>(knots_u.spans().size()); ++i) {
     for (int j = 0; j < static_cast<int>(knots_v.spans().size()); ++j) {
-      const WeightPiece piece{weights_of(bezier_piece(patch, i, j)), knots_u.span_interval(i), knots_v.span_interval(j)};
+      const WeightPiece piece{weights_of(bezier_piece(patch, i, j)), knots_u.span_interval(i),
+                              knots_v.span_interval(j)};
       require_sign(piece, piece.net.values.front() < 0.0 ? -1.0 : 1.0, kDepth);
     }
   }

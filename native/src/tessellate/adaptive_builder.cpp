@@ -34,6 +34,7 @@ class AdaptiveBuilder {
   std::vector<Place> places_on(std::size_t panel, int side) const;
   void collect(std::vector<std::vector<double>>& edges) const;
   bool spread(const std::vector<std::vector<double>>& edges);
+  bool is_one_place(std::size_t edge, double a, double b) const;
 
   std::size_t on_edge(int edge, double t) const;
 
@@ -49,6 +50,7 @@ class AdaptiveBuilder {
   Tessellation& mesh_;
   std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
   std::vector<CellGrid> grids_;  // of each panel
+  std::vector<std::vector<std::pair<std::size_t, int>>> edge_sides_;  ///< of each edge: panels and their sides on it
   /// Of each edge: scaled places with a vertex, growing from 0 to 1.
   std::vector<std::vector<double>> edge_places_;
   std::vector<Place> line_;   ///< vertices inside a side of a cell
@@ -61,8 +63,10 @@ namespace {
 
 /// What the faces of a cell cost, about, in steps of breathe().
 constexpr std::size_t kStepsOfFaces = 2000;
-/// Scaled places nearer than this are one: a 2^-30th of a span cannot tell them apart.
+/// Scaled places may be one where they are nearer than this, and not farther apart than this part of the span that
+/// some side of the edge has there: a 2^-30th of it can hardly tell them apart.
 constexpr double kOnePlace = 1e-8;
+constexpr double kPartOfSpan = 0x1p-27;
 
 MeshCell whole_of(const Panel& panel, const std::vector<MeshSpan>& u, const std::vector<MeshSpan>& v) {
   return {place_of(u, panel.u.start), place_of(u, panel.u.end), place_of(v, panel.v.start), place_of(v, panel.v.end)};
@@ -123,6 +127,23 @@ std::vector<Place> AdaptiveBuilder::places_on(std::size_t panel, int side) const
   return places;
 }
 
+/// Whether two places of an edge are one.
+bool AdaptiveBuilder::is_one_place(std::size_t edge, double a, double b) const {
+  constexpr double kRounding = 0x1p-51;
+  const double apart = std::abs(b - a);
+  if (apart <= kRounding) return true;
+  if (apart > kOnePlace) return false;
+  const double middle = 0.5 * (a + b);
+  return std::ranges::any_of(edge_sides_[edge], [&](const auto& on) {
+    const auto [panel, side] = on;
+    const std::vector<MeshSpan>& along = spans(panel, is_along_v(side) ? Axis::v : Axis::u);
+    const auto [from, to] = range_along(grids_[panel].whole(), side);
+    const Place place = std::min(place_on(panel, side, middle), to - 1);
+    return apart * (parameter_at(along, to) - parameter_at(along, from)) <=
+           kPartOfSpan * along[static_cast<std::size_t>(place / kSpan)].range.length();
+  });
+}
+
 /// The places of all sides of each edge.
 void AdaptiveBuilder::collect(std::vector<std::vector<double>>& edges) const {
   for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
@@ -135,7 +156,8 @@ void AdaptiveBuilder::collect(std::vector<std::vector<double>>& edges) const {
   }
   for (std::vector<double>& places : edges) {
     std::ranges::sort(places);
-    const auto same = [](double a, double b) { return b - a <= kOnePlace; };
+    const auto edge = static_cast<std::size_t>(&places - edges.data());
+    const auto same = [&](double a, double b) { return is_one_place(edge, a, b); };
     places.erase(std::unique(places.begin(), places.end(), same), places.end());
     places.back() = 1.0;
   }
@@ -154,7 +176,8 @@ bool AdaptiveBuilder::spread(const std::vector<std::vector<double>>& edges) {
       for (const Place place : own) known.push_back(scaled(panel, side, place));
       std::ranges::sort(known);
       for (const double t : edges[edge]) {
-        const auto next = std::ranges::lower_bound(known, t - kOnePlace);
+        auto next = std::ranges::lower_bound(known, t - kOnePlace);
+        while (next != known.end() && *next <= t + kOnePlace && !is_one_place(edge, t, *next)) ++next;
         if (next != known.end() && *next <= t + kOnePlace) continue;
         is_any_new |= grids_[panel].add(side, place_on(panel, side, t));
       }
@@ -164,6 +187,13 @@ bool AdaptiveBuilder::spread(const std::vector<std::vector<double>>& edges) {
 }
 
 void AdaptiveBuilder::fit() {
+  edge_sides_.resize(side_counts(mesh_.panels_).size());
+  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
+    for (int side = 0; side < 4; ++side) {
+      const int edge = panel_of(panel).sides[side].edge;
+      if (edge >= 0) edge_sides_[edge].emplace_back(panel, side);
+    }
+  }
   for (bool again = true; again;) {
     for (CellGrid& grid : grids_) grid.balance();
     std::vector<std::vector<double>> edges;

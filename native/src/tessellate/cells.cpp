@@ -42,7 +42,8 @@ struct Both {
 class Splitter {
  public:
   /// @param widest  no cell is wider
-  Splitter(const Fineness& fineness, FlatnessProbe probe, const std::array<Place, 2>& widest, std::vector<MeshCell>& cells)
+  Splitter(const Fineness& fineness, FlatnessProbe probe, const std::array<Place, 2>& widest,
+           std::vector<MeshCell>& cells)
       : fineness_(fineness), probe_(std::move(probe)), widest_(widest), cells_(cells) {}
 
   /// Tiles the cell that a piece fills.
@@ -203,7 +204,8 @@ std::vector<MeshCell> cells_of(const NurbsPatch& patch, const std::array<std::ve
   const Scale scale = scale_of(patch);
   const Fineness scaled{std::ldexp(fineness.distance, scale.weights - scale.points), fineness.angle};
   const FlatnessProbe probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree(), patch.rational());
-  Splitter splitter(scaled, probe, {widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)}, cells);
+  const std::array<Place, 2> most{widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)};
+  Splitter splitter(scaled, probe, most, cells);
   for (Place i = whole.u0 / kSpan; i < whole.u1 / kSpan; ++i) {
     for (Place j = whole.v0 / kSpan; j < whole.v1 / kSpan; ++j) {
       splitter.add_piece(mesh_piece(patch, spans[0][i].number, spans[1][j].number, scale),
@@ -214,7 +216,8 @@ std::vector<MeshCell> cells_of(const NurbsPatch& patch, const std::array<std::ve
 }
 
 CellGrid::CellGrid(const MeshCell& whole, std::vector<MeshCell> cells)
-    : whole_(whole), cells_(std::move(cells)), is_touched_(cells_.size(), 1), vertices_(cells_.size() + cells_.size() / 2) {
+    : whole_(whole), cells_(std::move(cells)), is_touched_(cells_.size(), 1),
+      vertices_(cells_.size() + cells_.size() / 2) {
   for (std::size_t i = 0; i < cells_.size(); ++i) put_corners(i);
 }
 

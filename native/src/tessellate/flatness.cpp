@@ -95,7 +95,8 @@ glm::dvec3 unit_normal(const glm::dvec4& h, const glm::dvec4& hu, const glm::dve
 }
 
 /// The sum of the net with these factors along u and v.
-glm::dvec4 blended(const BernsteinNet<glm::dvec4>& net, std::span<const double> along_u, std::span<const double> along_v) {
+glm::dvec4 blended(const BernsteinNet<glm::dvec4>& net, std::span<const double> along_u,
+                   std::span<const double> along_v) {
   glm::dvec4 sum(0.0);
   for (std::size_t i = 0; i < net.rows; ++i) {
     glm::dvec4 row(0.0);

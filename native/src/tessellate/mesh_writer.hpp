@@ -23,7 +23,8 @@ struct FaceCorner {
 class MeshWriter {
  public:
   /// The grids of the tessellation are there, and its sample_count_ is theirs.
-  MeshWriter(const PatchSet& set, Tessellation& mesh) : set_(set), mesh_(mesh), first_(mesh.sample_count_), scatter_of_(4 * set.patches().size(), -1) {}
+  MeshWriter(const PatchSet& set, Tessellation& mesh)
+      : set_(set), mesh_(mesh), first_(mesh.sample_count_), scatter_of_(4 * set.patches().size(), -1) {}
 
   std::int32_t add_vertex(std::size_t sample);
 
