@@ -106,12 +106,14 @@ TEST(Cut, PartsAreTheCurve) {
   Random random(502);
   for (int round = 0; round < 200; ++round) {
     const BezierCurve curve = random_bezier(random, Weights::any);
-    const std::vector<glm::dvec4> points = homogeneous(curve.points());
+    auto before = bezier_piece(curve.nurbs(), 0);
+    BernsteinNet<glm::dvec4> after;
     const double u = real(random, 0, 1);
-    const auto [before, after] = cut(points, u);
-    EXPECT_EQ(before.back(), after.front());
+    before.cut(Axis::u, u, after);
+    EXPECT_EQ(before.values.back(), after.values.front());
     const glm::dvec4 expected = homogeneous_at(curve.nurbs(), 0.5 * u);
-    EXPECT_LE(largest(cut(before, 0.5).first.back() - expected), 1e-14 * size_of(curve.nurbs()));
+    before.halve(Axis::u, after);
+    EXPECT_LE(largest(before.values.back() - expected), 1e-14 * size_of(curve.nurbs()));
   }
 }
 

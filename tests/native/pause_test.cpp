@@ -125,9 +125,9 @@ TEST(Breathe, EndsAMeshThatGrows) {
 
 TEST(Breathe, EndsTheFittingOfCellsToOneAnother) {
   constexpr Place kCount = Place{1} << 16;
-  std::vector<Cell> cells{{0, 1, 0, kCount}};
+  std::vector<MeshCell> cells{{0, 1, 0, kCount}};
   for (Place i = 0; i < kCount; ++i) cells.push_back({1, 2, i, i + 1});
-  const Cell whole{0, 2, 0, kCount};
+  const MeshCell whole{0, 2, 0, kCount};
   CellGrid grid(whole, cells);
   EXPECT_GE(pauses_of([&] { grid.balance(); }), 5);
   EXPECT_EQ(grid.cells().size(), cells.size() + kCount / 2 - 1);

@@ -149,7 +149,7 @@ TEST(BezierPoints, AreThoseOfEverySpan) {
     const NurbsCurve curve = random_curve(random, kind);
     for (int i = 0; i < static_cast<int>(curve.knot_vector().spans().size()); ++i) {
       const Interval span = curve.knot_vector().span_interval(i);
-      const std::vector<glm::dvec4> points = bezier_points(curve, i);
+      const std::vector<glm::dvec4> points = bezier_piece(curve, i).values;
       ASSERT_EQ(points.size(), static_cast<std::size_t>(kind.degree + 1));
       std::vector<glm::dvec4> ends(2);
       evaluate_homogeneous(curve, std::vector{span.start}, std::span(ends).first(1), Side::right);

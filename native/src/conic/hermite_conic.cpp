@@ -10,7 +10,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/convert/to_bezier.hpp"
-#include "splinecore/curve/casteljau.hpp"
+#include "splinecore/basis/bernstein_net.hpp"
 
 namespace splinecore {
 
@@ -80,13 +80,14 @@ class Subdivision {
   explicit Subdivision(double tolerance) : tolerance_(tolerance) {}
 
   /// A span, first cut until its weights have one sign. That ends where the weight has no zero.
-  void add(std::span<const glm::dvec4> points, int depth = 0) {
+  void add(BernsteinNet<glm::dvec4> span, int depth = 0) {
     constexpr int kDeepest = 64;
-    if (is_arc(points)) return add(arc_of(points));
+    if (is_arc(span.values)) return add(arc_of(span.values));
     if (depth == kDeepest) refuse_far();
-    const auto [before, after] = cut(points, 0.5);
-    add(before, depth + 1);
-    add(after, depth + 1);
+    BernsteinNet<glm::dvec4> after;
+    span.halve(Axis::u, after);
+    add(std::move(span), depth + 1);
+    add(std::move(after), depth + 1);
   }
 
   const std::vector<Arc>& arcs() const noexcept { return arcs_; }
@@ -162,7 +163,7 @@ Approximation<HermiteCurve> conic_as_hermite(const NurbsCurve& curve, double tol
   if (!(tolerance > 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is not a positive length");
   require_finite_piece(curve);
   Subdivision subdivision(tolerance);
-  for (const BezierCurve& span : to_bezier(curve)) subdivision.add(span.nurbs().homogeneous_points());
+  for (const BezierCurve& span : to_bezier(curve)) subdivision.add(bezier_piece(span.nurbs(), 0));
   return {chain_of(subdivision.arcs()), subdivision.error()};
 }
 

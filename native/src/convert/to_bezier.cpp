@@ -27,8 +27,7 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
   const std::size_t columns = knots_v.degree() + 1;
   const auto matrix_u = knots_u.bezier_matrix(span_u);
   const auto matrix_v = knots_v.bezier_matrix(span_v);
-  std::vector<glm::dvec4> net = bezier_points(patch, span_u, span_v);
-  net = as_given_from(patch, net).made;
+  std::vector<glm::dvec4> net = as_given_from(patch, bezier_piece(patch, span_u, span_v).values).made;
   for (std::size_t i = 0; i < rows; ++i) {
     const int row = copied_point(matrix_u.subspan(i * rows, rows));
     if (row < 0) continue;
@@ -49,7 +48,7 @@ std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
   const KnotVector& knots = curve.knot_vector();
   std::vector<BezierCurve> beziers;
   for (int span = 0; span < static_cast<int>(knots.spans().size()); ++span) {
-    std::vector<glm::dvec4> given = as_given_from(curve, bezier_points(curve, span)).made;
+    std::vector<glm::dvec4> given = as_given_from(curve, bezier_piece(curve, span).values).made;
     keep_points(curve.points(), knots.bezier_matrix(span), knots.spans()[span] - knots.degree(), knots.count(), given);
     beziers.push_back(BezierCurve::make(std::move(given)));
   }

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
 
@@ -82,18 +81,6 @@ RationalTriangle rational_casteljau_triangle(const BezierCurve& curve, double u)
     triangle.rows.push_back(std::move(row));
   }
   return triangle;
-}
-
-std::pair<HomogeneousPoints, HomogeneousPoints> cut(std::span<const glm::dvec4> points, double u) {
-  HomogeneousPoints before(points.begin(), points.end());
-  HomogeneousPoints after(points.size());
-  const std::size_t last = points.size() - 1;
-  breathe(4 * points.size() * points.size());
-  for (std::size_t level = 0; level <= last; ++level) {
-    after[last - level] = before[last];
-    for (std::size_t i = last; i > level; --i) before[i] = (1.0 - u) * before[i - 1] + u * before[i];
-  }
-  return {std::move(before), std::move(after)};
 }
 
 }  // namespace splinecore

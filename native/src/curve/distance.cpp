@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/difference.hpp"
 #include "splinecore/basis/refinement.hpp"
 #include "splinecore/curve/degree.hpp"
+#include "splinecore/curve/difference.hpp"
 
 namespace splinecore {
 
@@ -27,12 +27,11 @@ std::vector<DifferencePiece> pieces_of(NurbsCurve a, NurbsCurve b) {
   if (a.knot_vector() == b.knot_vector()) {
     b = NurbsCurve::make(a.knot_vector(), {b.points().begin(), b.points().end()});
   }
-  const std::size_t count = a.degree() + 1;
   std::vector<DifferencePiece> pieces;
   for (int i = 0; i < static_cast<int>(a.knot_vector().spans().size()); ++i) {
-    Net<glm::dvec4> on_a{count, 1, bezier_points(a, i)};
-    Net<glm::dvec4> on_b{count, 1, bezier_points(b, i)};
-    if (on_a.values != on_b.values) pieces.push_back(difference(std::move(on_a), std::move(on_b)));
+    BernsteinNet<glm::dvec4> on_a = bezier_piece(a, i);
+    BernsteinNet<glm::dvec4> on_b = bezier_piece(b, i);
+    if (on_a != on_b) pieces.push_back(difference(std::move(on_a), std::move(on_b)));
   }
   return pieces;
 }

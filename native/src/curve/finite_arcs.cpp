@@ -7,11 +7,13 @@
 #include <limits>
 
 #include "splinecore/base/errors.hpp"
-#include "splinecore/curve/casteljau.hpp"
+#include "splinecore/base/one_sign.hpp"
 
 namespace splinecore {
 
 namespace {
+
+using Piece = BernsteinNet<glm::dvec4>;
 
 /// The box of the finite control points, and how far around it a curve may run.
 struct Room {
@@ -38,11 +40,6 @@ std::vector<glm::dvec3> finite_points(std::span<const glm::dvec4> points) {
     if (p.w != 0.0) finite.emplace_back(p);
   }
   return finite;
-}
-
-bool has_one_sign(std::span<const glm::dvec4> points, double noise = 0.0) {
-  const auto [low, high] = std::ranges::minmax(points, {}, &glm::dvec4::w);
-  return low.w > noise || high.w < -noise;
 }
 
 /// Whether all points lie in the box around the room's centre, up to `noise` in homogeneous
@@ -99,8 +96,7 @@ Noise noise_of(std::span<const glm::dvec4> span, const Room& room) {
 /// Finds the parts of one span, over [0, 1], that lie in the room.
 class Search {
  public:
-  Search(std::span<const glm::dvec4> span, const Room& room)
-      : room_(room), noise_(noise_of(span, room)) {
+  Search(const Piece& span, const Room& room) : room_(room), noise_(noise_of(span.values, room)) {
     visit(span, {0.0, 1.0}, 0);
   }
 
@@ -117,15 +113,17 @@ class Search {
   // that a short part whose weight is noise lies beyond or is undefined.
   static constexpr double kUndefined = 16.0;
 
-  void visit(std::span<const glm::dvec4> points, Interval range, int depth) {
+  void visit(Piece piece, Interval range, int depth) {
+    const std::span<const glm::dvec4> points(piece.values);
     if (size_of(points, room_) <= kUndefined * noise_.offset || lies_beyond(points, room_, room_.reach(kInner))) return;
-    const bool is_inside = has_one_sign(points, noise_.weight) &&
+    const bool is_inside = has_one_sign(points, &glm::dvec4::w, noise_.weight) &&
                            lies_within(points, room_, room_.reach(1.0), noise_.offset);
     if (is_inside) return keep(range);
     if (depth == kDeepest) return;
-    const auto [before, after] = cut(points, 0.5);
-    visit(before, {range.start, range.middle()}, depth + 1);
-    visit(after, {range.middle(), range.end}, depth + 1);
+    Piece after;
+    piece.halve(Axis::u, after);
+    visit(std::move(piece), {range.start, range.middle()}, depth + 1);
+    visit(std::move(after), {range.middle(), range.end}, depth + 1);
   }
 
   void keep(Interval range) {
@@ -144,7 +142,7 @@ class Search {
 /// Bezier pieces that follow each other: knots at their ends, and homogeneous points of all.
 struct Chain {
   std::vector<double> ends;
-  HomogeneousPoints points;
+  std::vector<glm::dvec4> points;
 };
 
 void append(Chain& chain, std::span<const glm::dvec4> points, Interval range) {
@@ -157,30 +155,35 @@ void append(Chain& chain, std::span<const glm::dvec4> points, Interval range) {
 }
 
 /// Subdivides until all weights have one sign and no control point lies far out.
-void append_positive(Chain& chain, std::span<const glm::dvec4> points, Interval range, const Room& room,
+void append_positive(Chain& chain, Piece piece, Interval range, const Room& room,
                      const Noise& noise) {
+  const std::span<const glm::dvec4> points(piece.values);
   const double middle = range.middle();
   const bool is_short = !(middle > range.start && middle < range.end);
-  if (is_short || (has_one_sign(points) && lies_within(points, room, room.reach(2.0), noise.offset))) {
+  if (is_short || (has_one_sign(points, &glm::dvec4::w) && lies_within(points, room, room.reach(2.0), noise.offset))) {
     append(chain, points, range);
     return;
   }
-  const auto [before, after] = cut(points, 0.5);
-  append_positive(chain, before, {range.start, middle}, room, noise);
-  append_positive(chain, after, {middle, range.end}, room, noise);
+  Piece after;
+  piece.halve(Axis::u, after);
+  append_positive(chain, std::move(piece), {range.start, middle}, room, noise);
+  append_positive(chain, std::move(after), {middle, range.end}, room, noise);
 }
 
 /// The part of a span between two of its parameters in [0, 1].
-HomogeneousPoints restricted(std::span<const glm::dvec4> points, Interval part) {
-  HomogeneousPoints rest = cut(points, part.end).first;
-  return part.start == 0.0 ? rest : cut(rest, part.start / part.end).second;
+Piece restricted(Piece piece, Interval part) {
+  Piece after;
+  piece.cut(Axis::u, part.end, after);
+  if (part.start == 0.0) return piece;
+  piece.cut(Axis::u, part.start / part.end, after);
+  return after;
 }
 
 std::vector<Chain> chains_of(const NurbsCurve& curve, const Room& room) {
   const KnotVector& knots = curve.knot_vector();
   std::vector<Chain> chains;
   for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
-    const HomogeneousPoints points = bezier_points(curve, i);
+    const Piece points = bezier_piece(curve, i);
     const Interval span = knots.span_interval(i);
     const auto at = [&](double t) { return t == 1.0 ? span.end : span.start + t * span.length(); };
     const Search search(points, room);
@@ -252,7 +255,7 @@ std::vector<NurbsCurve> finite_arcs(const NurbsCurve& curve, double length, std:
   if (!(length > 0.0) || !std::isfinite(length)) {
     throw InvalidShape("length = " + text_of(length) + " is not a positive length");
   }
-  if (around.empty() && has_one_sign(curve.points())) return cut_at_gaps(with_positive_weights(curve));
+  if (around.empty() && has_one_sign(curve.points(), &glm::dvec4::w)) return cut_at_gaps(with_positive_weights(curve));
   const Room room = around.empty() ? room_around(finite_points(curve.points()), length) : room_around(around, length);
   std::vector<Chain> chains = chains_of(curve, room);
   if (is_cut_by_seam(curve, chains)) chains = chains_of(opened(curve, chains.front().ends.back()), room);

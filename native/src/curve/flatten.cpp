@@ -7,7 +7,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/interval.hpp"
-#include "splinecore/base/pause.hpp"
+#include "splinecore/base/one_sign.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
 
@@ -15,21 +15,10 @@ namespace splinecore {
 
 namespace {
 
-using Points = std::vector<glm::dvec4>;
+using Piece = BernsteinNet<glm::dvec4>;
 
 constexpr std::size_t kMaxPoints = 1 << 18;
 constexpr int kMaxHalvings = 60;
-
-/// The midpoint scheme: the first half stays in `points`, the second is returned.
-Points halve(Points& points) {
-  Points right(points.size());
-  breathe(4 * points.size() * points.size());
-  for (std::size_t level = 0; level < points.size(); ++level) {
-    right[points.size() - 1 - level] = points.back();
-    for (std::size_t i = points.size() - 1; i > level; --i) points[i] = 0.5 * (points[i - 1] + points[i]);
-  }
-  return right;
-}
 
 double norm(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
 
@@ -42,10 +31,9 @@ double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, cons
   return norm(point - from - place * along);
 }
 
-bool is_flat(const Points& points, double tolerance) {
-  const bool negative = points.front().w < 0.0;
-  const auto has_other_sign = [&](const glm::dvec4& p) { return negative ? !(p.w < 0.0) : !(p.w > 0.0); };
-  if (std::ranges::any_of(points, has_other_sign)) return false;
+bool is_flat(const Piece& piece, double tolerance) {
+  const auto& points = piece.values;
+  if (!has_one_sign(points, &glm::dvec4::w)) return false;
   const glm::dvec3 from = project(points.front());
   const glm::dvec3 to = project(points.back());
   return std::ranges::all_of(points, [&](const glm::dvec4& p) {
@@ -59,17 +47,18 @@ bool is_flat(const Points& points, double tolerance) {
 }
 
 /// Appends the ends of the flat parts of a part of the curve.
-void append_flat(Points points, Interval part, int halvings, double tolerance, Flattened& line) {
-  if (is_flat(points, tolerance)) {
+void append_flat(Piece piece, Interval part, int halvings, double tolerance, Flattened& line) {
+  if (is_flat(piece, tolerance)) {
     line.parameters.push_back(part.end);
-    line.points.push_back(project(points.back()));
+    line.points.push_back(project(piece.values.back()));
     if (line.points.size() > kMaxPoints) refuse(tolerance);
     return;
   }
   if (halvings == 0) refuse(tolerance);
-  const Points right = halve(points);
-  append_flat(std::move(points), {part.start, part.middle()}, halvings - 1, tolerance, line);
-  append_flat(right, {part.middle(), part.end}, halvings - 1, tolerance, line);
+  Piece right;
+  piece.halve(Axis::u, right);
+  append_flat(std::move(piece), {part.start, part.middle()}, halvings - 1, tolerance, line);
+  append_flat(std::move(right), {part.middle(), part.end}, halvings - 1, tolerance, line);
 }
 
 /// @throws PointAtInfinity at the first parameter where the curve leaves the finite.
@@ -89,7 +78,7 @@ Flattened flattened(const BezierCurve& curve, double tolerance) {
   require_finite_curve(curve.nurbs());
   const auto points = curve.nurbs().homogeneous_points();
   Flattened line{{0.0}, {project(points.front())}};
-  append_flat({points.begin(), points.end()}, {}, kMaxHalvings, tolerance, line);
+  append_flat(Piece::of_curve({points.begin(), points.end()}), {}, kMaxHalvings, tolerance, line);
   line.points.front() = glm::dvec3(curve.points().front());
   line.points.back() = glm::dvec3(curve.points().back());
   return line;

@@ -4,10 +4,8 @@
 
 #include "curve_tables.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/refinement.hpp"
-#include "splinecore/basis/samples.hpp"
 #include "splinecore/basis/selection.hpp"
 
 namespace splinecore {
@@ -112,29 +110,11 @@ NurbsCurve unrolled(const NurbsCurve& curve) {
 
 NurbsCurve reversed(const NurbsCurve& curve) { return selected(curve, reversed(curve.knot_vector())); }
 
-namespace {
-
-void write_bezier_points(const NurbsCurve& curve, int span, glm::dvec4* out) {
-  const KnotVector& knots = curve.knot_vector();
-  const std::size_t order = knots.degree() + 1;
-  const auto matrix = knots.bezier_matrix(span);
-  const glm::dvec4* first = curve.homogeneous_points().data() + knots.spans()[span] - knots.degree();
-  breathe(4 * order * order);
-  for (std::size_t j = 0; j < order; ++j) out[j] = weighted_sum(matrix.subspan(j * order, order), first);
-}
-
-}  // namespace
-
-std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span) {
-  std::vector<glm::dvec4> points(curve.degree() + 1);
-  write_bezier_points(curve, span, points.data());
-  return points;
-}
-
 void bezier_points(const NurbsCurve& curve, std::span<glm::dvec4> out) {
   const std::size_t order = curve.degree() + 1;
   for (std::size_t span = 0; span < curve.knot_vector().spans().size(); ++span) {
-    write_bezier_points(curve, static_cast<int>(span), out.data() + span * order);
+    write_bezier_piece(curve.knot_vector(), static_cast<int>(span), curve.homogeneous_points().data(),
+                       out.data() + span * order);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/base/pause.hpp"
+#include "splinecore/base/one_sign.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -18,25 +18,11 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Parameters within which the weight is zero, up to rounding; often a single one.
 using Zeros = std::vector<Interval>;
 
-/// The first half of de Casteljau's triangle stays in `coefficients`, the second is returned.
-std::vector<double> halve(std::vector<double>& coefficients) {
-  const std::size_t order = coefficients.size();
-  breathe(order * order);
-  std::vector<double> right(order);
-  for (std::size_t level = 0; level < order; ++level) {
-    right[order - 1 - level] = coefficients[order - 1];
-    for (std::size_t i = order - 1; i > level; --i) {
-      coefficients[i] = 0.5 * (coefficients[i - 1] + coefficients[i]);
-    }
-  }
-  return right;
-}
-
 /// Zeros of a polynomial in Bernstein form on `range`, by subdivision with the hull property.
 /// `noise` is the size below which a coefficient is rounding.
-void find_zeros(std::vector<double> coefficients, Interval range, double noise, Zeros& zeros) {
-  const auto [low, high] = std::ranges::minmax(coefficients);
-  if (low > noise || high < -noise) return;
+void find_zeros(BernsteinNet<double> piece, Interval range, double noise, Zeros& zeros) {
+  if (has_one_sign(piece.values, {}, noise)) return;
+  const auto [low, high] = piece.range();
   const double middle = range.middle();
   const bool all_noise = low >= -noise && high <= noise;
   if (all_noise || !(middle > range.start && middle < range.end)) {
@@ -47,25 +33,16 @@ void find_zeros(std::vector<double> coefficients, Interval range, double noise, 
     }
     return;
   }
-  const std::vector<double> right = halve(coefficients);
-  find_zeros(std::move(coefficients), {range.start, middle}, noise, zeros);
-  find_zeros(right, {middle, range.end}, noise, zeros);
+  BernsteinNet<double> right;
+  piece.halve(Axis::u, right);
+  find_zeros(std::move(piece), {range.start, middle}, noise, zeros);
+  find_zeros(std::move(right), {middle, range.end}, noise, zeros);
 }
 
 /// The homogeneous points that the curve depends on in a span.
 std::span<const glm::dvec4> span_points(const NurbsCurve& curve, int span) {
   const KnotVector& knots = curve.knot_vector();
   return curve.homogeneous_points().subspan(knots.spans()[span] - knots.degree(), knots.degree() + 1);
-}
-
-std::vector<double> span_weights(const NurbsCurve& curve, int span) {
-  const auto matrix = curve.knot_vector().bezier_matrix(span);
-  const auto points = span_points(curve, span);
-  std::vector<double> weights(points.size());
-  for (std::size_t j = 0; j < weights.size(); ++j) {
-    for (std::size_t i = 0; i < points.size(); ++i) weights[j] += matrix[j * points.size() + i] * points[i].w;
-  }
-  return weights;
 }
 
 /// What rounding may leave of a weight that is zero. Nothing where all weights have one sign:
@@ -92,7 +69,7 @@ Zeros zeros_of_weight(const NurbsCurve& curve) {
   for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
     const Interval span = knots.span_interval(i);
     Zeros found;
-    find_zeros(span_weights(curve, i), span, weight_noise(curve, i), found);
+    find_zeros(weights_of(bezier_piece(curve, i)), span, weight_noise(curve, i), found);
     for (const Interval& zero : found) zeros.push_back(narrowed(zero, span));
   }
   return zeros;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "splinecore/base/angle.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/base/quotient.hpp"
@@ -134,10 +135,6 @@ int common_derivatives(const End& left, const End& right, double tolerance) {
     if (glm::length(right.derivatives[k] - left.derivatives[k]) > std::max(slack, rounding)) return k - 1;
   }
   return order;
-}
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 void require_tolerance(double tolerance) {

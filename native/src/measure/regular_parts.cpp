@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
@@ -17,13 +16,13 @@ constexpr int kDepth = 28;
 
 /// What decides on a part of a span: A' W - A W' of the homogeneous curve (A, W), in Bernstein's form.
 struct Slopes {
-  std::vector<glm::dvec3> values;
+  BernsteinNet<glm::dvec3> piece;
   double rounding = 0.0;
 };
 
 Slopes slopes_of(const std::vector<glm::dvec4>& points) {
   const int degree = static_cast<int>(points.size()) - 1;
-  Slopes slopes{std::vector<glm::dvec3>(2 * degree, glm::dvec3(0.0)), 0.0};
+  Slopes slopes{BernsteinNet<glm::dvec3>::of_curve(std::vector<glm::dvec3>(2 * degree, glm::dvec3(0.0))), 0.0};
   double size = 0.0;
   double weight = 0.0;
   for (const glm::dvec4& p : points) {
@@ -34,7 +33,7 @@ Slopes slopes_of(const std::vector<glm::dvec4>& points) {
     const glm::dvec4 step = points[i + 1] - points[i];
     for (int j = 0; j <= degree; ++j) {
       const double share = binomial(degree - 1, i) * binomial(degree, j) / binomial(2 * degree - 1, i + j);
-      slopes.values[i + j] += share * (glm::dvec3(step) * points[j].w - step.w * glm::dvec3(points[j]));
+      slopes.piece.values[i + j] += share * (glm::dvec3(step) * points[j].w - step.w * glm::dvec3(points[j]));
     }
   }
   constexpr double kRounding = 0x1p-48;
@@ -46,38 +45,24 @@ Slopes slopes_of(const std::vector<glm::dvec4>& points) {
 bool is_regular(const Slopes& slopes) {
   glm::dvec3 direction(0.0);
   double largest = 0.0;
-  for (const glm::dvec3& slope : slopes.values) {
+  for (const glm::dvec3& slope : slopes.piece.values) {
     direction += slope;
     largest = std::max(largest, glm::length(slope));
   }
   if (largest <= slopes.rounding) return true;
   if (glm::length(direction) <= slopes.rounding) return false;
-  return std::ranges::all_of(slopes.values, [&](const auto& slope) { return glm::dot(slope, direction) >= 0.0; });
+  return std::ranges::all_of(slopes.piece.values, [&](const auto& slope) { return glm::dot(slope, direction) >= 0.0; });
 }
 
-/// Both halves of the slopes' part (de Casteljau).
-std::pair<Slopes, Slopes> halved(const Slopes& slopes) {
-  std::pair<Slopes, Slopes> halves{{{}, slopes.rounding}, {{}, slopes.rounding}};
-  std::vector<glm::dvec3> row = slopes.values;
-  breathe(2 * row.size() * row.size());
-  while (!row.empty()) {
-    halves.first.values.push_back(row.front());
-    halves.second.values.push_back(row.back());
-    for (std::size_t k = 0; k + 1 < row.size(); ++k) row[k] = 0.5 * (row[k] + row[k + 1]);
-    row.pop_back();
-  }
-  std::ranges::reverse(halves.second.values);
-  return halves;
-}
-
-void add_parts(const Slopes& slopes, const Interval& part, int depth, std::vector<Interval>& parts) {
+void add_parts(Slopes slopes, const Interval& part, int depth, std::vector<Interval>& parts) {
   if (depth == 0 || is_regular(slopes)) {
     parts.push_back(part);
     return;
   }
-  const auto [first, second] = halved(slopes);
-  add_parts(first, {part.start, part.middle()}, depth - 1, parts);
-  add_parts(second, {part.middle(), part.end}, depth - 1, parts);
+  Slopes second{{}, slopes.rounding};
+  slopes.piece.halve(Axis::u, second.piece);
+  add_parts(std::move(slopes), {part.start, part.middle()}, depth - 1, parts);
+  add_parts(std::move(second), {part.middle(), part.end}, depth - 1, parts);
 }
 
 }  // namespace
@@ -87,7 +72,7 @@ std::vector<Interval> regular_parts(const NurbsCurve& curve, const Interval& ran
   for (std::size_t i = 0; i < curve.knot_vector().spans().size(); ++i) {
     const Interval span = curve.knot_vector().span_interval(static_cast<int>(i));
     if (span.end <= range.start || span.start >= range.end) continue;
-    add_parts(slopes_of(bezier_points(curve, static_cast<int>(i))), span, kDepth, parts);
+    add_parts(slopes_of(bezier_piece(curve, static_cast<int>(i)).values), span, kDepth, parts);
   }
   std::vector<Interval> within;
   for (const Interval& part : parts) {

@@ -10,6 +10,7 @@
 
 #include "flank.hpp"
 #include "base/placement.hpp"
+#include "splinecore/base/angle.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/patch/join.hpp"
 #include "splinecore/patch/rescale.hpp"
@@ -80,10 +81,6 @@ Jets jets_at(const Flank& a, const Flank& b, std::span<const SeamPlace> places) 
     take_normal(there.b[i], here.b[singular[i]]);
   }
   return here;
-}
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 /// The larger number; one that is none does not count.

@@ -4,8 +4,8 @@
 
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/difference.hpp"
 #include "splinecore/basis/refinement.hpp"
+#include "splinecore/curve/difference.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/ends.hpp"
 
@@ -38,12 +38,6 @@ void make_alike(NurbsPatch& a, NurbsPatch& b, Axis axis) {
   }
 }
 
-/// The homogeneous points of one piece.
-Net<glm::dvec4> net_of(const NurbsPatch& patch, int span_u, int span_v) {
-  return {static_cast<std::size_t>(patch.knot_vector(Axis::u).degree()) + 1,
-          static_cast<std::size_t>(patch.knot_vector(Axis::v).degree()) + 1, bezier_points(patch, span_u, span_v)};
-}
-
 /// Where two patches differ, piece by piece; pieces that are equal bit for bit are left out.
 std::vector<DifferencePiece> difference_pieces(NurbsPatch a, NurbsPatch b) {
   make_alike(a, b, Axis::u);
@@ -51,9 +45,9 @@ std::vector<DifferencePiece> difference_pieces(NurbsPatch a, NurbsPatch b) {
   std::vector<DifferencePiece> pieces;
   for (int i = 0; i < static_cast<int>(a.knot_vector(Axis::u).spans().size()); ++i) {
     for (int j = 0; j < static_cast<int>(a.knot_vector(Axis::v).spans().size()); ++j) {
-      Net<glm::dvec4> on_a = net_of(a, i, j);
-      Net<glm::dvec4> on_b = net_of(b, i, j);
-      if (on_a.values != on_b.values) pieces.push_back(difference(std::move(on_a), std::move(on_b)));
+      BernsteinNet<glm::dvec4> on_a = bezier_piece(a, i, j);
+      BernsteinNet<glm::dvec4> on_b = bezier_piece(b, i, j);
+      if (on_a != on_b) pieces.push_back(difference(std::move(on_a), std::move(on_b)));
     }
   }
   return pieces;

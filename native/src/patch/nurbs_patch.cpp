@@ -4,8 +4,6 @@
 
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
-#include "splinecore/basis/samples.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/refinement.hpp"
 #include "splinecore/basis/selection.hpp"
@@ -106,36 +104,6 @@ NurbsPatch unrolled(const NurbsPatch& patch) {
     if (plain.knot_vector(axis).periodic()) plain = selected(plain, axis, unrolled(plain.knot_vector(axis)));
   }
   return plain;
-}
-
-std::vector<glm::dvec4> bezier_points(const NurbsPatch& patch, int span_u, int span_v) {
-  const KnotVector& knots_u = patch.knot_vector(Axis::u);
-  const KnotVector& knots_v = patch.knot_vector(Axis::v);
-  const std::size_t rows = knots_u.degree() + 1;
-  const std::size_t columns = knots_v.degree() + 1;
-  const auto matrix_u = knots_u.bezier_matrix(span_u);
-  const auto matrix_v = knots_v.bezier_matrix(span_v);
-  const int width = knots_v.unrolled_count();
-  const glm::dvec4* corner = patch.homogeneous_points().data() +
-                             (knots_u.spans()[span_u] - knots_u.degree()) * width +
-                             (knots_v.spans()[span_v] - knots_v.degree());
-  std::vector<glm::dvec4> half(rows * columns);
-  for (std::size_t i = 0; i < rows; ++i) {
-    breathe(4 * columns * columns);
-    for (std::size_t j = 0; j < columns; ++j) {
-      half[i * columns + j] = weighted_sum(matrix_v.subspan(j * columns, columns), corner + i * width);
-    }
-  }
-  std::vector<glm::dvec4> net(rows * columns, glm::dvec4(0.0));
-  for (std::size_t i = 0; i < rows; ++i) {
-    breathe(4 * rows * columns);
-    for (std::size_t k = 0; k < rows; ++k) {
-      const double weight = matrix_u[i * rows + k];
-      if (weight == 0.0) continue;
-      for (std::size_t j = 0; j < columns; ++j) net[i * columns + j] += weight * half[k * columns + j];
-    }
-  }
-  return net;
 }
 
 }  // namespace splinecore

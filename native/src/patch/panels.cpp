@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -21,6 +22,7 @@ struct SideCurve {
   int side;
   NurbsCurve curve;
   Interval range;
+  double tolerance;  ///< up to which points of its patch are one
 
   double at(double t, bool reversed) const {
     const double forward = reversed ? 1.0 - t : t;
@@ -47,14 +49,20 @@ std::vector<double> gaps(const KnotVector& knots) {
   return found;
 }
 
-SideCurve side_curve(const PatchSet& set, const Panel& panel, std::size_t number, int side) {
+/// Of the patch alone, wherever others are: a part of its extent, and what rounding leaves of coordinates far out.
+double tolerance_of(const NurbsPatch& patch) {
+  constexpr double kUlps = 0x1p-48;
+  return std::max(kOneCurve * extent(patch.points()), kUlps * largest_coordinate(patch.points()));
+}
+
+SideCurve side_curve(const PatchSet& set, const Panel& panel, std::size_t number, int side, double tolerance) {
   const bool is_u = side < 2;
   const bool is_end = side % 2 == 1;
   const Interval& across = is_u ? panel.u : panel.v;
   return {number, side,
           isocurve(nurbs_of(set.patch(panel.patch)), is_u ? Axis::u : Axis::v, is_end ? across.end : across.start,
                    is_end ? Side::left : Side::right),
-          is_u ? panel.v : panel.u};
+          is_u ? panel.v : panel.u, tolerance};
 }
 
 std::vector<double> scaled_knots(const SideCurve& side, bool reversed) {
@@ -67,7 +75,9 @@ std::vector<double> scaled_knots(const SideCurve& side, bool reversed) {
   return found;
 }
 
-bool near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) { return glm::length(a - b) <= tolerance; }
+bool near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
+  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= tolerance;
+}
 
 /// Whether two sides have the very same points on the same knots.
 bool is_same(const SideCurve& a, const SideCurve& b, bool reversed) {
@@ -78,9 +88,10 @@ bool is_same(const SideCurve& a, const SideCurve& b, bool reversed) {
   return !reversed && std::ranges::equal(points, others);
 }
 
-bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed, double tolerance) {
+bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed) {
   if (is_same(a, b, reversed)) return true;
   constexpr double kOneKnot = 0x1p-40;
+  const double tolerance = std::max(a.tolerance, b.tolerance);
   std::vector<double> knots = scaled_knots(a, false);
   const std::vector<double> others = scaled_knots(b, reversed);
   knots.insert(knots.end(), others.begin(), others.end());
@@ -98,10 +109,10 @@ bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed, double 
 }
 
 /// Whether the side is a point: all that it depends on lies in one place.
-bool is_point(const SideCurve& side, double tolerance) {
+bool is_point(const SideCurve& side) {
   const auto points = side.curve.points();
   const bool has_directions = std::ranges::any_of(points, [](const glm::dvec4& p) { return p.w == 0.0; });
-  return !has_directions && extent(points) <= tolerance;
+  return !has_directions && extent(points) <= side.tolerance;
 }
 
 /// Where the middle of a side lies along a direction in which few have the same place.
@@ -111,22 +122,37 @@ double middle(const SideCurve& side) {
   return std::isnan(at) ? std::numeric_limits<double>::infinity() : at;
 }
 
+/// Of each side, in an order by their middles, those before it that may be the same curve, the nearest first. Each side
+/// looks as far as its own tolerance reaches, so that a large one among many small ones costs the others nothing.
+std::vector<std::vector<std::size_t>> candidates(const std::vector<SideCurve>& sides,
+                                                 const std::vector<std::pair<double, std::size_t>>& order) {
+  std::vector<std::vector<std::size_t>> found(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double tolerance = sides[order[i].second].tolerance;
+    for (std::size_t k = i; k-- > 0 && order[i].first - order[k].first <= tolerance;) found[i].push_back(k);
+    for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= tolerance; ++k) {
+      if (!(order[k].first - order[i].first <= sides[order[k].second].tolerance)) found[k].push_back(i);
+    }
+  }
+  for (std::vector<std::size_t>& before : found) std::ranges::sort(before, std::greater());
+  return found;
+}
+
 /// Numbers the edges: each side takes the edge of the first side before it that is the same curve.
-void match(std::vector<Panel>& panels, const std::vector<SideCurve>& sides, double tolerance) {
+void match(std::vector<Panel>& panels, const std::vector<SideCurve>& sides) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < sides.size(); ++i) order.emplace_back(middle(sides[i]), i);
   std::ranges::sort(order);
+  const auto before = candidates(sides, order);
   int edges = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const SideCurve& side = sides[order[i].second];
     PanelSide& found = panels[side.panel].sides[side.side];
-    for (std::size_t k = i; k-- > 0 && found.edge < 0 && order[i].first - order[k].first <= tolerance;) {
-      const SideCurve& other = sides[order[k].second];
+    for (std::size_t n = 0; n < before[i].size() && found.edge < 0; ++n) {
+      const SideCurve& other = sides[order[before[i][n]].second];
       const PanelSide& known = panels[other.panel].sides[other.side];
       for (const bool reversed : {false, true}) {
-        if (found.edge < 0 && is_one_curve(other, side, reversed, tolerance)) {
-          found = {known.edge, known.reversed != reversed};
-        }
+        if (found.edge < 0 && is_one_curve(other, side, reversed)) found = {known.edge, known.reversed != reversed};
       }
     }
     if (found.edge < 0) found = {edges++, false};
@@ -145,15 +171,16 @@ std::vector<Panel> panels_of(const PatchSet& set) {
       for (std::size_t k = 1; k < v.size(); ++k) panels.push_back({i, {u[j - 1], u[j]}, {v[k - 1], v[k]}, {}});
     }
   }
-  const double tolerance = kOneCurve * extent(set.points());
+  std::vector<double> tolerances;
+  for (std::size_t i = 0; i < set.patches().size(); ++i) tolerances.push_back(tolerance_of(nurbs_of(set.patch(i))));
   std::vector<SideCurve> sides;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     for (int side = 0; side < 4; ++side) {
-      SideCurve curve = side_curve(set, panels[i], i, side);
-      if (!is_point(curve, tolerance)) sides.push_back(std::move(curve));
+      SideCurve curve = side_curve(set, panels[i], i, side, tolerances[panels[i].patch]);
+      if (!is_point(curve)) sides.push_back(std::move(curve));
     }
   }
-  match(panels, sides, tolerance);
+  match(panels, sides);
   return panels;
 }
 

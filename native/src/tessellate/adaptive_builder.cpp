@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "face_pattern.hpp"
@@ -32,26 +31,30 @@ class AdaptiveBuilder {
   void fit();
   double scaled(std::size_t panel, int side, Place place) const;
   Place place_on(std::size_t panel, int side, double t) const;
-  Spot spot_on(std::size_t panel, int side, Place place) const;
   std::vector<Place> places_on(std::size_t panel, int side) const;
   void collect(std::vector<std::vector<double>>& edges) const;
   bool spread(const std::vector<std::vector<double>>& edges);
+  bool is_one_place(std::size_t edge, double a, double b) const;
 
   std::size_t on_edge(int edge, double t) const;
 
   std::int32_t vertex_at(std::size_t panel, const Spot& spot);
   std::int32_t side_vertex(std::size_t panel, int side, const Spot& spot);
-  std::size_t sample_at(std::size_t panel, const Spot& spot, const Cell& cell);
+  std::size_t sample_at(std::size_t panel, const Spot& spot, const MeshCell& cell);
   bool is_crease(std::size_t panel, Axis axis, Place place) const;
-  void add_cell(std::size_t panel, const Cell& cell);
-  void add_face(std::size_t panel, const Cell& cell, const std::vector<Spot>& spots);
+  std::size_t inner_sample(std::size_t panel, const Spot& spot);
+  std::size_t add_spots(std::size_t panel, Axis axis, Place line, Place from, Place to);
+  void add_cell(std::size_t panel, const MeshCell& cell);
+  void add_face(std::size_t panel, const MeshCell& cell, std::span<const Spot> spots);
 
   Tessellation& mesh_;
   std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
   std::vector<CellGrid> grids_;  // of each panel
+  std::vector<std::vector<std::pair<std::size_t, int>>> edge_sides_;  ///< of each edge: panels and their sides on it
   /// Of each edge: scaled places with a vertex, growing from 0 to 1.
   std::vector<std::vector<double>> edge_places_;
-  std::vector<std::map<std::pair<Place, Place>, std::int32_t>> inner_vertices_;
+  std::vector<Place> line_;   ///< vertices inside a side of a cell
+  std::vector<Spot> spots_;  ///< and inside all four
   MeshWriter writer_;
   std::optional<SideVertices> side_vertices_;
 };
@@ -60,20 +63,24 @@ namespace {
 
 /// What the faces of a cell cost, about, in steps of breathe().
 constexpr std::size_t kStepsOfFaces = 2000;
-/// Scaled places nearer than this are one: a 2^-30th of a span cannot tell them apart.
+/// Scaled places may be one where they are nearer than this, and not farther apart than this part of the span that
+/// some side of the edge has there: a 2^-30th of it can hardly tell them apart.
 constexpr double kOnePlace = 1e-8;
+constexpr double kPartOfSpan = 0x1p-27;
 
-Cell whole_of(const Panel& panel, const std::vector<MeshSpan>& u, const std::vector<MeshSpan>& v) {
+MeshCell whole_of(const Panel& panel, const std::vector<MeshSpan>& u, const std::vector<MeshSpan>& v) {
   return {place_of(u, panel.u.start), place_of(u, panel.u.end), place_of(v, panel.v.start), place_of(v, panel.v.end)};
 }
 
 bool is_along_v(int side) { return side < 2; }
 
-std::pair<Place, Place> range_along(const Cell& whole, int side) {
+std::pair<Place, Place> range_along(const MeshCell& whole, int side) {
   return is_along_v(side) ? std::pair{whole.v0, whole.v1} : std::pair{whole.u0, whole.u1};
 }
 
-Place line_of(const Cell& whole, int side) {
+bool is_on_knot(Place place) { return place % kSpan == 0; }
+
+Place line_of(const MeshCell& whole, int side) {
   return std::array{whole.u0, whole.u1, whole.v0, whole.v1}[side];
 }
 
@@ -84,12 +91,11 @@ AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, 
   for (const Panel& panel : mesh.panels_) {
     const NurbsPatch& patch = nurbs_of(set.patch(panel.patch));
     const auto& spans = spans_[panel.patch];
-    const Cell whole = whole_of(panel, spans[0], spans[1]);
+    const MeshCell whole = whole_of(panel, spans[0], spans[1]);
     const bool closed_u = panel.sides[0].edge >= 0 && panel.sides[0].edge == panel.sides[1].edge;
     const bool closed_v = panel.sides[2].edge >= 0 && panel.sides[2].edge == panel.sides[3].edge;
     grids_.emplace_back(whole, cells_of(patch, spans, whole, fineness, closed_u, closed_v));
   }
-  inner_vertices_.resize(mesh.panels_.size());
   fit();
   std::vector<std::size_t> counts;
   for (const std::vector<double>& places : edge_places_) counts.push_back(places.size());
@@ -113,18 +119,29 @@ Place AdaptiveBuilder::place_on(std::size_t panel, int side, double t) const {
   return std::clamp(place_of(along, start + forward * (parameter_at(along, to) - start)), from, to);
 }
 
-AdaptiveBuilder::Spot AdaptiveBuilder::spot_on(std::size_t panel, int side, Place place) const {
-  const Place line = line_of(grids_[panel].whole(), side);
-  return is_along_v(side) ? Spot{line, place} : Spot{place, line};
-}
-
 std::vector<Place> AdaptiveBuilder::places_on(std::size_t panel, int side) const {
   const auto [from, to] = range_along(grids_[panel].whole(), side);
-  std::vector<Place> places =
-      grids_[panel].between(is_along_v(side) ? Axis::v : Axis::u, line_of(grids_[panel].whole(), side), from, to);
-  places.insert(places.begin(), from);
+  std::vector<Place> places{from};
+  grids_[panel].between(is_along_v(side) ? Axis::v : Axis::u, line_of(grids_[panel].whole(), side), from, to, places);
   places.push_back(to);
   return places;
+}
+
+/// Whether two places of an edge are one.
+bool AdaptiveBuilder::is_one_place(std::size_t edge, double a, double b) const {
+  constexpr double kRounding = 0x1p-51;
+  const double apart = std::abs(b - a);
+  if (apart <= kRounding) return true;
+  if (apart > kOnePlace) return false;
+  const double middle = 0.5 * (a + b);
+  return std::ranges::any_of(edge_sides_[edge], [&](const auto& on) {
+    const auto [panel, side] = on;
+    const std::vector<MeshSpan>& along = spans(panel, is_along_v(side) ? Axis::v : Axis::u);
+    const auto [from, to] = range_along(grids_[panel].whole(), side);
+    const Place place = std::min(place_on(panel, side, middle), to - 1);
+    return apart * (parameter_at(along, to) - parameter_at(along, from)) <=
+           kPartOfSpan * along[static_cast<std::size_t>(place / kSpan)].range.length();
+  });
 }
 
 /// The places of all sides of each edge.
@@ -139,7 +156,8 @@ void AdaptiveBuilder::collect(std::vector<std::vector<double>>& edges) const {
   }
   for (std::vector<double>& places : edges) {
     std::ranges::sort(places);
-    const auto same = [](double a, double b) { return b - a <= kOnePlace; };
+    const auto edge = static_cast<std::size_t>(&places - edges.data());
+    const auto same = [&](double a, double b) { return is_one_place(edge, a, b); };
     places.erase(std::unique(places.begin(), places.end(), same), places.end());
     places.back() = 1.0;
   }
@@ -158,10 +176,10 @@ bool AdaptiveBuilder::spread(const std::vector<std::vector<double>>& edges) {
       for (const Place place : own) known.push_back(scaled(panel, side, place));
       std::ranges::sort(known);
       for (const double t : edges[edge]) {
-        const auto next = std::ranges::lower_bound(known, t - kOnePlace);
+        auto next = std::ranges::lower_bound(known, t - kOnePlace);
+        while (next != known.end() && *next <= t + kOnePlace && !is_one_place(edge, t, *next)) ++next;
         if (next != known.end() && *next <= t + kOnePlace) continue;
-        const Spot spot = spot_on(panel, side, place_on(panel, side, t));
-        is_any_new |= grids_[panel].add(Axis::u, spot.v, spot.u);
+        is_any_new |= grids_[panel].add(side, place_on(panel, side, t));
       }
     }
   }
@@ -169,6 +187,13 @@ bool AdaptiveBuilder::spread(const std::vector<std::vector<double>>& edges) {
 }
 
 void AdaptiveBuilder::fit() {
+  edge_sides_.resize(side_counts(mesh_.panels_).size());
+  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
+    for (int side = 0; side < 4; ++side) {
+      const int edge = panel_of(panel).sides[side].edge;
+      if (edge >= 0) edge_sides_[edge].emplace_back(panel, side);
+    }
+  }
   for (bool again = true; again;) {
     for (CellGrid& grid : grids_) grid.balance();
     std::vector<std::vector<double>> edges;
@@ -195,27 +220,27 @@ std::int32_t AdaptiveBuilder::side_vertex(std::size_t panel, int side, const Spo
 }
 
 std::int32_t AdaptiveBuilder::vertex_at(std::size_t panel, const Spot& spot) {
-  const Cell& whole = grids_[panel].whole();
+  const MeshCell& whole = grids_[panel].whole();
   if (spot.u == whole.u0) return side_vertex(panel, 0, spot);
   if (spot.u == whole.u1) return side_vertex(panel, 1, spot);
   if (spot.v == whole.v0) return side_vertex(panel, 2, spot);
   if (spot.v == whole.v1) return side_vertex(panel, 3, spot);
-  const auto [found, is_new] = inner_vertices_[panel].try_emplace({spot.u, spot.v}, -1);
-  if (is_new) found->second = writer_.add_vertex(sample_at(panel, spot, grids_[panel].whole()));
-  return found->second;
+  std::int32_t& vertex = grids_[panel].number_at(spot.u, spot.v);
+  if (vertex < 0) vertex = writer_.add_vertex(inner_sample(panel, spot));
+  return vertex;
 }
 
 /// Whether the first derivative may jump there.
 bool AdaptiveBuilder::is_crease(std::size_t panel, Axis axis, Place place) const {
-  const Cell& whole = grids_[panel].whole();
+  const MeshCell& whole = grids_[panel].whole();
   const auto [from, to] = axis == Axis::u ? std::pair{whole.u0, whole.u1} : std::pair{whole.v0, whole.v1};
   if (place == from || place == to) return true;
-  if (place % kSpan != 0) return false;
+  if (!is_on_knot(place)) return false;
   return spans(panel, axis)[place / kSpan].is_crease;
 }
 
 /// The sample at a spot, seen from inside a cell.
-std::size_t AdaptiveBuilder::sample_at(std::size_t panel, const Spot& spot, const Cell& cell) {
+std::size_t AdaptiveBuilder::sample_at(std::size_t panel, const Spot& spot, const MeshCell& cell) {
   const bool is_left_u = spot.u == cell.u1 && is_crease(panel, Axis::u, spot.u);
   const bool is_left_v = spot.v == cell.v1 && is_crease(panel, Axis::v, spot.v);
   const auto& u = spans(panel, Axis::u);
@@ -225,40 +250,58 @@ std::size_t AdaptiveBuilder::sample_at(std::size_t panel, const Spot& spot, cons
                            is_left_u ? Side::left : Side::right, is_left_v ? Side::left : Side::right);
 }
 
-void AdaptiveBuilder::add_face(std::size_t panel, const Cell& cell, const std::vector<Spot>& spots) {
-  std::vector<FaceCorner> corners;
-  std::vector<char> is_border;
+/// The sample of a vertex inside a panel.
+std::size_t AdaptiveBuilder::inner_sample(std::size_t panel, const Spot& spot) {
+  if (is_on_knot(spot.u) || is_on_knot(spot.v)) return sample_at(panel, spot, grids_[panel].whole());
+  return writer_.new_sample(panel_of(panel).patch, parameter_at(spans(panel, Axis::u), spot.u),
+                            parameter_at(spans(panel, Axis::v), spot.v), Side::right, Side::right);
+}
+
+void AdaptiveBuilder::add_face(std::size_t panel, const MeshCell& cell, std::span<const Spot> spots) {
+  std::array<FaceCorner, 4> corners;
+  std::array<char, 4> is_border;
+  const std::vector<MeshSpan>& spans_u = spans(panel, Axis::u);
+  const std::vector<MeshSpan>& spans_v = spans(panel, Axis::v);
   for (std::size_t k = 0; k < spots.size(); ++k) {
     const Spot& a = spots[k];
     const Spot& b = spots[(k + 1) % spots.size()];
-    corners.push_back({vertex_at(panel, a), sample_at(panel, a, cell), parameter_at(spans(panel, Axis::u), a.u),
-                       parameter_at(spans(panel, Axis::v), a.v)});
-    is_border.push_back((a.u == b.u && is_crease(panel, Axis::u, a.u)) ||
-                        (a.v == b.v && is_crease(panel, Axis::v, a.v)));
+    const std::int32_t vertex = vertex_at(panel, a);
+    const bool may_jump = is_crease(panel, Axis::u, a.u) || is_crease(panel, Axis::v, a.v);
+    corners[k] = {vertex, may_jump ? sample_at(panel, a, cell) : mesh_.vertex_samples_[vertex],
+                  parameter_at(spans_u, a.u), parameter_at(spans_v, a.v)};
+    is_border[k] = may_jump && ((a.u == b.u && is_crease(panel, Axis::u, a.u)) ||
+                                (a.v == b.v && is_crease(panel, Axis::v, a.v)));
   }
-  writer_.add_face(panel_of(panel).patch, corners, is_border);
+  writer_.add_face(panel_of(panel).patch, std::span(corners).first(spots.size()),
+                   std::span(is_border).first(spots.size()));
 }
 
-void AdaptiveBuilder::add_cell(std::size_t panel, const Cell& cell) {
-  const CellGrid& grid = grids_[panel];
-  const auto on_side = [&](Axis axis, Place line, Place from, Place to, bool is_backward) {
-    std::vector<Place> places = grid.between(axis, line, from, to);
-    if (is_backward) std::ranges::reverse(places);
-    std::vector<Spot> spots;
-    for (const Place place : places) spots.push_back(axis == Axis::u ? Spot{place, line} : Spot{line, place});
-    return spots;
-  };
+/// The spots with a vertex inside a side of a cell, behind those that are there; how many.
+std::size_t AdaptiveBuilder::add_spots(std::size_t panel, Axis axis, Place line, Place from, Place to) {
+  line_.clear();
+  grids_[panel].between(axis, line, std::min(from, to), std::max(from, to), line_);
+  if (to < from) std::ranges::reverse(line_);
+  for (const Place place : line_) spots_.push_back(axis == Axis::u ? Spot{place, line} : Spot{line, place});
+  return line_.size();
+}
+
+void AdaptiveBuilder::add_cell(std::size_t panel, const MeshCell& cell) {
   const std::array<Spot, 4> corners{{{cell.u0, cell.v0}, {cell.u1, cell.v0}, {cell.u1, cell.v1}, {cell.u0, cell.v1}}};
-  const std::array<std::vector<Spot>, 4> inside{
-      on_side(Axis::u, cell.v0, cell.u0, cell.u1, false), on_side(Axis::v, cell.u1, cell.v0, cell.v1, false),
-      on_side(Axis::u, cell.v1, cell.u0, cell.u1, true), on_side(Axis::v, cell.u0, cell.v0, cell.v1, true)};
+  spots_.clear();
+  const std::array<std::size_t, 4> counts{add_spots(panel, Axis::u, cell.v0, cell.u0, cell.u1),
+                                          add_spots(panel, Axis::v, cell.u1, cell.v0, cell.v1),
+                                          add_spots(panel, Axis::u, cell.v1, cell.u1, cell.u0),
+                                          add_spots(panel, Axis::v, cell.u0, cell.v1, cell.v0)};
+  std::array<std::span<const Spot>, 4> inside;
+  std::size_t first = 0;
+  for (int side = 0; side < 4; first += counts[side++]) inside[side] = std::span(spots_).subspan(first, counts[side]);
   const Spot middle{(cell.u0 + cell.u1) / 2, (cell.v0 + cell.v1) / 2};
-  for (const auto& face : face_pattern(corners, inside, middle)) add_face(panel, cell, face);
+  face_pattern(corners, inside, middle, [&](const auto& face) { add_face(panel, cell, face); });
 }
 
 void AdaptiveBuilder::add_faces() {
   for (std::size_t panel = 0; panel < grids_.size(); ++panel) {
-    for (const Cell& cell : grids_[panel].cells()) {
+    for (const MeshCell& cell : grids_[panel].cells()) {
       breathe(kStepsOfFaces);
       add_cell(panel, cell);
     }

@@ -1,168 +1,126 @@
 #include "splinecore/tessellate/flatness.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
+#include <span>
 
+#include "splinecore/base/angle.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
 
-Net net_of(const BezierPatch& patch) {
-  const NurbsPatch& form = patch.nurbs();
-  return {patch.count(Axis::u), patch.count(Axis::v),
-          {form.homogeneous_points().begin(), form.homogeneous_points().end()}};
-}
-
-std::pair<Net, Net> halved(const Net& net, Axis axis) {
-  const int count = axis == Axis::u ? net.rows : net.columns;
-  const int lines = axis == Axis::u ? net.columns : net.rows;
-  Net before = net;
-  Net after = net;
-  for (int line = 0; line < lines; ++line) {
-    const auto place = [&](Net& in, int k) -> glm::dvec4& { return axis == Axis::u ? in.at(k, line) : in.at(line, k); };
-    for (int level = 1; level < count; ++level) {
-      for (int k = count - 1; k >= level; --k) {
-        place(before, k) = 0.5 * (place(before, k - 1) + place(before, k));
-      }
-      place(after, count - 1 - level) = place(before, count - 1);
-    }
-  }
-  // `before` ends as its own diagonal: row k holds the first point of level k.
-  return {std::move(before), std::move(after)};
-}
-
 namespace {
 
-/// Largest length of x, y, z and largest |w| over differences of the net, each times a factor.
-struct Largest {
-  double point = 0.0;
-  double weight = 0.0;
+/// Squared, so that a root is drawn of the largest alone.
+double size_of(const glm::dvec3& difference) { return glm::dot(difference, difference); }
+double size_of(double difference) { return difference * difference; }
 
-  void take(const glm::dvec4& p) {
-    point = std::max(point, glm::length(glm::dvec3(p)));
-    weight = std::max(weight, std::abs(p.w));
-  }
-  Largest times(double factor) const { return {factor * point, factor * weight}; }
-};
-
+/// The largest of the differences of a net, first and second ones, as those of the polynomial's derivatives.
 struct Differences {
-  Largest u, v, uu, uv, vv;
+  double u = 0.0;
+  double v = 0.0;
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
 };
 
-Differences differences(const Net& net) {
-  Differences found;
-  for (int i = 0; i < net.rows; ++i) {
-    for (int j = 0; j < net.columns; ++j) {
-      const glm::dvec4& p = net.at(i, j);
-      const bool in_u = i + 1 < net.rows;
-      const bool in_v = j + 1 < net.columns;
-      if (in_u) found.u.take(net.at(i + 1, j) - p);
-      if (in_v) found.v.take(net.at(i, j + 1) - p);
-      if (in_u && in_v) found.uv.take(net.at(i + 1, j + 1) - net.at(i + 1, j) - net.at(i, j + 1) + p);
-      if (i + 2 < net.rows) found.uu.take(net.at(i + 2, j) - 2.0 * net.at(i + 1, j) + p);
-      if (j + 2 < net.columns) found.vv.take(net.at(i, j + 2) - 2.0 * net.at(i, j + 1) + p);
-    }
+/// The size that is largest of `count` values.
+template <class At>
+double largest_of(std::size_t count, At at) {
+  double found = 0.0;
+  for (std::size_t k = 0; k < count; ++k) found = std::max(found, size_of(at(k)));
+  return std::sqrt(found);
+}
+
+/// The same over a lattice of rows.
+template <class At>
+double largest_of(std::size_t rows, std::size_t columns, At at) {
+  double found = 0.0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) found = std::max(found, size_of(at(i, j)));
   }
-  const double p = net.rows - 1;
-  const double q = net.columns - 1;
-  return {found.u.times(p), found.v.times(q), found.uu.times(p * (p - 1)), found.uv.times(p * q),
-          found.vv.times(q * (q - 1))};
+  return std::sqrt(found);
 }
 
-/// The net seen from one of its points, so that sizes are those of the piece.
-Net centred(Net net) {
-  const glm::dvec3 centre = project(net.at(net.rows / 2, net.columns / 2));
-  for (glm::dvec4& p : net.points) p = glm::dvec4(glm::dvec3(p) - p.w * centre, p.w);
-  return net;
+template <class Value>
+void add_second_differences(const Value* p, std::size_t rows, std::size_t columns, Differences& found) {
+  const auto m = static_cast<double>(rows - 1);
+  const auto n = static_cast<double>(columns - 1);
+  if (rows > 2) {
+    found.uu = m * (m - 1) * largest_of((rows - 2) * columns, [&](std::size_t k) {
+                 return p[k + 2 * columns] - 2.0 * p[k + columns] + p[k];
+               });
+  }
+  if (rows > 1 && columns > 1) {
+    found.uv = m * n * largest_of(rows - 1, columns - 1, [&](std::size_t i, std::size_t j) {
+                 const Value* at = p + i * columns + j;
+                 return at[columns + 1] - at[columns] - at[1] + at[0];
+               });
+  }
+  if (columns > 2) {
+    found.vv = n * (n - 1) * largest_of(rows, columns - 2, [&](std::size_t i, std::size_t j) {
+                 const Value* at = p + i * columns + j;
+                 return at[2] - 2.0 * at[1] + at[0];
+               });
+  }
 }
 
-}  // namespace
-
-Bends bends(const Net& net) {
-  const double least = std::ranges::min(net.points, {}, &glm::dvec4::w).w;
-  if (!(least > 0.0)) return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  const Net seen = centred(net);
-  double reach = 0.0;
-  for (const glm::dvec4& p : seen.points) reach = std::max(reach, glm::length(glm::dvec3(p)) / p.w);
-  const Differences d = differences(seen);
-  // The quotient rule, term by term: S_uu = (A_uu - 2 W_u S_u - W_uu S) / W.
-  const double su = (d.u.point + d.u.weight * reach) / least;
-  const double sv = (d.v.point + d.v.weight * reach) / least;
-  return {(d.uu.point + 2.0 * d.u.weight * su + d.uu.weight * reach) / least,
-          (d.uv.point + d.u.weight * sv + d.v.weight * su + d.uv.weight * reach) / least,
-          (d.vv.point + 2.0 * d.v.weight * sv + d.vv.weight * reach) / least};
+template <class Value>
+void add_first_differences(const Value* p, std::size_t rows, std::size_t columns, Differences& found) {
+  const auto m = static_cast<double>(rows - 1);
+  const auto n = static_cast<double>(columns - 1);
+  if (rows > 1) found.u = m * largest_of((rows - 1) * columns, [&](std::size_t k) { return p[k + columns] - p[k]; });
+  if (columns > 1) {
+    found.v = n * largest_of(rows, columns - 1, [&](std::size_t i, std::size_t j) {
+                const Value* at = p + i * columns + j;
+                return at[1] - at[0];
+              });
+  }
 }
 
-Bends bends_along(const Net& net, const glm::dvec3& normal) {
-  Net heights = centred(net);
-  for (glm::dvec4& p : heights.points) p = glm::dvec4(glm::dot(normal, glm::dvec3(p)), 0.0, 0.0, p.w);
-  return bends(heights);
+/// The unit normal of homogeneous slopes, or (0, 0, 0) where a derivative is no more than rounding.
+glm::dvec3 unit_normal(const glm::dvec4& h, const glm::dvec4& hu, const glm::dvec4& hv, double magnitude) {
+  const glm::dvec3 su = glm::dvec3(hu) - hu.w / h.w * glm::dvec3(h);
+  const glm::dvec3 sv = glm::dvec3(hv) - hv.w / h.w * glm::dvec3(h);
+  const glm::dvec3 normal = glm::cross(su, sv);
+  const double size = size_of(normal);
+  const double size_u = size_of(su);
+  const double size_v = size_of(sv);
+  constexpr double kNothing = 0x1p-80;  // squared, as the sizes are
+  const double least = kNothing * magnitude;
+  const bool is_noise = !(size_u > least) || !(size_v > least) || !(size > kNothing * size_u * size_v);
+  return is_noise ? glm::dvec3(0.0) : normal / std::sqrt(size);
 }
-
-double side_distance(const Net& net, int side) {
-  Net line;
-  line.rows = side < 2 ? 1 : net.rows;
-  line.columns = side < 2 ? net.columns : 1;
-  const int at = side % 2 == 0 ? 0 : (side < 2 ? net.rows : net.columns) - 1;
-  for (int k = 0; k < line.rows * line.columns; ++k) line.points.push_back(side < 2 ? net.at(at, k) : net.at(k, at));
-  return bends(line).distance();
-}
-
-namespace {
 
 /// The sum of the net with these factors along u and v.
-glm::dvec4 blended(const Net& net, std::span<const double> along_u, std::span<const double> along_v) {
+glm::dvec4 blended(const BernsteinNet<glm::dvec4>& net, std::span<const double> along_u,
+                   std::span<const double> along_v) {
   glm::dvec4 sum(0.0);
-  for (int i = 0; i < net.rows; ++i) {
+  for (std::size_t i = 0; i < net.rows; ++i) {
     glm::dvec4 row(0.0);
-    for (int j = 0; j < net.columns; ++j) row += along_v[j] * net.at(i, j);
+    for (std::size_t j = 0; j < net.columns; ++j) row += along_v[j] * net.at(i, j);
     sum += along_u[i] * row;
   }
   return sum;
 }
 
-/// Largest coordinate times the weight: what rounding is relative to.
-double magnitude(const Net& net) {
+/// Largest coordinate times the weight, squared: what rounding is relative to.
+double magnitude_of(const BernsteinNet<glm::dvec4>& net) {
   double found = 0.0;
-  for (const glm::dvec4& p : net.points) found = std::max(found, glm::length(glm::dvec3(p)));
+  for (const glm::dvec4& p : net.values) found = std::max(found, size_of(glm::dvec3(p)));
   return found;
 }
 
-/// The unit normal, or (0, 0, 0) where a derivative is no more than rounding.
-glm::dvec3 normal_at(const Net& net, const BernsteinRow& u, const BernsteinRow& v, double magnitude) {
-  const glm::dvec4 h = blended(net, u.values, v.values);
-  const glm::dvec4 hu = blended(net, u.slopes, v.values);
-  const glm::dvec4 hv = blended(net, u.values, v.slopes);
-  const glm::dvec3 su = glm::dvec3(hu) - hu.w / h.w * glm::dvec3(h);
-  const glm::dvec3 sv = glm::dvec3(hv) - hv.w / h.w * glm::dvec3(h);
-  const glm::dvec3 normal = glm::cross(su, sv);
-  const double length = glm::length(normal);
-  constexpr double kNothing = 0x1p-40;
-  const double least = kNothing * magnitude;
-  const bool is_noise = !(glm::length(su) > least) || !(glm::length(sv) > least) ||
-                        !(length > kNothing * glm::length(su) * glm::length(sv));
-  return is_noise ? glm::dvec3(0.0) : normal / length;
+std::array<BernsteinRow, 3> rows_of(int degree, double margin) {
+  return {BernsteinRow(degree, margin), BernsteinRow(degree, 0.5), BernsteinRow(degree, 1.0 - margin)};
 }
 
-/// The normal a little inside, for places where it vanishes, as at a pole.
-glm::dvec3 normal_near(const Net& net, double s, double t, double magnitude) {
-  constexpr double kInside = 0x1p-10;
-  const auto inside = [&](double place) { return std::clamp(place, kInside, 1.0 - kInside); };
-  return normal_at(net, BernsteinRow(net.rows - 1, inside(s)), BernsteinRow(net.columns - 1, inside(t)), magnitude);
-}
+/// The place on a line along a direction.
+std::size_t place_on(Axis axis, int line, int k) { return axis == Axis::u ? 3 * k + line : 3 * line + k; }
 
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  if (a == glm::dvec3(0.0) || b == glm::dvec3(0.0)) return 0.0;
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
-std::array<BernsteinRow, 3> rows_of(int degree) {
-  return {BernsteinRow(degree, 0.0), BernsteinRow(degree, 0.5), BernsteinRow(degree, 1.0)};
-}
+constexpr double kInside = 0x1p-10;
 
 }  // namespace
 
@@ -176,48 +134,234 @@ BernsteinRow::BernsteinRow(int degree, double t) : values(degree + 1), slopes(de
   }
 }
 
-Turns Look::turns() const {
-  Turns found;
-  for (int i = 0; i < 9; ++i) {
+FlatnessProbe::FlatnessProbe(int degree_u, int degree_v, bool rational)
+    : rational_(rational), u_(rows_of(degree_u, 0.0)), v_(rows_of(degree_v, 0.0)), inner_u_(rows_of(degree_u, kInside)),
+      inner_v_(rows_of(degree_v, kInside)), row_values_(3 * (degree_u + 1)), row_slopes_(3 * (degree_u + 1)) {}
+
+void FlatnessProbe::take(const BernsteinNet<glm::dvec4>& piece) {
+  piece_ = &piece;
+  has_values_ = has_points_ = has_normals_ = has_pairs_ = false;
+}
+
+void FlatnessProbe::centre(const glm::dvec4* points, std::size_t count, std::size_t middle, Centred& seen) const {
+  seen.points.resize(count);
+  const glm::dvec3 origin = project(points[middle]);
+  if (!rational_) {
+    for (std::size_t k = 0; k < count; ++k) seen.points[k] = glm::dvec3(points[k]) - origin;
+    return;
+  }
+  seen.weights.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    seen.points[k] = glm::dvec3(points[k]) - points[k].w * origin;
+    seen.weights[k] = points[k].w;
+  }
+  seen.least = std::ranges::min(seen.weights);
+}
+
+/// Bounds for coordinates, or for heights, with the weights of a piece.
+template <class Value>
+SecondDerivativeBounds FlatnessProbe::bounds_of(const Value* values, const Centred& seen, std::size_t rows,
+                                                std::size_t columns) {
+  Differences point;
+  add_second_differences(values, rows, columns, point);
+  if (!rational_) return {point.uu, point.uv, point.vv};
+  const double least = seen.least;
+  Differences weight;
+  add_first_differences(values, rows, columns, point);
+  add_first_differences(seen.weights.data(), rows, columns, weight);
+  add_second_differences(seen.weights.data(), rows, columns, weight);
+  double reach = 0.0;
+  for (std::size_t k = 0; k < rows * columns; ++k) {
+    reach = std::max(reach, size_of(values[k]) / (seen.weights[k] * seen.weights[k]));
+  }
+  reach = std::sqrt(reach);
+  // The quotient rule, term by term: S_uu = (A_uu - 2 W_u S_u - W_uu S) / W.
+  const double su = (point.u + weight.u * reach) / least;
+  const double sv = (point.v + weight.v * reach) / least;
+  return {(point.uu + 2.0 * weight.u * su + weight.uu * reach) / least,
+          (point.uv + weight.u * sv + weight.v * su + weight.uv * reach) / least,
+          (point.vv + 2.0 * weight.v * sv + weight.vv * reach) / least};
+}
+
+SecondDerivativeBounds FlatnessProbe::bounds() {
+  const std::size_t middle = piece_->rows / 2 * piece_->columns + piece_->columns / 2;
+  centre(piece_->values.data(), piece_->values.size(), middle, seen_);
+  if (!(seen_.least > 0.0)) return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  return bounds_of(seen_.points.data(), seen_, piece_->rows, piece_->columns);
+}
+
+SecondDerivativeBounds FlatnessProbe::bounds_along(const glm::dvec3& normal) {
+  heights_.resize(seen_.points.size());
+  for (std::size_t k = 0; k < heights_.size(); ++k) heights_[k] = glm::dot(normal, seen_.points[k]);
+  return bounds_of(heights_.data(), seen_, piece_->rows, piece_->columns);
+}
+
+double FlatnessProbe::side_distance(int side) {
+  const std::size_t count = side < 2 ? piece_->columns : piece_->rows;
+  const std::size_t at = side % 2 == 0 ? 0 : (side < 2 ? piece_->rows : piece_->columns) - 1;
+  side_points_.resize(count);
+  for (std::size_t k = 0; k < count; ++k) side_points_[k] = side < 2 ? piece_->at(at, k) : piece_->at(k, at);
+  centre(side_points_.data(), count, count / 2, side_);
+  return bounds_of(side_.points.data(), side_, side < 2 ? 1 : count, side < 2 ? count : 1).distance();
+}
+
+/// The homogeneous points at the nine places.
+void FlatnessProbe::blend_values() {
+  if (has_values_) return;
+  has_values_ = true;
+  const std::size_t rows = piece_->rows;
+  const std::size_t columns = piece_->columns;
+  const double* const middle = v_[1].values.data();
+  const double* const middle_u = u_[1].values.data();
+  glm::dvec4 first(0.0);
+  glm::dvec4 half(0.0);
+  glm::dvec4 last(0.0);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const glm::dvec4* row = piece_->values.data() + i * columns;
+    glm::dvec4 sum(0.0);
+    for (std::size_t j = 0; j < columns; ++j) sum += middle[j] * row[j];
+    row_values_[3 * i] = row[0];
+    row_values_[3 * i + 1] = sum;
+    row_values_[3 * i + 2] = row[columns - 1];
+    first += middle_u[i] * row[0];
+    half += middle_u[i] * sum;
+    last += middle_u[i] * row[columns - 1];
+  }
+  std::copy_n(row_values_.begin(), 3, values_.begin());
+  values_[3] = first;
+  values_[4] = half;
+  values_[5] = last;
+  std::copy_n(row_values_.begin() + 3 * (rows - 1), 3, values_.begin() + 6);
+}
+
+/// The slopes of each row at the three places along v.
+void FlatnessProbe::blend_slopes() {
+  const std::size_t columns = piece_->columns;
+  const double degree = piece_->degree(Axis::v);
+  const double* const middle = v_[1].slopes.data();
+  for (std::size_t i = 0; i < piece_->rows; ++i) {
+    const glm::dvec4* row = piece_->values.data() + i * columns;
+    glm::dvec4 sum(0.0);
+    for (std::size_t j = 0; j < columns; ++j) sum += middle[j] * row[j];
+    row_slopes_[3 * i] = degree * row[1] - degree * row[0];
+    row_slopes_[3 * i + 1] = sum;
+    row_slopes_[3 * i + 2] = degree * row[columns - 1] - degree * row[columns - 2];
+  }
+}
+
+const std::array<glm::dvec3, 9>& FlatnessProbe::points() {
+  if (has_points_) return points_;
+  has_points_ = true;
+  blend_values();
+  for (std::size_t k = 0; k < 9; ++k) points_[k] = rational_ ? project(values_[k]) : glm::dvec3(values_[k]);
+  return points_;
+}
+
+/// The normal a little inside, for places where it vanishes, as at a pole.
+glm::dvec3 FlatnessProbe::normal_near(int place, double magnitude) const {
+  const BernsteinRow& u = inner_u_[place / 3];
+  const BernsteinRow& v = inner_v_[place % 3];
+  return unit_normal(blended(*piece_, u.values, v.values), blended(*piece_, u.slopes, v.values),
+                     blended(*piece_, u.values, v.slopes), magnitude);
+}
+
+glm::dvec3 FlatnessProbe::middle_normal() {
+  if (has_normals_) return normals_[4];
+  blend_values();
+  glm::dvec4 slope_u(0.0);
+  glm::dvec4 slope_v(0.0);
+  for (std::size_t i = 0; i < piece_->rows; ++i) {
+    const glm::dvec4* row = piece_->values.data() + i * piece_->columns;
+    glm::dvec4 sum(0.0);
+    for (std::size_t j = 0; j < piece_->columns; ++j) sum += v_[1].slopes[j] * row[j];
+    slope_u += u_[1].slopes[i] * row_values_[3 * i + 1];
+    slope_v += u_[1].values[i] * sum;
+  }
+  const double magnitude = magnitude_of(*piece_);
+  const glm::dvec3 normal = unit_normal(values_[4], slope_u, slope_v, magnitude);
+  return normal == glm::dvec3(0.0) ? normal_near(4, magnitude) : normal;
+}
+
+const std::array<glm::dvec3, 9>& FlatnessProbe::normals() {
+  if (has_normals_) return normals_;
+  has_normals_ = true;
+  blend_values();
+  blend_slopes();
+  const double magnitude = magnitude_of(*piece_);
+  const std::size_t rows = piece_->rows;
+  const double degree = piece_->degree(Axis::u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto value = [&](std::size_t row) -> const glm::dvec4& { return row_values_[3 * row + k]; };
+    glm::dvec4 slope_u(0.0);
+    glm::dvec4 slope_v(0.0);
+    for (std::size_t i = 0; i < rows; ++i) {
+      slope_u += u_[1].slopes[i] * value(i);
+      slope_v += u_[1].values[i] * row_slopes_[3 * i + k];
+    }
+    normals_[k] = unit_normal(values_[k], degree * value(1) - degree * value(0), row_slopes_[k], magnitude);
+    normals_[3 + k] = unit_normal(values_[3 + k], slope_u, slope_v, magnitude);
+    normals_[6 + k] = unit_normal(values_[6 + k], degree * value(rows - 1) - degree * value(rows - 2),
+                                  row_slopes_[3 * (rows - 1) + k], magnitude);
+  }
+  for (int k = 0; k < 9; ++k) {
+    if (normals_[k] == glm::dvec3(0.0)) normals_[k] = normal_near(k, magnitude);
+  }
+  return normals_;
+}
+
+const FlatnessProbe::Pairs& FlatnessProbe::farthest_normals() {
+  if (has_pairs_) return pairs_;
+  has_pairs_ = true;
+  pairs_ = {};
+  const std::array<glm::dvec3, 9>& all = normals();
+  for (int i = 1; i < 9; ++i) {
+    if (all[i] == glm::dvec3(0.0)) continue;
     for (int j = 0; j < i; ++j) {
-      const double angle = angle_between(normals[i], normals[j]);
-      found.all = std::max(found.all, angle);
-      if (i % 3 == j % 3) found.u = std::max(found.u, angle);
-      if (i / 3 == j / 3) found.v = std::max(found.v, angle);
+      const double chord = size_of(all[i] - all[j]);
+      const auto take = [&](Pair& pair) {
+        if (chord > pair.chord && all[j] != glm::dvec3(0.0)) pair = {i, j, chord};
+      };
+      take(pairs_.all);
+      if (i % 3 == j % 3) take(pairs_.u);
+      if (i / 3 == j / 3) take(pairs_.v);
     }
   }
-  return found;
+  return pairs_;
 }
 
-std::pair<double, double> Look::lengths(Axis axis) const {
-  const auto along = [&](int line) {
-    const glm::dvec3& middle = point(axis, line, 1);
-    return glm::length(middle - point(axis, line, 0)) + glm::length(point(axis, line, 2) - middle);
+NormalAngles FlatnessProbe::normal_angles() {
+  const Pairs& pairs = farthest_normals();
+  const auto angle = [&](const Pair& pair) {
+    return pair.chord > 0.0 ? angle_between(normals_[pair.a], normals_[pair.b]) : 0.0;
   };
-  return std::minmax(along(0), along(2));
+  return {angle(pairs.u), angle(pairs.v), angle(pairs.all)};
 }
 
-double Look::sagitta(Axis axis) const {
+double FlatnessProbe::largest_sine() {
+  const Pair& pair = farthest_normals().all;
+  if (!(pair.chord > 0.0)) return 0.0;
+  const glm::dvec3& a = normals_[pair.a];
+  const glm::dvec3& b = normals_[pair.b];
+  return glm::dot(a, b) > 0.0 ? glm::length(glm::cross(a, b)) : 1.0;
+}
+
+std::pair<double, double> FlatnessProbe::lengths(Axis axis) {
+  const std::array<glm::dvec3, 9>& all = points();
+  const auto along = [&](int line) {
+    const glm::dvec3& middle = all[place_on(axis, line, 1)];
+    return glm::length(middle - all[place_on(axis, line, 0)]) + glm::length(all[place_on(axis, line, 2)] - middle);
+  };
+  return std::minmax({along(0), along(2)});
+}
+
+double FlatnessProbe::sagitta(Axis axis) {
+  const std::array<glm::dvec3, 9>& all = points();
   double found = 0.0;
   for (int line = 0; line < 3; ++line) {
-    found = std::max(found, glm::length(point(axis, line, 1) - 0.5 * (point(axis, line, 0) + point(axis, line, 2))));
+    const auto at = [&](int k) { return all[place_on(axis, line, k)]; };
+    found = std::max(found, size_of(at(1) - 0.5 * (at(0) + at(2))));
   }
-  return found;
-}
-
-Probe::Probe(int degree_u, int degree_v) : u_(rows_of(degree_u)), v_(rows_of(degree_v)) {}
-
-Look Probe::look(const Net& net) const {
-  const double size = magnitude(net);
-  Look found;
-  for (int k = 0; k < 9; ++k) {
-    const BernsteinRow& u = u_[k / 3];
-    const BernsteinRow& v = v_[k % 3];
-    found.points[k] = project(blended(net, u.values, v.values));
-    found.normals[k] = normal_at(net, u, v, size);
-    if (found.normals[k] == glm::dvec3(0.0)) found.normals[k] = normal_near(net, 0.5 * (k / 3), 0.5 * (k % 3), size);
-  }
-  return found;
+  return std::sqrt(found);
 }
 
 }  // namespace splinecore

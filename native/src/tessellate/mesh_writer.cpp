@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "splinecore/base/errors.hpp"
@@ -13,15 +14,32 @@ std::int32_t MeshWriter::add_vertex(std::size_t sample) {
   return static_cast<std::int32_t>(mesh_.vertex_samples_.size()) - 1;
 }
 
-std::size_t MeshWriter::sample_at(std::size_t patch, double u, double v, Side side_u, Side side_v) {
-  const auto [found, is_new] = samples_.try_emplace({patch, u, v, side_u, side_v}, first_ + sample_places_.size());
-  if (!is_new) return found->second;
-  const auto [scatter, is_first] = scatter_of_.try_emplace({patch, side_u, side_v}, mesh_.scatters_.size());
-  if (is_first) mesh_.scatters_.push_back({patch, {side_u, side_v, AtInfinity::raise}, {}, {}, 0});
-  Tessellation::Scatter& samples = mesh_.scatters_[scatter->second];
-  sample_places_.emplace_back(scatter->second, samples.u.size());
+std::size_t MeshWriter::SampleHash::operator()(const SampleKey& key) const noexcept {
+  std::size_t mixed = key.patch * 4 + (key.side_u == Side::left ? 2 : 0) + (key.side_v == Side::left ? 1 : 0);
+  for (const double number : {key.u, key.v}) {
+    mixed = (mixed ^ std::hash<double>()(number)) * 0x9e3779b97f4a7c15u;
+    mixed ^= mixed >> 32;
+  }
+  return mixed;
+}
+
+std::size_t MeshWriter::new_sample(std::size_t patch, double u, double v, Side side_u, Side side_v) {
+  const std::size_t kind = 4 * patch + (side_u == Side::left ? 2 : 0) + (side_v == Side::left ? 1 : 0);
+  int& scatter = scatter_of_[kind];
+  if (scatter < 0) {
+    scatter = static_cast<int>(mesh_.scatters_.size());
+    mesh_.scatters_.push_back({patch, {side_u, side_v, AtInfinity::raise}, {}, {}, 0});
+  }
+  Tessellation::Scatter& samples = mesh_.scatters_[scatter];
+  sample_places_.emplace_back(scatter, samples.u.size());
   samples.u.push_back(u);
   samples.v.push_back(v);
+  return first_ + sample_places_.size() - 1;
+}
+
+std::size_t MeshWriter::sample_at(std::size_t patch, double u, double v, Side side_u, Side side_v) {
+  const auto [found, is_new] = samples_.try_emplace({patch, u, v, side_u, side_v}, 0);
+  if (is_new) found->second = new_sample(patch, u, v, side_u, side_v);
   return found->second;
 }
 
@@ -37,7 +55,11 @@ void MeshWriter::add_face(std::size_t patch, std::span<const FaceCorner> corners
   const auto first = static_cast<std::int32_t>(mesh_.corner_vertices_.size());
   mesh_.face_starts_.push_back(first);
   mesh_.face_patches_.push_back(static_cast<std::int32_t>(patch));
-  const NurbsPatch& form = nurbs_of(set_.patch(patch));
+  if (domain_patch_ != patch) {
+    const NurbsPatch& form = nurbs_of(set_.patch(patch));
+    domains_ = {form.knot_vector(Axis::u).domain(), form.knot_vector(Axis::v).domain()};
+    domain_patch_ = patch;
+  }
   const auto scaled = [](const Interval& range, double u) {
     return static_cast<float>((u - range.start) / range.length());
   };
@@ -45,8 +67,8 @@ void MeshWriter::add_face(std::size_t patch, std::span<const FaceCorner> corners
     const FaceCorner& corner = corners[kept[k]];
     mesh_.corner_vertices_.push_back(corner.vertex);
     mesh_.corner_samples_.push_back(corner.sample);
-    mesh_.corner_uvs_.push_back(scaled(form.knot_vector(Axis::u).domain(), corner.u));
-    mesh_.corner_uvs_.push_back(scaled(form.knot_vector(Axis::v).domain(), corner.v));
+    mesh_.corner_uvs_.push_back(scaled(domains_[0], corner.u));
+    mesh_.corner_uvs_.push_back(scaled(domains_[1], corner.v));
   }
   for (std::size_t k = 0; k < kept_count; ++k) {
     if (!is_border[kept[k]]) continue;

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <map>
+#include <array>
 #include <set>
 #include <span>
-#include <tuple>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "splinecore/tessellate/tessellation.hpp"
@@ -23,11 +24,15 @@ struct FaceCorner {
 class MeshWriter {
  public:
   /// The grids of the tessellation are there, and its sample_count_ is theirs.
-  MeshWriter(const PatchSet& set, Tessellation& mesh) : set_(set), mesh_(mesh), first_(mesh.sample_count_) {}
+  MeshWriter(const PatchSet& set, Tessellation& mesh)
+      : set_(set), mesh_(mesh), first_(mesh.sample_count_), scatter_of_(4 * set.patches().size(), -1) {}
 
   std::int32_t add_vertex(std::size_t sample);
 
-  /// The sample of a patch there, seen from these sides.
+  /// A sample of a patch, seen from these sides, that nobody has asked for.
+  std::size_t new_sample(std::size_t patch, double u, double v, Side side_u, Side side_v);
+
+  /// The sample there, the same whoever asks.
   std::size_t sample_at(std::size_t patch, double u, double v, Side side_u, Side side_v);
 
   /// A face of three or four corners, counter-clockwise seen from where S_u x S_v points, unless it has shrunk to
@@ -50,10 +55,21 @@ class MeshWriter {
   const PatchSet& set_;
   Tessellation& mesh_;
   std::size_t first_;  // samples from this one on are not on grids
-  std::map<std::tuple<std::size_t, double, double, Side, Side>, std::size_t> samples_;
-  std::map<std::tuple<std::size_t, Side, Side>, std::size_t> scatter_of_;
+  struct SampleKey {
+    std::size_t patch;
+    double u, v;
+    Side side_u, side_v;
+    friend bool operator==(const SampleKey&, const SampleKey&) = default;
+  };
+  struct SampleHash {
+    std::size_t operator()(const SampleKey& key) const noexcept;
+  };
+  std::unordered_map<SampleKey, std::size_t, SampleHash> samples_;
+  std::vector<int> scatter_of_;  ///< of each patch and pair of sides; -1 where there is none yet
   std::vector<std::pair<std::size_t, std::size_t>> sample_places_;  // scatter, number in it
   std::set<std::vector<std::int32_t>> known_faces_;
+  std::size_t domain_patch_ = static_cast<std::size_t>(-1);  ///< whose domains are at hand
+  std::array<Interval, 2> domains_;
 };
 
 }  // namespace splinecore

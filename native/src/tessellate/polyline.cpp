@@ -5,6 +5,7 @@
 #include <string>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/one_sign.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/finite_arcs.hpp"
 
@@ -95,14 +96,9 @@ std::vector<Interval> arcs_within(const NurbsCurve& curve, double reach, std::sp
   return arcs;
 }
 
-bool has_one_sign(const NurbsCurve& curve) {
-  const auto [low, high] = std::ranges::minmax(curve.points(), {}, &glm::dvec4::w);
-  return low.w > 0.0 || high.w < 0.0;
-}
-
 /// pieces(), as far as the arcs within reach go.
 std::vector<Interval> pieces_within(const NurbsCurve& curve, double reach, std::span<const glm::dvec3> around) {
-  if (around.empty() && has_one_sign(curve)) return pieces(curve);
+  if (around.empty() && has_one_sign(curve.points(), &glm::dvec4::w)) return pieces(curve);
   const std::vector<Interval> arcs = arcs_within(curve, reach, around);
   std::vector<Interval> within;
   for (const Interval& piece : pieces(curve)) {

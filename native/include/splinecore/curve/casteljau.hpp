@@ -3,9 +3,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "splinecore/curve/bezier_curve.hpp"
@@ -40,10 +38,5 @@ struct RationalTriangle {
 /// Outside [0, 1] it extrapolates.
 /// @throws InvalidShape if u is not finite.
 RationalTriangle rational_casteljau_triangle(const BezierCurve& curve, double u);
-
-using HomogeneousPoints = std::vector<glm::dvec4>;
-
-/// The homogeneous Bezier points before and after u.
-std::pair<HomogeneousPoints, HomogeneousPoints> cut(std::span<const glm::dvec4> points, double u);
 
 }  // namespace splinecore

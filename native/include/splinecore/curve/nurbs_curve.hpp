@@ -8,6 +8,7 @@
 
 #include "splinecore/base/interval.hpp"
 #include "splinecore/base/points.hpp"
+#include "splinecore/basis/bernstein_net.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/point_matrix.hpp"
 
@@ -97,7 +98,9 @@ NurbsCurve unrolled(const NurbsCurve& curve);
 NurbsCurve reversed(const NurbsCurve& curve);
 
 /// The homogeneous Bezier points of the piece on one of the spans of the knot vector.
-std::vector<glm::dvec4> bezier_points(const NurbsCurve& curve, int span);
+inline BernsteinNet<glm::dvec4> bezier_piece(const NurbsCurve& curve, int span) {
+  return bezier_piece(curve.knot_vector(), span, curve.homogeneous_points().data());
+}
 
 /// Those of all pieces, row after row.
 void bezier_points(const NurbsCurve& curve, std::span<glm::dvec4> out);

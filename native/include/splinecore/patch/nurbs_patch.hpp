@@ -5,14 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "splinecore/base/axis.hpp"
 #include "splinecore/base/interval.hpp"
 #include "splinecore/base/points.hpp"
+#include "splinecore/basis/bernstein_net.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 namespace splinecore {
-
-/// A direction of a patch.
-enum class Axis { u = 0, v = 1 };
 
 /// A net of control points with weights on two knot vectors (lecture row S20).
 ///
@@ -72,8 +71,11 @@ NurbsPatch opened(const NurbsPatch& patch, Axis axis, double u);
 /// u and v exchanged: the same points, normals on the other side.
 NurbsPatch swapped(const NurbsPatch& patch);
 
-/// The homogeneous Bezier points, row after row, of the piece on one of the spans of each knot vector.
-std::vector<glm::dvec4> bezier_points(const NurbsPatch& patch, int span_u, int span_v);
+/// The homogeneous Bezier points of the piece on one of the spans of each knot vector.
+inline BernsteinNet<glm::dvec4> bezier_piece(const NurbsPatch& patch, int span_u, int span_v) {
+  return bezier_piece(patch.knot_vector(Axis::u), span_u, patch.knot_vector(Axis::v), span_v,
+                      patch.homogeneous_points().data());
+}
 
 /// The same surface with plain knot vectors.
 NurbsPatch unrolled(const NurbsPatch& patch);

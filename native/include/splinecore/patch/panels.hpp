@@ -25,7 +25,7 @@ struct Panel {
   friend bool operator==(const Panel&, const Panel&) = default;
 };
 
-/// Sides nearer to one another than this, as a part of the extent of all points, are one curve.
+/// Sides nearer to one another than this, as a part of the extent of the larger of their two patches, are one curve.
 inline constexpr double kOneCurve = 1e-10;
 
 /// The panels of a set, patch by patch: where it is connected, and where it has an end.

@@ -6,27 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "splinecore/patch/bezier_patch.hpp"
+#include "splinecore/basis/bernstein_net.hpp"
 
 namespace splinecore {
 
-/// A Bezier piece of a patch over [0, 1]²: homogeneous points, row after row, rows along u.
-struct Net {
-  int rows = 0;
-  int columns = 0;
-  std::vector<glm::dvec4> points;
-
-  const glm::dvec4& at(int i, int j) const { return points[static_cast<std::size_t>(i) * columns + j]; }
-  glm::dvec4& at(int i, int j) { return points[static_cast<std::size_t>(i) * columns + j]; }
-};
-
-Net net_of(const BezierPatch& patch);
-
-/// Both halves of a piece, by de Casteljau at the middle of one direction.
-std::pair<Net, Net> halved(const Net& net, Axis axis);
-
 /// Bounds of |S_uu|, |S_uv| and |S_vv| over a piece; infinite where a weight is not above 0.
-struct Bends {
+struct SecondDerivativeBounds {
   double uu = 0.0;
   double uv = 0.0;
   double vv = 0.0;
@@ -37,14 +22,6 @@ struct Bends {
   double distance() const noexcept { return (uu + 2.0 * uv + vv) / 8.0; }
 };
 
-Bends bends(const Net& net);
-
-/// bends() of the heights of a piece over a plane with this unit normal.
-Bends bends_along(const Net& net, const glm::dvec3& normal);
-
-/// How far a side of a piece may lie from its chord; the sides are u = 0, u = 1, v = 0, v = 1.
-double side_distance(const Net& net, int side);
-
 /// Values and slopes of the Bernstein polynomials at one place.
 struct BernsteinRow {
   BernsteinRow(int degree, double t);
@@ -53,39 +30,88 @@ struct BernsteinRow {
 };
 
 /// Largest angles between unit normals, along each direction and of all.
-struct Turns {
+struct NormalAngles {
   double u = 0.0;
   double v = 0.0;
   double all = 0.0;
 };
 
-/// A piece at 3 x 3 places: 0, 1/2 and 1 of each direction, u first. Where a normal vanishes that of a place beside it
-/// stands for it, or (0, 0, 0).
-struct Look {
-  std::array<glm::dvec3, 9> points;
-  std::array<glm::dvec3, 9> normals;
-
-  Turns turns() const;
-  /// The shorter and the longer of the two sides along a direction, by way of their middles.
-  std::pair<double, double> lengths(Axis axis) const;
-  /// How far the middle of a line along a direction lies from that of its chord, at most.
-  double sagitta(Axis axis) const;
-
- private:
-  const glm::dvec3& point(Axis axis, int line, int k) const {
-    return points[axis == Axis::u ? 3 * k + line : 3 * line + k];
-  }
-};
-
-/// Looks at pieces of one bidegree.
-class Probe {
+/// Measures Bezier pieces of one bidegree, one after the other, in memory that it keeps; each measure is found when
+/// it is first asked for.
+///
+/// Points and normals are those at 3 x 3 places: 0, 1/2 and 1 of each direction, u first. Where a normal vanishes that
+/// of a place beside it stands for it, or (0, 0, 0).
+class FlatnessProbe {
  public:
-  Probe(int degree_u, int degree_v);
-  Look look(const Net& net) const;
+  FlatnessProbe(int degree_u, int degree_v, bool rational);
+
+  /// The piece that is measured from now on; all its weights are 1 where it is not rational.
+  void take(const BernsteinNet<glm::dvec4>& piece);
+
+  SecondDerivativeBounds bounds();
+
+  /// bounds() of the heights of the piece over a plane with this unit normal.
+  SecondDerivativeBounds bounds_along(const glm::dvec3& normal);
+
+  /// How far a side of the piece may lie from its chord; the sides are u = 0, u = 1, v = 0, v = 1.
+  double side_distance(int side);
+
+  /// The normal in the middle.
+  glm::dvec3 middle_normal();
+
+  NormalAngles normal_angles();
+  /// The sine of the largest angle, 1 where it is a right angle or more.
+  double largest_sine();
+
+  /// The shorter and the longer of the two sides along a direction, by way of their middles.
+  std::pair<double, double> lengths(Axis axis);
+  /// How far the middle of a line along a direction lies from that of its chord, at most.
+  double sagitta(Axis axis);
 
  private:
-  std::array<BernsteinRow, 3> u_;
-  std::array<BernsteinRow, 3> v_;
+  /// A piece seen from one of its points, so that sizes are those of the piece.
+  struct Centred {
+    std::vector<glm::dvec3> points;
+    std::vector<double> weights;
+    double least = 1.0;  ///< of the weights
+  };
+  /// Two of the nine places.
+  struct Pair {
+    int a = 0;
+    int b = 0;
+    double chord = 0.0;  ///< between the normals, squared
+  };
+  struct Pairs {
+    Pair u, v, all;
+  };
+
+  void centre(const glm::dvec4* points, std::size_t count, std::size_t middle, Centred& seen) const;
+  template <class Value>
+  SecondDerivativeBounds bounds_of(const Value* values, const Centred& seen, std::size_t rows, std::size_t columns);
+  void blend_values();
+  void blend_slopes();
+  const std::array<glm::dvec3, 9>& points();
+  const std::array<glm::dvec3, 9>& normals();
+  const Pairs& farthest_normals();
+  glm::dvec3 normal_near(int place, double magnitude) const;
+
+  bool rational_;
+  std::array<BernsteinRow, 3> u_, v_;            ///< at 0, 1/2 and 1
+  std::array<BernsteinRow, 3> inner_u_, inner_v_;  ///< a little inside
+  const BernsteinNet<glm::dvec4>* piece_ = nullptr;
+  Centred seen_;
+  Centred side_;
+  std::vector<double> heights_;
+  std::vector<glm::dvec4> side_points_;
+  std::vector<glm::dvec4> row_values_, row_slopes_;  ///< of each row at the three places along v
+  std::array<glm::dvec4, 9> values_;
+  std::array<glm::dvec3, 9> points_;
+  std::array<glm::dvec3, 9> normals_;
+  Pairs pairs_;
+  bool has_values_ = false;
+  bool has_points_ = false;
+  bool has_normals_ = false;
+  bool has_pairs_ = false;
 };
 
 }  // namespace splinecore

@@ -9,8 +9,8 @@
 
 namespace splinecore {
 
-/// A span that a mesh tells apart. Spans shorter than 1e-9 of the domain, between knots that should have been one,
-/// are joints: nothing is drawn there.
+/// A span that a mesh tells apart. Spans shorter than 1e-9 of the domain, on which the patch stands still but for
+/// rounding, are joints between knots that should have been one: nothing is drawn there.
 struct MeshSpan {
   Interval range;
   int number = 0;          ///< of KnotVector::spans()
@@ -19,7 +19,7 @@ struct MeshSpan {
 };
 
 /// The spans of a direction, growing.
-std::vector<MeshSpan> mesh_spans(const KnotVector& knots);
+std::vector<MeshSpan> mesh_spans(const NurbsPatch& patch, Axis axis);
 
 /// Of u and v of every patch.
 std::vector<std::array<std::vector<MeshSpan>, 2>> mesh_spans(const PatchSet& set);

@@ -1,31 +1,19 @@
 #pragma once
 
-#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "splinecore/basis/bernstein_net.hpp"
+
 namespace splinecore {
-
-/// Bernstein coefficients of a piece of a patch, row after row; those of a piece of a curve are one column.
-template <class Value>
-struct Net {
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  std::vector<Value> values;
-
-  /// Those of the four corners of the piece, where it has the values itself.
-  std::array<Value, 4> corners() const {
-    return {values.front(), values[columns - 1], values[values.size() - columns], values.back()};
-  }
-};
 
 /// The difference of two rational pieces on the same parameters: a rational piece of its own.
 ///
 /// Its homogeneous weight is the product of the two pieces' weights, or where these are equal the one of both.
 struct DifferencePiece {
-  Net<glm::dvec4> points;
-  Net<glm::dvec2> weights;  ///< of both pieces, the largest 1
+  BernsteinNet<glm::dvec4> points;
+  BernsteinNet<glm::dvec2> weights;  ///< of both pieces, the largest 1
   double limit = 0.0;       ///< points of which both weights are below it are left out
   double rounding = 0.0;    ///< of the homogeneous coordinates
 
@@ -51,7 +39,7 @@ struct DifferencePiece {
 /// Where the weights of both may be zero, points are left out of which each weight is below a sixteenth of the
 /// largest on its piece: there both run off, and rounding decides how far apart.
 /// @param a,b  homogeneous points of both pieces, of equal size
-DifferencePiece difference(Net<glm::dvec4> a, Net<glm::dvec4> b);
+DifferencePiece difference(BernsteinNet<glm::dvec4> a, BernsteinNet<glm::dvec4> b);
 
 /// The largest length of any point of the pieces: an upper bound, at most `slack` times the truth unless that is
 /// below rounding.

@@ -1,12 +1,12 @@
-#include "splinecore/basis/difference.hpp"
+#include "splinecore/curve/difference.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <queue>
 #include <ranges>
 
+#include "splinecore/base/one_sign.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -15,53 +15,16 @@ namespace splinecore {
 
 namespace {
 
-using Points = Net<glm::dvec4>;
+using Points = BernsteinNet<glm::dvec4>;
 
 double length_of(const glm::dvec4& p) { return std::hypot(p.x, p.y, p.z); }
 
 /// Whether no weight is zero or of the other sign, by more than rounding.
 template <class Value, class Weight>
-bool has_one_sign(const std::vector<Value>& values, Weight weight) {
+bool is_of_one_sign(const BernsteinNet<Value>& net, Weight weight) {
   constexpr double kNoise = 0x1p-44;
-  const auto [low, high] = std::ranges::minmax(values, {}, weight);
-  const double noise = kNoise * std::max(std::abs(std::invoke(weight, low)), std::abs(std::invoke(weight, high)));
-  return std::invoke(weight, low) > noise || std::invoke(weight, high) < -noise;
-}
-
-/// Parallel lines of a net.
-struct Lines {
-  std::size_t count;  ///< of lines
-  std::size_t size;   ///< points of a line
-  std::size_t step;   ///< from one point of a line to the next
-  std::size_t next;   ///< from one line to the next
-};
-
-template <class Value>
-Lines down(const Net<Value>& net) {
-  return {net.columns, net.rows, net.columns, 1};
-}
-
-template <class Value>
-Lines across(const Net<Value>& net) {
-  return {net.rows, net.columns, 1, net.columns};
-}
-
-/// de Casteljau at the middle of every line: the first halves stay, the second ones are returned.
-template <class Value>
-Net<Value> halve(Net<Value>& net, const Lines& lines) {
-  Net<Value> second = net;
-  for (std::size_t line = 0; line < lines.count; ++line) {
-    Value* const row = second.values.data() + line * lines.next;
-    Value* const first = net.values.data() + line * lines.next;
-    breathe(2 * lines.size * lines.size);
-    for (std::size_t done = 1; done < lines.size; ++done) {
-      for (std::size_t i = 0; i + done < lines.size; ++i) {
-        row[i * lines.step] = 0.5 * row[i * lines.step] + 0.5 * row[(i + 1) * lines.step];
-      }
-      first[done * lines.step] = row[0];
-    }
-  }
-  return second;
+  const auto [low, high] = net.range(weight);
+  return has_one_sign(net.values, weight, kNoise * std::max(std::abs(low), std::abs(high)));
 }
 
 /// With the largest weight 1, so that products of weights stay in the range of numbers.
@@ -142,7 +105,7 @@ bool has_lone_pole(const DifferencePiece& piece) {
     return low.*weight < 0.0 && high.*weight > 0.0;
   };
   const auto stays = [&](double glm::dvec2::*weight) {
-    return has_one_sign(piece.weights.values, weight) &&
+    return is_of_one_sign(piece.weights, weight) &&
            std::ranges::all_of(piece.weights.values, [&](const auto& w) { return std::abs(w.*weight) >= piece.limit; });
   };
   return (changes_sign(&glm::dvec2::x) && stays(&glm::dvec2::y)) ||
@@ -160,7 +123,7 @@ bool DifferencePiece::is_rounding() const {
 }
 
 double DifferencePiece::bound() const {
-  if (has_one_sign(points.values, &glm::dvec4::w)) {
+  if (is_of_one_sign(points, &glm::dvec4::w)) {
     double longest = 0.0;
     for (const glm::dvec4& p : points.values) longest = std::max(longest, length_of(p) / std::abs(p.w));
     return longest;
@@ -185,17 +148,18 @@ double DifferencePiece::known() const {
 
 std::vector<DifferencePiece> DifferencePiece::parts() const {
   std::vector<DifferencePiece> found{*this};
-  const auto halve_all = [&](auto lines_of) {
+  const auto halve_all = [&](Axis axis) {
     const std::size_t count = found.size();
     for (std::size_t i = 0; i < count; ++i) {
       DifferencePiece& piece = found[i];
-      Net<glm::dvec4> second = halve(piece.points, lines_of(piece.points));
-      Net<glm::dvec2> second_weights = halve(piece.weights, lines_of(piece.weights));
-      found.push_back({std::move(second), std::move(second_weights), limit, rounding});
+      DifferencePiece second{{}, {}, limit, rounding};
+      piece.points.halve(axis, second.points);
+      piece.weights.halve(axis, second.weights);
+      found.push_back(std::move(second));
     }
   };
-  if (points.rows > 1) halve_all([](const auto& net) { return down(net); });
-  if (points.columns > 1) halve_all([](const auto& net) { return across(net); });
+  if (points.rows > 1) halve_all(Axis::u);
+  if (points.columns > 1) halve_all(Axis::v);
   return found;
 }
 
@@ -204,7 +168,7 @@ double DifferencePiece::work() const {
   return 4.0 * size * static_cast<double>(points.rows + points.columns) + 200.0;
 }
 
-DifferencePiece difference(Net<glm::dvec4> a, Net<glm::dvec4> b) {
+DifferencePiece difference(BernsteinNet<glm::dvec4> a, BernsteinNet<glm::dvec4> b) {
   constexpr double kRounding = 0x1p-48;
   constexpr double kFinite = 0x1p-4;
   normalise(a);
@@ -214,7 +178,7 @@ DifferencePiece difference(Net<glm::dvec4> a, Net<glm::dvec4> b) {
   piece.points = are_weights_equal(a, b) ? plain_difference(a, b, size) : rational_difference(a, b, size);
   piece.weights = {a.rows, a.columns, {}};
   for (std::size_t i = 0; i < a.values.size(); ++i) piece.weights.values.emplace_back(a.values[i].w, b.values[i].w);
-  const bool may_vanish = !has_one_sign(a.values, &glm::dvec4::w) && !has_one_sign(b.values, &glm::dvec4::w);
+  const bool may_vanish = !is_of_one_sign(a, &glm::dvec4::w) && !is_of_one_sign(b, &glm::dvec4::w);
   piece.limit = may_vanish ? kFinite : 0.0;
   piece.rounding = kRounding * size;
   return piece;

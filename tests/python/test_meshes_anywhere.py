@@ -1,0 +1,132 @@
+"""Meshes do not depend on how large or how far a shape is, nor on what else is in the set, and lose no span."""
+
+import time
+
+import numpy as np
+import pytest
+
+import mesh_checks
+import splinecore as sc
+from sheets import set_of
+from test_adaptive_tessellation import sphere, teapot
+
+ADAPTIVE = lambda patch_set: sc.Tessellation.adaptive(patch_set, tolerance=1e-6)
+BY_COUNT = lambda patch_set: sc.Tessellation(patch_set, 1)
+
+
+def stair(gap, degree_v=1):
+    """Along u it runs flat, rises by 7 within a span as short as `gap`, and comes down again."""
+    profile = np.array([(0, 0, 0), (1, 0, 0), (1, 0, 7), (2, 0, 0)], dtype=float)
+    net = profile[:, None] + np.linspace((0, 0, 0), (0, 1, 0), degree_v + 1)
+    knots = [0, 0, 1, 1 + gap, 2, 2]
+    return sc.NurbsPatch((1, degree_v), (knots, [0] * (degree_v + 1) + [1] * (degree_v + 1)), net)
+
+
+@pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT))
+@pytest.mark.parametrize('gap', (1e-6, 2e-10, 1e-13))
+def test_a_span_however_short_keeps_its_corners(make, gap):
+    for patch in (stair(gap), stair(gap).swapped(), stair(gap, degree_v=2)):
+        mesh = make(set_of(patch))
+        positions, _ = mesh.evaluate(set_of(patch))
+        for x, z in ((0, 0), (1, 0), (1, 7), (2, 0)):
+            for y in (0, 1):
+                assert np.linalg.norm(positions - (x, y, z), axis=1).min() < 1e-6
+        mesh_checks.check_borders(mesh_checks.mesh_of(set_of(patch), mesh), [dict.fromkeys(mesh_checks.SIDES, 'free')])
+
+
+@pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT))
+def test_patches_side_by_side_keep_their_short_spans_together(make):
+    one = stair(2e-10)
+    beside = sc.NurbsPatch(one.degree, one.knots, one.points + (0, 1, 0))
+    mesh = make(set_of(one, beside))
+    alone = make(set_of(one))
+    assert set_of(one, beside).edge_counts()['shared'] == 1
+    assert len(mesh.face_starts) == 2 * len(alone.face_starts)
+    assert mesh.vertex_count < 2 * alone.vertex_count
+
+
+@pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT))
+def test_nothing_is_drawn_between_knots_that_should_have_been_one(make):
+    ramp = sc.NurbsPatch((1, 1), ([0, 0, 1, 1 + 2e-10, 2, 2], [0, 0, 1, 1]),
+                         [[(x, y, z) for y in (0, 1)] for x, z in ((0, 0), (1, 1), (1, 1), (2, 0))])
+    assert make(set_of(ramp)).vertex_count == 6
+
+
+def test_weights_below_zero_mesh_as_those_above():
+    patch = sphere()
+    other = sc.NurbsPatch(patch.degree, patch.knots, patch.points, -patch.weights)
+    mesh, expected = (sc.Tessellation.adaptive(set_of(p), tolerance=0.01) for p in (other, patch))
+    assert np.array_equal(mesh.corner_vertices, expected.corner_vertices)
+    assert np.array_equal(mesh.evaluate(set_of(other))[0], expected.evaluate(set_of(patch))[0])
+
+
+@pytest.mark.parametrize('scale', (1e-150, 1e-80, 1e-20, 1e20, 1e80, 1e150))
+@pytest.mark.parametrize('settings', ({'tolerance': 0.01}, {'tolerance': 0.05, 'angle': 0.4}))
+def test_a_mesh_is_the_same_at_every_scale(scale, settings):
+    scale = 2.0**round(np.log2(scale))
+    for patch_set in (set_of(sphere()), teapot()):
+        larger = patch_set.with_points(patch_set.points * scale)
+        given = dict(settings, tolerance=settings['tolerance'] * scale)
+        mesh, expected = sc.Tessellation.adaptive(larger, **given), sc.Tessellation.adaptive(patch_set, **settings)
+        assert larger.edge_counts() == patch_set.edge_counts()
+        assert np.array_equal(mesh.corner_vertices, expected.corner_vertices)
+
+
+@pytest.mark.parametrize('far', (1e6, 1e11, 1e15))
+def test_a_second_patch_far_away_changes_nothing(far):
+    near = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
+    beside = sc.BezierPatch([[(1, 0, 0), (1, 1, 0)], [(2, 0, 0), (2, 1, 0)]])
+    away = sc.BezierPatch([[(far, 0, 0), (far, far, 0)], [(2 * far, 0, 0), (2 * far, far, 0)]])
+    assert set_of(near, beside, away).edge_counts() == {'shared': 1, 'free': 10, 'pole': 0}
+    mesh = sc.Tessellation.adaptive(set_of(near, away), tolerance=0.1)
+    assert mesh.vertex_count == 8
+
+
+def seconds(work):
+    start = time.process_time()
+    work()
+    return time.process_time() - start
+
+
+def quilt(count):
+    side = round(count**0.5)
+    corners = [(i, j) for i in range(side) for j in range(side)]
+    return set_of(*(sc.BezierPatch([[(i, j, 0), (i, j + 1, 0)], [(i + 1, j, 0), (i + 1, j + 1, 0)]])
+                    for i, j in corners))
+
+
+def long_sheet(count):
+    knots = [0.0] * 4 + list(range(1, count - 3)) + [count - 3.0] * 4
+    net = np.zeros((count, 2, 3))
+    net[..., 0], net[:, 1, 1], net[..., 2] = np.arange(count)[:, None], 1, np.sin(np.arange(count))[:, None]
+    return set_of(sc.NurbsPatch((3, 1), (knots, [0, 0, 1, 1]), net))
+
+
+@pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT, lambda patch_set: patch_set.edge_counts()))
+@pytest.mark.parametrize('shape, few, many', ((quilt, 400, 10000), (long_sheet, 2000, 50000)))
+def test_work_grows_with_patches_and_knots_and_not_with_their_square(make, shape, few, many):
+    if make is ADAPTIVE and shape is long_sheet:
+        make = lambda patch_set: sc.Tessellation.adaptive(patch_set, tolerance=10.0)
+    small, large = shape(few), shape(many)
+    once = min(seconds(lambda: make(small)) for _ in range(3))
+    assert seconds(lambda: make(large)) < 8 * (many / few) * max(once, 1e-3)
+
+
+def test_a_large_patch_among_many_small_ones_does_not_make_them_all_neighbours():
+    small = quilt(2500)
+    patches = [small[i] for i in range(len(small))]
+    large = sc.BezierPatch([[(-1e12, 0, -1e12), (-1e12, 0, 1e12)], [(1e12, 0, -1e12), (1e12, 0, 1e12)]])
+    expected = small.edge_counts()
+    found = set_of(*patches, large).edge_counts()
+    assert (found['shared'], found['free'], found['pole']) == (expected['shared'], expected['free'] + 4, 0)
+
+
+@pytest.mark.parametrize('resolution', (1, 8))
+def test_the_check_of_faces_finds_one_that_is_turned_over(resolution):
+    """Also where normals turn by a quarter on a face, as on a sphere of few faces."""
+    patch_set = set_of(sphere())
+    mesh = mesh_checks.mesh_of(patch_set, sc.Tessellation(patch_set, resolution))
+    assert (mesh_checks.turning(mesh).max() > np.radians(60)) == (resolution == 1)
+    mesh_checks.check_faces(mesh)
+    with pytest.raises(AssertionError, match="turned from the surface"):
+        mesh_checks.check_faces(mesh._replace(normal=np.where(mesh.face[:, None] == 3, -mesh.normal, mesh.normal)))
