@@ -109,3 +109,21 @@ def test_a_shape_that_is_dragged_among_many_is_the_only_one_that_is_read(monkeyp
     assert seen <= {ob.data.name, held.data.name} and ob.data.name in seen
     monkeypatch.undo()
     leave()
+
+
+def test_a_shape_that_is_hidden_follows_its_net_and_one_in_no_scene_does_not():
+    ob = add(squares())
+    held = enter()
+    ob.hide_set(True)
+    select(held, 4)
+    move(0, 0, 0.1)
+    require_exact(ob)
+    before = vertices(ob.data)
+    bpy.context.scene.collection.objects.unlink(ob)
+    move(0, 0, 0.1)
+    assert "in no scene" in live.problem(held) and np.array_equal(vertices(ob.data), before)
+    bpy.context.scene.collection.objects.link(ob)
+    move(0, 0, 0.1)
+    assert live.problem(held) == ""
+    require_exact(ob)
+    leave()
