@@ -49,8 +49,9 @@ class Hash {
   std::uint64_t state_ = 0;
 };
 
-enum Kind : std::uint64_t { knot_vector, bezier_curve, hermite_curve, nurbs_curve, power_curve, bezier_patch, hermite_patch,
-                            nurbs_patch, patch_set };
+enum Kind : std::uint64_t {
+  knot_vector, bezier_curve, hermite_curve, nurbs_curve, power_curve, bezier_patch, hermite_patch, nurbs_patch, patch_set
+};
 
 }  // namespace
 
@@ -100,7 +101,8 @@ std::size_t hash_of(const splinecore::BezierPatch& patch) {
 std::size_t hash_of(const splinecore::HermitePatch& patch) {
   Hash hash(hermite_patch);
   for (const Axis axis : {Axis::u, Axis::v}) hash.add_all(patch.parameters(axis));
-  for (const auto* list : {&patch.net().points, &patch.net().tangents_u, &patch.net().tangents_v, &patch.net().twists}) {
+  const splinecore::HermiteNet& net = patch.net();
+  for (const auto* list : {&net.points, &net.tangents_u, &net.tangents_v, &net.twists}) {
     hash.add_all(*list);
   }
   return hash.value();

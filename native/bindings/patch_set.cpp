@@ -262,14 +262,16 @@ std::pair<int, int> resolutions_of(const py::object& value) {
 }
 
 /// A set with the patches that the tessellation was made for. Where their sides lie is for fits() to say.
-const PatchSet& set_with_patches(const Tessellation& tessellation, const py::object& value, const char* name = "patch_set") {
+const PatchSet& set_with_patches(const Tessellation& tessellation, const py::object& value,
+                                 const char* name = "patch_set") {
   const PatchSet& set = set_of(value, name);
   if (tessellation.has_patches_of(set)) return set;
   throw InvalidShape(std::string(name) + " does not fit: its patches are others than those of the mesh");
 }
 
 /// The positions of a set; where the caller's `out` has those of the set `before`, what differs.
-py::array positions(const Tessellation& self, const py::object& patch_set, const py::object& before, const py::object& out) {
+py::array positions(const Tessellation& self, const py::object& patch_set, const py::object& before,
+                    const py::object& out) {
   const PatchSet& set = set_with_patches(self, patch_set);
   const py::object single = out.is_none() ? py::object(py::dtype::of<float>()) : py::object(py::none());
   const Output result({static_cast<py::ssize_t>(self.vertex_count()), 3}, out, single);
@@ -341,8 +343,8 @@ void bind_tessellation(py::module_& module) {
   }, "(c, 2) float32: u, v of each corner, scaled to [0, 1], read-only.");
   cls.def("fits", &fits, py::arg("patch_set"), py::arg("before") = py::none(),
           "Whether the set has the same patches, and the same of its sides lie on one another, or are points.\n"
-          "before: a set that fits, with the same patches. Looked at is then only whether sides have come apart, or points\n"
-          "opened, that are not one by having the same rows of the pool: where those did not move it costs nothing.");
+          "before: a set that fits, with the same patches. Looked at is then only whether sides have come apart, or\n"
+          "points opened, that are not one by having the same rows of the pool: where those did not move it costs nothing.");
   cls.def("evaluate", [](const Tessellation& self, const py::object& patch_set) {
             const PatchSet& set = set_with_patches(self, patch_set);
             py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
@@ -351,13 +353,14 @@ void bind_tessellation(py::module_& module) {
             const std::span to_normals(normals.mutable_data(), normals.size());
             unlocked([&] { self.evaluate(set, to_positions, to_normals); });
             return py::make_tuple(positions, normals);
-          }, py::arg("patch_set"), "(positions (vertex_count, 3), corner normals (c, 3)), float32, of a set with the same patches. Whether their\n"
-          "sides lie on one another as they did is for fits() to say.");
+          }, py::arg("patch_set"),
+          "(positions (vertex_count, 3), corner normals (c, 3)), float32, of a set with the same patches. Whether\n"
+          "their sides lie on one another as they did is for fits() to say.");
   cls.def("evaluate_positions", &positions, py::arg("patch_set"), py::kw_only(), py::arg("before") = py::none(),
           py::arg("out") = py::none(),
           "The positions alone, (vertex_count, 3) float32: what a drag needs.\n"
-          "out: an array of that shape to write them into. before: the set whose positions out has; then only what differs\n"
-          "is computed, with the same result in every bit, and after an error out has the positions of neither.");
+          "out: an array of that shape to write them into. before: the set whose positions out has; then only what\n"
+          "differs is computed, with the same result in every bit, and after an error out has the positions of neither.");
   cls.def("sharp_edges", [](const Tessellation& self, const py::object& normals, const py::object& angle) {
             const py::array_t<float, py::array::c_style | py::array::forcecast> given(real_array(normals, "normals"));
             const auto corners = static_cast<py::ssize_t>(self.corner_vertices().size());

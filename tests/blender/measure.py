@@ -172,9 +172,10 @@ def rival(resolution, count=12):
 
 def drags():
     """One point of a net of COUNT x COUNT is dragged: ours, and Blender's own surface beside it."""
-    print(f"\none point of {COUNT} x {COUNT} is dragged, bicubic; medians (and least), milliseconds; Blender {bpy.app.version_string}\n")
-    print("| faces | vertices | our share | a whole step | Blender's surface | its vertices | ratio of steps | ratio to our share "
-          "| the end of the gesture |")
+    print(f"\none point of {COUNT} x {COUNT} is dragged, bicubic; medians (and least), milliseconds; "
+          f"Blender {bpy.app.version_string}\n")
+    print("| faces | vertices | our share | a whole step | Blender's surface | its vertices | ratio of steps "
+          "| ratio to our share | the end of the gesture |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for faces, set_fineness, resolution in ((f"{ours} in a span", by_count(ours), theirs) for ours, theirs in SIZES):
         row(faces, drag(set_fineness), rival(resolution))
@@ -186,7 +187,8 @@ def row(faces, ours, theirs):
     beside = ("", "", "", "")
     if theirs is not None:
         count, step = theirs
-        beside = f"{step[0]:.1f} ({step[1]:.1f})", f"{count}", f"{step[0] / whole[0]:.1f}x", f"{step[0] / share[0]:.0f}x"
+        ratios = f"{step[0] / whole[0]:.1f}x", f"{step[0] / share[0]:.0f}x"
+        beside = f"{step[0]:.1f} ({step[1]:.1f})", f"{count}", *ratios
     ours = f"{share[0]:.2f} ({share[1]:.2f}) | {whole[0]:.1f} ({whole[1]:.1f})"
     print(f"| {faces} | {vertices} | {ours} | {' | '.join(beside)} | {settled:.0f} |", flush=True)
 

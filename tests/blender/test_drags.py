@@ -1,4 +1,4 @@
-"""While points are dragged: the mesh has the bits of one made anew, no faces are built, and other shapes are left alone."""
+"""While points are dragged: the mesh has the bits of one made anew, no faces are built, others are left alone."""
 
 import bpy
 import numpy as np
@@ -69,7 +69,7 @@ def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
     leave()
 
 
-def test_sides_that_come_apart_show_it_at_that_move_and_are_one_again_at_the_end_of_the_one_that_joins_them(monkeypatch):
+def test_sides_that_come_apart_show_it_at_that_move_and_are_one_again_when_they_meet(monkeypatch):
     ob = add(squares())
     held = enter()
     select(held, 4)

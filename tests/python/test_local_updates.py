@@ -1,4 +1,4 @@
-"""A set on other points shares what did not change; a mesh is moved where points moved, with the bits of a whole evaluation."""
+"""A set on other points shares what did not change; a mesh is moved where points moved, with the bits of all anew."""
 
 import numpy as np
 import pytest
@@ -50,8 +50,8 @@ def shared():
     return sc.PatchSet(POOL, SQUARES)
 
 
-SETS = {make.__name__: make for make in (sheet, rational, periodic, uneven, at_infinity, shared, torus, cylinder, sphere_octant,
-                                         wavy_patch, hermite_net)}
+SETS = {make.__name__: make for make in (sheet, rational, periodic, uneven, at_infinity, shared, torus, cylinder,
+                                         sphere_octant, wavy_patch, hermite_net)}
 MESHES = {'count 1': lambda made: sc.Tessellation(made, 1), 'count 2, 5': lambda made: sc.Tessellation(made, (2, 5)),
           'adaptive': lambda made: sc.Tessellation.adaptive(made, tolerance=0.05)}
 
@@ -155,12 +155,13 @@ def test_positions_go_where_the_caller_says():
     assert mesh.evaluate_positions(made, out=out) is out and out.tobytes() == mesh.evaluate(made)[0].tobytes()
     locked = out.copy()
     locked.flags.writeable = False
+    gappy = np.empty((mesh.vertex_count, 6), np.float32)[:, ::2]
     for bad, error in ((out.astype(float), TypeError), (out[:-1], sc.InvalidShape), (out.ravel(), sc.InvalidShape),
-                       (np.empty((mesh.vertex_count, 6), np.float32)[:, ::2], sc.InvalidShape), (locked, sc.InvalidShape),
-                       (out.tolist(), TypeError)):
+                       (gappy, sc.InvalidShape), (locked, sc.InvalidShape), (out.tolist(), TypeError)):
         with pytest.raises(error, match="out"):
             mesh.evaluate_positions(made, out=bad)
-    for before, error, words in ((3, TypeError, "before must be a PatchSet"), (set_of('sheet'), sc.InvalidShape, "before does not fit")):
+    for before, error, words in ((3, TypeError, "before must be a PatchSet"),
+                                 (set_of('sheet'), sc.InvalidShape, "before does not fit")):
         with pytest.raises(error, match=words):
             mesh.evaluate_positions(made, before=before, out=out)
     with pytest.raises(sc.InvalidShape, match="no out"):

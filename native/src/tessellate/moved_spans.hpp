@@ -22,8 +22,8 @@ struct SpanRectangle {
 /// All spans of a patch.
 SpanRectangle all_spans(const NurbsPatch& patch);
 
-/// The spans on which a patch may differ from one on the same knot vectors: disjoint, growing along u. Points that agree in
-/// every bit are equal.
+/// The spans on which a patch may differ from one on the same knot vectors: disjoint, growing along u. Points that
+/// agree in every bit are equal.
 std::vector<SpanRectangle> moved_spans(const NurbsPatch& patch, const NurbsPatch& before);
 
 }  // namespace splinecore

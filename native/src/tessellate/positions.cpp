@@ -100,7 +100,8 @@ class PositionWriter {
     for (int row = rows.begin; row < rows.end; ++row, point += 3 * (columns.end - columns.begin)) {
       const std::int32_t first = row * width + columns.begin;
       const std::int32_t end = row * width + columns.end;
-      auto run = std::ranges::lower_bound(grid.runs, first + 1, {}, [](const Tessellation::Run& r) { return r.sample + r.count; });
+      const auto end_of = [](const Tessellation::Run& run) { return run.sample + run.count; };
+      auto run = std::ranges::upper_bound(grid.runs, first, {}, end_of);
       for (; run != grid.runs.end() && run->sample < end; ++run) {
         const std::int32_t from = std::max(run->sample, first);
         const std::int32_t to = std::min(run->sample + run->count, end);

@@ -51,7 +51,9 @@ bool meet_alike(const std::vector<Panel>& panels, const std::vector<Panel>& othe
 
 Tessellation::Tessellation(const PatchSet& set) : patches_(set.topology()), panels_(panels_of(set)) {}
 
-bool Tessellation::fits(const PatchSet& set) const { return has_patches_of(set) && meet_alike(panels_, panels_of(set)); }
+bool Tessellation::fits(const PatchSet& set) const {
+  return has_patches_of(set) && meet_alike(panels_, panels_of(set));
+}
 
 bool Tessellation::has_patches_of(const PatchSet& set) const {
   return patches_ == set.topology() || *patches_ == *set.topology();

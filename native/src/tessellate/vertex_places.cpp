@@ -37,9 +37,9 @@ auto in_order(const Values& values, const std::vector<std::int32_t>& order) {
 class VertexPlaces {
  public:
   VertexPlaces(const PatchSet& set, Tessellation& mesh)
-      : set_(set), mesh_(mesh), by_sample_(sorted_by(mesh.vertex_samples_.size(), mesh.sample_count_, [&](std::size_t i) {
-          return mesh.vertex_samples_[i];
-        })), vertex_samples_(mesh.vertex_samples_), new_sample_(mesh.sample_count_) {
+      : set_(set), mesh_(mesh), by_sample_(sorted_by(mesh.vertex_samples_.size(), mesh.sample_count_,
+                                                     [&](std::size_t i) { return mesh.vertex_samples_[i]; })),
+        vertex_samples_(mesh.vertex_samples_), new_sample_(mesh.sample_count_) {
     std::iota(new_sample_.begin(), new_sample_.end(), std::size_t{0});
   }
 
@@ -60,8 +60,8 @@ class VertexPlaces {
   /// Vertices with samples from `first` on, as places in by_sample_.
   std::pair<std::size_t, std::size_t> vertices_in(std::size_t first, std::size_t count) const {
     const auto before = [&](std::size_t sample) {
-      return std::ranges::lower_bound(by_sample_, sample, {}, [&](std::int32_t i) { return mesh_.vertex_samples_[i]; }) -
-             by_sample_.begin();
+      const auto sample_of = [&](std::int32_t vertex) { return mesh_.vertex_samples_[vertex]; };
+      return std::ranges::lower_bound(by_sample_, sample, {}, sample_of) - by_sample_.begin();
     };
     return {before(first), before(first + count)};
   }
@@ -84,7 +84,7 @@ class VertexPlaces {
     grid.runs.shrink_to_fit();
   }
 
-  /// The samples of a scatter as they are to lie: one for each vertex, which scatter.vertices says then, and all others.
+  /// The samples of a scatter as they are to lie: one for each vertex, which scatter.vertices says then, and others.
   std::vector<std::int32_t> sorted(Tessellation::Scatter& scatter) const {
     const auto [begin, end] = vertices_in(scatter.first_sample, scatter.u.size());
     std::vector<std::int32_t> samples;
@@ -102,7 +102,8 @@ class VertexPlaces {
     return samples;
   }
 
-  std::vector<std::int32_t> by_spans(const Tessellation::Scatter& scatter, const std::vector<std::int32_t>& samples) const {
+  std::vector<std::int32_t> by_spans(const Tessellation::Scatter& scatter,
+                                     const std::vector<std::int32_t>& samples) const {
     const NurbsPatch& patch = nurbs_of(set_.patch(scatter.patch));
     const auto sorted_along = [&](Axis axis, const std::vector<std::int32_t>& chosen) {
       const KnotVector& knots = patch.knot_vector(axis);

@@ -13,7 +13,8 @@ from ...core import definition as definitions
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
-from .. import curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store, write_mesh
+from .. import (curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store,
+                write_mesh)
 from ..file_state import ended_operators, look_again, state
 from . import along, curve_extras, free_net, growing, holding, keyed_stages, net_object, settings_number, stages
 from .growing import Moment

@@ -47,8 +47,8 @@ def shape_of(ob):
 
 
 def _is_in_scene(ob):
-    """Whether an object is in a scene. Blender finds one that is seen at once; to ask for all its scenes takes as long as
-    the file has objects."""
+    """Whether an object is in a scene. Blender finds one that is seen at once; to ask for all its scenes takes
+    as long as the file has objects."""
     layer = bpy.context.view_layer
     return layer is not None and ob.visible_get(view_layer=layer) or bool(ob.users_scene)
 

@@ -32,7 +32,7 @@ class HermitePatch {
                            std::vector<double> parameters_u = {},
                            std::vector<double> parameters_v = {});
 
-  /// The patch with another net of the same size, on the knot vectors that this one has. @throws InvalidShape as make().
+  /// The patch with another net of the same size, on the knot vectors that this one has. @throws as make().
   HermitePatch with_net(HermiteNet net) const;
 
   int count(Axis axis) const noexcept { return static_cast<int>(parameters(axis).size()); }

@@ -37,12 +37,12 @@ class Tessellation {
   /// Whether the set has the patches, on the same knots and with the same sides in common, that this was made for.
   bool fits(const PatchSet& set) const;
 
-  /// Whether the set has the patches that this was made for, wherever their points lie. Of one that PatchSet::with_points()
-  /// made of the same set, this is to compare two pointers.
+  /// Whether the set has the patches that this was made for, wherever their points lie. Of one that
+  /// PatchSet::with_points() made of the same set, this is to compare two pointers.
   bool has_patches_of(const PatchSet& set) const;
 
-  /// Whether a set fits of which `before` does; both have the patches. Looks at nothing but sides that may have come apart,
-  /// or opened: of points that moved, and not one by having the same rows of the pool.
+  /// Whether a set fits of which `before` does; both have the patches. Looks at nothing but sides that may have come
+  /// apart, or opened: of points that moved, and not one by having the same rows of the pool.
   bool still_fits(const PatchSet& set, const PatchSet& before) const;
 
   std::size_t vertex_count() const noexcept { return vertex_samples_.size(); }
@@ -55,15 +55,15 @@ class Tessellation {
   /// u, v of each corner, scaled to [0, 1] over the patch's domain.
   std::span<const float> corner_uvs() const noexcept { return corner_uvs_; }
 
-  /// x, y, z of each vertex and of the normal at each corner, of a set with the same patches. Whether their sides lie on
-  /// one another as they did is for fits() to say.
+  /// x, y, z of each vertex and of the normal at each corner, of a set with the same patches. Whether their sides lie
+  /// on one another as they did is for fits() to say.
   void evaluate(const PatchSet& set, std::span<float> positions, std::span<float> corner_normals) const;
 
   /// The positions only, for a shape that is being dragged.
   void evaluate_positions(const PatchSet& set, std::span<float> positions) const;
 
-  /// The same in every bit where `positions` are those of `before`, a set with the same patches: what depends on no point
-  /// that differs stays. After an error they are of neither.
+  /// The same in every bit where `positions` are those of `before`, a set with the same patches: what depends on no
+  /// point that differs stays. After an error they are of neither.
   void update_positions(const PatchSet& set, const PatchSet& before, std::span<float> positions) const;
 
   /// Pairs of vertices between which the surface has an angle above `angle` (radians), of the
@@ -83,7 +83,7 @@ class Tessellation {
     std::size_t first_sample;
     std::vector<Run> runs = {};  // in the samples' order
   };
-  /// Samples of one patch, all from the same sides of its knots. Those of vertices come first, by spans along u, then v.
+  /// Samples of one patch, all from the same sides of its knots. Those of vertices come first, by spans in u, then v.
   struct Scatter {
     std::size_t patch;
     PatchOptions sides;
