@@ -201,10 +201,7 @@ void bind_basis(py::module_& module) {
              return splinecore::multiplicity(self, real(u, "u"));
            }, py::arg("u"), "How often u occurs among the knots; 0 if it is none.")
       .def("__eq__", [](const KnotVector& self, const KnotVector& other) { return self == other; }, py::is_operator())
-      .def("__hash__", [](const KnotVector& self) {
-        return py::hash(py::make_tuple(self.degree(), self.periodic(), py::tuple(py::cast(std::vector<double>(
-            self.knots().begin(), self.knots().end())))));
-      })
+      .def("__hash__", [](const KnotVector& self) { return hash_of(self); })
       .def(py::pickle([](const KnotVector& self) -> py::object {
              return py::make_tuple(self.degree(), std::vector<double>(self.knots().begin(), self.knots().end()),
                                    self.periodic());

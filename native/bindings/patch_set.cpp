@@ -246,9 +246,9 @@ void bind_set(py::module_& module) {
   });
 }
 
-const PatchSet& set_of(const py::object& value) {
+const PatchSet& set_of(const py::object& value, const char* name = "patch_set") {
   if (py::isinstance<PatchSet>(value)) return py::cast<const PatchSet&>(value);
-  throw py::type_error("patch_set must be a PatchSet, not " + type_name(value));
+  throw py::type_error(std::string(name) + " must be a PatchSet, not " + type_name(value));
 }
 
 /// Faces in each span along u and v: one number for both, or a pair.
@@ -261,10 +261,38 @@ std::pair<int, int> resolutions_of(const py::object& value) {
   return {integer(u, "resolution"), integer(v, "resolution")};
 }
 
-const PatchSet& fitting_set(const Tessellation& tessellation, const py::object& value) {
-  const PatchSet& set = set_of(value);
-  if (tessellation.fits(set)) return set;
-  throw InvalidShape("patch_set does not fit: its patches, or which of its points are equal, differ");
+/// A set with the patches that the tessellation was made for. Where their sides lie is for fits() to say.
+const PatchSet& set_with_patches(const Tessellation& tessellation, const py::object& value,
+                                 const char* name = "patch_set") {
+  const PatchSet& set = set_of(value, name);
+  if (tessellation.has_patches_of(set)) return set;
+  throw InvalidShape(std::string(name) + " does not fit: its patches are others than those of the mesh");
+}
+
+/// The positions of a set; where the caller's `out` has those of the set `before`, what differs.
+py::array positions(const Tessellation& self, const py::object& patch_set, const py::object& before,
+                    const py::object& out) {
+  const PatchSet& set = set_with_patches(self, patch_set);
+  const py::object single = out.is_none() ? py::object(py::dtype::of<float>()) : py::object(py::none());
+  const Output result({static_cast<py::ssize_t>(self.vertex_count()), 3}, out, single);
+  if (!result.single()) throw py::type_error("out has dtype float64, float32 is expected");
+  const std::span<float> to = result.floats(0, 3 * self.vertex_count());
+  if (before.is_none()) {
+    unlocked([&] { self.evaluate_positions(set, to); });
+    return result.array();
+  }
+  if (out.is_none()) throw InvalidShape("before is the set whose positions out has, but there is no out");
+  const PatchSet& known = set_with_patches(self, before, "before");
+  unlocked([&] { self.update_positions(set, known, to); });
+  return result.array();
+}
+
+bool fits(const Tessellation& self, const py::object& patch_set, const py::object& before) {
+  const PatchSet& set = set_of(patch_set);
+  if (before.is_none()) return unlocked([&] { return self.fits(set); });
+  if (!self.has_patches_of(set)) return false;
+  const PatchSet& known = set_with_patches(self, before, "before");
+  return unlocked([&] { return self.still_fits(set, known); });
 }
 
 void bind_tessellation(py::module_& module) {
@@ -313,28 +341,26 @@ void bind_tessellation(py::module_& module) {
     const auto uvs = py::cast<const Tessellation&>(self).corner_uvs();
     return view_of_numbers(uvs, {static_cast<py::ssize_t>(uvs.size() / 2), 2}, self);
   }, "(c, 2) float32: u, v of each corner, scaled to [0, 1], read-only.");
-  cls.def("fits", [](const Tessellation& self, const py::object& patch_set) {
-            const PatchSet& set = set_of(patch_set);
-            return unlocked([&] { return self.fits(set); });
-          },
-          py::arg("patch_set"),
-          "Whether evaluate() takes the set: it has the same patches, and the same of its points are equal.");
+  cls.def("fits", &fits, py::arg("patch_set"), py::arg("before") = py::none(),
+          "Whether the set has the same patches, and the same of its sides lie on one another, or are points.\n"
+          "before: a set that fits, with the same patches. Looked at is then only whether sides have come apart, or\n"
+          "points opened, that are not one by having the same rows of the pool: where those did not move it costs nothing.");
   cls.def("evaluate", [](const Tessellation& self, const py::object& patch_set) {
-            const PatchSet& set = fitting_set(self, patch_set);
+            const PatchSet& set = set_with_patches(self, patch_set);
             py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
             py::array_t<float> normals({static_cast<py::ssize_t>(self.corner_vertices().size()), py::ssize_t{3}});
             const std::span to_positions(positions.mutable_data(), positions.size());
             const std::span to_normals(normals.mutable_data(), normals.size());
             unlocked([&] { self.evaluate(set, to_positions, to_normals); });
             return py::make_tuple(positions, normals);
-          }, py::arg("patch_set"), "(positions (vertex_count, 3), corner normals (c, 3)), float32.");
-  cls.def("evaluate_positions", [](const Tessellation& self, const py::object& patch_set) {
-            const PatchSet& set = fitting_set(self, patch_set);
-            py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
-            const std::span to(positions.mutable_data(), positions.size());
-            unlocked([&] { self.evaluate_positions(set, to); });
-            return positions;
-          }, py::arg("patch_set"), "The positions alone, (vertex_count, 3) float32: what a drag needs.");
+          }, py::arg("patch_set"),
+          "(positions (vertex_count, 3), corner normals (c, 3)), float32, of a set with the same patches. Whether\n"
+          "their sides lie on one another as they did is for fits() to say.");
+  cls.def("evaluate_positions", &positions, py::arg("patch_set"), py::kw_only(), py::arg("before") = py::none(),
+          py::arg("out") = py::none(),
+          "The positions alone, (vertex_count, 3) float32: what a drag needs.\n"
+          "out: an array of that shape to write them into. before: the set whose positions out has; then only what\n"
+          "differs is computed, with the same result in every bit, and after an error out has the positions of neither.");
   cls.def("sharp_edges", [](const Tessellation& self, const py::object& normals, const py::object& angle) {
             const py::array_t<float, py::array::c_style | py::array::forcecast> given(real_array(normals, "normals"));
             const auto corners = static_cast<py::ssize_t>(self.corner_vertices().size());

@@ -2,12 +2,12 @@
 
 #include <pybind11/pybind11.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
 
+#include "hashes.hpp"
 #include "long_calls.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/exchange/json.hpp"
@@ -47,15 +47,7 @@ void bind_value(py::class_<Shape>& cls) {
   seal(cls);
   const auto text_of = [](const Shape& self) { return unlocked([&] { return splinecore::to_json(Value(self)); }); };
   cls.def("__eq__", [](const Shape& self, const Shape& other) { return self == other; }, py::is_operator());
-  cls.def("__hash__", [text_of](const Shape& self) {
-    // Zeros of both signs are equal, so they must have one hash.
-    std::string text = text_of(self);
-    for (std::size_t at = text.find("-0.0"); at != std::string::npos; at = text.find("-0.0", at + 1)) {
-      const bool whole = at + 4 == text.size() || text[at + 4] == ',' || text[at + 4] == ']';
-      if (whole) text.erase(at, 1);
-    }
-    return std::hash<std::string>()(text);
-  });
+  cls.def("__hash__", [](const Shape& self) { return hash_of(self); });
   cls.def(py::pickle(text_of, [](const std::string& text) {
     const auto document = unlocked([&] { return splinecore::from_json(text); });
     const auto* value = std::get_if<Value>(&document);

@@ -20,7 +20,11 @@ from support import part, splinecore as sc
 
 handlers, live, native, shape = (part(name) for name in ('ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape'))
 
-COUNT, RESOLUTION = 32, 11
+COUNT = 32
+#: Faces in a span of ours, and Blender's resolution, for as many vertices: a hundred thousand and a million.
+SIZES = ((11, 10), (35, 32))
+#: Vertices of the adaptive mesh that is moved, about.
+ADAPTIVE = 389_000
 
 
 def once(action):
@@ -55,9 +59,7 @@ def patch():
 
 
 def idle():
-    for i in range(1000):
-        data = shape.new_data("shape", sc.BezierPatch(net()[:4, :4]), (2, 2))
-        bpy.context.scene.collection.objects.link(bpy.data.objects.new("shape", data))
+    fill(2)
     cube = bpy.data.objects.new("cube", None)
     bpy.context.scene.collection.objects.link(cube)
     bpy.context.view_layer.update()
@@ -88,51 +90,120 @@ def idle():
           f"{1e3 * (with_handler[1] - without[1]):8.1f}")
 
 
-def drag():
-    ob = add(patch())
-    ob.data.splinewright.set_resolution(RESOLUTION, RESOLUTION)
-    held = enter()
+def by_count(resolution):
+    """What gives a shape so many faces in a span."""
+    return lambda data: data.splinewright.set_resolution(resolution, resolution)
+
+
+def by_tolerance(count):
+    """What gives a shape about so many vertices: their number is as one over the tolerance."""
+    made = sc.PatchSet.from_patches([patch()])
+    trial = 1e-5
+    tolerance = trial * sc.Tessellation.adaptive(made, tolerance=trial).vertex_count / count
+
+    def set_tolerance(data):
+        data.splinewright.mode = 'TOLERANCE'
+        data.splinewright.tolerance = tolerance
+    return set_tolerance
+
+
+class Timed:
+    """The add-on's handler, with what it took at each call."""
+
+    def __init__(self):
+        self.times = []
+
+    def __enter__(self):
+        self.chain = bpy.app.handlers.depsgraph_update_post
+        self.chain[self.chain.index(handlers.updated)] = self._call
+        return self.times
+
+    def _call(self, *arguments):
+        self.times.append(once(lambda: handlers.updated(*arguments)))
+
+    def __exit__(self, *_):
+        self.chain[self.chain.index(self._call)] = handlers.updated
+
+
+def steps_of(held, count):
+    """(what the handler takes, what a whole step takes) where one point of a net is dragged."""
     mesh = bmesh.from_edit_mesh(held.data)
     mesh.verts.ensure_lookup_table()
 
-    def move():
-        mesh.verts[500].co.z += 0.001
-        live.pull(held)
-    print(f"a net of {COUNT} x {COUNT} points, {len(ob.data.vertices)} vertices:")
-    report("  our share: read the net, evaluate, write the mesh", milliseconds(move, 60))
-
     def whole():
-        mesh.verts[500].co.z += 0.001
+        mesh.verts[500 % len(mesh.verts)].co.z += 0.001
         bmesh.update_edit_mesh(held.data, loop_triangles=False, destructive=False)
         bpy.context.view_layer.update()
-    times = milliseconds(whole)
-    report("  a whole step: handler, and Blender's evaluation of net and mesh", times)
+    for _ in range(3):
+        whole()
+    with Timed() as handler:
+        steps = [once(whole) for _ in range(count)]
+    return [(statistics.median(times), min(times)) for times in (handler, steps)]
+
+
+def drag(set_fineness, count=40):
+    """(vertices, what the handler takes, what a whole step takes, what the end of the gesture takes)."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    ob = add(patch())
+    set_fineness(ob.data)
+    held = enter()
+    found = steps_of(held, count)
+    settled = once(lambda: live.settle(ob.data))
     bpy.ops.splinewright.leave_net()
-    return times
+    return len(ob.data.vertices), *found, settled
 
 
-def rival():
-    """The same drag of Blender's own surface."""
+def rival(resolution, count=12):
+    """(vertices, what a whole step takes) of the same drag of Blender's own surface."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     ob = surface_object(COUNT, COUNT)
     points = np.concatenate([net(), np.ones((COUNT, COUNT, 1))], -1)
     direction = native.Direction(COUNT, 3, native.Flags(endpoint=True))
-    set_surface(ob, points, (direction, direction), (10, 10))
+    set_surface(ob, points, (direction, direction), (resolution, resolution))
 
     def whole():
         points[16, 16, 2] += 0.001
         set_net(ob, points)
         bpy.context.view_layer.update()
-    times = milliseconds(whole)
-    report(f"  Blender's own surface with {(10 * COUNT) ** 2} vertices: a whole step", times)
-    return times
+    times = milliseconds(whole, count)
+    made = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
+    return len(made.vertices), times
 
 
-def crowd(resolution):
-    """A net among a thousand shapes, and their file beside one of the same meshes without anything of ours."""
+def drags():
+    """One point of a net of COUNT x COUNT is dragged: ours, and Blender's own surface beside it."""
+    print(f"\none point of {COUNT} x {COUNT} is dragged, bicubic; medians (and least), milliseconds; "
+          f"Blender {bpy.app.version_string}\n")
+    print("| faces | vertices | our share | a whole step | Blender's surface | its vertices | ratio of steps "
+          "| ratio to our share | the end of the gesture |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    for faces, set_fineness, resolution in ((f"{ours} in a span", by_count(ours), theirs) for ours, theirs in SIZES):
+        row(faces, drag(set_fineness), rival(resolution))
+    row("adaptive", drag(by_tolerance(ADAPTIVE)), None)
+
+
+def row(faces, ours, theirs):
+    vertices, share, whole, settled = ours
+    beside = ("", "", "", "")
+    if theirs is not None:
+        count, step = theirs
+        ratios = f"{step[0] / whole[0]:.1f}x", f"{step[0] / share[0]:.0f}x"
+        beside = f"{step[0]:.1f} ({step[1]:.1f})", f"{count}", *ratios
+    ours = f"{share[0]:.2f} ({share[1]:.2f}) | {whole[0]:.1f} ({whole[1]:.1f})"
+    print(f"| {faces} | {vertices} | {ours} | {' | '.join(beside)} | {settled:.0f} |", flush=True)
+
+
+def fill(resolution):
+    """A thousand shapes."""
     for i in range(1000):
         data = shape.new_data("shape", sc.BezierPatch(net()[:4, :4] + (i % 40, i // 40, 0)), (resolution, resolution))
         bpy.context.scene.collection.objects.link(bpy.data.objects.new("shape", data))
     bpy.context.view_layer.update()
+
+
+def crowd(resolution):
+    """A net among a thousand shapes, and their file beside one of the same meshes without anything of ours."""
+    fill(resolution)
     ob = bpy.data.objects[500]
     ob.select_set(True)
     bpy.context.view_layer.objects.active = ob
@@ -140,7 +211,12 @@ def crowd(resolution):
     for _ in range(5):
         opened.append(once(lambda: bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True)))
         closed.append(once(lambda: bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)))
+    bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True)
+    handler, step = steps_of(bpy.context.object, 100)
+    bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
     print(f"1000 shapes of {resolution} x {resolution} faces:")
+    report("  a point of one is dragged: the handler", handler)
+    report("  and a whole step", step)
     report("  a net opens", (statistics.median(opened), min(opened)))
     report("  and closes", (statistics.median(closed), min(closed)))
     ours = _megabytes()
@@ -159,14 +235,30 @@ def _megabytes():
         return path.stat().st_size / 1e6
 
 
+def files():
+    """What the add-on adds to opening a file with the shapes that are there, and to starting Blender."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "crowd.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path, compress=False)
+        loads = [once(lambda: bpy.ops.wm.open_mainfile(filepath=path)) for _ in range(3)]
+        report("  the file opens", (statistics.median(loads), min(loads)))
+        report("  of which our handler takes", milliseconds(handlers.loaded, 5))
+    ui = part('ui')
+
+    def again():
+        ui.unregister()
+        return once(ui.register)
+    times = [again() for _ in range(5)]
+    report("the add-on registers, its modules loaded", (statistics.median(times), min(times)))
+
+
 print("median and least of each, milliseconds", bpy.app.version_string)
 bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
 idle()
-bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-ours = drag()
-bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-theirs = rival()
-print(f"  ours takes {ours[0] / theirs[0]:.2f} of the time of Blender's own")
+drags()
 for resolution in (8, 24):
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     crowd(resolution)
+bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+fill(8)
+files()

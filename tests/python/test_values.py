@@ -105,3 +105,22 @@ def test_damaged_pickles_are_refused():
     made = sc.BezierPatch.__new__(sc.BezierPatch)
     with pytest.raises((ValueError, RuntimeError)):
         made.__setstate__(circle().dumps())
+
+
+def test_values_that_differ_have_hashes_that_differ():
+    points = cubic().points.copy()
+    points[3, 1] = np.nextafter(points[3, 1], 9)
+    bezier = sc.BezierPatch(np.arange(36.0).reshape(3, 4, 3))
+    turned = sc.BezierPatch(bezier.points.reshape(4, 3, 3))
+    some = [cubic(), cubic().with_points(points), bezier, turned, bezier.to_nurbs(), sc.PatchSet.from_patches([bezier]),
+            sc.PatchSet.from_patches([turned]), sc.PatchSet.from_patches([bezier]).flipped()]
+    assert len({hash(one) for one in some}) == len(some)
+
+
+def test_zeros_of_both_signs_have_one_hash_in_patches_too():
+    net = np.zeros((3, 4, 3))
+    net[..., 0], net[..., 1] = np.meshgrid(range(3), range(4), indexing='ij')
+    one, other = sc.BezierPatch(net), sc.BezierPatch(np.where(net == 0, -0.0, net))
+    for a, b in ((one, other), (one.to_nurbs(), other.to_nurbs()),
+                 (sc.PatchSet.from_patches([one], merge=False), sc.PatchSet.from_patches([other], merge=False))):
+        assert a == b and hash(a) == hash(b)

@@ -112,7 +112,7 @@ def carry_out(plan, progress=no_progress):
 def rewrite(data, progress=no_progress, faces=None):
     """Evaluate the stored definition again, after its settings changed. Raises and returns as set_definition() does.
 
-    faces: the Tessellation that it is to have, where that is known.
+    faces: the Tessellation that it is to have, where that is known and fits.
     """
     require_untouched(data)
     return restore(data, progress, faces)
@@ -189,11 +189,25 @@ def evaluated(data, definition, around=None, faces=None):
         lines = [(_single(points), closed) for points, closed in lines]
         return Picture(np.concatenate([points for points, _ in lines]), lambda: write_curve.write(data, lines))
     patch_set = definitions.to_patch_set(definition)
-    tessellation = faces if faces is not None else fineness.tessellated(data, patch_set)
+    is_known = faces is not None and faces.fits(patch_set)
+    tessellation = faces if is_known else fineness.tessellated(data, patch_set)
     positions, normals = tessellation.evaluate(patch_set)
     _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.of(data).sharp_angle)
     return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp), tessellation)
+
+
+def faces_of(data):
+    """The splinecore Tessellation whose faces a Mesh was written with, made again, or None where it is not to be had or
+    asks for other faces as soon as points move."""
+    known, definition = store.read_stamp(data), store.read(data)
+    if known is None or definition.has_curves or not fineness.by_count(data):
+        return None
+    try:
+        found = fineness.tessellated(data, definitions.to_patch_set(definition))
+    except sc.InvalidShape:
+        return None
+    return found if stamp.is_of_faces(known, found) else None
 
 
 def lines_of(data, curve, around=None):

@@ -18,6 +18,13 @@ def same_topology(a, b):
     return len(a) == len(b) and all(x == y for i, (x, y) in enumerate(zip(a, b)) if i != positions)
 
 
+def is_of_faces(stamp, tessellation):
+    """Whether a Mesh's stamp is of the faces of a splinecore Tessellation."""
+    corners = tessellation.corner_vertices
+    return len(stamp) == 5 and (stamp[0], stamp[2], stamp[4]) == (
+        tessellation.vertex_count, len(tessellation.face_starts), zlib.crc32(corners))
+
+
 def moved(before, positions):
     """The stamp of a Mesh whose vertices were given other positions (n, 3) float32 since that of `before`."""
     vertices, edges, faces, _, corners = before

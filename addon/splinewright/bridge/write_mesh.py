@@ -28,15 +28,14 @@ def write(mesh, tessellation, positions, normals, sharp):
     mesh.update()
 
 
-def move(mesh, positions, normals=None):
-    """Give the vertices other positions, and the corners other normals (c, 3) where versions.keeps_exact_normals; else
-    they are Blender's own until the next write()."""
+def move(mesh, positions):
+    """Give the vertices other positions, float32. Normals are Blender's own, turned as they were or not, until the next
+    write(): exact ones would be most of a drag's work."""
     if versions.has_auto_smooth:
         mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
+    if versions.keeps_exact_normals and 'custom_normal' in mesh.attributes:
+        mesh.attributes.remove(mesh.attributes['custom_normal'])    # of another shape
     _write_positions(mesh, positions)
-    if normals is not None:
-        mesh.update()
-        _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
     mesh.update()
 
 

@@ -30,8 +30,9 @@ std::vector<Handle> handles_of(const std::vector<double>& parameters) {
   return handles;
 }
 
-NurbsPatch bezier_grid(const HermiteNet& net, const std::vector<double>& parameters_u,
-                       const std::vector<double>& parameters_v) {
+/// The points of the NURBS form.
+std::vector<glm::dvec4> bezier_grid(const HermiteNet& net, const std::vector<double>& parameters_u,
+                                    const std::vector<double>& parameters_v) {
   const auto count_v = parameters_v.size();
   const auto handles_v = handles_of(parameters_v);
   std::vector<glm::dvec4> points;
@@ -43,7 +44,7 @@ NurbsPatch bezier_grid(const HermiteNet& net, const std::vector<double>& paramet
                           1.0);
     }
   }
-  return NurbsPatch::make(hermite_knots(parameters_u), hermite_knots(parameters_v), std::move(points));
+  return points;
 }
 
 void require_net(const std::vector<glm::dvec3>& values, const char* argument, std::size_t count_u,
@@ -54,6 +55,16 @@ void require_net(const std::vector<glm::dvec3>& values, const char* argument, st
                        " corners");
   }
   require_finite(values, argument, count_v);
+}
+
+/// The net with twists of zero where it has none. @throws InvalidShape
+HermiteNet checked(HermiteNet net, std::size_t count_u, std::size_t count_v) {
+  if (net.twists.empty()) net.twists.assign(net.points.size(), glm::dvec3(0.0));
+  require_net(net.points, "points", count_u, count_v);
+  require_net(net.tangents_u, "tangents_u", count_u, count_v);
+  require_net(net.tangents_v, "tangents_v", count_u, count_v);
+  require_net(net.twists, "twists", count_u, count_v);
+  return net;
 }
 
 template <class Change>
@@ -100,9 +111,10 @@ HermitePatch rows(const HermitePatch& patch, int begin, int end) {
 
 }  // namespace
 
-HermitePatch::HermitePatch(HermiteNet net, std::vector<double> parameters_u, std::vector<double> parameters_v)
-    : net_(std::move(net)), parameters_u_(std::move(parameters_u)),
-      parameters_v_(std::move(parameters_v)), form_(bezier_grid(net_, parameters_u_, parameters_v_)) {}
+HermitePatch::HermitePatch(HermiteNet net, std::vector<double> parameters_u, std::vector<double> parameters_v,
+                           NurbsPatch form)
+    : net_(std::move(net)), parameters_u_(std::move(parameters_u)), parameters_v_(std::move(parameters_v)),
+      form_(std::move(form)) {}
 
 HermitePatch HermitePatch::make(int count_u, int count_v, HermiteNet net,
                                 std::vector<double> parameters_u, std::vector<double> parameters_v) {
@@ -110,14 +122,18 @@ HermitePatch HermitePatch::make(int count_u, int count_v, HermiteNet net,
     throw InvalidShape("points is " + std::to_string(count_u) + " x " + std::to_string(count_v) +
                        ", a Hermite patch needs 2 x 2 or more");
   }
-  if (net.twists.empty()) net.twists.assign(net.points.size(), glm::dvec3(0.0));
-  require_net(net.points, "points", count_u, count_v);
-  require_net(net.tangents_u, "tangents_u", count_u, count_v);
-  require_net(net.tangents_v, "tangents_v", count_u, count_v);
-  require_net(net.twists, "twists", count_u, count_v);
+  net = checked(std::move(net), count_u, count_v);
   parameters_u = hermite_parameters(std::move(parameters_u), count_u, "parameters_u");
   parameters_v = hermite_parameters(std::move(parameters_v), count_v, "parameters_v");
-  return {std::move(net), std::move(parameters_u), std::move(parameters_v)};
+  NurbsPatch form = NurbsPatch::make(hermite_knots(parameters_u), hermite_knots(parameters_v),
+                                     bezier_grid(net, parameters_u, parameters_v));
+  return {std::move(net), std::move(parameters_u), std::move(parameters_v), std::move(form)};
+}
+
+HermitePatch HermitePatch::with_net(HermiteNet net) const {
+  net = checked(std::move(net), parameters_u_.size(), parameters_v_.size());
+  NurbsPatch form = form_.with_points(bezier_grid(net, parameters_u_, parameters_v_));
+  return {std::move(net), parameters_u_, parameters_v_, std::move(form)};
 }
 
 std::pair<HermitePatch, HermitePatch> split(const HermitePatch& patch, Axis axis, double u) {

@@ -1,5 +1,6 @@
 #include "splinecore/patch/patch_set.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -59,17 +60,25 @@ std::vector<glm::dvec3> hermite_net(const std::vector<glm::dvec4>& pool, const I
   return vectors;
 }
 
+HermiteNet hermite_net(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch) {
+  return {hermite_net(pool, patch, 0, 1.0), hermite_net(pool, patch, 1, 0.0), hermite_net(pool, patch, 2, 0.0),
+          hermite_net(pool, patch, 3, 0.0)};
+}
+
+std::vector<glm::dvec4> rows_of(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch) {
+  std::vector<glm::dvec4> points;
+  points.reserve(patch.indices.size());
+  for (const int i : patch.indices) points.push_back(pool[i]);
+  return points;
+}
+
 AnyPatch value_of(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch) {
   require_indices(patch, pool.size());
   require_own_fields(patch);
   if (patch.kind == PatchKind::hermite) {
-    HermiteNet net{hermite_net(pool, patch, 0, 1.0), hermite_net(pool, patch, 1, 0.0),
-                   hermite_net(pool, patch, 2, 0.0), hermite_net(pool, patch, 3, 0.0)};
-    return HermitePatch::make(patch.count_u, patch.count_v, std::move(net), patch.knots_u, patch.knots_v);
+    return HermitePatch::make(patch.count_u, patch.count_v, hermite_net(pool, patch), patch.knots_u, patch.knots_v);
   }
-  std::vector<glm::dvec4> points;
-  points.reserve(patch.indices.size());
-  for (const int i : patch.indices) points.push_back(pool[i]);
+  std::vector<glm::dvec4> points = rows_of(pool, patch);
   if (patch.kind == PatchKind::bezier) return BezierPatch::make(patch.count_u, patch.count_v, std::move(points));
   KnotVector knots_u = KnotVector::make(patch.degree_u, patch.knots_u, patch.periodic_u);
   KnotVector knots_v = KnotVector::make(patch.degree_v, patch.knots_v, patch.periodic_v);
@@ -79,6 +88,26 @@ AnyPatch value_of(const std::vector<glm::dvec4>& pool, const IndexedPatch& patch
                        std::to_string(knots_v.count()));
   }
   return NurbsPatch::make(std::move(knots_u), std::move(knots_v), std::move(points));
+}
+
+/// The value of a patch on another pool, on the knot vectors that it has.
+AnyPatch moved(const AnyPatch& value, const IndexedPatch& patch, const std::vector<glm::dvec4>& pool) {
+  if (const auto* hermite = std::get_if<HermitePatch>(&value)) return hermite->with_net(hermite_net(pool, patch));
+  std::vector<glm::dvec4> points = rows_of(pool, patch);
+  if (const auto* bezier = std::get_if<BezierPatch>(&value)) return bezier->with_points(std::move(points));
+  return nurbs_of(value).with_points(std::move(points));
+}
+
+/// Whether two pools agree in every bit of the rows of a patch.
+bool has_equal_rows(const IndexedPatch& patch, const std::vector<glm::dvec4>& pool,
+                    const std::vector<glm::dvec4>& other) {
+  return std::ranges::all_of(patch.indices, [&](int i) {
+    return static_cast<std::size_t>(i) < other.size() && std::memcmp(&pool[i], &other[i], sizeof(glm::dvec4)) == 0;
+  });
+}
+
+InvalidShape of_patch(std::size_t i, const InvalidShape& error) {
+  return InvalidShape("patches" + index_text(i) + ": " + error.what());
 }
 
 /// Parameters that were left out: two sets of one shape are equal however they were made.
@@ -175,22 +204,40 @@ const NurbsPatch& nurbs_of(const AnyPatch& patch) noexcept {
   return *std::get_if<NurbsPatch>(&patch);
 }
 
-PatchSet::PatchSet(std::vector<glm::dvec4> points, std::vector<IndexedPatch> patches)
-    : points_(std::move(points)), patches_(std::move(patches)) {}
-
 PatchSet PatchSet::make(std::vector<glm::dvec4> points, std::vector<IndexedPatch> patches) {
   require_points(points);
   if (patches.empty()) throw InvalidShape("patches is empty: a patch set needs one or more");
-  PatchSet set(std::move(points), std::move(patches));
-  set.values_.reserve(set.patches_.size());
-  for (std::size_t i = 0; i < set.patches_.size(); ++i) {
+  PatchSet set;
+  set.values_.reserve(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
     try {
-      set.values_.push_back(value_of(set.points_, set.patches_[i]));
-      fill_parameters(set.patches_[i], set.values_.back());
+      set.values_.push_back(std::make_shared<const AnyPatch>(value_of(points, patches[i])));
+      fill_parameters(patches[i], *set.values_.back());
     } catch (const InvalidShape& error) {
-      throw InvalidShape("patches" + index_text(i) + ": " + error.what());
+      throw of_patch(i, error);
     }
   }
+  set.points_ = std::move(points);
+  set.patches_ = std::make_shared<const std::vector<IndexedPatch>>(std::move(patches));
+  return set;
+}
+
+PatchSet PatchSet::with_points(std::vector<glm::dvec4> points) const {
+  require_points(points);
+  PatchSet set;
+  set.values_.reserve(values_.size());
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const IndexedPatch& patch = (*patches_)[i];
+    try {
+      if (points.size() < points_.size()) require_indices(patch, points.size());
+      const bool is_kept = has_equal_rows(patch, points_, points);
+      set.values_.push_back(is_kept ? values_[i] : std::make_shared<const AnyPatch>(moved(*values_[i], patch, points)));
+    } catch (const InvalidShape& error) {
+      throw of_patch(i, error);
+    }
+  }
+  set.points_ = std::move(points);
+  set.patches_ = patches_;
   return set;
 }
 

@@ -313,10 +313,9 @@ Tessellation Tessellation::adaptive(const PatchSet& set, const Fineness& finenes
   if (!(fineness.distance > 0.0) || !(fineness.angle > 0.0)) {
     throw InvalidShape("a tolerance of a mesh is not above 0");
   }
-  Tessellation mesh;
-  mesh.patches_.assign(set.patches().begin(), set.patches().end());
-  mesh.panels_ = panels_of(set);
+  Tessellation mesh(set);
   AdaptiveBuilder(set, fineness, mesh).add_faces();
+  mesh.place_vertices(set);
   return mesh;
 }
 

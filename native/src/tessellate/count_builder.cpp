@@ -295,10 +295,9 @@ Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resol
                 (1.0 + resolution_v * static_cast<double>(form.knot_vector(Axis::v).spans().size()));
   }
   if (expected > kMaxSamples) throw InvalidShape("the mesh would have more than 2^22 vertices: lower the resolution");
-  Tessellation mesh;
-  mesh.patches_.assign(set.patches().begin(), set.patches().end());
-  mesh.panels_ = panels_of(set);
+  Tessellation mesh(set);
   CountBuilder(set, resolution_u, resolution_v, mesh).add_faces();
+  mesh.place_vertices(set);
   return mesh;
 }
 

@@ -13,14 +13,19 @@ from ...core import definition as definitions
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.net import exact_net, reading
-from .. import curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store, versions, write_mesh
+from .. import (curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store,
+                write_mesh)
 from ..file_state import ended_operators, look_again, state
 from . import along, curve_extras, free_net, growing, holding, keyed_stages, net_object, settings_number, stages
 from .growing import Moment
 
 
-#: Seconds without a move after which the shape is looked at for changes by other hands.
+#: Seconds without a move after which the shape is looked at for changes by other hands, and so many times as long as it
+#: takes to look, or a step of a drag that is slow would always be a pause.
 _PAUSE = 0.25
+_SHARE = 20
+#: A length that float32 holds, whatever is rounded.
+_FAR = 3e38
 #: Among the values of settings: the number of what lies along a shape.
 _ALONG = 'along'
 _WAITS = "the shape takes up the new rows when the slide has ended"
@@ -42,8 +47,9 @@ class Session:
         self.released = ""              # what holds no more since the net came
         self.keyed_rows = {}            # of bridge.net.keyed_stages
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
-        self._checked = 0.0
-        self._patch_sets = {}
+        self._pause = self._next_check = 0.0
+        self._patch_sets = {}           # the last ones, by how many points they have
+        self._positions = self._evaluated = None    # on the faces; of which PatchSet, None for none
         self._settings = {}             # of the shape, their values by the number that the net carries for them
         self.along = {}                 # what lay along the shape, by its number there: see along
 
@@ -69,10 +75,12 @@ class Session:
         """Raises Refusal where others changed the shape since its net last wrote it."""
         if self.pool is not None and not np.array_equal(pool, self.pool):
             raise Refusal("the shape was given another definition while its net was out: leave the net")
-        now = time.monotonic()
-        if now - self._checked > _PAUSE:        # not at every step of a drag
+        start = now = time.monotonic()
+        if start > self._next_check:            # not at every step of a drag
             shape.require_untouched(data)
-        self._checked = now
+            now = time.monotonic()
+            self._pause = max(_PAUSE, _SHARE * (now - start))
+        self._next_check = now + self._pause
 
     def trust(self):
         """Undo may have put back any earlier state of the shape."""
@@ -81,6 +89,8 @@ class Session:
 
     def wrote(self, data, faces):
         """The shape has these faces now."""
+        if faces is not self.faces:
+            self._evaluated = None
         self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
 
     def settings(self, number, present):
@@ -99,11 +109,12 @@ class Session:
         return known
 
     def patch_set(self, definition):
-        """The PatchSet of a definition with the net's patches, or those of its source."""
+        """The PatchSet of a definition with the net's patches, or those of its source: it shares what did not move."""
         count = len(definition.pool)    # handles of the net may have rows of their own
-        if count not in self._patch_sets:
-            self._patch_sets[count] = definitions.to_patch_set(definition)
-        return self._patch_sets[count].with_points(definition.pool[:, :3], definition.pool[:, 3])
+        last = self._patch_sets.get(count)
+        self._patch_sets[count] = (definitions.to_patch_set(definition) if last is None else
+                                   last.with_points(definition.pool[:, :3], definition.pool[:, 3]))
+        return self._patch_sets[count]
 
     def _has_faces(self, data):
         """Whether the shape has the faces that are known here."""
@@ -116,15 +127,21 @@ class Session:
         return self.faces if self._has_faces(data) and fineness.by_count(data) else None
 
     def moved(self, data, patch_set):
-        """(positions, exact normals or None) on the faces that the shape has, or None where it needs others."""
+        """(v, 3) float32, the positions on the faces that the shape has, or None where it needs others. The next call
+        writes over them: what did not move since stays."""
         if not self._has_faces(data):
-            return None
-        try:
-            if versions.keeps_exact_normals:
-                return self.faces.evaluate(patch_set)
-            return self.faces.evaluate_positions(patch_set), None
-        except sc.InvalidShape:
+            faces = shape.faces_of(data)
+            if faces is None:
+                return None
+            self.wrote(data, faces)
+        before, self._evaluated = self._evaluated, None
+        if not self.faces.fits(patch_set, before):
             return None                 # sides that were one are not any more, or the other way round
+        if before is None:
+            self._positions = np.empty((self.faces.vertex_count, 3), np.float32)
+        self.faces.evaluate_positions(patch_set, before=before, out=self._positions)
+        self._evaluated = patch_set
+        return self._positions
 
 
 def session(data):
@@ -274,10 +291,12 @@ def _follow(data, ob, current, moment):
     if can_grow:
         growing.choose(ob.data, current)
     found, refused = _read(data, ob, current), ""
+    definition = exact_net.read(current.net, found.state)
     if can_grow:
         try:
-            if growing.grow(ob.data, current, exact_net.read(current.net, found.state), found, moment):
+            if growing.grow(ob.data, current, definition, found, moment):
                 found = _read(data, ob, current)
+                definition = exact_net.read(current.net, found.state)
         except FAILURES as error:
             refused = sentence(error)
     if found.extra > current.extra and can_grow and ended_operators() == state.seen:
@@ -286,7 +305,6 @@ def _follow(data, ob, current, moment):
     current.take(found.state, found.slots)
     if current.is_waiting:
         found = found._replace(problem="", note=_WAITS if moment == Moment.BUSY else "")
-    definition = exact_net.read(current.net, found.state)
     if not recipes.has_points(data):
         definition = keyed_stages.with_digits(data, current.net, definition)
         try:
@@ -390,19 +408,24 @@ def _show(data, definition, current):
         return False
     current.require_alone(data, pool)
     shape.require_writable(data)
-    moved = None if definition.has_curves else current.moved(data, current.patch_set(definition))
-    if moved is None:
+    positions = None if definition.has_curves else current.moved(data, current.patch_set(definition))
+    if positions is None:
         with keyed_stages.staged(data, current):
             faces = (curve_extras.show if definition.has_curves else shape.set_definition)(data, definition)
         if faces is not None:
             current.wrote(data, faces)
         current.pool = definition.pool
         return True
-    positions, normals = moved
-    if not np.isfinite(positions).all():
+    if not _are_finite(positions, definition.pool):
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
-    write_mesh.move(data, positions, normals)
+    write_mesh.move(data, positions)
     current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
     point_keys.show(data, definition.pool)
     return True
+
+
+def _are_finite(positions, pool):
+    """Whether all positions are finite in float32: where weights are positive they lie among the points of the pool."""
+    is_among = bool((pool[:, 3] > 0).all()) and np.abs(pool[:, :3]).max() < _FAR
+    return is_among or bool(np.isfinite(positions).all())

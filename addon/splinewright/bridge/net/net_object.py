@@ -43,7 +43,14 @@ def shape_of(ob):
     shape = ob.get(SHAPE)
     if not isinstance(shape, bpy.types.Object) or not isinstance(shape.data, (bpy.types.Mesh, bpy.types.Curve)):
         return None
-    return shape if shape.users_scene and store.has_definition(shape.data) else None
+    return shape if store.has_definition(shape.data) and _is_in_scene(shape) else None
+
+
+def _is_in_scene(ob):
+    """Whether an object is in a scene. Blender finds one that is seen at once; to ask for all its scenes takes
+    as long as the file has objects."""
+    layer = bpy.context.view_layer
+    return layer is not None and ob.visible_get(view_layer=layer) or bool(ob.users_scene)
 
 
 def is_orphan(ob):

@@ -177,6 +177,8 @@ def read(net, state):
 def _read_handles(net, now, kept, pool):
     """What stands where it stood, seen from its origin, keeps its digits: Blender carries handles along."""
     handles = net.handles
+    if not len(handles):
+        return
     a, b, c = net.origins[handles].T
     reach = now[handles] - (now[a] + now[b] - now[c])
     before = net.positions[handles] - (net.positions[a] + net.positions[b] - net.positions[c])

@@ -16,6 +16,11 @@ class BezierPatch {
   ///         kMaxDegree + 1, all numbers finite and not every weight zero.
   static BezierPatch make(int count_u, int count_v, std::vector<glm::dvec4> points);
 
+  /// The patch with as many other points, on the knot vectors that this one has. @throws InvalidShape as make().
+  BezierPatch with_points(std::vector<glm::dvec4> points) const {
+    return BezierPatch(form_.with_points(std::move(points)));
+  }
+
   int degree(Axis axis) const noexcept { return form_.knot_vector(axis).degree(); }
   int count(Axis axis) const noexcept { return form_.count(axis); }
   std::span<const glm::dvec4> points() const noexcept { return form_.points(); }

@@ -32,6 +32,9 @@ class HermitePatch {
                            std::vector<double> parameters_u = {},
                            std::vector<double> parameters_v = {});
 
+  /// The patch with another net of the same size, on the knot vectors that this one has. @throws as make().
+  HermitePatch with_net(HermiteNet net) const;
+
   int count(Axis axis) const noexcept { return static_cast<int>(parameters(axis).size()); }
   const HermiteNet& net() const noexcept { return net_; }
   std::span<const double> parameters(Axis axis) const noexcept {
@@ -46,7 +49,7 @@ class HermitePatch {
   }
 
  private:
-  HermitePatch(HermiteNet net, std::vector<double> parameters_u, std::vector<double> parameters_v);
+  HermitePatch(HermiteNet net, std::vector<double> parameters_u, std::vector<double> parameters_v, NurbsPatch form);
 
   HermiteNet net_;
   std::vector<double> parameters_u_;

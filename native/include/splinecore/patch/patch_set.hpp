@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <variant>
 #include <vector>
@@ -49,22 +50,27 @@ class PatchSet {
   /// A pool made of the patches' own points. Points equal in every bit become one where `merged`.
   static PatchSet of(std::span<const AnyPatch> patches, bool merged);
 
-  PatchSet with_points(std::vector<glm::dvec4> points) const { return make(std::move(points), patches_); }
+  /// The same patches on another pool: they keep their knot vectors, and those of which no point changed are shared.
+  /// @throws InvalidShape as make().
+  PatchSet with_points(std::vector<glm::dvec4> points) const;
 
   std::span<const glm::dvec4> points() const noexcept { return points_; }
-  std::span<const IndexedPatch> patches() const noexcept { return patches_; }
-  const AnyPatch& patch(std::size_t i) const noexcept { return values_[i]; }
+  std::span<const IndexedPatch> patches() const noexcept { return *patches_; }
+  const AnyPatch& patch(std::size_t i) const noexcept { return *values_[i]; }
+
+  /// What all sets have in common that with_points() made of one: equal pointers, the same patches.
+  const std::shared_ptr<const std::vector<IndexedPatch>>& topology() const noexcept { return patches_; }
 
   friend bool operator==(const PatchSet& a, const PatchSet& b) noexcept {
-    return a.points_ == b.points_ && a.patches_ == b.patches_;
+    return a.points_ == b.points_ && (a.patches_ == b.patches_ || *a.patches_ == *b.patches_);
   }
 
  private:
-  PatchSet(std::vector<glm::dvec4> points, std::vector<IndexedPatch> patches);
+  PatchSet() = default;
 
   std::vector<glm::dvec4> points_;
-  std::vector<IndexedPatch> patches_;
-  std::vector<AnyPatch> values_;
+  std::shared_ptr<const std::vector<IndexedPatch>> patches_;
+  std::vector<std::shared_ptr<const AnyPatch>> values_;
 };
 
 /// All patches seen from the other side: u and v exchanged, the pool unchanged.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,14 @@ class Tessellation {
   /// Whether the set has the patches, on the same knots and with the same sides in common, that this was made for.
   bool fits(const PatchSet& set) const;
 
+  /// Whether the set has the patches that this was made for, wherever their points lie. Of one that
+  /// PatchSet::with_points() made of the same set, this is to compare two pointers.
+  bool has_patches_of(const PatchSet& set) const;
+
+  /// Whether a set fits of which `before` does; both have the patches. Looks at nothing but sides that may have come
+  /// apart, or opened: of points that moved, and not one by having the same rows of the pool.
+  bool still_fits(const PatchSet& set, const PatchSet& before) const;
+
   std::size_t vertex_count() const noexcept { return vertex_samples_.size(); }
 
   /// Where the corners of each face start in corner_vertices().
@@ -46,30 +55,42 @@ class Tessellation {
   /// u, v of each corner, scaled to [0, 1] over the patch's domain.
   std::span<const float> corner_uvs() const noexcept { return corner_uvs_; }
 
-  /// x, y, z of each vertex and of the normal at each corner, of a set with the same patches; (0, 0, 0) where the
-  /// surface has no normal.
+  /// x, y, z of each vertex and of the normal at each corner, (0, 0, 0) where the surface has none, of a set with the
+  /// same patches. Whether their sides lie on one another as they did is for fits() to say.
   void evaluate(const PatchSet& set, std::span<float> positions, std::span<float> corner_normals) const;
 
   /// The positions only, for a shape that is being dragged.
   void evaluate_positions(const PatchSet& set, std::span<float> positions) const;
+
+  /// The same in every bit where `positions` are those of `before`, a set with the same patches: what depends on no
+  /// point that differs stays. After an error they are of neither.
+  void update_positions(const PatchSet& set, const PatchSet& before, std::span<float> positions) const;
 
   /// Pairs of vertices between which the surface has an angle above `angle` (radians), of the
   /// corner normals that evaluate() gave. Only edges of patches and knots without C1 can be sharp.
   std::vector<std::int32_t> sharp_edges(std::span<const float> corner_normals, double angle) const;
 
  private:
+  /// Samples one after the other in a row of a grid, the first by its number there, and the vertices that have them.
+  struct Run {
+    std::int32_t sample;
+    std::int32_t count;
+    std::int32_t vertex;
+  };
   struct Grid {
     AxisSamples u;
     AxisSamples v;
     std::size_t first_sample;
+    std::vector<Run> runs = {};  // in the samples' order
   };
-  /// Samples of one patch, all from the same sides of its knots.
+  /// Samples of one patch, all from the same sides of its knots. Those of vertices come first, by spans in u, then v.
   struct Scatter {
     std::size_t patch;
     PatchOptions sides;
     std::vector<double> u;
     std::vector<double> v;
     std::size_t first_sample;
+    std::vector<std::int32_t> vertices = {};
   };
   /// The side of a mesh edge that a face lies on.
   struct Seam {
@@ -79,8 +100,13 @@ class Tessellation {
   friend class CountBuilder;
   friend class AdaptiveBuilder;
   friend class MeshWriter;
+  friend class PositionWriter;
+  friend class VertexPlaces;
 
-  std::vector<IndexedPatch> patches_;
+  explicit Tessellation(const PatchSet& set);
+  void place_vertices(const PatchSet& set);
+
+  std::shared_ptr<const std::vector<IndexedPatch>> patches_;
   std::vector<Panel> panels_;
   std::vector<Grid> grids_;        // of each patch, by count
   std::vector<Scatter> scatters_;  // beside grids, or all where it is adaptive
@@ -92,6 +118,7 @@ class Tessellation {
   std::vector<std::int32_t> face_patches_;
   std::vector<float> corner_uvs_;
   std::vector<Seam> seams_;  // sorted by vertices
+  std::vector<char> loose_;  // of each row of the pool: whether sides on it may come apart or open
 };
 
 }  // namespace splinecore

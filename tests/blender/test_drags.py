@@ -1,0 +1,129 @@
+"""While points are dragged: the mesh has the bits of one made anew, no faces are built, others are left alone."""
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import VALUES, add, enter, leave, move, require_exact, select
+from support import part, splinecore as sc, vertices
+
+fineness, live, recipes, shape, store = (part(name) for name in (
+    'bridge.fineness', 'bridge.net.live', 'bridge.recipes', 'bridge.shape', 'bridge.store'))
+
+
+@pytest.mark.parametrize('name', ('nurbs patch', 'teapot', 'mixed set', 'ferguson', 'patch with a point at infinity'))
+def test_every_step_shows_what_an_evaluation_from_nothing_shows(name):
+    ob, random = add(VALUES[name]()), np.random.default_rng(8)
+    held = enter()
+    for step in range(12):
+        count = len(live.session(held.data).net.rows)
+        select(held, *random.choice(count, (1, 1, 3)[step % 3]).reshape(-1).tolist())
+        move(*random.normal(0, 0.1, 3))
+        require_exact(ob)
+        if step % 4 == 3:
+            bpy.ops.ed.undo()
+            ob, held = bpy.data.objects["shape"], bpy.context.object
+            require_exact(ob)
+        if step == 6:
+            live.settle(ob.data)
+            require_exact(ob)
+    leave()
+    require_exact(ob)
+
+
+def squares():
+    """Two patches side by side, on rows of their own."""
+    x, y = np.meshgrid(range(3), range(3), indexing='ij')
+    net = np.stack([x, y, 0 * x], -1).astype(float)
+    return sc.PatchSet.from_patches([sc.BezierPatch(net), sc.BezierPatch(net + (2, 0, 0))], merge=False)
+
+
+def built(monkeypatch):
+    """How often faces are built from now on."""
+    calls = []
+
+    def tessellated(*arguments, work=fineness.tessellated):
+        calls.append(arguments)
+        return work(*arguments)
+    monkeypatch.setattr(fineness, 'tessellated', tessellated)
+    return calls
+
+
+def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
+    ob = add(VALUES['teapot']())
+    held = enter()
+    select(held, 40)
+    writes = []
+    monkeypatch.setattr(part('bridge.write_mesh'), 'write', lambda *arguments: writes.append(arguments))
+    move(0, 0, 0.1)                     # makes them known
+    assert not writes
+    calls = built(monkeypatch)
+    for row in (40, 3, 0, 200):
+        select(held, row)
+        move(0.01, 0, 0.02)
+    assert not writes and not calls and store.is_draft(ob.data)
+    monkeypatch.undo()
+    calls = built(monkeypatch)
+    live.settle(ob.data)
+    assert not calls
+    leave()
+
+
+def test_sides_that_come_apart_show_it_at_that_move_and_are_one_again_when_they_meet(monkeypatch):
+    ob = add(squares())
+    held = enter()
+    select(held, 4)
+    move(0, 0, 0.1)
+    joined = len(ob.data.vertices)
+    calls = built(monkeypatch)
+    session = live.session(held.data)
+    there = session.net.definition.pool[:, :3]
+    corner = int(np.flatnonzero((there == (2, 0, 0)).all(1))[0])
+    select(held, corner)
+    move(0, 0, 0.5)
+    assert len(calls) == 1 and len(ob.data.vertices) > joined
+    require_exact(ob)
+    move(0, 0, -0.5)
+    live.settle(ob.data)
+    assert len(ob.data.vertices) == joined
+    leave()
+    require_exact(ob)
+
+
+def test_a_shape_that_is_dragged_among_many_is_the_only_one_that_is_read(monkeypatch):
+    for i in range(30):
+        other = bpy.data.objects.new("other", shape.new_data("other", squares(), (2, 2)))
+        bpy.context.scene.collection.objects.link(other)
+    ob = add(squares())
+    held = enter()
+    select(held, 4)
+    move(0, 0, 0.1)
+    seen = set()
+    for name in ('pool', 'read', 'read_stamp', 'digest', 'is_draft', 'has_definition'):
+        def noted(data, work=getattr(store, name)):
+            seen.add(data.name)
+            return work(data)
+        monkeypatch.setattr(store, name, noted)
+    move(0, 0, 0.1)
+    live.settle(ob.data)
+    assert seen <= {ob.data.name, held.data.name} and ob.data.name in seen
+    monkeypatch.undo()
+    leave()
+
+
+def test_a_shape_that_is_hidden_follows_its_net_and_one_in_no_scene_does_not():
+    ob = add(squares())
+    held = enter()
+    ob.hide_set(True)
+    select(held, 4)
+    move(0, 0, 0.1)
+    require_exact(ob)
+    before = vertices(ob.data)
+    bpy.context.scene.collection.objects.unlink(ob)
+    move(0, 0, 0.1)
+    assert "in no scene" in live.problem(held) and np.array_equal(vertices(ob.data), before)
+    bpy.context.scene.collection.objects.link(ob)
+    move(0, 0, 0.1)
+    assert live.problem(held) == ""
+    require_exact(ob)
+    leave()
