@@ -7,6 +7,7 @@
 
 #include "knot_tables.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Finds the places of parameters on a knot vector, some at once.
@@ -62,3 +63,4 @@ class AxisPlaces {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

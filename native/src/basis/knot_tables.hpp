@@ -11,6 +11,7 @@
 #include "span_tables.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// What is computed of the spans of a knot vector, once for all its copies.
@@ -49,3 +50,4 @@ class KnotTables {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

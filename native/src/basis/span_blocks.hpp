@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// So many numbers for each of many spans, in blocks that whoever asks first fills. No lock is held meanwhile, because
@@ -69,3 +70,4 @@ class SpanBlocks {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

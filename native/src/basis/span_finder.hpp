@@ -8,6 +8,7 @@
 
 #include "splinecore/base/interval.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Finds the span of a parameter among many: the domain is cut into equal parts, of which each knows its first span.
@@ -85,3 +86,4 @@ class SpanFinder {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

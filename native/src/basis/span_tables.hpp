@@ -2,6 +2,7 @@
 
 #include <span>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Writes the (degree + 1)² numbers of KnotVector::bezier_matrix() of the span that begins at *start.
@@ -17,3 +18,4 @@ void fill_derivative_table(const double* start, int degree, int order, double* o
 void differentiate(const double* start, int lower, std::span<double> weights);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -6,6 +6,7 @@
 #include "kernels/kernels.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Writes the Bernstein coefficients, each times its binomial, of the derivatives 0 … order on a span.
@@ -43,3 +44,4 @@ class CurveTables {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -5,10 +5,12 @@
 
 namespace splinecore {
 
+#pragma GCC visibility push(hidden)
 extern const Kernels baseline;
 #if defined(__x86_64__)
 extern const Kernels x86_64_v3;
 #endif
+#pragma GCC visibility pop
 
 namespace {
 

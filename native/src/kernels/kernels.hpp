@@ -11,6 +11,7 @@
 // x = (u - near) / (far - u) in [0, 1] the sum of rows[k] x^k is Horner's scheme in Bernstein form (Volk and Schumaker
 // 1990), without a difference and exact at both ends. The factor ((far - u) / span)^degree cancels in quotients.
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Half of a span of a curve, for derivatives 0 … order.
@@ -146,3 +147,4 @@ struct Kernels {
 const Kernels& kernels() noexcept;
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #define SPLINECORE_TEXT_OF(name) #name
 #define SPLINECORE_NAME_OF(name) SPLINECORE_TEXT_OF(name)
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 const double* binomials(int degree) noexcept;
@@ -35,3 +36,4 @@ const Kernels SPLINECORE_SET{
     pair_sums, pair_points, pair_slopes, pair_normals};
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The points of a patch, as the kernels take them.
@@ -44,3 +45,4 @@ GridRow grid_row(const Samples& u, std::size_t i);
 GridRow grid_row(const Samples& u, std::size_t i, double reach, double scale, std::vector<double>& slopes);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

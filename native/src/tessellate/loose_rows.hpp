@@ -4,6 +4,7 @@
 
 #include "splinecore/patch/panels.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Of each row of the pool, whether moving it may part sides that are one edge, or open one that is a point.
@@ -12,3 +13,4 @@ namespace splinecore {
 std::vector<char> loose_rows(const PatchSet& set, const std::vector<Panel>& panels);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

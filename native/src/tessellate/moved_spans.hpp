@@ -4,6 +4,7 @@
 
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Numbers from begin up to end.
@@ -27,3 +28,4 @@ SpanRectangle all_spans(const NurbsPatch& patch);
 std::vector<SpanRectangle> moved_spans(const NurbsPatch& patch, const NurbsPatch& before);
 
 }  // namespace splinecore
+#pragma GCC visibility pop
