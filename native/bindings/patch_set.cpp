@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "long_calls.hpp"
+#include "patch_evaluation.hpp"
 #include "rooms.hpp"
 #include "splinecore/patch/panels.hpp"
 #include "splinecore/patch/patch_set.hpp"
@@ -232,6 +233,22 @@ void bind_set(py::module_& module) {
             return unlocked([&] { return self.with_points(std::move(rows)); });
           }, py::arg("points"), py::arg("weights") = py::none(),
           "The same patches on another pool. Weights are kept unless given; a pool of another size needs them.");
+  cls.def("evaluate_grid", [](const PatchSet& self, const py::object& u, const py::object& v, const py::object& side,
+                              const py::object& at_infinity, const py::object& dtype, const py::object& out,
+                              const py::object& cancel) {
+            return evaluate_grid(self, u, v, side, at_infinity, dtype, out, cancel);
+          },
+          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          "evaluate_grid() of every patch in one call: (patches, a, b, 3). u and v lie in the domain of each.");
+  cls.def("evaluate_grid_with_normals",
+          [](const PatchSet& self, const py::object& u, const py::object& v, const py::object& side,
+             const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& cancel) {
+            return evaluate_grid_with_normals(self, u, v, side, at_infinity, dtype, out, cancel);
+          },
+          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          "evaluate_grid_with_normals() of every patch in one call: two arrays (patches, a, b, 3).");
   cls.def("flipped", [](const PatchSet& self) { return unlocked([&] { return splinecore::flipped(self); }); },
           "All patches seen from the other side: u and v exchanged.");
   cls.def("edge_counts", &edge_counts,

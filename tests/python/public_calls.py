@@ -172,6 +172,9 @@ PATCH_SET = {
     "from_patches": lambda one, at: sc.PatchSet.from_patches([one[0]]),
     "with_points": lambda one, at: one.with_points(one.points, one.weights),
     "flipped": lambda one, at: one.flipped(),
+    "evaluate_grid": lambda one, at: sc.PatchSet.from_patches([one[0]]).evaluate_grid(*places_of(one[0])),
+    "evaluate_grid_with_normals":
+        lambda one, at: sc.PatchSet.from_patches([one[0]]).evaluate_grid_with_normals(*places_of(one[0])),
     "edge_counts": lambda one, at: one.edge_counts(),
     "seams": lambda one, at: one.seams(),
     "dragged": lambda one, at: one.dragged(0, *map(middle, one[0].domain), xyz(at, 0.5)),

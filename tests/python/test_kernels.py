@@ -98,6 +98,29 @@ def test_a_patch_gives_the_same_bits_however_it_is_asked(patch):
     np.testing.assert_array_equal(patch.evaluate_grid(u, v, dtype=np.float32), grid.astype(np.float32))
 
 
+def test_a_set_gives_the_bits_of_its_patches():
+    rng = np.random.default_rng(4)
+    nets = [rng.normal(size=(4, 4, 3)) for _ in range(3)] + [rng.normal(size=(3, 5, 3))]
+    patches = [sc.BezierPatch(net) for net in nets[:2]] + [sc.BezierPatch(nets[2], rng.uniform(0.5, 2.0, (4, 4)))]
+    patches.append(sc.BezierPatch(nets[3]))
+    together = sc.PatchSet.from_patches(patches)
+    u, v = parameters(10, rng), parameters(14, rng)
+    points, normals = np.empty((2, 4, len(u), len(v), 3))
+    together.evaluate_grid_with_normals(u, v, out=(points, normals))
+    for i, patch in enumerate(patches):
+        expected = patch.evaluate_grid_with_normals(u, v)
+        np.testing.assert_array_equal(points[i], expected[0])
+        np.testing.assert_array_equal(normals[i], expected[1])
+    np.testing.assert_array_equal(together.evaluate_grid(u, v), points)
+    np.testing.assert_array_equal(together.evaluate_grid(u, v, dtype=np.float32), points.astype(np.float32))
+    with pytest.raises(sc.InvalidShape, match=r"patches\[0\]: u\[1\] = 2 is outside"):
+        together.evaluate_grid([0.5, 2.0], v)
+    with pytest.raises(sc.InvalidShape, match="out has shape"):
+        together.evaluate_grid(u, v, out=np.empty((3, len(u), len(v), 3)))
+    with pytest.raises(TypeError, match="not one dtype"):
+        together.evaluate_grid_with_normals(u, v, out=(points, normals.astype(np.float32)))
+
+
 PROGRAM = """
 import json, sys
 import numpy as np

@@ -17,7 +17,7 @@ MORE = np.linspace(0, 4, 4_000_000)
 CALLS = {
     "curve.evaluate": lambda cancel: circle().evaluate(MORE, cancel=cancel),
     "curve.derivatives": lambda cancel: circle().derivatives(MORE, 1, cancel=cancel),
-    "patch.evaluate": lambda cancel: torus().evaluate(MANY, MANY, cancel=cancel),
+    "patch.evaluate": lambda cancel: torus().evaluate(MORE[::4], MORE[::4], cancel=cancel),
     "patch.derivatives": lambda cancel: torus().derivatives(MANY, MANY, 1, cancel=cancel),
     "Tessellation.adaptive":
         lambda cancel: sc.Tessellation.adaptive(sc.PatchSet.from_patches([torus()]), tolerance=1e-5, cancel=cancel),

@@ -899,6 +899,28 @@ class PatchSet:
     @property
     def patches(self) -> list[dict[str, Any]]: ...
     def with_points(self, points: ArrayLike, weights: ArrayLike | None = None) -> PatchSet: ...
+    def evaluate_grid(
+        self,
+        u: ArrayLike,
+        v: ArrayLike,
+        *,
+        side: _Sides = "right",
+        at_infinity: _AtInfinity = "raise",
+        dtype: DTypeLike | None = None,
+        out: _Points | None = None,
+        cancel: _Cancel | None = None,
+    ) -> _Points: ...
+    def evaluate_grid_with_normals(
+        self,
+        u: ArrayLike,
+        v: ArrayLike,
+        *,
+        side: _Sides = "right",
+        at_infinity: _AtInfinity = "raise",
+        dtype: DTypeLike | None = None,
+        out: tuple[_Points, _Points] | None = None,
+        cancel: _Cancel | None = None,
+    ) -> tuple[_Points, _Points]: ...
     def flipped(self) -> PatchSet: ...
     def edge_counts(self) -> dict[str, int]: ...
     def seams(self) -> list[tuple[tuple[int, _Border], tuple[int, _Border]]]: ...

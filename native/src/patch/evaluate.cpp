@@ -285,6 +285,11 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double>
   grid_with_normals(patch, at.u, at.v, points, normals, options.at_infinity);
 }
 
+void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<double> points,
+                   AtInfinity at_infinity) {
+  grid_points(patch, u, v, points, at_infinity);
+}
+
 void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<float> points,
                    AtInfinity at_infinity) {
   grid_points(patch, u, v, points, at_infinity);
@@ -293,6 +298,11 @@ void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, 
 void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
                                 std::span<double> points, std::span<double> normals,
                                 AtInfinity at_infinity) {
+  grid_with_normals(patch, u, v, points, normals, at_infinity);
+}
+
+void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
+                                std::span<float> points, std::span<float> normals, AtInfinity at_infinity) {
   grid_with_normals(patch, u, v, points, normals, at_infinity);
 }
 

@@ -44,12 +44,17 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double>
                                 std::span<float> normals, PatchOptions options = {});
 
 /// The grid's points on samples computed before.
+void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<double> points,
+                   AtInfinity at_infinity = AtInfinity::raise);
 void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<float> points,
                    AtInfinity at_infinity = AtInfinity::raise);
 
 /// The same with normals; the samples must hold first derivatives.
 void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
                                 std::span<double> points, std::span<double> normals,
+                                AtInfinity at_infinity = AtInfinity::raise);
+void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
+                                std::span<float> points, std::span<float> normals,
                                 AtInfinity at_infinity = AtInfinity::raise);
 
 /// The point and the derivatives along u and v at each pair; out.size() == 9 * u.size().

@@ -1,0 +1,92 @@
+#include "splinecore/patch/evaluate_set.hpp"
+
+#include <optional>
+
+#include "splinecore/base/errors.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// The samples of one direction, made anew where the knots are others.
+class AxisCache {
+ public:
+  AxisCache(std::span<const double> parameters, int order, Side side, const char* name)
+      : parameters_(parameters), order_(order), side_(side), name_(name) {}
+
+  const Samples& of(const KnotVector& knots) {
+    if (!knots_ || !(*knots_ == knots)) {
+      samples_ = Samples::make(knots, parameters_, order_, side_, name_);
+      knots_ = knots;
+    }
+    return *samples_;
+  }
+
+ private:
+  std::span<const double> parameters_;
+  int order_;
+  Side side_;
+  const char* name_;
+  std::optional<KnotVector> knots_;
+  std::optional<Samples> samples_;
+};
+
+/// Calls work(patch, u, v, first number, count of numbers) for every patch.
+template <class Work>
+void for_each_patch(const PatchSet& set, std::span<const double> u, std::span<const double> v, int order,
+                    PatchOptions options, Work work) {
+  AxisCache samples_u(u, order, options.side_u, "u");
+  AxisCache samples_v(v, order, options.side_v, "v");
+  const std::size_t count = 3 * u.size() * v.size();
+  for (std::size_t i = 0; i < set.patches().size(); ++i) {
+    const NurbsPatch& patch = nurbs_of(set.patch(i));
+    try {
+      work(patch, samples_u.of(patch.knot_vector(Axis::u)), samples_v.of(patch.knot_vector(Axis::v)), i * count, count);
+    } catch (const InvalidShape& error) {
+      throw InvalidShape("patches" + index_text(i) + ": " + error.what());
+    }
+  }
+}
+
+template <class Real>
+void points_of(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<Real> out,
+               PatchOptions options) {
+  for_each_patch(set, u, v, 0, options, [&](const NurbsPatch& patch, const Samples& at_u, const Samples& at_v,
+                                            std::size_t first, std::size_t count) {
+    evaluate_grid(patch, at_u, at_v, out.subspan(first, count), options.at_infinity);
+  });
+}
+
+template <class Real>
+void normals_of(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<Real> points,
+                std::span<Real> normals, PatchOptions options) {
+  for_each_patch(set, u, v, 1, options, [&](const NurbsPatch& patch, const Samples& at_u, const Samples& at_v,
+                                            std::size_t first, std::size_t count) {
+    evaluate_grid_with_normals(patch, at_u, at_v, points.subspan(first, count), normals.subspan(first, count),
+                               options.at_infinity);
+  });
+}
+
+}  // namespace
+
+void evaluate_grid(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<double> out,
+                   PatchOptions options) {
+  points_of(set, u, v, out, options);
+}
+
+void evaluate_grid(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<float> out,
+                   PatchOptions options) {
+  points_of(set, u, v, out, options);
+}
+
+void evaluate_grid_with_normals(const PatchSet& set, std::span<const double> u, std::span<const double> v,
+                                std::span<double> points, std::span<double> normals, PatchOptions options) {
+  normals_of(set, u, v, points, normals, options);
+}
+
+void evaluate_grid_with_normals(const PatchSet& set, std::span<const double> u, std::span<const double> v,
+                                std::span<float> points, std::span<float> normals, PatchOptions options) {
+  normals_of(set, u, v, points, normals, options);
+}
+
+}  // namespace splinecore
