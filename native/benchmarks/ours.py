@@ -112,10 +112,8 @@ def first_derivatives(run):
     pairs = run.input("pairs", -1, 2)
     u, v = pairs[:, 0].copy(), pairs[:, 1].copy()
 
-    def rows(out):
-        return np.stack([out[:, 0, 0], out[:, 1, 0], out[:, 0, 1]], 1).reshape(-1, 9)
-
-    run.fresh_and_reused(surface(run).derivatives, (u, v, 1), [(len(u), 2, 2, 3)], len(u), rows)
+    run.fresh_and_reused(surface(run).first_derivatives, (u, v), [(len(u), 3, 3)], len(u),
+                         lambda out: out.reshape(-1, 9))
 
 
 def verb(run, call, items, work, rows):
@@ -135,7 +133,7 @@ def elevate(run):
 
 def beziers(run):
     shape = long_curve(run)
-    verb(run, "to_bezier", 997, shape.to_bezier, lambda made: np.concatenate([piece.points for piece in made]))
+    verb(run, "bezier_points", 997, shape.bezier_points, lambda made: made[..., :3].reshape(-1, 3))
 
 
 def many_patches(run):

@@ -71,19 +71,22 @@ Rounded rounded_sum(std::span<const double> u, std::span<const double> v, const 
   return sum;
 }
 
+/// As far as a number of terms needs them, which is the order of the samples.
 LocalDerivatives local_derivatives(const NurbsPatch& patch, const Samples& u, const Samples& v, double unit) {
   std::vector<glm::dvec4> points = control_points(patch, u, v);
   double heaviest = 0.0;
   for (const glm::dvec4& p : points) heaviest = std::max(heaviest, std::abs(p.w));
   const int exponent = heaviest > 0.0 ? -std::ilogb(heaviest) : 0;
-  for (glm::dvec4& p : points) p.w = std::ldexp(p.w, exponent);
+  for (glm::dvec4& p : points) {
+    for (int axis = p.w == 0.0 ? 0 : 3; axis < 4; ++axis) p[axis] = std::ldexp(p[axis], exponent);
+  }
   const glm::dvec3 origin = project(local_sum(u.weights(0), v.weights(0), homogeneous(points)));
   for (glm::dvec4& p : points) {
     if (p.w != 0.0) p = glm::dvec4(p.w * (glm::dvec3(p) - origin), p.w);
   }
   LocalDerivatives local;
-  for (int k = 0; k < local.kWidth; ++k) {
-    for (int l = 0; l < local.kWidth; ++l) {
+  for (int k = 0; k <= u.order(); ++k) {
+    for (int l = 0; k + l <= u.order(); ++l) {
       local.values[k * local.kWidth + l] = rounded_sum(u.weights(0, k), v.weights(0, l), points, unit);
     }
   }
@@ -91,10 +94,10 @@ LocalDerivatives local_derivatives(const NurbsPatch& patch, const Samples& u, co
 }
 
 /// The derivative in_u, in_v along the way (a, b) from the point.
-Series<Rounded> along(const LocalDerivatives& local, double a, double b, int in_u, int in_v) {
+Series<Rounded> along(const LocalDerivatives& local, double a, double b, int in_u, int in_v, int terms) {
   Series<Rounded> series;
   double factorial = 1.0;
-  for (int n = 0; n < kTerms; ++n, factorial *= n) {
+  for (int n = 0; n < terms; ++n, factorial *= n) {
     for (int k = 0; k <= n; ++k) {
       const double factor = binomial(n, k) / factorial * std::pow(a, k) * std::pow(b, n - k);
       const Rounded& there = local.values[(k + in_u) * local.kWidth + (n - k + in_v)];
@@ -114,15 +117,15 @@ struct RoundedNormal {
 
 /// Adds w (x x y) to a series of normals.
 void add_product(Series<RoundedNormal>& sum, const Series<Rounded>& w, const Series<Rounded>& x,
-                 const Series<Rounded>& y) {
-  for (int i = 0; i < kTerms; ++i) {
-    for (int j = 0; i + j < kTerms; ++j) {
+                 const Series<Rounded>& y, int terms) {
+  for (int i = 0; i < terms; ++i) {
+    for (int j = 0; i + j < terms; ++j) {
       const glm::dvec3 at_x(x[i].value);
       const glm::dvec3 at_y(y[j].value);
       const glm::dvec3 normal = glm::cross(at_x, at_y);
       const double size = glm::length(at_x) * glm::length(at_y);
       const double noise = x[i].noise * glm::length(at_y) + (glm::length(at_x) + x[i].noise) * y[j].noise;
-      for (int k = 0; i + j + k < kTerms; ++k) {
+      for (int k = 0; i + j + k < terms; ++k) {
         sum[i + j + k].value += w[k].value.w * normal;
         sum[i + j + k].noise += std::abs(w[k].value.w) * noise + w[k].weight_noise * (size + noise);
       }
@@ -164,29 +167,36 @@ double NormalFinder::scale(Axis axis) const {
 /// S_u x S_v times W^3, from the homogeneous S = A / W, is W A_u x A_v + W_u A_v x A + W_v A x A_u:
 /// as a power series along a straight way into the domain its first coefficient that is not
 /// rounding is the direction of the limit.
-glm::dvec3 NormalFinder::limit(double u, double v, PatchOptions options) const {
+std::optional<glm::dvec3> NormalFinder::first_term(double u, double v, PatchOptions options, int terms) const {
   const KnotVector& knots_u = patch_.knot_vector(Axis::u);
   const KnotVector& knots_v = patch_.knot_vector(Axis::v);
   const LocalDerivatives local =
-      local_derivatives(seen(), Samples::make(knots_u, {&u, 1}, kTerms, options.side_u),
-                        Samples::make(knots_v, {&v, 1}, kTerms, options.side_v), unit_);
+      local_derivatives(seen(), Samples::make(knots_u, {&u, 1}, terms, options.side_u),
+                        Samples::make(knots_v, {&v, 1}, terms, options.side_v), unit_);
   const double a = step_inward(knots_u, u, options.side_u);
   const double b = step_inward(knots_v, v, options.side_v);
-  const auto point = along(local, a, b, 0, 0);
-  const auto slope_u = along(local, a, b, 1, 0);
-  const auto slope_v = along(local, a, b, 0, 1);
+  const auto point = along(local, a, b, 0, 0, terms);
+  const auto slope_u = along(local, a, b, 1, 0, terms);
+  const auto slope_v = along(local, a, b, 0, 1, terms);
   Series<RoundedNormal> normals;
-  add_product(normals, point, slope_u, slope_v);
-  add_product(normals, slope_u, slope_v, point);
-  add_product(normals, slope_v, point, slope_u);
-  for (const RoundedNormal& normal : normals) {
+  add_product(normals, point, slope_u, slope_v, terms);
+  add_product(normals, slope_u, slope_v, point, terms);
+  add_product(normals, slope_v, point, slope_u, terms);
+  for (const RoundedNormal& normal : std::span(normals).first(static_cast<std::size_t>(terms))) {
     // About the size of the derivatives by the parts of a span: no square leaves the numbers.
     const glm::dvec3 value = normal.value * std::abs(a) * std::abs(b);
     const double length = glm::length(value);
     if (!std::isfinite(length)) break;
     if (length > normal.noise * std::abs(a) * std::abs(b)) return (point[0].value.w < 0.0 ? -value : value) / length;
   }
-  return glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+  return std::nullopt;
+}
+
+glm::dvec3 NormalFinder::limit(double u, double v, PatchOptions options) const {
+  constexpr int kFew = 2;
+  std::optional<glm::dvec3> found = first_term(u, v, options, kFew);
+  if (!found) found = first_term(u, v, options, kTerms);
+  return found.value_or(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace splinecore

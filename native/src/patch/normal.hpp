@@ -27,6 +27,8 @@ class NormalFinder {
   glm::dvec3 limit(double u, double v, PatchOptions options) const;
 
  private:
+  std::optional<glm::dvec3> first_term(double u, double v, PatchOptions options, int terms) const;
+
   const NurbsPatch& patch_;
   std::optional<NurbsPatch> near_;
   double reach_ = 0.0;
