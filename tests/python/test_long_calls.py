@@ -129,7 +129,7 @@ def test_the_first_readers_of_a_value_may_be_many():
 
 
 def test_other_threads_run_during_a_long_call():
-    patch = sc.BezierPatch(random_points(20, 20, seed=1))
+    patch = sc.BezierPatch(random_points(200, 200, seed=1))
     u = np.linspace(0, 1, 1000)
     ticks, stop = [], threading.Event()
 
