@@ -60,11 +60,23 @@ class Locator {
   void locate(std::span<const double> u, std::size_t first, Located& found) const {
     for (std::size_t i = 0; i < u.size(); ++i) found.u[i] = admitted(u[i], first + i);
     finder_.find_all(found.u.data(), u.size(), side_, found.half.data());
-    const double* const bounds = finder_.bounds();
+    const double* const middles = finder_.middles();
     for (std::size_t i = 0; i < u.size(); ++i) {
-      const double* const ends = bounds + found.half[i];
-      const bool is_second = (found.u[i] > Interval{ends[0], ends[1]}.middle()) | (found.u[i] == ends[1]);
-      found.half[i] = 2 * found.half[i] + static_cast<int>(is_second);
+      found.half[i] = 2 * found.half[i] + static_cast<std::int32_t>(found.u[i] > middles[found.half[i]]);
+    }
+  }
+
+  /// What kernels take for those from begin to end.
+  void write(const Located& found, std::size_t begin, std::size_t end, ScatteredHalves& halves) const {
+    const double* const bounds = finder_.bounds();
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::int32_t span = found.half[i] / 2;
+      const std::int32_t second = found.half[i] % 2;
+      halves.u[i - begin] = found.u[i];
+      halves.near[i - begin] = bounds[span + second];
+      halves.far[i - begin] = bounds[span + 1 - second];
+      halves.rows[i - begin] = rows(found.half[i]);
+      halves.step[i - begin] = 4 - 8 * second;
     }
   }
 
@@ -83,8 +95,9 @@ class Locator {
     return {ends(half)[second], ends(half)[1 - second], rows(half), 4 - 8 * second};
   }
 
+  /// The parameters of a half.
   Interval range(int half) const {
-    const double middle = Interval{ends(half)[0], ends(half)[1]}.middle();
+    const double middle = finder_.middles()[half / 2];
     return half % 2 == 0 ? Interval{ends(half)[0], middle} : Interval{middle, ends(half)[1]};
   }
 
@@ -100,37 +113,15 @@ class Locator {
   std::size_t size_;
 };
 
-/// Parameters with a half each, for a kernel.
-class Scattered {
- public:
-  void add(double u, int half, const Locator& locator) {
-    const int second = half % 2;
-    const double* const ends = locator.ends(half);
-    halves_.u[count_] = u;
-    halves_.near[count_] = ends[second];
-    halves_.far[count_] = ends[1 - second];
-    halves_.rows[count_] = locator.rows(half);
-    halves_.step[count_] = 4 - 8 * second;
-    ++count_;
-  }
-  std::size_t size() const { return count_; }
-  const ScatteredHalves& halves() const { return halves_; }
-  void clear() { count_ = 0; }
-
- private:
-  ScatteredHalves halves_;
-  std::size_t count_ = 0;
-};
-
 /// The homogeneous point at an admitted parameter.
 glm::dvec4 homogeneous_at(const NurbsCurve& curve, double u, Side side) {
   const Locator locator(curve, 0, side);
   Located found;
   locator.locate({&u, 1}, 0, found);
-  Scattered one;
-  one.add(found.u[0], found.half[0], locator);
+  ScatteredHalves one;
+  locator.write(found, 0, 1, one);
   glm::dvec4 point;
-  kernels().curve_homogeneous({curve.degree(), 0, curve.rational()}, one.halves(), 1, &point.x);
+  kernels().curve_homogeneous({curve.degree(), 0, curve.rational()}, one, 1, &point.x);
   return point;
 }
 
@@ -164,29 +155,41 @@ class Batch {
         locator_(curve, order, options.side), u_(u), out_(out), columns_(3 * (static_cast<std::size_t>(order) + 1)) {}
 
   void run() {
-    Located found;
     for (std::size_t i = 0; i < u_.size();) {
       const std::size_t count = std::min(kScattered, u_.size() - i);
-      locator_.locate(u_.subspan(i, count), i, found);
-      std::size_t done = 0;
-      while (done < count) {
-        const bool is_run = done + 3 < count && found.half[done] == found.half[done + 1] &&
-                            found.half[done] == found.half[done + 2] && found.half[done] == found.half[done + 3];
-        const std::size_t run = is_run ? run_from(i + done, found.half[done]) : 0;
-        if (run == 0) scattered_.add(found.u[done], found.half[done], locator_);
-        done += std::max<std::size_t>(run, 1);
-        if (run == 0 && scattered_.size() == kScattered) flush(i + done);
-      }
-      i += done;
-      flush(i);
+      locator_.locate(u_.subspan(i, count), i, found_);
+      i += advance(i, count);
     }
   }
 
  private:
+  /// Writes the values of the parameters that were located, from i on, and perhaps more; returns how many.
+  std::size_t advance(std::size_t i, std::size_t count) {
+    std::size_t scattered = 0;
+    for (std::size_t done = 0; done < count;) {
+      const std::size_t run = begins_run(done, count) ? run_from(i + done, found_.half[done]) : 0;
+      if (run > 0) {
+        write_scattered(i, scattered, done);
+        scattered = done + run;
+      }
+      done += std::max<std::size_t>(run, 1);
+      if (done >= count) {
+        write_scattered(i, scattered, std::min(done, count));
+        return done;
+      }
+    }
+    return count;
+  }
+
+  /// Whether four parameters lie in one half.
+  bool begins_run(std::size_t at, std::size_t count) const {
+    const std::int32_t* const half = found_.half.data() + at;
+    return at + 3 < count && half[0] == half[1] && half[0] == half[2] && half[0] == half[3];
+  }
+
   /// As many parameters from i on as lie strictly inside a half, four by four.
   std::size_t run_from(std::size_t i, int half) {
     constexpr std::size_t kMost = std::size_t{1} << 12;
-    flush(i);
     const auto part = u_.subspan(i, std::min(kMost, u_.size() - i));
     const Interval range = locator_.range(half);
     int found = 0;
@@ -197,14 +200,14 @@ class Batch {
     return done;
   }
 
-  /// Those that are scattered, the last of them before `end`.
-  void flush(std::size_t end) {
-    const std::size_t count = scattered_.size();
-    if (count == 0) return;
-    scattered_.clear();
+  /// Those from begin to end of the parameters that were located, of which the first is number i.
+  void write_scattered(std::size_t i, std::size_t begin, std::size_t end) {
+    if (begin >= end) return;
+    locator_.write(found_, begin, end, halves_);
+    const std::size_t count = end - begin;
     breathe(count * columns_ * static_cast<std::size_t>(form_.degree + 2));
-    const int found = scattered_of(form_, scattered_.halves(), count, out_.data() + columns_ * (end - count));
-    if (found != 0) settle_all(end - count, end);
+    const int found = scattered_of(form_, halves_, count, out_.data() + columns_ * (i + begin));
+    if (found != 0) settle_all(i + begin, i + end);
   }
 
   void settle_all(std::size_t begin, std::size_t end) {
@@ -217,7 +220,8 @@ class Batch {
   CurveForm form_;
   EvaluateOptions options_;
   Locator locator_;
-  Scattered scattered_;
+  Located found_;
+  ScatteredHalves halves_;
   std::span<const double> u_;
   std::span<Real> out_;
   std::size_t columns_;
