@@ -4,6 +4,7 @@
 #include "rooms.hpp"
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/basis/instruction_set.hpp"
 #include "wrong_calls.hpp"
 
 namespace py = pybind11;
@@ -37,6 +38,7 @@ void bind_errors(py::module_& module) {
 PYBIND11_MODULE(_splinecore, module) {
   module.doc() = "Exact NURBS, Bezier and Hermite curves and patches.";
   module.attr("__version__") = SPLINECORE_VERSION;
+  module.attr("__instruction_set__") = splinecore::instruction_set();
 
   bind_errors(module);
 

@@ -74,7 +74,9 @@ std::pair<py::object, py::object> outputs_of(const py::object& out) {
   return pair_argument(out, "out");
 }
 
-void require_one_dtype(const Output& points, const Output& normals) {
+void require_two_outputs(const Output& points, const Output& normals) {
+  const bool are_one = py::module_::import("numpy").attr("may_share_memory")(points.array(), normals.array()).cast<bool>();
+  if (are_one && points.array().size() > 0) throw InvalidShape("out: points and normals share memory");
   if (points.single() != normals.single()) throw py::type_error("out: points and normals have not one dtype");
 }
 
@@ -159,7 +161,7 @@ py::tuple evaluate_grid_with_normals(const NurbsPatch& patch, const py::object& 
   const Shape shape{u.size(), v.size(), 3};
   const Output points(shape, to_points, dtype);
   const Output normals(shape, to_normals, dtype);
-  require_one_dtype(points, normals);
+  require_two_outputs(points, normals);
   const PatchOptions options = options_of(side, at_infinity);
   const std::span rows(u.data(), static_cast<std::size_t>(u.size()));
   const std::span columns(v.data(), static_cast<std::size_t>(v.size()));
@@ -207,7 +209,7 @@ py::tuple evaluate_grid_with_normals(const PatchSet& set, const py::object& at_u
   const Shape shape{static_cast<py::ssize_t>(set.patches().size()), u.size(), v.size(), 3};
   const Output points(shape, to_points, dtype);
   const Output normals(shape, to_normals, dtype);
-  require_one_dtype(points, normals);
+  require_two_outputs(points, normals);
   const PatchOptions options = options_of(side, at_infinity);
   const std::span rows(u.data(), static_cast<std::size_t>(u.size()));
   const std::span columns(v.data(), static_cast<std::size_t>(v.size()));

@@ -105,6 +105,7 @@ std::string trouble_with(const Parameter& parameter, const py::handle& value) {
 std::string trouble_with(const Signature& signature, const py::args& given, std::size_t from, const py::kwargs& named) {
   const auto& parameters = signature.parameters;
   const auto places = static_cast<std::size_t>(std::ranges::count(parameters, false, &Parameter::is_by_name));
+  if (given.size() < from) return "misses self";
   const std::size_t count = given.size() - from;
   if (count > places && !signature.takes_more) {
     const char* arguments = places == 1 ? " argument by place, " : " arguments by place, ";

@@ -32,12 +32,11 @@ void demand_points(std::span<const double> points, const Places& places) {
   if (places.options.at_infinity == AtInfinity::raise) demand_finite(points, "a point");
 }
 
-/// Unit vectors, or (0, 0, 0); NaN where the point is.
-void demand_normals(std::span<const double> normals, const Places& places) {
+/// Unit vectors, or NaN where there is none.
+void demand_normals(std::span<const double> normals) {
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
     const double size = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
-    const bool is_marked = std::isnan(size) && places.options.at_infinity == AtInfinity::nan;
-    demand(is_marked || size == 0.0 || std::abs(size - 1.0) < 1e-9, "a normal has length " + std::to_string(size));
+    demand(std::isnan(size) || std::abs(size - 1.0) < 1e-9, "a normal has length " + std::to_string(size));
   }
 }
 
@@ -56,7 +55,7 @@ constexpr PatchStep kMeasures[] = {
       std::vector<double> normals(out.size());
       evaluate_with_normals(patch, places.u, places.v, out, normals, places.options);
       demand_points(out, places);
-      demand_normals(normals, places);
+      demand_normals(normals);
     },
     [](Bytes& bytes, NurbsPatch& patch) {
       const Places places(bytes, patch);
@@ -66,7 +65,7 @@ constexpr PatchStep kMeasures[] = {
       demand_points(out, places);
       evaluate_grid_with_normals(patch, places.u, places.v, out, normals, places.options);
       demand_points(out, places);
-      demand_normals(normals, places);
+      demand_normals(normals);
     },
     [](Bytes& bytes, NurbsPatch& patch) {
       const Places places(bytes, patch);

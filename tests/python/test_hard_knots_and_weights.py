@@ -45,6 +45,12 @@ def test_reversing_keeps_every_point_where_a_short_span_lies_far_from_the_other_
     assert back.reversed() == curve
 
 
+def test_a_curve_with_one_short_span_stays_where_it_is():
+    curve = sc.NurbsCurve(3, [0] * 4 + [1e-4, 3.3333] + [7.1] * 4, np.random.default_rng(8).normal(size=(6, 3)))
+    assert curve.reversed().domain == curve.domain
+    assert curve.reversed().reversed().largest_distance(curve) <= 1e-9
+
+
 def test_reversing_keeps_the_domain_where_it_can():
     for knots in ([0.0] * 4 + [1 / 3, 0.7] + [1.0] * 4, [5.0] * 4 + [5.1] + [7.3] * 4, list(np.linspace(-1, 3, 13))):
         curve = sc.NurbsCurve(3, knots, RNG(2).normal(size=(len(knots) - 4, 3)))

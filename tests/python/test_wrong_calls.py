@@ -108,3 +108,8 @@ def test_documentation_and_equality_stay():
     assert sc.NurbsCurve.evaluate.__doc__.startswith("evaluate(self: ")
     assert "Overloaded" not in "".join(getattr(cls, key).__doc__ for _, cls, key in methods())
     assert LINE != 3 and LINE == sc.loads(sc.dumps(LINE)) and (LINE == "x") is False
+
+
+def test_a_method_called_without_an_object_misses_it():
+    with pytest.raises(TypeError, match=r"NurbsCurve.evaluate\(\) misses self"):
+        sc.NurbsCurve.evaluate()

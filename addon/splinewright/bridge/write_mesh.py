@@ -31,11 +31,11 @@ def write(mesh, tessellation, positions, normals, sharp):
 def move(mesh, positions):
     """Give the vertices other positions, float32. Normals are Blender's own, turned as they were or not, until the next
     write(): exact ones would be most of a drag's work."""
+    _write_positions(mesh, positions)
     if versions.has_auto_smooth:
         mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
     if versions.keeps_exact_normals and 'custom_normal' in mesh.attributes:
         mesh.attributes.remove(mesh.attributes['custom_normal'])    # of another shape
-    _write_positions(mesh, positions)
     mesh.update()
 
 

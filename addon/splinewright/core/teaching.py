@@ -95,7 +95,8 @@ def _de_boor(curve, u):
     """[(n, 4)]: the control points of the span, then those that each insertion of u brings (Boehm 1980)."""
     curve = curve.unrolled()
     if u == curve.domain[1]:
-        curve, u = curve.reversed(), curve.domain[0]
+        curve = curve.reversed()
+        u = curve.domain[0]
     degree = curve.degree
     span = int(np.searchsorted(curve.knots, u, 'right')) - 1
     levels = [curve.homogeneous_points[span - degree:span + 1]]

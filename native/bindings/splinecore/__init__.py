@@ -30,6 +30,7 @@ from ._splinecore import (
     SeamContinuity,
     Tessellation,
     ToleranceNotReached,
+    __instruction_set__,
     __version__,
     dumps,
     loads,

@@ -39,6 +39,7 @@ __all__ = [
 ]
 
 __version__: str
+__instruction_set__: str
 
 _Side = Literal["left", "right"]
 _Sides = _Side | tuple[_Side, _Side]

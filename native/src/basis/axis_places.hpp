@@ -17,12 +17,9 @@ class AxisPlaces {
 
   /// @param order  of the highest derivative wanted, 2 at most
   AxisPlaces(const KnotVector& knots, int order, const char* name)
-      : knots_(knots), tables_(knots.tables()), domain_(knots.domain()), order_(order), name_(name) {
-    for (int k = 0; k <= order; ++k) {
-      rows_[k] = tables_.all_derivative_rows(knots, k);
-      size_[k] = tables_.derivatives[k].size();
-    }
-  }
+      : knots_(knots), tables_(knots.tables()), domain_(knots.domain()), order_(order), name_(name),
+        rows_(tables_.all_rows(knots, order)), size_(tables_.size(order)), bounds_(tables_.finder.bounds()),
+        starts_(knots.spans().data()), degree_(knots.degree()) {}
 
   /// Finds the spans of up to kMost parameters. @param first  the number of the first one
   void locate(std::span<const double> u, std::size_t first, Side side) {
@@ -37,17 +34,15 @@ class AxisPlaces {
   double parameter(std::size_t i) const noexcept { return u_[i]; }
 
   /// The first control point that it depends on.
-  int first(std::size_t i) const noexcept { return knots_.spans()[spans_[i]] - knots_.degree(); }
+  int first(std::size_t i) const noexcept { return starts_[spans_[i]] - degree_; }
 
   void write(std::size_t i, BasisPlace& place) const {
-    const double start = tables_.finder.bounds()[spans_[i]];
-    const double end = tables_.finder.bounds()[spans_[i] + 1];
+    const std::int32_t span = spans_[i];
+    const double start = bounds_[span];
+    const double end = bounds_[span + 1];
     place.t = (u_[i] - start) / (end - start);
     place.s = (end - u_[i]) / (end - start);
-    for (int k = 0; k <= order_; ++k) {
-      place.rows[k] = rows_[k] != nullptr ? rows_[k] + static_cast<std::size_t>(spans_[i]) * size_[k]
-                                          : tables_.derivative_rows(knots_, spans_[i], k);
-    }
+    place.rows = rows_ != nullptr ? rows_ + static_cast<std::size_t>(span) * size_ : tables_.rows(knots_, span, order_);
   }
 
  private:
@@ -56,8 +51,11 @@ class AxisPlaces {
   Interval domain_;
   int order_;
   const char* name_;
-  const double* rows_[3] = {};
-  std::size_t size_[3] = {};
+  const double* rows_;
+  std::size_t size_;
+  const double* bounds_;
+  const int* starts_;
+  int degree_;
   std::array<double, kMost> u_;
   std::array<std::int32_t, kMost> spans_;
 };

@@ -16,10 +16,16 @@ namespace splinecore {
 
 /// What is computed of the spans of a knot vector, once for all its copies.
 class KnotTables {
+  static constexpr int kOrder = 2;
+
   /// What SpanBlocks fill the rows of a span with.
   static auto filler(const KnotVector& knots, int order) {
     return [&knots, order](std::size_t span, double* out) {
-      fill_derivative_table(knots.unrolled().data() + knots.spans()[span], knots.degree(), order, out);
+      const double* const start = knots.unrolled().data() + knots.spans()[span];
+      for (int k = 0; k <= (order > 0 ? kOrder : 0); ++k) {
+        fill_derivative_table(start, knots.degree(), k, out);
+        out += rows_of(knots.degree(), k) * table_width(knots.degree());
+      }
     };
   }
 
@@ -27,26 +33,28 @@ class KnotTables {
   KnotTables(std::size_t spans, int degree, std::vector<double> starts, double end)
       : finder(std::move(starts), end),
         matrices(spans, (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 1)),
-        derivatives{{spans, rows_of(degree, 0)}, {spans, rows_of(degree, 1)}, {spans, rows_of(degree, 2)}} {}
+        values_(spans, rows_of(degree, 0) * table_width(degree)),
+        derivatives_(spans, (rows_of(degree, 0) + rows_of(degree, 1) + rows_of(degree, 2)) * table_width(degree)) {}
 
-  /// Rows of a span for derivative `order`: see fill_derivative_table().
-  const double* derivative_rows(const KnotVector& knots, int span, int order) {
-    return derivatives[order].of(static_cast<std::size_t>(span), filler(knots, order));
+  /// Rows of a span for derivatives 0 … order, 2 at most, one after the other: see fill_derivative_table().
+  const double* rows(const KnotVector& knots, int span, int order) {
+    return of_order(order).of(static_cast<std::size_t>(span), filler(knots, order));
   }
 
-  /// Those of all spans, derivatives[order].size() numbers each, if they are few; or nullptr.
-  const double* all_derivative_rows(const KnotVector& knots, int order) {
-    return derivatives[order].together(filler(knots, order));
-  }
+  /// Those of all spans, size() numbers each, if they are few; or nullptr.
+  const double* all_rows(const KnotVector& knots, int order) { return of_order(order).together(filler(knots, order)); }
+  std::size_t size(int order) const noexcept { return (order > 0 ? derivatives_ : values_).size(); }
 
   SpanFinder finder;
   SpanBlocks matrices;
-  SpanBlocks derivatives[3];
 
  private:
-  static std::size_t rows_of(int degree, int order) {
-    return static_cast<std::size_t>(std::max(degree + 1 - order, 0)) * table_width(degree);
-  }
+  static std::size_t rows_of(int degree, int order) { return static_cast<std::size_t>(std::max(degree + 1 - order, 0)); }
+
+  SpanBlocks& of_order(int order) { return order > 0 ? derivatives_ : values_; }
+
+  SpanBlocks values_;
+  SpanBlocks derivatives_;
 };
 
 }  // namespace splinecore

@@ -81,7 +81,7 @@ double mirror_image(double u, const Interval& range) {
 
 /// Whether every `window` steps that have a length keep it but for a few roundings of that length.
 bool keeps_steps(std::span<const double> knots, std::span<const double> mirrored, std::size_t window) {
-  constexpr double kSlack = 0x1p-40;
+  constexpr double kSlack = 0x1p-30;
   const std::size_t last = knots.size() - 1;
   for (std::size_t i = 0; i < last; ++i) {
     const std::size_t end = std::min(i + window, last);

@@ -27,7 +27,7 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
   const std::size_t columns = knots_v.degree() + 1;
   const auto matrix_u = knots_u.bezier_matrix(span_u);
   const auto matrix_v = knots_v.bezier_matrix(span_v);
-  std::vector<glm::dvec4> net = as_given_from(patch, bezier_piece(patch, span_u, span_v).values).made;
+  GivenPoints given = as_given_from(patch, bezier_piece(patch, span_u, span_v).values);
   for (std::size_t i = 0; i < rows; ++i) {
     const int row = copied_point(matrix_u.subspan(i * rows, rows));
     if (row < 0) continue;
@@ -36,10 +36,10 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
       if (column < 0) continue;
       const int u = (knots_u.spans()[span_u] - knots_u.degree() + row) % knots_u.count();
       const int v = (knots_v.spans()[span_v] - knots_v.degree() + column) % knots_v.count();
-      net[i * columns + j] = patch.points()[u * knots_v.count() + v];
+      given.made[i * columns + j] = given.old[u * knots_v.count() + v];
     }
   }
-  return net;
+  return std::move(given.made);
 }
 
 }  // namespace
@@ -48,9 +48,10 @@ std::vector<BezierCurve> to_bezier(const NurbsCurve& curve) {
   const KnotVector& knots = curve.knot_vector();
   std::vector<BezierCurve> beziers;
   for (int span = 0; span < static_cast<int>(knots.spans().size()); ++span) {
-    std::vector<glm::dvec4> given = as_given_from(curve, bezier_piece(curve, span).values).made;
-    keep_points(curve.points(), knots.bezier_matrix(span), knots.spans()[span] - knots.degree(), knots.count(), given);
-    beziers.push_back(BezierCurve::make(std::move(given)));
+    GivenPoints given = as_given_from(curve, bezier_piece(curve, span).values);
+    const int first = knots.spans()[span] - knots.degree();
+    keep_points(given.old, knots.bezier_matrix(span), first, knots.count(), given.made);
+    beziers.push_back(BezierCurve::make(std::move(given.made)));
   }
   return beziers;
 }

@@ -15,8 +15,8 @@ void fill_rows(const NurbsCurve& curve, std::size_t span, int order, double* out
   const std::size_t width = table_width(degree);
   const std::size_t count = static_cast<std::size_t>(degree) + 1;
   const glm::dvec4* points = curve.homogeneous_points().data() + knots.spans()[span] - degree;
+  const double* table = knots.tables().rows(knots, static_cast<int>(span), order);
   for (int k = 0; k <= std::min(order, degree); ++k) {
-    const double* table = knots.tables().derivative_rows(knots, static_cast<int>(span), k);
     breathe(4 * count * count);
     for (int j = 0; j <= degree - k; ++j, table += width, out += 4) {
       const glm::dvec4 sum = binomial(degree - k, j) * weighted_sum({table, count}, points);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <string>
 
 #include "basis/knot_tables.hpp"
@@ -113,35 +114,41 @@ class Locator {
   std::size_t size_;
 };
 
-/// The homogeneous point at an admitted parameter.
-glm::dvec4 homogeneous_at(const NurbsCurve& curve, double u, Side side) {
-  const Locator locator(curve, 0, side);
-  Located found;
-  locator.locate({&u, 1}, 0, found);
-  ScatteredHalves one;
-  locator.write(found, 0, 1, one);
-  glm::dvec4 point;
-  kernels().curve_homogeneous({curve.degree(), 0, curve.rational()}, one, 1, &point.x);
-  return point;
+/// Homogeneous derivatives, as many as there are values, at the parameter of a stencil, and the quotient rule.
+void derivatives_at(const NurbsCurve& curve, const Stencil& at, std::span<glm::dvec4> homogeneous,
+                    std::span<glm::dvec3> values) {
+  const glm::dvec4* points = curve.homogeneous_points().data() + at.first();
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    homogeneous[k] = weighted_sum(at.weights(static_cast<int>(k)), points);
+    values[k] = glm::dvec3(homogeneous[k]);
+  }
+  if (curve.rational()) quotient_derivatives(homogeneous, values);
 }
 
-/// Puts in order what is no number among the values at one parameter.
+/// Puts in order what is no number among the values at one parameter. The kernels' sums are larger than the points by up
+/// to 2^degree; those of a stencil are not.
 template <class Real>
 void settle(const NurbsCurve& curve, double u, EvaluateOptions options, std::span<Real> values) {
-  const auto is_number = [&](std::size_t k) {
-    return std::isfinite(values[3 * k]) && std::isfinite(values[3 * k + 1]) && std::isfinite(values[3 * k + 2]);
+  const auto is_number = [](const Real* value) {
+    return std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]);
   };
-  for (std::size_t k = 0; 3 * k < values.size(); ++k) {
-    if (is_number(k)) continue;
-    const glm::dvec4 h = homogeneous_at(curve, u, options.side);
-    const glm::dvec3 point = curve.rational() ? project(h) : glm::dvec3(h);
-    const bool is_far = !is_finite(point);
-    if (options.at_infinity == AtInfinity::raise && is_far) throw PointAtInfinity(u);
-    if (options.at_infinity == AtInfinity::raise && k > 0) {
+  const std::size_t count = values.size() / 3;
+  const auto is_written = [&](std::size_t k) { return is_number(&values[3 * k]); };
+  if (std::ranges::all_of(std::views::iota(std::size_t{0}, count), is_written)) return;
+  Stencil at(curve.knot_vector(), static_cast<int>(count) - 1);
+  at.move_to(u, options.side);
+  std::vector<glm::dvec4> homogeneous(count);
+  std::vector<glm::dvec3> found(count);
+  derivatives_at(curve, at, homogeneous, found);
+  const bool is_far = !is_finite(found[0]);
+  if (is_far && options.at_infinity == AtInfinity::raise) throw PointAtInfinity(u);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (is_written(k)) continue;
+    if (!is_finite(found[k]) && options.at_infinity == AtInfinity::raise) {
       throw InvalidShape("derivative " + std::to_string(k) + " at u = " + text_of(u) + " is too large for a number");
     }
     for (int axis = 0; axis < 3; ++axis) {
-      values[3 * k + axis] = static_cast<Real>(k > 0 || is_far ? kNan : point[axis]);
+      values[3 * k + axis] = static_cast<Real>(is_finite(found[k]) ? found[k][axis] : kNan);
     }
   }
 }
@@ -227,17 +234,6 @@ class Batch {
   std::size_t columns_;
 };
 
-/// Homogeneous derivatives 0 … order at an admitted parameter, and the quotient rule.
-void derivatives_at(const NurbsCurve& curve, Stencil& at, std::span<glm::dvec4> homogeneous,
-                    std::span<glm::dvec3> values) {
-  const glm::dvec4* points = curve.homogeneous_points().data() + at.first();
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    homogeneous[k] = weighted_sum(at.weights(static_cast<int>(k)), points);
-    values[k] = glm::dvec3(homogeneous[k]);
-  }
-  if (curve.rational()) quotient_derivatives(homogeneous, values);
-}
-
 }  // namespace
 
 void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
@@ -273,8 +269,10 @@ void derivatives(const NurbsCurve& curve, std::span<const double> parameters, in
 
 void evaluate_homogeneous(const NurbsCurve& curve, std::span<const double> parameters,
                           std::span<glm::dvec4> out, Side side) {
+  Stencil at(curve.knot_vector(), 0);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    out[i] = homogeneous_at(curve, curve.knot_vector().admit(parameters[i], side, i), side);
+    at.move_to(curve.knot_vector().admit(parameters[i], side, i), side);
+    out[i] = weighted_sum(at.weights(0), curve.homogeneous_points().data() + at.first());
   }
 }
 

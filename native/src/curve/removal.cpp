@@ -95,6 +95,12 @@ NurbsCurve without_listed(const NurbsCurve& plain, std::span<const int> order) {
   return NurbsCurve::make(rest.knots, std::move(made));
 }
 
+/// Points whose weights were divided as they were before, unless one would lose digits so.
+std::vector<glm::dvec4> with_weights_back(std::vector<glm::dvec4> points, int exponent) {
+  std::vector<glm::dvec4> back = with_weights_divided(points, -exponent);
+  return with_weights_divided(back, exponent) == points ? back : points;
+}
+
 /// Part of a plain curve, as far as copies of a knot that go reach, in place of it.
 NurbsCurve nearest_on_plain(const NurbsCurve& plain, double u, int times) {
   const auto knots = plain.knot_vector().knots();
@@ -107,14 +113,15 @@ NurbsCurve nearest_on_plain(const NurbsCurve& plain, double u, int times) {
   const long begin = std::max(0L, (low - knots.begin()) - 2 * degree - 2);
   const long end = std::min<long>(knots.size(), (high - knots.begin()) + 2 * degree + 2);
   const long row_end = end - degree - 1;
-  const auto points = plain.points();
+  const std::vector<glm::dvec4> points = with_weights_divided(plain.points(), plain.weight_exponent());
   const NurbsCurve part = NurbsCurve::make(KnotVector::make(degree, {knots.begin() + begin, knots.begin() + end}),
                                            {points.begin() + begin, points.begin() + row_end});
   const NurbsCurve shorter = nearest_without(part, u, times);
   std::vector<glm::dvec4> made(points.begin(), points.begin() + begin);
   made.insert(made.end(), shorter.points().begin(), shorter.points().end());
   made.insert(made.end(), points.begin() + row_end, points.end());
-  return NurbsCurve::make(without(plain.knot_vector(), u, times), std::move(made));
+  return NurbsCurve::make(without(plain.knot_vector(), u, times),
+                          with_weights_back(std::move(made), plain.weight_exponent()));
 }
 
 /// The plain curve that unrolled() made of a periodic one as that again: no point near its ends has changed.

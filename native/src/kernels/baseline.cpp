@@ -1,2 +1,3 @@
 #define SPLINECORE_SET baseline
+#define SPLINECORE_SET_NAME "baseline"
 #include "set.hpp"

@@ -219,12 +219,3 @@ int curve_scattered(const CurveForm& form, const ScatteredHalves& halves, std::s
   return form.degree == 3 ? scattered_of_degree<3>(form, halves, count, out)
                           : scattered_of_degree<0>(form, halves, count, out);
 }
-
-void curve_homogeneous(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, double* out) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const double left = halves.far[i] - halves.u[i];
-    const double x = (halves.u[i] - halves.near[i]) / left;
-    const Lanes sum = horner(first_row(halves.rows[i], halves.step[i], form.degree, 0), halves.step[i], form.degree, x);
-    store(sum * power(all(left / (halves.far[i] - halves.near[i])), form.degree), out + 4 * i);
-  }
-}

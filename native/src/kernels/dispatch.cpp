@@ -1,4 +1,6 @@
+#include <array>
 #include <cstdlib>
+#include <span>
 #include <string_view>
 
 #include "kernels.hpp"
@@ -14,15 +16,26 @@ extern const Kernels x86_64_v3;
 
 namespace {
 
+/// The sets that this machine can run, the best first.
+std::span<const Kernels* const> usable() noexcept {
+#if defined(__x86_64__)
+  static constexpr std::array<const Kernels*, 2> kSets{&x86_64_v3, &baseline};
+  __builtin_cpu_init();
+  const bool has_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  return std::span(kSets).subspan(has_v3 ? 0 : 1);
+#else
+  static constexpr std::array<const Kernels*, 1> kSets{&baseline};
+  return kSets;
+#endif
+}
+
 const Kernels& chosen() noexcept {
   const char* named = std::getenv("SPLINECORE_KERNELS");
-  const std::string_view name = named == nullptr ? "" : named;
-  if (name == "baseline") return baseline;
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("x86-64-v3")) return x86_64_v3;
-#endif
-  return baseline;
+  for (const Kernels* set : usable()) {
+    if (named == nullptr || std::string_view(set->name) == named) return *set;
+  }
+  return *usable().front();
 }
 
 }  // namespace

@@ -31,9 +31,11 @@ SPLINECORE_INLINE void functions_of(int degree, int order, const BasisPlace& pla
     return;
   }
   double values[kMostDegree + 1];
+  const double* rows = place.rows;
+  for (int k = 0; k < order; ++k) rows += static_cast<std::size_t>(degree + 1 - k) * width;
   bernstein(degree - order, place.t, place.s, choices(degree - order), values);
   for (std::size_t i = 0; i < width; i += 4) {
-    store(function_lanes(place.rows[order] + i, width, degree - order, values), out + i);
+    store(function_lanes(rows + i, width, degree - order, values), out + i);
   }
 }
 

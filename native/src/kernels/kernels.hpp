@@ -39,15 +39,15 @@ struct CurveForm {
   bool rational;  ///< or every w is 1
 };
 
-/// A parameter on B-spline functions: the tables of its span, and its place in it.
+/// A parameter on B-spline functions: the table of its span, and its place in it.
 struct BasisPlace {
-  const double* rows[3];  ///< derivative k: degree + 1 - k rows of so many numbers as table_width()
-  double t;               ///< from the start, as a part of the span
-  double s;               ///< to its end
+  const double* rows;  ///< of derivative k degree + 1 - k, one derivative after the other, table_width() numbers each
+  double t;            ///< from the start, as a part of the span
+  double s;            ///< to its end
 };
 
 /// Numbers of a row of B-spline functions: those of a degree, filled up to whole lanes.
-inline constexpr std::size_t table_width(int degree) noexcept { return (static_cast<std::size_t>(degree) + 4) / 4 * 4; }
+[[gnu::always_inline]] inline constexpr std::size_t table_width(int degree) noexcept { return (static_cast<std::size_t>(degree) + 4) / 4 * 4; }
 
 /// A grid of pairs of parameters. The functions along u are summed for a row, then those along v.
 struct GridForm {
@@ -68,18 +68,25 @@ struct GridRow {
 
 /// Up to four neighbours in a row whose functions begin at one point; lanes of values and slopes, function by function.
 struct GridBlock {
-  std::size_t first;
+  std::size_t first;  ///< of the points in GridBlocks::ranges
   int count;
   const double* values;
   const double* slopes;
   double noise[4];
 };
 
+/// Neighbouring points of a row.
+struct GridRange {
+  std::size_t first;
+  std::size_t count;
+};
+
 struct GridBlocks {
   const GridBlock* blocks;
   std::size_t count;
-  std::size_t low;   ///< of all blocks: the first column of points
-  std::size_t high;  ///< and the last one
+  const GridRange* ranges;  ///< the points that blocks need
+  std::size_t range_count;
+  std::size_t width;  ///< how many points that are
 };
 
 /// What normals of pairs need to know.
@@ -114,13 +121,10 @@ struct Kernels {
   int (*curve_scattered)(const CurveForm&, const ScatteredHalves&, std::size_t count, double* out);
   int (*curve_scattered_single)(const CurveForm&, const ScatteredHalves&, std::size_t count, float* out);
 
-  /// Homogeneous points of scattered parameters, four numbers for each.
-  void (*curve_homogeneous)(const CurveForm&, const ScatteredHalves&, std::size_t count, double* out);
-
   /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
   void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);
 
-  /// x, y, z of a row of the grid; scratch has 4 (high - low + 1) numbers.
+  /// x, y, z of a row of the grid; scratch has 4 numbers for each of GridBlocks::width.
   int (*grid_points)(const GridForm&, const GridRow&, const GridBlocks&, double* scratch, double* out);
   int (*grid_points_single)(const GridForm&, const GridRow&, const GridBlocks&, double* scratch, float* out);
 
@@ -143,7 +147,7 @@ struct Kernels {
                       double* normals);
 };
 
-/// The kernels for this machine, or those that the environment variable SPLINECORE_KERNELS names.
+/// The kernels for this machine, or those that the environment variable SPLINECORE_KERNELS names, if it can run them.
 const Kernels& kernels() noexcept;
 
 }  // namespace splinecore

@@ -16,11 +16,9 @@ SPLINECORE_INLINE void store(Lanes value, float* to) {
 /// a b + c, rounded once where the instructions can.
 #if defined(__FMA__) && defined(__AVX2__)
 SPLINECORE_INLINE Lanes mul_add(Lanes a, Lanes b, Lanes c) { return _mm256_fmadd_pd(a, b, c); }
-SPLINECORE_INLINE double mul_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
 SPLINECORE_INLINE Lanes square_root(Lanes a) { return _mm256_sqrt_pd(a); }
 SPLINECORE_INLINE bool any(MaskLanes mask) { return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask)) != 0; }
 #elif defined(__aarch64__)
-SPLINECORE_INLINE double mul_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
 SPLINECORE_INLINE Lanes mul_add(Lanes a, Lanes b, Lanes c) {
   return Lanes{__builtin_fma(a[0], b[0], c[0]), __builtin_fma(a[1], b[1], c[1]), __builtin_fma(a[2], b[2], c[2]),
                __builtin_fma(a[3], b[3], c[3])};
@@ -28,7 +26,6 @@ SPLINECORE_INLINE Lanes mul_add(Lanes a, Lanes b, Lanes c) {
 #define SPLINECORE_PLAIN_LANES
 #else
 SPLINECORE_INLINE Lanes mul_add(Lanes a, Lanes b, Lanes c) { return a * b + c; }
-SPLINECORE_INLINE double mul_add(double a, double b, double c) { return a * b + c; }
 #define SPLINECORE_PLAIN_LANES
 #endif
 #ifdef SPLINECORE_PLAIN_LANES

@@ -24,12 +24,14 @@ SPLINECORE_INLINE Points row_sum(const double* row, int degree, const double* fu
   return sum;
 }
 
-/// The columns from low to high of a row, x, y, z, w each.
-SPLINECORE_INLINE void collapse(const GridForm& form, std::size_t first, const double* functions, const GridBlocks& blocks,
-                     double* row) {
-  const double* points = form.points + 4 * (first * form.width + blocks.low);
-  for (std::size_t j = blocks.low; j <= blocks.high; ++j, points += 4, row += 4) {
-    store(column_sum(points, 4 * form.width, form.degree_u, functions), row);
+/// The points of a row that blocks need, x, y, z, w each.
+SPLINECORE_INLINE void collapse(const GridForm& form, std::size_t first, const double* functions,
+                                const GridBlocks& blocks, double* row) {
+  for (std::size_t r = 0; r < blocks.range_count; ++r) {
+    const double* points = form.points + 4 * (first * form.width + blocks.ranges[r].first);
+    for (std::size_t j = 0; j < blocks.ranges[r].count; ++j, points += 4, row += 4) {
+      store(column_sum(points, 4 * form.width, form.degree_u, functions), row);
+    }
   }
 }
 
@@ -60,7 +62,7 @@ int grid_points_of(const GridForm& form, const GridRow& row, const GridBlocks& b
   Lanes doubts = all(0.0);
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const GridBlock& block = blocks.blocks[b];
-    Points p = row_sum<kRational>(scratch + 4 * (block.first - blocks.low), degree, block.values);
+    Points p = row_sum<kRational>(scratch + 4 * block.first, degree, block.values);
     project_point<kRational>(p);
     doubts = doubt(doubts, p);
     store_block(p, block.count, out);
@@ -98,14 +100,14 @@ template <int kDegree, bool kRational, class Real>
 int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, Real* out,
                     Real* normals) {
   const int degree = kDegree > 0 ? kDegree : form.degree_v;
-  double* const slope_row = scratch + 4 * (blocks.high - blocks.low + 1);
+  double* const slope_row = scratch + 4 * blocks.width;
   collapse(form, row.first, row.values, blocks, scratch);
   collapse(form, row.first, row.slopes, blocks, slope_row);
   Lanes doubts = all(0.0);
   Lanes weak = all(0.0);
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const GridBlock& block = blocks.blocks[b];
-    const std::size_t first = 4 * (block.first - blocks.low);
+    const std::size_t first = 4 * block.first;
     Points p = row_sum<kRational>(scratch + first, degree, block.values);
     Points su = row_sum<kRational>(slope_row + first, degree, block.values);
     Points sv = row_sum<kRational>(scratch + first, degree, block.slopes);

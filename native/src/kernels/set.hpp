@@ -1,4 +1,4 @@
-// All kernels for one set of instructions, which SPLINECORE_SET names. A source file includes it once; everything has
+// All kernels for one set of instructions, which SPLINECORE_SET and SPLINECORE_SET_NAME name. A source file includes it once; everything has
 // internal linkage, so that a linker cannot take code of one set for that of another.
 
 #include "kernels.hpp"
@@ -9,9 +9,6 @@
 
 // Lanes are kept in registers only where nothing is called.
 #define SPLINECORE_INLINE [[gnu::always_inline]] inline
-
-#define SPLINECORE_TEXT_OF(name) #name
-#define SPLINECORE_NAME_OF(name) SPLINECORE_TEXT_OF(name)
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -29,8 +26,8 @@ namespace {
 
 extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
-    SPLINECORE_NAME_OF(SPLINECORE_SET),
-    curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>, curve_homogeneous,
+    SPLINECORE_SET_NAME,
+    curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
     pair_sums, pair_points, pair_slopes, pair_normals};

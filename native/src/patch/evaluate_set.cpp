@@ -44,6 +44,8 @@ void for_each_patch(const PatchSet& set, std::span<const double> u, std::span<co
       work(patch, samples_u.of(patch.knot_vector(Axis::u)), samples_v.of(patch.knot_vector(Axis::v)), i * count, count);
     } catch (const InvalidShape& error) {
       throw InvalidShape("patches" + index_text(i) + ": " + error.what());
+    } catch (const PointAtInfinity& error) {
+      throw PointAtInfinity("patches" + index_text(i) + ": " + error.what());
     }
   }
 }

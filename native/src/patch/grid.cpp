@@ -51,10 +51,7 @@ void GridColumns::fill(const Samples& v, int order, double reach, double scale) 
   weights_.resize(blocks_.size() * kLanes * degree_and_one * (static_cast<std::size_t>(order) + 1));
   double* next = weights_.data();
   std::size_t sample = 0;
-  low_ = blocks_.front().first;
   for (GridBlock& block : blocks_) {
-    low_ = std::min(low_, block.first);
-    high_ = std::max(high_, block.first + degree_and_one - 1);
     for (int k = 0; k <= order; ++k, next += kLanes * degree_and_one) {
       (k == 0 ? block.values : block.slopes) = next;
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -66,6 +63,29 @@ void GridColumns::fill(const Samples& v, int order, double reach, double scale) 
       }
     }
     sample += static_cast<std::size_t>(block.count);
+  }
+  number_points(degree_and_one);
+}
+
+/// Finds which points are needed, and where each block has its first among them. @param of_block  points that it needs
+void GridColumns::number_points(std::size_t of_block) {
+  std::vector<std::size_t> firsts;
+  for (const GridBlock& block : blocks_) firsts.push_back(block.first);
+  std::ranges::sort(firsts);
+  for (const std::size_t first : firsts) {
+    const bool goes_on = !ranges_.empty() && first <= ranges_.back().first + ranges_.back().count;
+    if (!goes_on) ranges_.push_back({first, 0});
+    ranges_.back().count = std::max(ranges_.back().count, first + of_block - ranges_.back().first);
+  }
+  std::vector<std::size_t> before;
+  for (const GridRange& range : ranges_) {
+    before.push_back(width_);
+    width_ += range.count;
+  }
+  for (GridBlock& block : blocks_) {
+    const auto next = std::ranges::upper_bound(ranges_, block.first, {}, &GridRange::first);
+    const std::size_t range = static_cast<std::size_t>(next - ranges_.begin()) - 1;
+    block.first = before[range] + block.first - ranges_[range].first;
   }
 }
 

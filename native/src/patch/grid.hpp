@@ -21,18 +21,21 @@ class GridColumns {
   /// For normals. @param reach  the size of the points @param scale  of the slopes
   GridColumns(const Samples& v, double reach, double scale);
 
-  GridBlocks blocks() const noexcept { return {blocks_.data(), blocks_.size(), low_, high_}; }
+  GridBlocks blocks() const noexcept {
+    return {blocks_.data(), blocks_.size(), ranges_.data(), ranges_.size(), width_};
+  }
 
   /// Numbers that a kernel needs for so many rows of columns.
-  std::size_t scratch_size(std::size_t rows) const noexcept { return 4 * rows * (high_ - low_ + 1); }
+  std::size_t scratch_size(std::size_t rows) const noexcept { return 4 * rows * width_; }
 
  private:
   void fill(const Samples& v, int order, double reach, double scale);
+  void number_points(std::size_t of_block);
 
   std::vector<GridBlock> blocks_;
   std::vector<double> weights_;
-  std::size_t low_ = 0;
-  std::size_t high_ = 0;
+  std::vector<GridRange> ranges_;
+  std::size_t width_ = 0;
 };
 
 /// What rounding may leave of a sum of points that reach so far; the slopes of functions multiply it.

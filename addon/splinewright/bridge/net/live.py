@@ -24,6 +24,7 @@ from .growing import Moment
 #: takes to look, or a step of a drag that is slow would always be a pause.
 _PAUSE = 0.25
 _SHARE = 20
+_LONGEST_PAUSE = 0.5
 #: A length that float32 holds, whatever is rounded.
 _FAR = 3e38
 #: Among the values of settings: the number of what lies along a shape.
@@ -79,7 +80,7 @@ class Session:
         if start > self._next_check:            # not at every step of a drag
             shape.require_untouched(data)
             now = time.monotonic()
-            self._pause = max(_PAUSE, _SHARE * (now - start))
+            self._pause = min(max(_PAUSE, _SHARE * (now - start)), _LONGEST_PAUSE)
         self._next_check = now + self._pause
 
     def trust(self):

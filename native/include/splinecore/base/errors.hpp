@@ -16,6 +16,7 @@ class PointAtInfinity : public std::domain_error {
  public:
   explicit PointAtInfinity(double u);
   PointAtInfinity(double u, double v);
+  explicit PointAtInfinity(const std::string& sentence) : std::domain_error(sentence) {}
 };
 
 /// Shortest text that reads back as the same double.
