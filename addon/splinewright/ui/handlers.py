@@ -157,12 +157,13 @@ def _first_look():
 
 def _follow_nets(changed):
     """Bring the shapes of changed nets up to date; the data-blocks that were written."""
-    written, is_idle = set(), _is_idle()
+    written, is_idle, is_draft = set(), _is_idle(), False
     for ob in editing.nets():
         if ob.mode == 'EDIT':
             state.kept.discard(key(ob))
             if ob.data in changed:
                 written.add(live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY))
+                is_draft = is_draft or live.is_draft(ob)
                 if live.note(ob):
                     _soon(editing.hand_over, 0.0)
                 if live.is_waiting(ob):
@@ -170,7 +171,7 @@ def _follow_nets(changed):
         elif key(ob) not in state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
             _soon(editing.sweep, 0.0)
     written.discard(None)
-    if written:
+    if written or is_draft:
         _later(editing.settle)
     return written
 

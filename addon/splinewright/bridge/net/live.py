@@ -382,6 +382,12 @@ def unread(ob):
     return "" if net_object.is_orphan(ob) else problem(ob)
 
 
+def is_draft(ob):
+    """Whether the shape of a net lacks what a drag leaves out; undo may bring such a one back."""
+    owner = net_object.shape_of(ob)
+    return owner is not None and store.is_draft(owner.data)
+
+
 def settle(data):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
     if store.is_draft(data):
