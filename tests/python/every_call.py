@@ -40,14 +40,15 @@ def outcome(call):
 
 def timed(call, seconds):
     start = time.process_time()
-    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
-        what, text = outcome(call)
+        signal.setitimer(signal.ITIMER_PROF, seconds)
+        try:
+            what, text = outcome(call)
+        finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
         return {"what": what, "text": text, "seconds": time.process_time() - start}
     except Stop:
         return {"what": "stopped", "late": time.process_time() - start - seconds}
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def main(degree, size, weight, spacing, seconds, *wanted):
