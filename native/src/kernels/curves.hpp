@@ -1,9 +1,9 @@
 // Kernels of curves. Included in the namespace of each set of instructions: see set.hpp.
 
-/// Derivatives 0 … order of four homogeneous points; derivative k without the factor f^(degree - k).
-template <int kOrder>
+/// Derivatives 0 … order of homogeneous points; derivative k without the factor f^(degree - k).
+template <class V, int kOrder>
 struct Derivatives {
-  Points at[kOrder + 1];
+  PointsOf<V> at[kOrder + 1];
 };
 
 SPLINECORE_INLINE std::ptrdiff_t rows_of(int degree, int k) { return degree - k < 0 ? 0 : degree + 1 - k; }
@@ -30,21 +30,23 @@ SPLINECORE_INLINE Lanes horner(const double* row, std::ptrdiff_t step, int degre
   return sum;
 }
 
-SPLINECORE_INLINE Points horner(const double* row, std::ptrdiff_t step, int degree, Lanes x, bool with_weight) {
+template <class V>
+SPLINECORE_INLINE PointsOf<V> horner(const double* row, std::ptrdiff_t step, int degree, V x, bool with_weight) {
   row += step * degree;
-  Points sum{all(row[0]), all(row[1]), all(row[2]), all(row[3])};
+  PointsOf<V> sum{all<V>(row[0]), all<V>(row[1]), all<V>(row[2]), all<V>(row[3])};
   for (int i = degree; i-- > 0;) {
     row -= step;
-    sum.x = mul_add(sum.x, x, all(row[0]));
-    sum.y = mul_add(sum.y, x, all(row[1]));
-    sum.z = mul_add(sum.z, x, all(row[2]));
-    if (with_weight) sum.w = mul_add(sum.w, x, all(row[3]));
+    sum.x = mul_add(sum.x, x, all<V>(row[0]));
+    sum.y = mul_add(sum.y, x, all<V>(row[1]));
+    sum.z = mul_add(sum.z, x, all<V>(row[2]));
+    if (with_weight) sum.w = mul_add(sum.w, x, all<V>(row[3]));
   }
   return sum;
 }
 
-SPLINECORE_INLINE Lanes power(Lanes base, int exponent) {
-  Lanes result = all(1.0);
+template <class V>
+SPLINECORE_INLINE V power(V base, int exponent) {
+  V result = all<V>(1.0);
   for (; exponent > 0; exponent >>= 1) {
     if (exponent & 1) result = result * base;
     base = base * base;
@@ -53,36 +55,36 @@ SPLINECORE_INLINE Lanes power(Lanes base, int exponent) {
 }
 
 /// Points and derivatives from homogeneous ones (The NURBS Book, A4.2). @param x, f  of the place in the span
-template <bool kRational, int kOrder>
-SPLINECORE_INLINE void project(Derivatives<kOrder>& d, Lanes x, Lanes f, int degree) {
+template <bool kRational, class V, int kOrder>
+SPLINECORE_INLINE void project(Derivatives<V, kOrder>& d, V x, V f, int degree) {
   if constexpr (!kRational) {
     for (int k = 0; k <= kOrder; ++k) {
-      const Lanes factor = power(f, degree - k);
+      const V factor = power(f, degree - k);
       d.at[k].x *= factor;
       d.at[k].y *= factor;
       d.at[k].z *= factor;
     }
   } else {
-    const Lanes weight = d.at[0].w;
-    const Lanes r = all(1.0) / weight;
-    Points& p = d.at[0];
+    const V weight = d.at[0].w;
+    const V r = reciprocal(weight);
+    PointsOf<V>& p = d.at[0];
     p.x = quotient(p.x, weight, r);
     p.y = quotient(p.y, weight, r);
     p.z = quotient(p.z, weight, r);
     if constexpr (kOrder > 0) {
       // 1 / f is 1 + x.
-      const Lanes g = all(1.0) + x;
-      Points& q = d.at[1];
-      const Lanes slope_w = q.w;
-      const Points t{mul_add(-slope_w, p.x, q.x) * r, mul_add(-slope_w, p.y, q.y) * r,
+      const V g = all<V>(1.0) + x;
+      PointsOf<V>& q = d.at[1];
+      const V slope_w = q.w;
+      const PointsOf<V> t{mul_add(-slope_w, p.x, q.x) * r, mul_add(-slope_w, p.y, q.y) * r,
                      mul_add(-slope_w, p.z, q.z) * r, slope_w};
       q.x = t.x * g;
       q.y = t.y * g;
       q.z = t.z * g;
       if constexpr (kOrder > 1) {
-        Points& c = d.at[2];
-        const Lanes twice = slope_w + slope_w;
-        const Lanes scale = r * (g * g);
+        PointsOf<V>& c = d.at[2];
+        const V twice = slope_w + slope_w;
+        const V scale = r * (g * g);
         c.x = mul_add(-twice, t.x, mul_add(-c.w, p.x, c.x)) * scale;
         c.y = mul_add(-twice, t.y, mul_add(-c.w, p.y, c.y)) * scale;
         c.z = mul_add(-twice, t.z, mul_add(-c.w, p.z, c.z)) * scale;
@@ -91,15 +93,15 @@ SPLINECORE_INLINE void project(Derivatives<kOrder>& d, Lanes x, Lanes f, int deg
   }
 }
 
-template <int kOrder>
-SPLINECORE_INLINE Lanes doubt(Lanes before, const Derivatives<kOrder>& d) {
+template <class V, int kOrder>
+SPLINECORE_INLINE V doubt(V before, const Derivatives<V, kOrder>& d) {
   for (int k = 0; k <= kOrder; ++k) before = doubt(before, d.at[k].x, d.at[k].y, d.at[k].z);
   return before;
 }
 
 /// Writes four points with their derivatives: four numbers at once, of which the next three overwrite the last.
 template <int kOrder, class Real>
-SPLINECORE_INLINE void store_four(const Derivatives<kOrder>& d, Real* out) {
+SPLINECORE_INLINE void store_all(const Derivatives<Lanes, kOrder>& d, Real* out) {
   if constexpr (kOrder == 0) {
     store_triples(d.at[0].x, d.at[0].y, d.at[0].z, out);
   } else {
@@ -116,42 +118,61 @@ SPLINECORE_INLINE void store_four(const Derivatives<kOrder>& d, Real* out) {
   }
 }
 
+#if defined(SPLINECORE_WIDE_LANES)
 template <int kOrder, class Real>
-SPLINECORE_INLINE void store_points(const Derivatives<kOrder>& d, int count, Real* out) {
-  if (count == 4) return store_four(d, out);
+SPLINECORE_INLINE void store_all(const Derivatives<WideLanes, kOrder>& d, Real* out) {
+  if constexpr (kOrder == 0) {
+    store_triples(d.at[0].x, d.at[0].y, d.at[0].z, out);
+  } else {
+    Derivatives<Lanes, kOrder> low;
+    Derivatives<Lanes, kOrder> high;
+    for (int k = 0; k <= kOrder; ++k) {
+      low.at[k] = {lower(d.at[k].x), lower(d.at[k].y), lower(d.at[k].z), Lanes{}};
+      high.at[k] = {upper(d.at[k].x), upper(d.at[k].y), upper(d.at[k].z), Lanes{}};
+    }
+    store_all(low, out);
+    store_all(high, out + 12 * (kOrder + 1));
+  }
+}
+#endif
+
+template <int kOrder, class Real>
+SPLINECORE_INLINE void store_points(const Derivatives<Lanes, kOrder>& d, int count, Real* out) {
+  if (count == 4) return store_all(d, out);
   for (int k = 0; k <= kOrder; ++k) {
     store_triples(d.at[k].x, d.at[k].y, d.at[k].z, count, 3 * (kOrder + 1), out + 3 * k);
   }
 }
 
 /// The part of the span that is left, as a factor. @param far  the way to the far end
-template <bool kRational>
-SPLINECORE_INLINE Lanes factor_left(Lanes far, Lanes whole) {
+template <bool kRational, class V>
+SPLINECORE_INLINE V factor_left(V far, V whole) {
   return kRational ? far : far / whole;
 }
 
 template <int kDegree, bool kRational, int kOrder, class Real>
 std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double high, const double* u,
                 std::size_t count, Real* out, int* found) {
+  using V = WideLanes;
   const int degree = kDegree > 0 ? kDegree : form.degree;
-  const Lanes near = all(half.near);
-  const Lanes far = all(half.far);
+  const V near = all<V>(half.near);
+  const V far = all<V>(half.far);
   const double* rows[kOrder + 1];
   for (int k = 0; k <= kOrder; ++k) rows[k] = first_row(half.rows, half.step, degree, k);
-  Lanes doubts = all(0.0);
+  V doubts = all<V>(0.0);
   std::size_t i = 0;
-  for (; i + 4 <= count; i += 4) {
-    const Lanes at = load(u + i);
-    if (any(!((at > all(low)) & (at < all(high))))) break;
-    const Lanes left = far - at;
-    const Lanes x = (at - near) / left;
-    Derivatives<kOrder> d;
+  for (; i + kWide <= count; i += kWide) {
+    const V at = load<V>(u + i);
+    if (any(!((at > all<V>(low)) & (at < all<V>(high))))) break;
+    const V left = far - at;
+    const V x = (at - near) / left;
+    Derivatives<V, kOrder> d;
     for (int k = 0; k <= kOrder; ++k) {
-      d.at[k] = degree < k ? Points{} : horner(rows[k], half.step, degree - k, x, kRational);
+      d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], half.step, degree - k, x, kRational);
     }
-    project<kRational, kOrder>(d, x, factor_left<kRational>(left, far - near), degree);
+    project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
     doubts = doubt(doubts, d);
-    store_four(d, out + 3 * (kOrder + 1) * i);
+    store_all(d, out + 3 * (kOrder + 1) * i);
   }
   if (!is_certain(doubts)) *found |= kNotFinite;
   return i;
@@ -169,7 +190,7 @@ int scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t 
     const Lanes at = lanes == 4 ? load(halves.u + i) : all(halves.u[i]);
     const Lanes left = far - at;
     const Lanes x = (at - near) / left;
-    Derivatives<kOrder> d;
+    Derivatives<Lanes, kOrder> d;
     for (int k = 0; k <= kOrder; ++k) {
       if (degree < k) {
         d.at[k] = Points{};
@@ -182,7 +203,7 @@ int scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t 
       }
       d.at[k] = transposed(sums[0], sums[1], sums[2], sums[3]);
     }
-    project<kRational, kOrder>(d, x, factor_left<kRational>(left, far - near), degree);
+    project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
     doubts = doubt(doubts, d);
     store_points(d, static_cast<int>(lanes), out + 3 * (kOrder + 1) * i);
   }

@@ -11,6 +11,7 @@ namespace splinecore {
 extern const Kernels baseline;
 #if defined(__x86_64__)
 extern const Kernels x86_64_v3;
+extern const Kernels x86_64_v4;
 #endif
 #pragma GCC visibility pop
 
@@ -19,11 +20,13 @@ namespace {
 /// The sets that this machine can run, the best first.
 std::span<const Kernels* const> usable() noexcept {
 #if defined(__x86_64__)
-  static constexpr std::array<const Kernels*, 2> kSets{&x86_64_v3, &baseline};
+  static constexpr std::array<const Kernels*, 3> kSets{&x86_64_v4, &x86_64_v3, &baseline};
   __builtin_cpu_init();
   const bool has_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                       __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-  return std::span(kSets).subspan(has_v3 ? 0 : 1);
+  const bool has_v4 = has_v3 && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");
+  return std::span(kSets).subspan(has_v4 ? 0 : has_v3 ? 1 : 2);
 #else
   static constexpr std::array<const Kernels*, 1> kSets{&baseline};
   return kSets;

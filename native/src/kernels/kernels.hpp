@@ -66,13 +66,17 @@ struct GridRow {
   double noise;  ///< what rounding may leave of a sum with the slopes; for normals alone
 };
 
-/// Up to four neighbours in a row whose functions begin at one point; lanes of values and slopes, function by function.
+/// The most neighbours in a row that a kernel computes at once.
+inline constexpr std::size_t kMostLanes = 8;
+
+/// Up to Kernels::lanes neighbours in a row whose functions begin at one point; lanes of values and slopes, function by
+/// function.
 struct GridBlock {
   std::size_t first;  ///< of the points in GridBlocks::ranges
   int count;
   const double* values;
   const double* slopes;
-  double noise[4];
+  double noise[kMostLanes];
 };
 
 /// Neighbouring points of a row.
@@ -87,6 +91,7 @@ struct GridBlocks {
   const GridRange* ranges;  ///< the points that blocks need
   std::size_t range_count;
   std::size_t width;  ///< how many points that are
+  std::size_t columns;  ///< neighbours of all blocks
 };
 
 /// What normals of pairs need to know.
@@ -109,6 +114,7 @@ inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made
 
 struct Kernels {
   const char* name;
+  std::size_t lanes;  ///< 4 or 8
 
   /// As many of the parameters as lie, four by four, strictly inside the half whose parameters are from low to high.
   /// Writes 3 (order + 1) numbers for each. @returns how many; `found` takes kNotFinite.

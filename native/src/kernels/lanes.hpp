@@ -2,15 +2,32 @@
 
 typedef double Lanes __attribute__((vector_size(32)));
 typedef float SingleLanes __attribute__((vector_size(16)));
-typedef double LooseLanes __attribute__((vector_size(32), aligned(8), may_alias));
-typedef float LooseSingle __attribute__((vector_size(16), aligned(4), may_alias));
 typedef std::int64_t MaskLanes __attribute__((vector_size(32)));
 
-SPLINECORE_INLINE Lanes all(double value) { return Lanes{value, value, value, value}; }
-SPLINECORE_INLINE Lanes load(const double* from) { return *reinterpret_cast<const LooseLanes*>(from); }
-SPLINECORE_INLINE void store(Lanes value, double* to) { *reinterpret_cast<LooseLanes*>(to) = value; }
+// As many doubles at once as a register holds: neighbours in a row or in a span are computed so.
+#if defined(__AVX512F__)
+typedef double WideLanes __attribute__((vector_size(64)));
+typedef std::int64_t WideMask __attribute__((vector_size(64)));
+#define SPLINECORE_WIDE_LANES
+#else
+typedef Lanes WideLanes;
+#endif
+inline constexpr int kWide = sizeof(WideLanes) / sizeof(double);
+
+template <class V = Lanes>
+SPLINECORE_INLINE V all(double value) {
+  return value - V{};
+}
+template <class V = Lanes>
+SPLINECORE_INLINE V load(const double* from) {
+  V value;
+  __builtin_memcpy(&value, from, sizeof value);
+  return value;
+}
+SPLINECORE_INLINE void store(Lanes value, double* to) { __builtin_memcpy(to, &value, sizeof value); }
 SPLINECORE_INLINE void store(Lanes value, float* to) {
-  *reinterpret_cast<LooseSingle*>(to) = __builtin_convertvector(value, SingleLanes);
+  const SingleLanes single = __builtin_convertvector(value, SingleLanes);
+  __builtin_memcpy(to, &single, sizeof single);
 }
 
 /// a b + c, rounded once where the instructions can.
@@ -36,10 +53,40 @@ SPLINECORE_INLINE Lanes square_root(Lanes a) {
 SPLINECORE_INLINE bool any(MaskLanes mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 #endif
 
-/// x, y, z and w of four points.
-struct Points {
-  Lanes x, y, z, w;
+#if defined(SPLINECORE_WIDE_LANES)
+SPLINECORE_INLINE WideLanes mul_add(WideLanes a, WideLanes b, WideLanes c) { return _mm512_fmadd_pd(a, b, c); }
+SPLINECORE_INLINE bool any(WideMask mask) { return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) != 0; }
+SPLINECORE_INLINE Lanes lower(WideLanes a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3); }
+SPLINECORE_INLINE Lanes upper(WideLanes a) { return __builtin_shufflevector(a, a, 4, 5, 6, 7); }
+#endif
+
+/// 1 / a and 1 / sqrt(a), within two roundings; of numbers near the least and the largest perhaps not a number. The
+/// only divider is slower than steps of Newton and Halley from a first guess, where wide lanes have one.
+SPLINECORE_INLINE Lanes reciprocal(Lanes a) { return all(1.0) / a; }
+SPLINECORE_INLINE Lanes reciprocal_root(Lanes a) { return all(1.0) / square_root(a); }
+#if defined(SPLINECORE_WIDE_LANES)
+SPLINECORE_INLINE WideLanes reciprocal(WideLanes a) {
+  const WideLanes one = all<WideLanes>(1.0);
+  WideLanes r = _mm512_maskz_rcp14_pd(0xff, a);
+  r = mul_add(r, mul_add(-a, r, one), r);
+  return mul_add(r, mul_add(-a, r, one), r);
+}
+SPLINECORE_INLINE WideLanes reciprocal_root(WideLanes a) {
+  const WideLanes one = all<WideLanes>(1.0);
+  const WideLanes half = all<WideLanes>(0.5);
+  WideLanes r = _mm512_maskz_rsqrt14_pd(0xff, a);
+  const WideLanes error = mul_add(-(a * r), r, one);
+  r = mul_add(r * error, mul_add(all<WideLanes>(0.375), error, half), r);
+  return mul_add(r * half, mul_add(-(a * r), r, one), r);
+}
+#endif
+
+/// x, y, z and w of as many points.
+template <class V>
+struct PointsOf {
+  V x, y, z, w;
 };
+using Points = PointsOf<Lanes>;
 
 /// Four vectors of four as four of their columns.
 SPLINECORE_INLINE Points transposed(Lanes a, Lanes b, Lanes c, Lanes d) {
@@ -78,10 +125,35 @@ SPLINECORE_INLINE void store_triples(Lanes x, Lanes y, Lanes z, int count, std::
   for (int i = 0; i < count; ++i, out += apart) store_triple(rows[i], out);
 }
 
+#if defined(SPLINECORE_WIDE_LANES)
+SPLINECORE_INLINE void store(WideLanes value, double* to) { __builtin_memcpy(to, &value, sizeof value); }
+SPLINECORE_INLINE void store(WideLanes value, float* to) {
+  store(lower(value), to);
+  store(upper(value), to + 4);
+}
+
+template <class Real>
+SPLINECORE_INLINE void store_triples(WideLanes x, WideLanes y, WideLanes z, Real* out) {
+  const WideLanes first = __builtin_shufflevector(x, y, 0, 8, 0, 1, 9, 0, 2, 10);
+  const WideLanes second = __builtin_shufflevector(y, z, 10, 0, 3, 11, 0, 4, 12, 0);
+  const WideLanes third = __builtin_shufflevector(z, x, 5, 14, 0, 6, 15, 7, 0, 0);
+  store(__builtin_shufflevector(first, z, 0, 1, 8, 3, 4, 9, 6, 7), out);
+  store(__builtin_shufflevector(second, x, 0, 11, 2, 3, 12, 5, 6, 13), out + 8);
+  store(__builtin_shufflevector(third, y, 13, 0, 1, 14, 3, 4, 15, 5), out + 16);
+}
+
+template <class Real>
+SPLINECORE_INLINE void store_triples(WideLanes x, WideLanes y, WideLanes z, int count, std::size_t apart, Real* out) {
+  store_triples(lower(x), lower(y), lower(z), count < 4 ? count : 4, apart, out);
+  if (count > 4) store_triples(upper(x), upper(y), upper(z), count - 4, apart, out + 4 * apart);
+}
+#endif
+
 /// a / b where r is 1 / b: with fused operations as if divided (Markstein 1990).
 #if defined(__FMA__) || defined(__aarch64__)
-SPLINECORE_INLINE Lanes quotient(Lanes a, Lanes b, Lanes r) {
-  const Lanes first = a * r;
+template <class V>
+SPLINECORE_INLINE V quotient(V a, V b, V r) {
+  const V first = a * r;
   return mul_add(mul_add(-first, b, a), r, first);
 }
 #else
@@ -89,5 +161,11 @@ SPLINECORE_INLINE Lanes quotient(Lanes a, Lanes b, Lanes) { return a / b; }
 #endif
 
 /// NaN in every lane where a point is no number, or so large that it may be one; else what was there.
-SPLINECORE_INLINE Lanes doubt(Lanes before, Lanes x, Lanes y, Lanes z) { return mul_add(x + (y + z), all(0.0), before); }
-SPLINECORE_INLINE bool is_certain(Lanes doubts) { return !any(doubts != doubts); }
+template <class V>
+SPLINECORE_INLINE V doubt(V before, V x, V y, V z) {
+  return mul_add(x + (y + z), all<V>(0.0), before);
+}
+template <class V>
+SPLINECORE_INLINE bool is_certain(V doubts) {
+  return !any(doubts != doubts);
+}

@@ -1,5 +1,7 @@
 // Kernels of patches. Included in the namespace of each set of instructions: see set.hpp.
 
+using WidePoints = PointsOf<WideLanes>;
+
 /// The point of a row that one column of points is summed to. Terms are added in one order everywhere, so that a pair
 /// of parameters gives the same bits alone and in any grid.
 SPLINECORE_INLINE Lanes column_sum(const double* points, std::size_t stride, int degree, const double* functions) {
@@ -8,18 +10,20 @@ SPLINECORE_INLINE Lanes column_sum(const double* points, std::size_t stride, int
   return sum;
 }
 
-/// The sum of a row's points for four parameters at once.
+/// The sum of a row's points for the parameters of a block.
 template <bool kRational>
-SPLINECORE_INLINE Points row_sum(const double* row, int degree, const double* functions) {
-  Lanes f = load(functions);
-  Points sum{f * all(row[0]), f * all(row[1]), f * all(row[2]), kRational ? f * all(row[3]) : all(1.0)};
+SPLINECORE_INLINE WidePoints row_sum(const double* row, int degree, const double* functions) {
+  const auto everywhere = [](double value) { return all<WideLanes>(value); };
+  WideLanes f = load<WideLanes>(functions);
+  WidePoints sum{f * everywhere(row[0]), f * everywhere(row[1]), f * everywhere(row[2]),
+                 kRational ? f * everywhere(row[3]) : everywhere(1.0)};
   for (int j = 1; j <= degree; ++j) {
     row += 4;
-    f = load(functions + 4 * j);
-    sum.x = mul_add(f, all(row[0]), sum.x);
-    sum.y = mul_add(f, all(row[1]), sum.y);
-    sum.z = mul_add(f, all(row[2]), sum.z);
-    if (kRational) sum.w = mul_add(f, all(row[3]), sum.w);
+    f = load<WideLanes>(functions + kWide * j);
+    sum.x = mul_add(f, everywhere(row[0]), sum.x);
+    sum.y = mul_add(f, everywhere(row[1]), sum.y);
+    sum.z = mul_add(f, everywhere(row[2]), sum.z);
+    if (kRational) sum.w = mul_add(f, everywhere(row[3]), sum.w);
   }
   return sum;
 }
@@ -35,20 +39,24 @@ SPLINECORE_INLINE void collapse(const GridForm& form, std::size_t first, const d
   }
 }
 
-template <bool kRational>
-SPLINECORE_INLINE void project_point(Points& p) {
+template <bool kRational, class V>
+SPLINECORE_INLINE void project_point(PointsOf<V>& p) {
   if (!kRational) return;
-  const Lanes r = all(1.0) / p.w;
+  const V r = reciprocal(p.w);
   p.x = quotient(p.x, p.w, r);
   p.y = quotient(p.y, p.w, r);
   p.z = quotient(p.z, p.w, r);
 }
 
-SPLINECORE_INLINE Lanes doubt(Lanes before, const Points& p) { return doubt(before, p.x, p.y, p.z); }
+template <class V>
+SPLINECORE_INLINE V doubt(V before, const PointsOf<V>& p) {
+  return doubt(before, p.x, p.y, p.z);
+}
 
-template <class Real>
-SPLINECORE_INLINE void store_block(const Points& p, int count, Real* out) {
-  if (count == 4) {
+/// Writes the first of the points, and perhaps what the next block overwrites. @param left  points that have a place
+template <class V, class Real>
+SPLINECORE_INLINE void store_block(const PointsOf<V>& p, int count, std::size_t left, Real* out) {
+  if (left * sizeof(double) >= sizeof(V)) {
     store_triples(p.x, p.y, p.z, out);
   } else {
     store_triples(p.x, p.y, p.z, count, 3, out);
@@ -59,37 +67,43 @@ template <int kDegree, bool kRational, class Real>
 int grid_points_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, Real* out) {
   const int degree = kDegree > 0 ? kDegree : form.degree_v;
   collapse(form, row.first, row.values, blocks, scratch);
-  Lanes doubts = all(0.0);
+  WideLanes doubts = all<WideLanes>(0.0);
+  std::size_t left = blocks.columns;
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const GridBlock& block = blocks.blocks[b];
-    Points p = row_sum<kRational>(scratch + 4 * block.first, degree, block.values);
+    WidePoints p = row_sum<kRational>(scratch + 4 * block.first, degree, block.values);
     project_point<kRational>(p);
     doubts = doubt(doubts, p);
-    store_block(p, block.count, out);
+    store_block(p, block.count, left, out);
+    left -= block.count;
     out += 3 * block.count;
   }
   return is_certain(doubts) ? 0 : kNotFinite;
 }
 
 /// What is left of a derivative where the part along the point itself is taken away.
-SPLINECORE_INLINE Points beside(const Points& slope, const Points& point) {
+template <class V>
+SPLINECORE_INLINE PointsOf<V> beside(const PointsOf<V>& slope, const PointsOf<V>& point) {
   return {mul_add(-slope.w, point.x, slope.x), mul_add(-slope.w, point.y, slope.y), mul_add(-slope.w, point.z, slope.z),
           slope.w};
 }
 
-SPLINECORE_INLINE Points times(const Points& p, Lanes factor) { return {p.x * factor, p.y * factor, p.z * factor, p.w}; }
+template <class V>
+SPLINECORE_INLINE PointsOf<V> times(const PointsOf<V>& p, V factor) {
+  return {p.x * factor, p.y * factor, p.z * factor, p.w};
+}
 
 /// The unit vector across two derivatives, NaN where their rounding may have made it.
-SPLINECORE_INLINE Points normal_of(const Points& a, const Points& b, Lanes noise_a, Lanes noise_b) {
-  Points n{mul_add(a.y, b.z, -(a.z * b.y)), mul_add(a.z, b.x, -(a.x * b.z)), mul_add(a.x, b.y, -(a.y * b.x)),
-           all(0.0)};
-  const auto square = [](const Points& p) { return mul_add(p.x, p.x, mul_add(p.y, p.y, p.z * p.z)); };
-  const Lanes length = square(n);
-  const Lanes noise = mul_add(square(a), noise_b * noise_b, square(b) * (noise_a * noise_a));
+template <class V>
+SPLINECORE_INLINE PointsOf<V> normal_of(const PointsOf<V>& a, const PointsOf<V>& b, V noise_a, V noise_b) {
+  PointsOf<V> n{mul_add(a.y, b.z, -(a.z * b.y)), mul_add(a.z, b.x, -(a.x * b.z)), mul_add(a.x, b.y, -(a.y * b.x)),
+                all<V>(0.0)};
+  const auto square = [](const PointsOf<V>& p) { return mul_add(p.x, p.x, mul_add(p.y, p.y, p.z * p.z)); };
+  const V length = square(n);
+  const V noise = mul_add(square(a), noise_b * noise_b, square(b) * (noise_a * noise_a));
   constexpr double kClear = 0x1p48;
-  const Lanes r = all(1.0) / square_root(length);
-  const Lanes nothing = all(__builtin_nan(""));
-  const Lanes scale = length > all(kClear) * noise ? r : nothing;
+  const V r = reciprocal_root(length);
+  const V scale = length > all<V>(kClear) * noise ? r : all<V>(__builtin_nan(""));
   n.x *= scale;
   n.y *= scale;
   n.z *= scale;
@@ -103,24 +117,26 @@ int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& 
   double* const slope_row = scratch + 4 * blocks.width;
   collapse(form, row.first, row.values, blocks, scratch);
   collapse(form, row.first, row.slopes, blocks, slope_row);
-  Lanes doubts = all(0.0);
-  Lanes weak = all(0.0);
+  WideLanes doubts = all<WideLanes>(0.0);
+  WideLanes weak = all<WideLanes>(0.0);
+  std::size_t left = blocks.columns;
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const GridBlock& block = blocks.blocks[b];
     const std::size_t first = 4 * block.first;
-    Points p = row_sum<kRational>(scratch + first, degree, block.values);
-    Points su = row_sum<kRational>(slope_row + first, degree, block.values);
-    Points sv = row_sum<kRational>(scratch + first, degree, block.slopes);
+    WidePoints p = row_sum<kRational>(scratch + first, degree, block.values);
+    WidePoints su = row_sum<kRational>(slope_row + first, degree, block.values);
+    WidePoints sv = row_sum<kRational>(scratch + first, degree, block.slopes);
     project_point<kRational>(p);
     if (kRational) {
       su = beside(su, p);
       sv = beside(sv, p);
     }
-    const Points n = normal_of(su, sv, all(row.noise), load(block.noise));
+    const WidePoints n = normal_of(su, sv, all<WideLanes>(row.noise), load<WideLanes>(block.noise));
     doubts = doubt(doubts, p);
     weak += n.x;
-    store_block(p, block.count, out);
-    store_block(n, block.count, normals);
+    store_block(p, block.count, left, out);
+    store_block(n, block.count, left, normals);
+    left -= block.count;
     out += 3 * block.count;
     normals += 3 * block.count;
   }
@@ -228,7 +244,7 @@ int pair_points_of(const GridForm& form, const PairPlace* pairs, std::size_t cou
     Points p = four_pairs<kDegree, 0>(form, pairs + i, lanes).point;
     project_point<kRational>(p);
     doubts = doubt(doubts, p);
-    store_block(p, lanes, out + 3 * i);
+    store_block(p, lanes, count - i, out + 3 * i);
   }
   return is_certain(doubts) ? 0 : kNotFinite;
 }
@@ -239,7 +255,7 @@ int pair_slopes_of(const GridForm& form, const PairPlace* pairs, std::size_t cou
   for (std::size_t i = 0; i < count; i += 4) {
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
     FourPairs d = four_pairs<kDegree, 1>(form, pairs + i, lanes);
-    const Lanes r = all(1.0) / d.point.w;
+    const Lanes r = reciprocal(d.point.w);
     project_point<kRational>(d.point);
     if (kRational) {
       d.along_u = times(beside(d.along_u, d.point), r);
@@ -271,8 +287,8 @@ int pair_normals_of(const GridForm& form, const NormalForm& normal, const PairPl
     const Points n = normal_of(su, sv, rounding * (d.size_u * scale_u), rounding * (d.size_v * scale_v));
     doubts = doubt(doubts, d.point);
     weak += n.x;
-    store_block(d.point, lanes, out + 3 * i);
-    store_block(n, lanes, normals + 3 * i);
+    store_block(d.point, lanes, count - i, out + 3 * i);
+    store_block(n, lanes, count - i, normals + 3 * i);
   }
   return (is_certain(doubts) ? 0 : kNotFinite) | (is_certain(weak) ? 0 : kWeakNormal);
 }

@@ -26,7 +26,7 @@ namespace {
 
 extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
-    SPLINECORE_SET_NAME,
+    SPLINECORE_SET_NAME, kWide,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,

@@ -43,22 +43,23 @@ GridColumns::GridColumns(const Samples& v, double reach, double scale) { fill(v,
 
 void GridColumns::fill(const Samples& v, int order, double reach, double scale) {
   const std::size_t degree_and_one = v.weights(0).size();
-  constexpr std::size_t kLanes = 4;
+  const std::size_t lanes = kernels().lanes;
+  columns_ = v.size();
   for (std::size_t begin = 0, end = 0; begin < v.size(); begin = end) {
-    for (end = begin + 1; end < v.size() && end < begin + kLanes && v.first(end) == v.first(begin);) ++end;
+    for (end = begin + 1; end < v.size() && end < begin + lanes && v.first(end) == v.first(begin);) ++end;
     blocks_.push_back({static_cast<std::size_t>(v.first(begin)), static_cast<int>(end - begin), nullptr, nullptr, {}});
   }
-  weights_.resize(blocks_.size() * kLanes * degree_and_one * (static_cast<std::size_t>(order) + 1));
+  weights_.resize(blocks_.size() * lanes * degree_and_one * (static_cast<std::size_t>(order) + 1));
   double* next = weights_.data();
   std::size_t sample = 0;
   for (GridBlock& block : blocks_) {
-    for (int k = 0; k <= order; ++k, next += kLanes * degree_and_one) {
+    for (int k = 0; k <= order; ++k, next += lanes * degree_and_one) {
       (k == 0 ? block.values : block.slopes) = next;
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
         // Lanes without a sample repeat the last one.
         const auto weights = v.weights(sample + std::min<std::size_t>(lane, block.count - 1), k);
         const double factor = k == 0 ? 1.0 : scale;
-        for (std::size_t j = 0; j < degree_and_one; ++j) next[kLanes * j + lane] = factor * weights[j];
+        for (std::size_t j = 0; j < degree_and_one; ++j) next[lanes * j + lane] = factor * weights[j];
         if (k == 1) block.noise[lane] = scale * noise_of(weights, reach);
       }
     }

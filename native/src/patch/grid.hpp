@@ -13,7 +13,7 @@ namespace splinecore {
 /// The points of a patch, as the kernels take them.
 GridForm form_of(const NurbsPatch& patch);
 
-/// The columns of a grid, four by four where they lie in one span.
+/// The columns of a grid, as many at once as a kernel takes where they lie in one span.
 class GridColumns {
  public:
   explicit GridColumns(const Samples& v);
@@ -22,7 +22,7 @@ class GridColumns {
   GridColumns(const Samples& v, double reach, double scale);
 
   GridBlocks blocks() const noexcept {
-    return {blocks_.data(), blocks_.size(), ranges_.data(), ranges_.size(), width_};
+    return {blocks_.data(), blocks_.size(), ranges_.data(), ranges_.size(), width_, columns_};
   }
 
   /// Numbers that a kernel needs for so many rows of columns.
@@ -36,6 +36,7 @@ class GridColumns {
   std::vector<double> weights_;
   std::vector<GridRange> ranges_;
   std::size_t width_ = 0;
+  std::size_t columns_ = 0;
 };
 
 /// What rounding may leave of a sum of points that reach so far; the slopes of functions multiply it.
