@@ -1,4 +1,4 @@
-#include "splinecore/base/pause.hpp"
+#include "breath.hpp"
 
 namespace splinecore {
 
@@ -31,5 +31,7 @@ void breathe(std::size_t steps) {
   const Pausing not_meanwhile({});
   pause();
 }
+
+const Pause* pause_of_thread() noexcept { return breath.pause; }
 
 }  // namespace splinecore

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// How many threads are worth their making: as many as are asked for, or with 0 one for each core where there is
+/// this much work.
+/// @param work   in steps of breathe()
+/// @param parts  that it falls into
+int threads_for(int asked, std::size_t work, std::size_t parts);
+
+/// parallel_for() on more than one thread.
+void run_on_threads(std::size_t count, int threads, const std::function<void(std::size_t)>& part);
+
+/// Calls part(0), …, part(count - 1), several at once: this thread and threads - 1 others, which are gone when it
+/// returns, take the next one each. With one thread they come one after the other.
+///
+/// What a part throws ends the work and is thrown here; of several the one of the part that comes first, as one thread
+/// would have it. Only this thread pauses (breathe()), also while it waits for the others; what its pause throws
+/// ends all parts within some 20 ms.
+template <class Part>
+void parallel_for(std::size_t count, int threads, Part&& part) {
+  if (threads > 1 && count > 1) return run_on_threads(count, threads, std::ref(part));
+  for (std::size_t i = 0; i < count; ++i) part(i);
+}
+
+}  // namespace splinecore
+#pragma GCC visibility pop
