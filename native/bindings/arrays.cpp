@@ -351,6 +351,14 @@ splinecore::AtInfinity at_infinity_of(const py::handle& value) {
   throw InvalidShape("at_infinity = " + std::string(py::repr(value)) + " is neither 'raise' nor 'nan'");
 }
 
+int threads_of(const py::object& value) {
+  constexpr int kMost = 1024;
+  const int threads = integer(value, "threads");
+  if (threads >= 0 && threads <= kMost) return threads;
+  throw InvalidShape("threads = " + std::to_string(threads) + ": 0, which is one for each core where that is worth it, to " +
+                     std::to_string(kMost) + " are possible");
+}
+
 Output::Output(const Shape& shape, const py::object& out, const py::object& dtype) {
   py::dtype wanted = py::dtype::of<double>();
   if (!dtype.is_none()) {

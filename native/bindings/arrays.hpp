@@ -130,6 +130,9 @@ py::tuple pair_of(const splinecore::Interval& interval);
 splinecore::Side side_of(const py::handle& value, const char* name);
 splinecore::AtInfinity at_infinity_of(const py::handle& value);
 
+/// How many threads, 0 for as many as are worth it. @throws InvalidShape if it is below 0 or more than 1024.
+int threads_of(const py::object& value);
+
 /// Where a result goes: a new array, or the caller's `out`, in float64 or float32.
 class Output {
  public:

@@ -13,8 +13,8 @@ using splinecore::NurbsCurve;
 
 namespace {
 
-EvaluateOptions options_of(const py::object& side, const py::object& at_infinity) {
-  return {side_of(side, "side"), at_infinity_of(at_infinity)};
+EvaluateOptions options_of(const py::object& side, const py::object& at_infinity, const py::object& threads) {
+  return {side_of(side, "side"), at_infinity_of(at_infinity), threads_of(threads)};
 }
 
 /// work() without the interpreter's lock; a parameter that is refused is named by its place.
@@ -34,12 +34,12 @@ void unlocked_at(const Doubles& parameters, const NurbsCurve& curve, const Evalu
 
 py::array evaluate(const NurbsCurve& curve, const py::object& u, const py::object& side,
                    const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                   const py::object& cancel) {
+                   const py::object& threads, const py::object& cancel) {
   const Doubles at = apart_from(real_array(u, "u"), out);
   Shape shape(at.shape(), at.shape() + at.ndim());
   shape.push_back(3);
   const Output output(shape, out, dtype);
-  const EvaluateOptions options = options_of(side, at_infinity);
+  const EvaluateOptions options = options_of(side, at_infinity, threads);
   const std::span parameters(at.data(), static_cast<std::size_t>(at.size()));
   const std::size_t count = 3 * parameters.size();
   unlocked_at(at, curve, options, cancel, [&] {
@@ -54,7 +54,7 @@ py::array evaluate(const NurbsCurve& curve, const py::object& u, const py::objec
 
 py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::object& order,
                       const py::object& side, const py::object& at_infinity, const py::object& out,
-                      const py::object& cancel) {
+                      const py::object& threads, const py::object& cancel) {
   const Doubles at = apart_from(real_array(u, "u"), out);
   const int highest = integer(order, "order");
   splinecore::require_order(highest);
@@ -62,7 +62,7 @@ py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::ob
   shape.push_back(highest + 1);
   shape.push_back(3);
   const Output output(shape, out, py::dtype::of<double>());
-  const EvaluateOptions options = options_of(side, at_infinity);
+  const EvaluateOptions options = options_of(side, at_infinity, threads);
   const std::span parameters(at.data(), static_cast<std::size_t>(at.size()));
   const std::size_t count = 3 * (static_cast<std::size_t>(highest) + 1) * parameters.size();
   unlocked_at(at, curve, options, cancel, [&] {

@@ -17,11 +17,11 @@ const splinecore::NurbsCurve& form(const Curve& curve) {
 
 py::array evaluate(const splinecore::NurbsCurve& curve, const py::object& u, const py::object& side,
                    const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                   const py::object& cancel);
+                   const py::object& threads, const py::object& cancel);
 
 py::array derivatives(const splinecore::NurbsCurve& curve, const py::object& u, const py::object& order,
                       const py::object& side, const py::object& at_infinity, const py::object& out,
-                      const py::object& cancel);
+                      const py::object& threads, const py::object& cancel);
 
 py::list polylines(const splinecore::NurbsCurve& curve, const py::object& resolution, const py::object& reach,
                    const py::object& around);
@@ -37,22 +37,27 @@ void bind_common(py::class_<Curve>& cls) {
   cls.def_property_readonly("is_rational", [](const Curve& self) { return form(self).rational(); },
                             "True unless every weight is 1.");
   cls.def("evaluate", [](const Curve& self, const py::object& u, const py::object& side, const py::object& at_infinity,
-                         const py::object& dtype, const py::object& out, const py::object& cancel) {
-            return evaluate(form(self), u, side, at_infinity, dtype, out, cancel);
+                         const py::object& dtype, const py::object& out, const py::object& threads,
+                         const py::object& cancel) {
+            return evaluate(form(self), u, side, at_infinity, dtype, out, threads, cancel);
           },
           py::arg("u"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "Points at parameters: (...,) -> (..., 3), float64 or, with dtype or out, float32.\n\n"
           "A parameter outside the domain by more than 4 ulp raises InvalidShape. At a knot the right-hand\n"
           "value is taken unless side='left'. Where the weight is zero PointAtInfinity is raised, or\n"
           "at_infinity='nan' marks the point. out is a C-contiguous array of the result's shape; cancel\n"
-          "is a callable that ends a long call by returning True. Rows S6, S9, S15.");
+          "is a callable that ends a long call by returning True. A long batch runs on all cores; threads says on how\n"
+          "many, without any change of the numbers. Rows S6, S9, S15.");
   cls.def("derivatives", [](const Curve& self, const py::object& u, const py::object& order, const py::object& side,
-                            const py::object& at_infinity, const py::object& out, const py::object& cancel) {
-            return derivatives(form(self), u, order, side, at_infinity, out, cancel);
+                            const py::object& at_infinity, const py::object& out, const py::object& threads,
+                            const py::object& cancel) {
+            return derivatives(form(self), u, order, side, at_infinity, out, threads, cancel);
           },
           py::arg("u"), py::arg("order"), py::kw_only(), py::arg("side") = "right",
-          py::arg("at_infinity") = "raise", py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("at_infinity") = "raise", py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "The point and its derivatives up to order: (...,) -> (..., order + 1, 3) float64. The NURBS Book, A4.2.\n\n"
           "[..., 0, :] is what evaluate() gives, bit for bit. A derivative that is too large for a number raises\n"
           "InvalidShape, or is NaN with at_infinity='nan'.");

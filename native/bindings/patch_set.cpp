@@ -235,19 +235,22 @@ void bind_set(py::module_& module) {
           "The same patches on another pool. Weights are kept unless given; a pool of another size needs them.");
   cls.def("evaluate_grid", [](const PatchSet& self, const py::object& u, const py::object& v, const py::object& side,
                               const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                              const py::object& cancel) {
-            return evaluate_grid(self, u, v, side, at_infinity, dtype, out, cancel);
+                              const py::object& threads, const py::object& cancel) {
+            return evaluate_grid(self, u, v, side, at_infinity, dtype, out, threads, cancel);
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "evaluate_grid() of every patch in one call: (patches, a, b, 3). u and v lie in the domain of each.");
   cls.def("evaluate_grid_with_normals",
           [](const PatchSet& self, const py::object& u, const py::object& v, const py::object& side,
-             const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& cancel) {
-            return evaluate_grid_with_normals(self, u, v, side, at_infinity, dtype, out, cancel);
+             const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& threads,
+             const py::object& cancel) {
+            return evaluate_grid_with_normals(self, u, v, side, at_infinity, dtype, out, threads, cancel);
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "evaluate_grid_with_normals() of every patch in one call: two arrays (patches, a, b, 3).");
   cls.def("flipped", [](const PatchSet& self) { return unlocked([&] { return splinecore::flipped(self); }); },
           "All patches seen from the other side: u and v exchanged.");

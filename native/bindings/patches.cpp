@@ -57,47 +57,53 @@ void bind_common(py::class_<Patch>& cls) {
                             "True unless every weight is 1.");
   cls.def("evaluate", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
                          const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                         const py::object& cancel) {
-            return evaluate(form(self), u, v, side, at_infinity, dtype, out, cancel);
+                         const py::object& threads, const py::object& cancel) {
+            return evaluate(form(self), u, v, side, at_infinity, dtype, out, threads, cancel);
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "Points at pairs of parameters: u and v broadcast, (...,) -> (..., 3). side is 'right', 'left' or a\n"
           "pair for u and v. The rest as for curves. Rows S19, S20.");
   cls.def("evaluate_grid", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
                               const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                              const py::object& cancel) {
-            return evaluate_grid(form(self), u, v, side, at_infinity, dtype, out, cancel);
+                              const py::object& threads, const py::object& cancel) {
+            return evaluate_grid(form(self), u, v, side, at_infinity, dtype, out, threads, cancel);
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "Points at every pair of (a,) u and (b,) v: (a, b, 3).");
   cls.def("evaluate_grid_with_normals",
           [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
-             const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& cancel) {
-            return evaluate_grid_with_normals(form(self), u, v, side, at_infinity, dtype, out, cancel);
+             const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& threads,
+             const py::object& cancel) {
+            return evaluate_grid_with_normals(form(self), u, v, side, at_infinity, dtype, out, threads, cancel);
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "(points, unit normals) of a grid, both (a, b, 3). Normals point along S_u x S_v; at a pole or a\n"
           "collapsed edge they are the limit from inside the domain, and NaN where there is none: where the patch\n"
           "is a curve or a point. out is a pair of arrays.");
   cls.def("derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& order,
                             const py::object& side, const py::object& at_infinity, const py::object& out,
-                            const py::object& cancel) {
-            return derivatives(form(self), u, v, order, side, at_infinity, out, cancel);
+                            const py::object& threads, const py::object& cancel) {
+            return derivatives(form(self), u, v, order, side, at_infinity, out, threads, cancel);
           },
           py::arg("u"), py::arg("v"), py::arg("order"), py::kw_only(), py::arg("side") = "right",
-          py::arg("at_infinity") = "raise", py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("at_infinity") = "raise", py::arg("out") = py::none(), py::arg("threads") = 0,
+          py::arg("cancel") = py::none(),
           "Mixed derivatives, k along u and l along v, k, l <= order: (..., order + 1, order + 1, 3) float64.\n"
           "[..., 0, 0, :] is what evaluate() and evaluate_grid() give, bit for bit. One that is too large for a\n"
           "number raises InvalidShape, or is NaN with at_infinity='nan'. The NURBS Book, A4.4.");
   cls.def("first_derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
-                                  const py::object& at_infinity, const py::object& out, const py::object& cancel) {
-            return first_derivatives(form(self), u, v, side, at_infinity, out, cancel);
+                                  const py::object& at_infinity, const py::object& out, const py::object& threads,
+                                  const py::object& cancel) {
+            return first_derivatives(form(self), u, v, side, at_infinity, out, threads, cancel);
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("out") = py::none(), py::arg("cancel") = py::none(),
+          py::arg("out") = py::none(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
           "The points and their first derivatives along u and v: (..., 3, 3) float64, S, S_u and S_v, the same bits\n"
           "as of derivatives().");
   cls.def("split", [](const Patch& self, const py::object& axis, const py::object& u) -> py::tuple {

@@ -76,7 +76,7 @@ def test_every_method_says_what_it_takes(owner):
 @pytest.mark.parametrize("call, sentence", [
     (lambda: LINE.evaluate(),
      "BezierCurve.evaluate() misses u; it takes (u, *, side='right', at_infinity='raise', dtype=None, out=None, "
-     "cancel=None)"),
+     "threads=0, cancel=None)"),
     (lambda: LINE.evaluate(0.5, "left"),
      "BezierCurve.evaluate() takes 1 argument by place, 2 are given; it takes (u, "),
     (lambda: LINE.evaluate(0.5, u=0.5), "BezierCurve.evaluate() is given u twice; "),

@@ -218,6 +218,7 @@ class NurbsCurve:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def derivatives(
@@ -228,6 +229,7 @@ class NurbsCurve:
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -312,6 +314,7 @@ class BezierCurve:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def derivatives(
@@ -322,6 +325,7 @@ class BezierCurve:
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -389,6 +393,7 @@ class HermiteCurve:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def derivatives(
@@ -399,6 +404,7 @@ class HermiteCurve:
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -464,6 +470,7 @@ class PowerCurve:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def derivatives(
@@ -474,6 +481,7 @@ class PowerCurve:
         side: _Side = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def pieces(self) -> list[_Interval]: ...
@@ -544,6 +552,7 @@ class NurbsPatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def evaluate_grid(
@@ -555,6 +564,7 @@ class NurbsPatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def evaluate_grid_with_normals(
@@ -566,6 +576,7 @@ class NurbsPatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: tuple[_Points, _Points] | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> tuple[_Points, _Points]: ...
     def derivatives(
@@ -577,6 +588,7 @@ class NurbsPatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def first_derivatives(
@@ -587,6 +599,7 @@ class NurbsPatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def split(self, axis: _Axis, u: float) -> tuple[NurbsPatch, ...]: ...
@@ -671,6 +684,7 @@ class BezierPatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def evaluate_grid(
@@ -682,6 +696,7 @@ class BezierPatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def evaluate_grid_with_normals(
@@ -693,6 +708,7 @@ class BezierPatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: tuple[_Points, _Points] | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> tuple[_Points, _Points]: ...
     def derivatives(
@@ -704,6 +720,7 @@ class BezierPatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def first_derivatives(
@@ -714,6 +731,7 @@ class BezierPatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def split(self, axis: _Axis, u: float) -> tuple[BezierPatch, BezierPatch]: ...
@@ -792,6 +810,7 @@ class HermitePatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def evaluate_grid(
@@ -803,6 +822,7 @@ class HermitePatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def evaluate_grid_with_normals(
@@ -814,6 +834,7 @@ class HermitePatch:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: tuple[_Points, _Points] | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> tuple[_Points, _Points]: ...
     def derivatives(
@@ -825,6 +846,7 @@ class HermitePatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def first_derivatives(
@@ -835,6 +857,7 @@ class HermitePatch:
         side: _Sides = "right",
         at_infinity: _AtInfinity = "raise",
         out: _Floats | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def split(self, axis: _Axis, u: float) -> tuple[HermitePatch, HermitePatch]: ...
@@ -909,6 +932,7 @@ class PatchSet:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: _Points | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> _Points: ...
     def evaluate_grid_with_normals(
@@ -920,6 +944,7 @@ class PatchSet:
         at_infinity: _AtInfinity = "raise",
         dtype: DTypeLike | None = None,
         out: tuple[_Points, _Points] | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> tuple[_Points, _Points]: ...
     def flipped(self) -> PatchSet: ...

@@ -72,10 +72,10 @@ class Parts {
   }
 
  private:
-  /// Pauses; whether the work goes on.
+  /// Pauses, unless a pause has ended the work; whether it goes on.
   bool heed(const Pause& own) {
     constexpr std::ptrdiff_t kBeforeAll = -1;
-    return attempt(kBeforeAll, own);
+    return failed_ != kBeforeAll && attempt(kBeforeAll, own);
   }
 
   /// Keeps what is thrown, if it comes before what was thrown so far; whether nothing was.

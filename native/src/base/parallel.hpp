@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -26,6 +27,20 @@ void parallel_for(std::size_t count, int threads, Part&& part) {
   if (threads > 1 && count > 1) return run_on_threads(count, threads, std::ref(part));
   for (std::size_t i = 0; i < count; ++i) part(i);
 }
+
+/// Calls work(begin, end) on consecutive parts of [0, count), on as many threads as are asked for (threads_for()).
+/// @param steps_of_one  steps of work for each, as those of parallel_for()
+template <class Work>
+void in_ranges(std::size_t count, std::size_t steps_of_one, int asked, Work&& work) {
+  const int threads = threads_for(asked, count * steps_of_one, count);
+  if (threads == 1) return work(std::size_t{0}, count);
+  constexpr std::size_t kOfThread = 4;
+  const std::size_t parts = std::min(count, kOfThread * static_cast<std::size_t>(threads));
+  parallel_for(parts, threads, [&](std::size_t i) { work(i * count / parts, (i + 1) * count / parts); });
+}
+
+/// Steps of a kernel, which makes so many at once.
+inline constexpr std::size_t kStepsAtOnce = 8;
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include <ranges>
 #include <string>
 
+#include "base/parallel.hpp"
 #include "basis/knot_tables.hpp"
 #include "curve_tables.hpp"
 #include "splinecore/base/errors.hpp"
@@ -161,9 +162,11 @@ class Batch {
       : curve_(curve), form_{curve.degree(), order, curve.rational()}, options_(options),
         locator_(curve, order, options.side), u_(u), out_(out), columns_(3 * (static_cast<std::size_t>(order) + 1)) {}
 
-  void run() {
-    for (std::size_t i = 0; i < u_.size();) {
-      const std::size_t count = std::min(kScattered, u_.size() - i);
+  /// Those from begin to end.
+  void run(std::size_t begin, std::size_t end) {
+    end_ = end;
+    for (std::size_t i = begin; i < end;) {
+      const std::size_t count = std::min(kScattered, end - i);
       locator_.locate(u_.subspan(i, count), i, found_);
       i += advance(i, count);
     }
@@ -197,7 +200,7 @@ class Batch {
   /// As many parameters from i on as lie strictly inside a half, four by four.
   std::size_t run_from(std::size_t i, int half) {
     constexpr std::size_t kMost = std::size_t{1} << 12;
-    const auto part = u_.subspan(i, std::min(kMost, u_.size() - i));
+    const auto part = u_.subspan(i, std::min(kMost, end_ - i));
     const Interval range = locator_.range(half);
     int found = 0;
     const std::size_t done =
@@ -232,39 +235,58 @@ class Batch {
   std::span<const double> u_;
   std::span<Real> out_;
   std::size_t columns_;
+  std::size_t end_ = 0;
 };
 
-}  // namespace
-
-void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
-              EvaluateOptions options) {
-  Batch<double>(curve, 0, options, parameters, out).run();
+template <class Real>
+void run_batch(const NurbsCurve& curve, int order, EvaluateOptions options, std::span<const double> u,
+               std::span<Real> out) {
+  const std::size_t steps = 3 * static_cast<std::size_t>((order + 1) * (curve.degree() + 2)) / kStepsAtOnce + 1;
+  in_ranges(u.size(), steps, options.threads, [&](std::size_t begin, std::size_t end) {
+    Batch<Real>(curve, order, options, u, out).run(begin, end);
+  });
 }
 
-void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<float> out,
-              EvaluateOptions options) {
-  Batch<float>(curve, 0, options, parameters, out).run();
-}
-
-void derivatives(const NurbsCurve& curve, std::span<const double> parameters, int order,
-                 std::span<double> out, EvaluateOptions options) {
-  require_order(order);
-  if (order <= kFastOrder) return Batch<double>(curve, order, options, parameters, out).run();
+/// Derivatives of orders above those of the kernels, at the parameters from begin to end.
+void high_derivatives(const NurbsCurve& curve, std::span<const double> parameters, std::size_t begin, std::size_t end,
+                      int order, std::span<double> out, EvaluateOptions options) {
   const std::size_t columns = 3 * (static_cast<std::size_t>(order) + 1);
-  const std::size_t fast = 3 * (kFastOrder + 1);
+  constexpr std::size_t kFast = 3 * (kFastOrder + 1);
   std::vector<glm::dvec4> homogeneous(order + 1);
   std::vector<glm::dvec3> values(order + 1);
   Stencil at(curve.knot_vector(), order);
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const double u = curve.knot_vector().admit(parameters[i], options.side, i);
     at.move_to(u, options.side);
     derivatives_at(curve, at, homogeneous, values);
     const auto row = out.subspan(columns * i, columns);
     for (std::size_t k = 0; k < columns; ++k) row[k] = values[k / 3][static_cast<int>(k % 3)];
     // The lower ones are the same, bit for bit, whatever the order.
-    Batch<double>(curve, kFastOrder, {options.side, AtInfinity::nan}, {&u, 1}, row.first(fast)).run();
+    Batch<double>(curve, kFastOrder, {options.side, AtInfinity::nan}, {&u, 1}, row.first(kFast)).run(0, 1);
     settle(curve, u, options, row);
   }
+}
+
+}  // namespace
+
+void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
+              EvaluateOptions options) {
+  run_batch(curve, 0, options, parameters, out);
+}
+
+void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<float> out,
+              EvaluateOptions options) {
+  run_batch(curve, 0, options, parameters, out);
+}
+
+void derivatives(const NurbsCurve& curve, std::span<const double> parameters, int order,
+                 std::span<double> out, EvaluateOptions options) {
+  require_order(order);
+  if (order <= kFastOrder) return run_batch(curve, order, options, parameters, out);
+  const std::size_t steps = 4 * static_cast<std::size_t>((order + 1) * (curve.degree() + order + 1));
+  in_ranges(parameters.size(), steps, options.threads, [&](std::size_t begin, std::size_t end) {
+    high_derivatives(curve, parameters, begin, end, order, out, options);
+  });
 }
 
 void evaluate_homogeneous(const NurbsCurve& curve, std::span<const double> parameters,

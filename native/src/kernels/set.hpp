@@ -1,5 +1,5 @@
-// All kernels for one set of instructions, which SPLINECORE_SET and SPLINECORE_SET_NAME name. A source file includes it once; everything has
-// internal linkage, so that a linker cannot take code of one set for that of another.
+// All kernels for one set of instructions, which SPLINECORE_SET and SPLINECORE_SET_NAME name. A source file includes it
+// once; everything has internal linkage, so that a linker cannot take code of one set for that of another.
 
 #include "kernels.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "base/parallel.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -31,14 +32,14 @@ class AxisCache {
   std::optional<Samples> samples_;
 };
 
-/// Calls work(patch, u, v, first number, count of numbers) for every patch.
+/// Calls work(patch, u, v, first number, count of numbers) for the patches from begin to end.
 template <class Work>
-void for_each_patch(const PatchSet& set, std::span<const double> u, std::span<const double> v, int order,
-                    PatchOptions options, Work work) {
+void for_some_patches(const PatchSet& set, std::size_t begin, std::size_t end, std::span<const double> u,
+                      std::span<const double> v, int order, PatchOptions options, Work work) {
   AxisCache samples_u(u, order, options.side_u, "u");
   AxisCache samples_v(v, order, options.side_v, "v");
   const std::size_t count = 3 * u.size() * v.size();
-  for (std::size_t i = 0; i < set.patches().size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const NurbsPatch& patch = nurbs_of(set.patch(i));
     try {
       work(patch, samples_u.of(patch.knot_vector(Axis::u)), samples_v.of(patch.knot_vector(Axis::v)), i * count, count);
@@ -50,12 +51,29 @@ void for_each_patch(const PatchSet& set, std::span<const double> u, std::span<co
   }
 }
 
+/// Calls work(…, threads) for every patch: several patches at once where there are many, else each on several threads.
+template <class Work>
+void for_each_patch(const PatchSet& set, std::span<const double> u, std::span<const double> v, int order,
+                    PatchOptions options, Work work) {
+  constexpr std::size_t kMany = 8;
+  constexpr std::size_t kStepsOfPoint = 16;
+  const std::size_t patches = set.patches().size();
+  const auto some = [&](std::size_t begin, std::size_t end, int threads) {
+    for_some_patches(set, begin, end, u, v, order, options,
+                     [&](const NurbsPatch& patch, const Samples& at_u, const Samples& at_v, std::size_t first,
+                         std::size_t count) { work(patch, at_u, at_v, first, count, threads); });
+  };
+  if (patches < kMany) return some(0, patches, options.threads);
+  const std::size_t steps = kStepsOfPoint * static_cast<std::size_t>(order + 1) * u.size() * v.size();
+  in_ranges(patches, steps, options.threads, [&](std::size_t begin, std::size_t end) { some(begin, end, 1); });
+}
+
 template <class Real>
 void points_of(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<Real> out,
                PatchOptions options) {
   for_each_patch(set, u, v, 0, options, [&](const NurbsPatch& patch, const Samples& at_u, const Samples& at_v,
-                                            std::size_t first, std::size_t count) {
-    evaluate_grid(patch, at_u, at_v, out.subspan(first, count), options.at_infinity);
+                                            std::size_t first, std::size_t count, int threads) {
+    evaluate_grid(patch, at_u, at_v, out.subspan(first, count), options.at_infinity, threads);
   });
 }
 
@@ -63,9 +81,9 @@ template <class Real>
 void normals_of(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<Real> points,
                 std::span<Real> normals, PatchOptions options) {
   for_each_patch(set, u, v, 1, options, [&](const NurbsPatch& patch, const Samples& at_u, const Samples& at_v,
-                                            std::size_t first, std::size_t count) {
+                                            std::size_t first, std::size_t count, int threads) {
     evaluate_grid_with_normals(patch, at_u, at_v, points.subspan(first, count), normals.subspan(first, count),
-                               options.at_infinity);
+                               options.at_infinity, threads);
   });
 }
 

@@ -11,6 +11,10 @@ GridForm form_of(const NurbsPatch& patch) {
           patch.knot_vector(Axis::u).degree(), v.degree(), patch.rational()};
 }
 
+const double* corner_of(const GridForm& form, int first_u, int first_v) {
+  return form.points + 4 * (static_cast<std::size_t>(first_u) * form.width + static_cast<std::size_t>(first_v));
+}
+
 double rounding_of(double reach) {
   constexpr double kRounding = 0x1p-48;
   return kRounding * reach;

@@ -13,6 +13,9 @@ namespace splinecore {
 /// The points of a patch, as the kernels take them.
 GridForm form_of(const NurbsPatch& patch);
 
+/// The first of the points that functions from these on are for.
+const double* corner_of(const GridForm& form, int first_u, int first_v);
+
 /// The columns of a grid, as many at once as a kernel takes where they lie in one span.
 class GridColumns {
  public:

@@ -7,10 +7,12 @@
 
 namespace splinecore {
 
-/// How parameters at a jump and at infinity are taken.
+/// How parameters at a jump and at infinity are taken, and on how many threads: 0 for one on each core where a batch is
+/// worth it. The numbers are the same, bit for bit, and no thread outlives its call.
 struct EvaluateOptions {
   Side side = Side::right;
   AtInfinity at_infinity = AtInfinity::raise;
+  int threads = 0;
 };
 
 /// x, y, z at each parameter; out.size() == 3 * parameters.size(). float32 is the last store only.

@@ -8,11 +8,12 @@
 
 namespace splinecore {
 
-/// How jumps and points at infinity are taken; one side for each direction.
+/// How jumps and points at infinity are taken, one side for each direction; threads as of EvaluateOptions.
 struct PatchOptions {
   Side side_u = Side::right;
   Side side_v = Side::right;
   AtInfinity at_infinity = AtInfinity::raise;
+  int threads = 0;
 };
 
 /// x, y, z at each pair (u[i], v[i]); out.size() == 3 * u.size() (lecture rows S19, S20).
@@ -45,17 +46,17 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double>
 
 /// The grid's points on samples computed before.
 void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<double> points,
-                   AtInfinity at_infinity = AtInfinity::raise);
+                   AtInfinity at_infinity = AtInfinity::raise, int threads = 0);
 void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<float> points,
-                   AtInfinity at_infinity = AtInfinity::raise);
+                   AtInfinity at_infinity = AtInfinity::raise, int threads = 0);
 
 /// The same with normals; the samples must hold first derivatives.
 void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
                                 std::span<double> points, std::span<double> normals,
-                                AtInfinity at_infinity = AtInfinity::raise);
+                                AtInfinity at_infinity = AtInfinity::raise, int threads = 0);
 void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
                                 std::span<float> points, std::span<float> normals,
-                                AtInfinity at_infinity = AtInfinity::raise);
+                                AtInfinity at_infinity = AtInfinity::raise, int threads = 0);
 
 /// The point and the derivatives along u and v at each pair; out.size() == 9 * u.size().
 void first_derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
