@@ -74,8 +74,10 @@ py::array as_given(const py::handle& value, const py::array& array) {
     throw py::type_error(std::string(name) + " has dtype " + std::string(py::str(array.dtype())) +
                          ", real numbers are expected");
   }
-  const py::ssize_t place = first == count ? 0 : first;
-  throw py::type_error(std::string(name) + place_text(array, place) + " = " + short_text(elements[place]) +
+  if (first == count) {
+    throw py::type_error(std::string(name) + " is an array of objects: give it a dtype of numbers, as with astype(float)");
+  }
+  throw py::type_error(std::string(name) + place_text(array, first) + " = " + short_text(elements[first]) +
                        " is not a real number that fits float64 or int64");
 }
 
@@ -216,13 +218,13 @@ void require_net(const py::array& array, const char* name, const Shape& net) {
   throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + " for points " + counts);
 }
 
-std::pair<py::object, py::object> pair_argument(const py::object& value, const char* name) {
+std::pair<py::object, py::object> pair_argument(const py::object& value, const char* name, const char* of) {
   const bool is_sequence = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::str>(value) &&
                            !py::isinstance<py::bytes>(value);
   const py::ssize_t length = is_sequence ? PySequence_Size(value.ptr()) : -1;
   PyErr_Clear();
   if (length != 2) {
-    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be a pair: one for u, one for v");
+    throw py::type_error(std::string(name) + " = " + short_text(value) + " must be a pair: " + of);
   }
   return {value[py::int_(0)], value[py::int_(1)]};
 }
@@ -359,7 +361,14 @@ int threads_of(const py::object& value) {
                      std::to_string(kMost) + " are possible");
 }
 
-Output::Output(const Shape& shape, const py::object& out, const py::object& dtype) {
+Output::Output(const Shape& shape, const py::object& out) : Output(shape, out, py::none(), "float64") {
+  if (single_) throw py::type_error("out has dtype float32, float64 is expected");
+}
+
+Output::Output(const Shape& shape, const py::object& out, const py::object& dtype)
+    : Output(shape, out, dtype, "float64 or float32") {}
+
+Output::Output(const Shape& shape, const py::object& out, const py::object& dtype, const char* possible) {
   py::dtype wanted = py::dtype::of<double>();
   if (!dtype.is_none()) {
     wanted = dtype_of(dtype);
@@ -377,7 +386,7 @@ Output::Output(const Shape& shape, const py::object& out, const py::object& dtyp
   array_ = py::reinterpret_borrow<py::array>(out);
   single_ = array_.dtype().equal(py::dtype::of<float>());
   if (!single_ && !array_.dtype().equal(py::dtype::of<double>())) {
-    throw py::type_error("out has dtype " + std::string(py::str(array_.dtype())) + ", float64 or float32 is expected");
+    throw py::type_error("out has dtype " + std::string(py::str(array_.dtype())) + ", " + possible + " is expected");
   }
   if (!dtype.is_none() && !array_.dtype().equal(wanted)) {
     throw py::type_error("out has dtype " + std::string(py::str(array_.dtype())) + ", but dtype is " +

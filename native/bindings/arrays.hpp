@@ -62,7 +62,8 @@ std::string type_name(const py::handle& value);
 void require_net(const py::array& array, const char* name, const Shape& net);
 
 /// An argument with one part for u and one for v. @throws py::type_error if it is no pair.
-std::pair<py::object, py::object> pair_argument(const py::object& value, const char* name);
+std::pair<py::object, py::object> pair_argument(const py::object& value, const char* name,
+                                                const char* of = "one for u, one for v");
 
 /// Points of two or three columns and their weights (or None: all 1), as (x, y, z, w).
 /// @param dimensions  1 for a row of points, 2 for a net
@@ -140,12 +141,17 @@ class Output {
   ///         shape, or its type and dtype disagree.
   Output(const Shape& shape, const py::object& out, const py::object& dtype);
 
+  /// In float64 alone.
+  Output(const Shape& shape, const py::object& out);
+
   bool single() const noexcept { return single_; }
   const py::array& array() const noexcept { return array_; }
   std::span<double> doubles(std::size_t first, std::size_t count) const;
   std::span<float> floats(std::size_t first, std::size_t count) const;
 
  private:
+  Output(const Shape& shape, const py::object& out, const py::object& dtype, const char* possible);
+
   py::array array_;
   bool single_ = false;
   void* data_ = nullptr;

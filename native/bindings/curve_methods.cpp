@@ -61,7 +61,7 @@ py::array derivatives(const NurbsCurve& curve, const py::object& u, const py::ob
   Shape shape(at.shape(), at.shape() + at.ndim());
   shape.push_back(highest + 1);
   shape.push_back(3);
-  const Output output(shape, out, py::dtype::of<double>());
+  const Output output(shape, out);
   const EvaluateOptions options = options_of(side, at_infinity, threads);
   const std::span parameters(at.data(), static_cast<std::size_t>(at.size()));
   const std::size_t count = 3 * (static_cast<std::size_t>(highest) + 1) * parameters.size();

@@ -78,7 +78,7 @@ Doubles axis_parameters(const py::object& value, const char* name) {
 /// Where points and normals go: None, or a pair of arrays.
 std::pair<py::object, py::object> outputs_of(const py::object& out) {
   if (out.is_none()) return {py::none(), py::none()};
-  return pair_argument(out, "out");
+  return pair_argument(out, "out", "an array for points, one for normals");
 }
 
 Shape shape_of(const NurbsPatch&, const Doubles& u, const Doubles& v) { return {u.size(), v.size(), 3}; }
@@ -169,7 +169,7 @@ py::array derivatives(const NurbsPatch& patch, const py::object& u, const py::ob
   splinecore::require_order(highest);
   Shape shape = pairs.shape;
   shape.insert(shape.end(), {highest + 1, highest + 1, 3});
-  const Output output(shape, out, py::dtype::of<double>());
+  const Output output(shape, out);
   const PatchOptions options = options_of(side, at_infinity, threads);
   const std::size_t width = static_cast<std::size_t>(highest) + 1;
   unlocked_at(patch, pairs.given_u, pairs.given_v, options, cancel, [&] {
@@ -185,7 +185,7 @@ py::array first_derivatives(const NurbsPatch& patch, const py::object& u, const 
   const Pairs pairs(u, v, out);
   Shape shape = pairs.shape;
   shape.insert(shape.end(), {3, 3});
-  const Output output(shape, out, py::dtype::of<double>());
+  const Output output(shape, out);
   const PatchOptions options = options_of(side, at_infinity, threads);
   unlocked_at(patch, pairs.given_u, pairs.given_v, options, cancel, [&] {
     splinecore::first_derivatives(patch, pairs.us(), pairs.vs(), output.doubles(0, 9 * pairs.us().size()), options);

@@ -149,6 +149,19 @@ def test_out_of_another_kind_is_refused():
     for dtype in ("i4", "f2", "nonsense", 3.5):
         with pytest.raises(TypeError, match="dtype"):
             circle().evaluate(u, dtype=dtype)
+    with pytest.raises(TypeError, match="^out has dtype float32, float64 is expected$"):
+        circle().derivatives(u, 1, out=np.zeros((2, 2, 3), np.float32))
+    with pytest.raises(TypeError, match="^out has dtype float32, float64 is expected$"):
+        torus().first_derivatives(u, u, out=np.zeros((2, 3, 3), np.float32))
+    with pytest.raises(TypeError, match="must be a pair: an array for points, one for normals"):
+        torus().evaluate_grid_with_normals([0.0, 1.0, 2.0], u, out=np.zeros((3, 2, 3)))
+
+
+def test_numbers_in_an_array_of_objects_are_refused_as_what_they_are():
+    with pytest.raises(TypeError, match="u is an array of objects: give it a dtype of numbers"):
+        circle().evaluate(np.array([0.5, 0.7], object))
+    with pytest.raises(TypeError, match=r"u\[1\] = None is not a real number"):
+        circle().evaluate(np.array([0.5, None], object))
 
 
 def arrays_of(value):
