@@ -140,8 +140,26 @@ double largest_coordinate(std::span<const glm::dvec4> points) noexcept {
   return size;
 }
 
+namespace {
+
+/// Zero times what is not finite is no number, and stays none in a sum. Two sums, because each waits for itself.
+bool are_finite(std::span<const glm::dvec4> points) noexcept {
+  glm::dvec4 even(0.0);
+  glm::dvec4 odd(0.0);
+  std::size_t i = 0;
+  for (; i + 1 < points.size(); i += 2) {
+    even += 0.0 * points[i];
+    odd += 0.0 * points[i + 1];
+  }
+  if (i < points.size()) even += 0.0 * points[i];
+  return even + odd == glm::dvec4(0.0);
+}
+
+}  // namespace
+
 void require_points(std::span<const glm::dvec4> points, std::size_t row_length) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const bool is_finite = are_finite(points);
+  for (std::size_t i = 0; !is_finite && i < points.size(); ++i) {
     require_coordinates(&points[i].x, "points", i, row_length);
     if (!std::isfinite(points[i].w)) {
       throw InvalidShape("weights" + index_text(i, row_length) + " = " + text_of(points[i].w) +

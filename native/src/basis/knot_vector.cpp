@@ -24,7 +24,20 @@ void require_degree(int degree) {
                      std::to_string(kMaxDegree) + "]");
 }
 
+/// Whether they do not decrease, none more often than degree + 1 times. Without branches: of a vector that is made by
+/// the library it is so.
+bool is_in_order(std::span<const double> knots, int degree) {
+  const std::size_t order = static_cast<std::size_t>(degree) + 1;
+  bool is_right = true;
+  for (std::size_t i = 1; i < knots.size(); ++i) is_right &= knots[i - 1] <= knots[i];
+  for (std::size_t i = order; i < knots.size(); ++i) is_right &= knots[i - order] < knots[i];
+  return is_right;
+}
+
+/// @throws InvalidShape naming the knot that is not in order, or not finite.
 void require_order(std::span<const double> knots, int degree) {
+  if (std::isfinite(knots.front()) && std::isfinite(knots.back()) && is_in_order(knots, degree)) return;
+  require_finite(knots, "knots");
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (knots[i] < knots[i - 1]) {
       throw InvalidShape("knots" + index_text(i) + " = " + text_of(knots[i]) + " is below knots" +
@@ -63,6 +76,7 @@ std::vector<double> unroll(std::span<const double> period, int degree) {
 std::vector<int> positive_spans(std::span<const double> knots, int degree) {
   std::vector<int> spans;
   const int last = static_cast<int>(knots.size()) - degree - 1;
+  spans.reserve(std::max(last - degree, 0));
   for (int k = degree; k < last; ++k) {
     if (knots[k] < knots[k + 1]) spans.push_back(k);
   }
@@ -102,7 +116,6 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
     throw InvalidShape("knots has " + std::to_string(knots.size()) + " values, at least " +
                        std::to_string(needed) + " are needed for degree " + std::to_string(degree));
   }
-  require_finite(knots, "knots");
   require_order(knots, degree);
   if (!std::isfinite(knots.back() - knots.front())) {
     throw InvalidShape("knots from " + text_of(knots.front()) + " to " + text_of(knots.back()) +

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <numeric>
 #include <string>
 
+#include "blossom_point.hpp"
 #include "old_knots.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -20,22 +23,25 @@ struct Merged {
   bool inserted;
 };
 
+/// In order, with room for one more.
 std::vector<double> admitted(const KnotVector& knots, std::span<const double> inserted) {
   const Interval domain = knots.domain();
-  std::vector<double> values(inserted.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  std::vector<double> values;
+  values.reserve(inserted.size() + 1);
+  for (std::size_t i = 0; i < inserted.size(); ++i) {
     const double u = inserted[i];
-    values[i] = u > domain.start && u < domain.end ? u : knots.admit(u, Side::right, i, "knots");
+    values.push_back(u > domain.start && u < domain.end ? u : knots.admit(u, Side::right, i, "knots"));
   }
   if (!std::ranges::is_sorted(values)) std::ranges::sort(values);
-  const auto given = knots.knots();
-  auto old = given.begin();
+  return values;
+}
+
+/// @throws InvalidShape if a value would be there too often.
+void require_multiplicities(const KnotVector& knots, std::span<const double> values) {
   for (std::size_t i = 0; i < values.size();) {
     std::size_t end = i;
     while (end < values.size() && values[end] == values[i]) ++end;
-    while (old != given.end() && *old < values[i]) ++old;
-    const bool is_old = (old != given.end() && *old == values[i]) || knots.periodic();
-    const long times = static_cast<long>(end - i) + (is_old ? multiplicity(knots, values[i]) : 0);
+    const long times = static_cast<long>(end - i) + multiplicity(knots, values[i]);
     if (times > knots.degree() + 1) {
       throw InvalidShape("knots: " + text_of(values[i]) + " would have multiplicity " +
                          std::to_string(times) + ", above degree + 1 = " +
@@ -43,7 +49,6 @@ std::vector<double> admitted(const KnotVector& knots, std::span<const double> in
     }
     i = end;
   }
-  return values;
 }
 
 /// Old and inserted knots in order. An inserted knot stands after old ones of its value, but at
@@ -101,7 +106,9 @@ void for_each_window(const std::vector<Merged>& merged, long start, int count, i
 
 PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted) {
   const OldKnots old = reachable(knots, 2 * knots.degree() + 2);
-  const std::vector<Merged> merged = merge(knots, old, admitted(knots, inserted));
+  const std::vector<double> added = admitted(knots, inserted);
+  require_multiplicities(knots, added);
+  const std::vector<Merged> merged = merge(knots, old, added);
   const auto is_origin = [](const Merged& k) { return !k.inserted && k.old_index == 0; };
   const long origin = std::ranges::find_if(merged, is_origin) - merged.begin();
   std::vector<double> values;
@@ -133,73 +140,70 @@ namespace {
 struct Line {
   std::vector<double> knots;
   std::vector<int> old_before;
-
-  bool is_old(std::size_t i) const { return old_before[i + 1] > old_before[i]; }
 };
 
-Line merged_line(const KnotVector& knots, const std::vector<double>& inserted) {
+/// @param inserted  in order; gets an infinity at its end
+Line merged_line(const KnotVector& knots, std::vector<double>& inserted) {
   const auto old = knots.knots();
-  const double end = knots.domain().end;
-  Line line;
-  line.knots.resize(old.size() + inserted.size());
-  line.old_before.resize(line.knots.size() + 1);
-  std::size_t next = 0;
-  int taken = 0;
-  for (std::size_t i = 0; i < line.knots.size(); ++i) {
-    line.old_before[i] = taken;
-    // After the old ones of its value, but at the end of the domain before them.
-    const bool is_new = next < inserted.size() &&
-                        (inserted[next] < old[taken] || (inserted[next] == old[taken] && inserted[next] == end));
-    line.knots[i] = is_new ? inserted[next++] : old[taken++];
+  // After the old ones of its value, but at the end of the domain before them.
+  const std::size_t last = std::ranges::lower_bound(old, knots.domain().end) - old.begin();
+  const std::size_t count = old.size() + inserted.size();
+  const std::size_t merged = last + inserted.size();
+  Line line{std::vector<double>(count), std::vector<int>(count)};
+  inserted.push_back(std::numeric_limits<double>::infinity());
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < merged; ++i) {
+    line.old_before[i] = static_cast<int>(taken);
+    const double kept = old[taken];
+    const double added = inserted[i - taken];
+    const bool is_new = (added < kept) | (taken == last);
+    line.knots[i] = is_new ? added : kept;
+    taken += is_new ? 0 : 1;
   }
-  line.old_before.back() = taken;
+  std::ranges::copy(old.subspan(last), line.knots.begin() + merged);
+  std::iota(line.old_before.begin() + merged, line.old_before.end(), static_cast<int>(last));
   return line;
 }
 
-/// The blossom at the arguments, the last first, of arguments.size() + 1 points that share their other knots; t as in
-/// blossom_weights(). The points are overwritten.
-void reduce(const double* t, int degree, std::span<const double> arguments, glm::dvec4* points) {
-  const int levels = static_cast<int>(arguments.size());
-  for (int level = levels; level >= 1; --level) {
-    const double u = arguments[level - 1];
-    for (int r = 0; r < level; ++r) {
-      const double low = t[levels - level + 1 + r];
-      const double high = t[degree + 1 + r];
-      points[r] = ((high - u) / (high - low)) * points[r] + ((u - low) / (high - low)) * points[r + 1];
-    }
+bool has_too_many(std::span<const double> knots, int degree) {
+  const std::size_t order = static_cast<std::size_t>(degree) + 1;
+  bool is_right = true;
+  for (std::size_t i = order; i < knots.size(); ++i) is_right &= knots[i - order] < knots[i];
+  return !is_right;
+}
+
+/// Which of the old points that it was made of a new one is equal to, or -1.
+int copied_of(const glm::dvec4& made, std::span<const glm::dvec4> points, int first, int number) {
+  int copied = -1;
+  for (int i = first; i <= first + number; ++i) {
+    if (made == points[i]) copied = i;
   }
+  return copied;
 }
 
 }  // namespace
 
-RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> points, std::span<const double> inserted) {
+RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> points, std::span<const double> inserted,
+                      bool with_copies) {
   constexpr std::size_t kBlock = 256;
   const int degree = knots.degree();
-  const double* old = knots.knots().data();
-  Line line = merged_line(knots, admitted(knots, inserted));
+  const double* const old = knots.knots().data();
+  std::vector<double> added = admitted(knots, inserted);
+  Line line = merged_line(knots, added);
+  if (has_too_many(line.knots, degree)) require_multiplicities(knots, std::span(added).first(inserted.size()));
   const std::size_t count = line.knots.size() - degree - 1;
   std::vector<glm::dvec4> made(count);
-  std::vector<int> copied(count, -1);
-  std::vector<glm::dvec4> part(degree + 1);
-  std::vector<double> arguments(degree);
+  std::vector<int> copied(with_copies ? count : 0);
+  std::vector<PairedPoint> scratch(degree + 1);
   for (std::size_t j = 0; j < count; ++j) {
     if (j % kBlock == 0) breathe(8 * kBlock * static_cast<std::size_t>(degree));
-    int number = 0;
-    for (std::size_t i = j + 1; i <= j + degree; ++i) {
-      if (!line.is_old(i)) arguments[number++] = line.knots[i];
-    }
-    const int first = line.old_before[j + 1] - 1 - number;
-    if (number == 0) {
-      made[j] = points[first];
-      copied[j] = first;
-      continue;
-    }
-    std::copy_n(points.begin() + first, number + 1, part.begin());
-    reduce(old + first, degree, {arguments.data(), static_cast<std::size_t>(number)}, part.data());
-    made[j] = part[0];
-    for (int i = first; i <= first + number; ++i) {
-      if (made[j] == points[i]) copied[j] = i;
-    }
+    // The window of knots j + 1 … j + degree: what is new of it lies together among the inserted ones.
+    const int before = line.old_before[j + 1];
+    const int number = degree - (line.old_before[j + degree + 1] - before);
+    const double* const arguments = added.data() + (j + 1 - before);
+    const int first = before - 1 - number;
+    made[j] = blossom_point(old + first, degree, arguments, number, points.data() + first, scratch.data()).point();
+    if (with_copies) copied[j] = number == 0 ? first : copied_of(made[j], points, first, number);
   }
   return {KnotVector::make(degree, std::move(line.knots)), std::move(made), std::move(copied)};
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 namespace splinecore {
 
 /// Finds the span of a parameter among many: the domain is cut into equal parts, of which each knows its first span.
+/// They are counted when they are first asked for: many knots are made that only lead to others.
 class SpanFinder {
  public:
   /// @param starts  of the spans, growing
@@ -20,26 +23,27 @@ class SpanFinder {
       : count_(static_cast<std::int32_t>(starts.size())), bounds_(std::move(starts)) {
     bounds_.push_back(end);
     bounds_.push_back(std::numeric_limits<double>::infinity());
-    add_middles();
-    add_parts();
   }
+  ~SpanFinder() { delete parts_.load(); }
+  SpanFinder(const SpanFinder&) = delete;
+  SpanFinder& operator=(const SpanFinder&) = delete;
 
   /// Where the spans start, and the end of the last one.
   const double* bounds() const noexcept { return bounds_.data(); }
 
   /// Of each span: a parameter above it is nearer to the end.
-  const double* middles() const noexcept { return middles_.data(); }
+  const double* middles() const { return parts().middles.data(); }
 
   /// The last span that starts before u; Side::right: or at u. Of a u before them all the first.
   /// @param u  a number in the domain
-  int find(double u, Side side) const noexcept {
+  int find(double u, Side side) const {
     std::int32_t span = 0;
     find_all(&u, 1, side, &span);
     return span;
   }
 
   /// The same of many.
-  void find_all(const double* u, std::size_t count, Side side, std::int32_t* spans) const noexcept {
+  void find_all(const double* u, std::size_t count, Side side, std::int32_t* spans) const {
     if (side == Side::right) {
       find_each(u, count, spans, [](double bound, double at) { return bound <= at; });
     } else {
@@ -48,38 +52,55 @@ class SpanFinder {
   }
 
  private:
-  void add_middles() {
-    middles_.reserve(static_cast<std::size_t>(count_));
+  struct Parts {
+    std::vector<double> middles;
+    double scale = 0.0;
+    bool is_crowded = false;
+    std::vector<std::int32_t> first;  ///< of each part: how many spans start in those before it
+  };
+
+  /// Of two that count them at once the first to be done is taken.
+  const Parts& parts() const {
+    const Parts* known = parts_.load(std::memory_order_acquire);
+    if (known != nullptr) return *known;
+    std::unique_ptr<const Parts> made = counted();
+    if (parts_.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) known = made.release();
+    return *known;
+  }
+
+  std::unique_ptr<const Parts> counted() const {
+    auto made = std::make_unique<Parts>();
+    made->middles.reserve(static_cast<std::size_t>(count_));
     for (std::int32_t i = 0; i < count_; ++i) {
       const double middle = Interval{bounds_[i], bounds_[i + 1]}.middle();
-      middles_.push_back(middle < bounds_[i + 1] ? middle : bounds_[i]);
+      made->middles.push_back(middle < bounds_[i + 1] ? middle : bounds_[i]);
     }
-  }
-
-  void add_parts() {
     constexpr std::size_t kMostParts = std::size_t{1} << 20;
     constexpr double kLargest = 1e300;
-    const std::size_t parts = count_ > 1 ? std::min(kMostParts, 8 * static_cast<std::size_t>(count_)) : 1;
-    const double scale = static_cast<double>(parts) / (bounds_[count_] - bounds_.front());
-    scale_ = count_ > 1 && scale > 0.0 && scale < kLargest ? scale : 0.0;
-    first_.assign(parts + 2, 0);
-    for (std::int32_t i = 0; i < count_; ++i) ++first_[part_of(bounds_[i]) + 1];
+    const std::size_t number = count_ > 1 ? std::min(kMostParts, 8 * static_cast<std::size_t>(count_)) : 1;
+    const double scale = static_cast<double>(number) / (bounds_[count_] - bounds_.front());
+    made->scale = count_ > 1 && scale > 0.0 && scale < kLargest ? scale : 0.0;
+    std::vector<std::int32_t>& first = made->first;
+    first.assign(number + 2, 0);
+    // The part grows with u, so that spans that start in other parts need not be looked at.
+    for (std::int32_t i = 0; i < count_; ++i) {
+      ++first[static_cast<std::size_t>((bounds_[i] - bounds_.front()) * made->scale) + 1];
+    }
     constexpr std::int32_t kFew = 4;
-    is_crowded_ = std::ranges::any_of(first_, [](std::int32_t starts) { return starts > kFew; });
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    made->is_crowded = std::ranges::any_of(first, [](std::int32_t starts) { return starts > kFew; });
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    return made;
   }
 
-  /// Grows with u, so that spans that start in other parts need not be looked at.
-  std::size_t part_of(double u) const noexcept { return static_cast<std::size_t>((u - bounds_.front()) * scale_); }
-
   template <class Begins>
-  void find_each(const double* u, std::size_t count, std::int32_t* spans, Begins begins) const noexcept {
+  void find_each(const double* u, std::size_t count, std::int32_t* spans, Begins begins) const {
+    const Parts& parts = this->parts();
     const double* const bounds = bounds_.data();
-    const std::int32_t* const first = first_.data();
+    const std::int32_t* const first = parts.first.data();
     const double start = bounds[0];
-    const double scale = scale_;
+    const double scale = parts.scale;
     const std::int32_t last = count_ - 1;
-    const bool is_crowded = is_crowded_;
+    const bool is_crowded = parts.is_crowded;
     for (std::size_t i = 0; i < count; ++i) {
       const double at = u[i];
       const auto part = static_cast<std::size_t>(static_cast<std::int64_t>((at - start) * scale));
@@ -100,10 +121,7 @@ class SpanFinder {
 
   std::int32_t count_;
   std::vector<double> bounds_;  ///< and infinity behind them
-  std::vector<double> middles_;
-  double scale_ = 0.0;
-  bool is_crowded_ = false;
-  std::vector<std::int32_t> first_;  ///< of each part: how many spans start in those before it
+  mutable std::atomic<const Parts*> parts_{nullptr};
 };
 
 }  // namespace splinecore

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "made_of.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -18,6 +19,11 @@ NurbsCurve elevated(const NurbsCurve& curve, int times) {
   if (times < 0) throw InvalidShape("times = " + std::to_string(times) + " is below 0");
   if (times > kMaxDegree - curve.degree()) {
     throw InvalidShape("times = " + std::to_string(times) + ": the degree would exceed " + std::to_string(kMaxDegree));
+  }
+  if (times == 0) return curve;
+  if (!curve.periodic()) {
+    auto [knots, points, copied] = elevated(curve.knot_vector(), curve.homogeneous_points(), times);
+    return made_of(curve, std::move(knots), std::move(points), copied);
   }
   NurbsCurve raised = curve;
   for (int i = 0; i < times; ++i) raised = applied(elevation(raised.knot_vector()), raised);

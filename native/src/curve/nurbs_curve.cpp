@@ -3,6 +3,7 @@
 #include <string>
 
 #include "curve_tables.hpp"
+#include "made_of.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/refinement.hpp"
@@ -55,9 +56,8 @@ NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve) {
   return NurbsCurve::make(matrix.knots(), std::move(given.made));
 }
 
-NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
-  if (curve.periodic()) return applied(refinement(curve.knot_vector(), inserted), curve);
-  auto [knots, points, copied] = refined(curve.knot_vector(), curve.homogeneous_points(), inserted);
+NurbsCurve made_of(const NurbsCurve& curve, KnotVector knots, std::vector<glm::dvec4> points,
+                   std::span<const int> copied) {
   if (!curve.rational()) {
     for (glm::dvec4& point : points) point.w = 1.0;
     return NurbsCurve::make(std::move(knots), std::move(points));
@@ -67,6 +67,13 @@ NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
     if (copied[i] >= 0) given.made[i] = given.old[copied[i]];
   }
   return NurbsCurve::make(std::move(knots), std::move(given.made));
+}
+
+NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted) {
+  if (curve.periodic()) return applied(refinement(curve.knot_vector(), inserted), curve);
+  auto [knots, points, copied] =
+      refined(curve.knot_vector(), curve.homogeneous_points(), inserted, curve.rational());
+  return made_of(curve, std::move(knots), std::move(points), copied);
 }
 
 NurbsCurve insert_knot(const NurbsCurve& curve, double u, int times) {

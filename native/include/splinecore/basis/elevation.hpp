@@ -1,5 +1,9 @@
 #pragma once
 
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
 #include "splinecore/basis/point_matrix.hpp"
 
 namespace splinecore {
@@ -11,5 +15,13 @@ namespace splinecore {
 /// p + 1 is the mean of that of degree p over all choices of its arguments; lecture row S15).
 /// @throws InvalidShape if the degree would exceed kMaxDegree.
 PointMatrix elevation(const KnotVector& knots);
+
+/// What elevation() makes of points on a plain vector, so many times, without its matrices.
+struct ElevatedPoints {
+  KnotVector knots;
+  std::vector<glm::dvec4> points;
+  std::vector<int> copied;  ///< of each point: which old one it is, or -1
+};
+ElevatedPoints elevated(const KnotVector& knots, std::span<const glm::dvec4> points, int times);
 
 }  // namespace splinecore

@@ -18,9 +18,10 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
 struct RefinedPoints {
   KnotVector knots;
   std::vector<glm::dvec4> points;
-  std::vector<int> copied;  ///< of each point: which old one it is, or -1
+  std::vector<int> copied;  ///< if wanted, of each point: which old one it is, or -1
 };
-RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> points, std::span<const double> inserted);
+RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> points, std::span<const double> inserted,
+                      bool with_copies);
 
 /// `times` copies of u.
 /// @throws InvalidShape unless 1 <= times <= degree + 1.
