@@ -85,6 +85,30 @@ def test_scaling_all_weights_changes_nothing(curve, factor):
     assert gap(scaled.evaluate(u), curve.evaluate(u), curve) <= 1e-12
 
 
+@given(nurbs_curves(), st.lists(fractions, min_size=1, max_size=5, unique=True), st.integers(1, 3))
+def test_a_sheet_over_a_curve_has_the_points_of_the_curve(curve, at, times):
+    """The verbs of patches go through matrices, those of plain curves do not."""
+    def sheet():
+        net, weights = np.stack([curve.points] * 2, axis=1), np.stack([curve.weights] * 2, axis=1)
+        return sc.NurbsPatch((curve.degree, 1), (curve.knots, [0, 0, 1, 1]), net, weights)
+
+    inserted = [within(curve.domain, fraction) for fraction in at]
+    for made, over in ((curve.elevate(times), sheet().elevate("u", times)),
+                       (curve.refine(inserted), sheet().refine("u", inserted))):
+        assert made.knots.tolist() == over.knots[0].tolist()
+        assert np.abs(made.points - over.points[:, 0]).max() <= 4e-15 * size_of(curve)
+        assert np.abs(made.weights / over.weights[:, 0] - 1).max() <= 4e-15
+
+
+@given(nurbs_curves(), st.integers(1, 3))
+def test_elevating_keeps_every_digit_of_the_ends(curve, times):
+    whole = curve.clamped()
+    raised = whole.elevate(times)
+    for end in (0, -1):
+        assert raised.points[end].tolist() == whole.points[end].tolist()
+        assert raised.weights[end] == whole.weights[end]
+
+
 @given(nurbs_curves(), st.lists(fractions, min_size=1, max_size=5, unique=True))
 def test_refining_keeps_the_curve(curve, at):
     refined = curve.refine([within(curve.domain, fraction) for fraction in at])

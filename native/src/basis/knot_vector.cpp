@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -28,10 +29,10 @@ void require_degree(int degree) {
 /// the library it is so.
 bool is_in_order(std::span<const double> knots, int degree) {
   const std::size_t order = static_cast<std::size_t>(degree) + 1;
-  bool is_right = true;
-  for (std::size_t i = 1; i < knots.size(); ++i) is_right &= knots[i - 1] <= knots[i];
-  for (std::size_t i = order; i < knots.size(); ++i) is_right &= knots[i - order] < knots[i];
-  return is_right;
+  std::int64_t wrong = 0;  // as wide as a knot, so that several are compared at once
+  for (std::size_t i = 1; i < knots.size(); ++i) wrong += knots[i - 1] <= knots[i] ? 0 : 1;
+  for (std::size_t i = order; i < knots.size(); ++i) wrong += knots[i - order] < knots[i] ? 0 : 1;
+  return wrong == 0;
 }
 
 /// @throws InvalidShape naming the knot that is not in order, or not finite.
@@ -74,12 +75,14 @@ std::vector<double> unroll(std::span<const double> period, int degree) {
 }
 
 std::vector<int> positive_spans(std::span<const double> knots, int degree) {
-  std::vector<int> spans;
   const int last = static_cast<int>(knots.size()) - degree - 1;
-  spans.reserve(std::max(last - degree, 0));
+  std::vector<int> spans(std::max(last - degree, 0));
+  std::size_t count = 0;
   for (int k = degree; k < last; ++k) {
-    if (knots[k] < knots[k + 1]) spans.push_back(k);
+    spans[count] = k;
+    count += knots[k] < knots[k + 1] ? 1 : 0;
   }
+  spans.resize(count);
   return spans;
 }
 
@@ -132,7 +135,7 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
   state->spans = positive_spans(state->unrolled, degree);
   require_size(degree, state->spans.size());
   std::vector<double> starts;
-  starts.reserve(state->spans.size());
+  starts.reserve(state->spans.size() + 2);
   for (const int k : state->spans) starts.push_back(state->unrolled[k]);
   const double end = state->spans.empty() ? 0.0 : state->unrolled[state->spans.back() + 1];
   state->tables = std::make_shared<KnotTables>(state->spans.size(), degree, std::move(starts), end);

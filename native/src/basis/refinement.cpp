@@ -165,11 +165,14 @@ Line merged_line(const KnotVector& knots, std::vector<double>& inserted) {
   return line;
 }
 
-bool has_too_many(std::span<const double> knots, int degree) {
-  const std::size_t order = static_cast<std::size_t>(degree) + 1;
-  bool is_right = true;
-  for (std::size_t i = order; i < knots.size(); ++i) is_right &= knots[i - order] < knots[i];
-  return !is_right;
+/// @throws InvalidShape naming the inserted value that would be there too often.
+KnotVector checked(const KnotVector& knots, std::vector<double> merged, std::span<const double> inserted) {
+  try {
+    return KnotVector::make(knots.degree(), std::move(merged));
+  } catch (const InvalidShape&) {
+    require_multiplicities(knots, inserted);
+    throw;
+  }
 }
 
 /// Which of the old points that it was made of a new one is equal to, or -1.
@@ -190,8 +193,8 @@ RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> point
   const double* const old = knots.knots().data();
   std::vector<double> added = admitted(knots, inserted);
   Line line = merged_line(knots, added);
-  if (has_too_many(line.knots, degree)) require_multiplicities(knots, std::span(added).first(inserted.size()));
-  const std::size_t count = line.knots.size() - degree - 1;
+  KnotVector made_knots = checked(knots, std::move(line.knots), std::span(added).first(inserted.size()));
+  const std::size_t count = made_knots.count();
   std::vector<glm::dvec4> made(count);
   std::vector<int> copied(with_copies ? count : 0);
   std::vector<PairedPoint> scratch(degree + 1);
@@ -205,7 +208,7 @@ RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> point
     made[j] = blossom_point(old + first, degree, arguments, number, points.data() + first, scratch.data()).point();
     if (with_copies) copied[j] = number == 0 ? first : copied_of(made[j], points, first, number);
   }
-  return {KnotVector::make(degree, std::move(line.knots)), std::move(made), std::move(copied)};
+  return {std::move(made_knots), std::move(made), std::move(copied)};
 }
 
 std::vector<double> missing_inside(const KnotVector& knots, const KnotVector& other) {

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "basis/gaps.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/one_sign.hpp"
 
@@ -210,20 +211,8 @@ NurbsCurve curve_of(Chain chain, const NurbsCurve& whole) {
   return NurbsCurve::make(KnotVector::make(degree, std::move(knots)), as_given_from(whole, chain.points).made);
 }
 
-/// Parameters at which the curve may jump, the seam of a periodic curve among them.
-std::vector<double> gaps(const NurbsCurve& curve) {
-  const KnotVector& knots = curve.knot_vector();
-  std::vector<double> found;
-  for (const int k : knots.spans()) {
-    const double u = knots.unrolled()[k];
-    const bool is_inside = curve.periodic() || u > knots.domain().start;
-    if (is_inside && multiplicity(knots, u) > knots.degree()) found.push_back(u);
-  }
-  return found;
-}
-
 std::vector<NurbsCurve> cut_at_gaps(const NurbsCurve& curve) {
-  const std::vector<double> at = gaps(curve);
+  const std::vector<double> at = gaps(curve.knot_vector());
   if (at.empty()) return {curve};
   if (curve.periodic()) return cut_at_gaps(opened(curve, at.front()));
   std::vector<NurbsCurve> parts{curve};

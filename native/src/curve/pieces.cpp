@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "basis/gaps.hpp"
 #include "splinecore/base/one_sign.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
@@ -73,16 +74,6 @@ Zeros zeros_of_weight(const NurbsCurve& curve) {
     for (const Interval& zero : found) zeros.push_back(narrowed(zero, span));
   }
   return zeros;
-}
-
-/// Parameters strictly inside the domain where the curve may jump.
-std::vector<double> gaps(const KnotVector& knots) {
-  std::vector<double> found;
-  for (const int k : knots.spans()) {
-    const double u = knots.unrolled()[k];
-    if (u > knots.domain().start && multiplicity(knots, u) > knots.degree()) found.push_back(u);
-  }
-  return found;
 }
 
 }  // namespace

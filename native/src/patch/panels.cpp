@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "basis/gaps.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/patch/isocurve.hpp"
@@ -38,12 +39,11 @@ struct SideCurve {
 };
 
 /// The parameters where a direction begins, has a gap, or ends.
-std::vector<double> gaps(const KnotVector& knots) {
+std::vector<double> panel_ends(const KnotVector& knots) {
   const Interval domain = knots.domain();
   std::vector<double> found{domain.start};
-  for (std::size_t i = 1; i < knots.spans().size(); ++i) {
-    const double u = knots.span_interval(static_cast<int>(i)).start;
-    if (multiplicity(knots, u) > knots.degree()) found.push_back(u);
+  for (const double u : gaps(knots)) {
+    if (u > domain.start) found.push_back(u);
   }
   found.push_back(domain.end);
   return found;
@@ -165,8 +165,8 @@ std::vector<Panel> panels_of(const PatchSet& set) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < set.patches().size(); ++i) {
     const NurbsPatch& patch = nurbs_of(set.patch(i));
-    const std::vector<double> u = gaps(patch.knot_vector(Axis::u));
-    const std::vector<double> v = gaps(patch.knot_vector(Axis::v));
+    const std::vector<double> u = panel_ends(patch.knot_vector(Axis::u));
+    const std::vector<double> v = panel_ends(patch.knot_vector(Axis::v));
     for (std::size_t j = 1; j < u.size(); ++j) {
       for (std::size_t k = 1; k < v.size(); ++k) panels.push_back({i, {u[j - 1], u[j]}, {v[k - 1], v[k]}, {}});
     }
