@@ -108,6 +108,17 @@ struct PairPlace {
   const double* corner;  ///< the first of the points that it depends on
 };
 
+/// A rule for the length of a piece over [0, 1] whose speed is |N| / W², both in Bernstein's form.
+struct SpeedRule {
+  int slopes_degree;              ///< of N
+  int weight_degree;              ///< of W; 0 if it is 1
+  std::size_t nodes;              ///< a multiple of 4
+  const double* slope_functions;  ///< Bernstein polynomials of N's degree at the nodes, one after the other
+  const double* weight_functions;
+  const double* shares;           ///< of the nodes in the length
+  const double* differences;      ///< between these and the shares of a rule with fewer nodes
+};
+
 /// Bits of what a kernel found.
 inline constexpr int kNotFinite = 1;   ///< a point that is no number: all are written
 inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made: NaN is written
@@ -126,6 +137,10 @@ struct Kernels {
   /// The same for parameters that are scattered.
   int (*curve_scattered)(const CurveForm&, const ScatteredHalves&, std::size_t count, double* out);
   int (*curve_scattered_single)(const CurveForm&, const ScatteredHalves&, std::size_t count, float* out);
+
+  /// The length, its difference from that by the rule with fewer nodes, and the integral of the terms' size: 3 numbers.
+  /// @param slopes  four numbers a coefficient of N, of which the last is the size of its terms
+  void (*speed_sums)(const SpeedRule&, const double* slopes, const double* weights, double* out);
 
   /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
   void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);

@@ -19,6 +19,7 @@ namespace {
 
 #include "lanes.hpp"
 #include "curves.hpp"
+#include "lengths.hpp"
 #include "functions.hpp"
 #include "patches.hpp"
 
@@ -28,6 +29,7 @@ extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
+    speed_sums,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
     pair_sums, pair_points, pair_slopes, pair_normals};

@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
+#include <string>
 
-#include "base/placement.hpp"
-#include "quadrature.hpp"
-#include "regular_parts.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/one_sign.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/samples.hpp"
-#include "splinecore/curve/rescale.hpp"
+#include "quadrature.hpp"
+#include "speed.hpp"
 
 namespace splinecore {
 
 namespace {
-
-constexpr std::size_t kMostCells = 20'000;
 
 double admitted(double u, const Interval& domain, const char* name) {
   constexpr double kSlack = 4.0 * std::numeric_limits<double>::epsilon();
@@ -27,9 +24,20 @@ double admitted(double u, const Interval& domain, const char* name) {
                      ", " + text_of(domain.end) + "]");
 }
 
+void require_order(const Interval& range) {
+  if (range.start <= range.end) return;
+  throw InvalidShape("start = " + text_of(range.start) + " is above end = " + text_of(range.end));
+}
+
+bool has_weights_of_one_sign(const NurbsCurve& curve) {
+  const auto points = curve.homogeneous_points();
+  return std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w > 0.0; }) ||
+         std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w < 0.0; });
+}
+
 /// @throws PointAtInfinity with a parameter of the range where the weight is zero.
 void require_finite_points(const NurbsCurve& curve, const Interval& range) {
-  if (!curve.rational()) return;
+  if (has_weights_of_one_sign(curve)) return;
   for (const Interval& piece : pieces(curve)) {
     const double start = std::max(piece.start, range.start);
     const double end = std::min(piece.end, range.end);
@@ -39,65 +47,198 @@ void require_finite_points(const NurbsCurve& curve, const Interval& range) {
   }
 }
 
-/// A quarter of each part, so that no narrow peak falls between the first nodes.
-std::vector<Cell<1>> cells_of(const NurbsCurve& curve, const Interval& range) {
-  std::vector<Cell<1>> cells;
-  for (const Interval& part : regular_parts(curve, range)) {
-    for (const Cell<1>& half : quadrature::halves_of(Cell<1>{0, {part}})) {
-      for (const Cell<1>& quarter : quadrature::halves_of(half)) cells.push_back(quarter);
-    }
-  }
-  return cells;
+/// Where u lies in an interval, as a part of it; halves, because its length may overflow.
+double part_of(double u, const Interval& interval) {
+  return (0.5 * u - 0.5 * interval.start) / (0.5 * interval.end - 0.5 * interval.start);
 }
 
-/// The length of the first derivative at parameters inside one span, and the size of its terms.
-class Speed {
+/// Adds up the lengths of spans. Each is a Bezier piece about an origin of its own, so that no digit is lost far away,
+/// and in a size of about 1, so that no square leaves the numbers.
+class Measure {
  public:
-  explicit Speed(const NurbsCurve& curve) : curve_(curve), at_(curve.knot_vector(), 1) {}
+  Measure(const NurbsCurve& curve, const Interval& range, double tolerance)
+      : curve_(curve), range_(range), tolerance_(tolerance), speed_(curve.degree(), curve.rational()),
+        near_(curve.degree() + 1), points_(near_.size()), stack_(2) {}
 
-  Sum operator()(double u) {
-    at_.move_to(u, Side::right);
-    const glm::dvec4* points = curve_.homogeneous_points().data() + at_.first();
-    const glm::dvec4 h = weighted_sum(at_.weights(0), points);
-    const glm::dvec3 point = project(h);
-    // Relative to the point, so that where the sum falls to zero, at a cusp, its terms do so, too.
-    glm::dvec3 slope(0.0);
-    double terms = 0.0;
-    for (std::size_t j = 0; j < at_.weights(1).size(); ++j) {
-      const glm::dvec3 there = points[j].w * point;
-      const glm::dvec3 term = at_.weights(1)[j] * (glm::dvec3(points[j]) - there);
-      slope += term;
-      terms += glm::length(term) + std::abs(at_.weights(1)[j]) * glm::length(there);
-    }
-    return {glm::length(slope / h.w), terms / std::abs(h.w)};
+  Approximation<double> measured() {
+    const KnotVector& knots = curve_.knot_vector();
+    const int first = knots.span_of(range_.start, Side::right);
+    const int last = std::max(first, knots.span_of(range_.end, Side::left));
+    set_exponent(first, last);
+    most_ = kMostPieces + kMostPiecesOfSpan * (last - first + 1);
+    for (int span = first; span <= last; ++span) add_span(span);
+    const double rounding = rounding_of(sum_.terms);
+    if (sum_.error > std::max(tolerance_ * sum_.value, kNoise * rounding)) fail();
+    const double length = std::ldexp(sum_.value, exponent_);
+    if (std::isinf(length)) throw InvalidShape("the length is too large for a number");
+    return {length, std::ldexp(sum_.error + rounding, exponent_)};
   }
 
  private:
+  static constexpr const char* kWhat = "the length cannot be found";
+  static constexpr std::size_t kMostPieces = 20'000;
+  static constexpr std::size_t kMostPiecesOfSpan = 64;
+  /// The changes are no bound where a function has a corner between nodes.
+  static constexpr double kCaution = 0.125;
+  /// What rounding may leave of a change, in units of rounding_of().
+  static constexpr double kNoise = 64.0;
+
+  /// A piece to be measured.
+  struct Piece {
+    SpeedPiece speed;
+    int depth = 0;
+    int cusps = 0;  ///< how often it was halved for a cusp
+    double before = HUGE_VAL;  ///< the error of what it is a half of
+  };
+
+  double rounding_of(double terms) const { return 0x1p-53 * (curve_.degree() + 3) * terms; }
+
+  [[noreturn]] void fail() const {
+    throw ToleranceNotReached(kWhat, std::ldexp(tolerance_ * sum_.value, exponent_),
+                              std::ldexp(sum_.error, exponent_));
+  }
+
+  /// Of the points that the spans depend on. Sizes whose products stay in range are left as they are.
+  void set_exponent(int first, int last) {
+    constexpr int kNear = 100;
+    const KnotVector& knots = curve_.knot_vector();
+    double largest = 0.0;
+    for (int i = knots.spans()[first] - knots.degree(); i <= knots.spans()[last]; ++i) {
+      const glm::dvec4& p = given(i);
+      for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis]));
+    }
+    if (largest > 0.0) exponent_ = std::ilogb(largest);
+    if (std::abs(exponent_) < kNear) exponent_ = 0;
+  }
+
+  const glm::dvec4& given(int i) const {
+    const auto points = curve_.points();
+    const auto count = static_cast<int>(points.size());
+    return points[i < count ? i : i % count];
+  }
+
+  double scaled(double x) const { return exponent_ == 0 ? x : std::scalbn(x, -exponent_); }
+
+  /// What weights, of which the largest of a curve is about 1, are multiplied by so that products of wild ones stay.
+  static double lift_of(std::span<const glm::dvec4> homogeneous) {
+    constexpr double kWild = 0x1p-150;
+    const auto is_wild = [](const glm::dvec4& p) { return std::abs(p.w) < kWild && p.w != 0.0; };
+    return std::ranges::any_of(homogeneous, is_wild) ? 0x1p440 : 1.0;
+  }
+
+  /// The homogeneous points of a span, about the first one of them that is no direction.
+  void take_points(int span) {
+    const KnotVector& knots = curve_.knot_vector();
+    const int first = knots.spans()[span] - knots.degree();
+    const glm::dvec4* const homogeneous = curve_.homogeneous_points().data() + first;
+    int origin = 0;
+    while (origin < knots.degree() && homogeneous[origin].w == 0.0) ++origin;
+    const glm::dvec4& o = given(first + origin);
+    const double lift = lift_of({homogeneous, near_.size()});
+    for (int i = 0; i <= knots.degree(); ++i) {
+      const double w = lift * homogeneous[i].w;
+      near_[i].w = w;
+      for (int axis = 0; axis < 3; ++axis) {
+        near_[i][axis] = w == 0.0 ? lift * scaled(homogeneous[i][axis])
+                                  : w * (scaled(given(first + i)[axis]) - scaled(o[axis]));
+      }
+    }
+  }
+
+  void add_span(int span) {
+    const KnotVector& knots = curve_.knot_vector();
+    const std::size_t order = near_.size();
+    breathe(order * (16 * order + 256));
+    take_points(span);
+    const auto matrix = knots.bezier_matrix(span);
+    for (std::size_t j = 0; j < order; ++j) points_[j] = weighted_sum(matrix.subspan(j * order, order), near_.data());
+    SpeedPiece& piece = stack_[0].speed;
+    SpeedPiece& other = stack_[1].speed;
+    speed_.write(points_, piece);
+    const Interval whole = knots.span_interval(span);
+    const double end = std::min(range_.end, whole.end);
+    if (end < whole.end) piece.cut(part_of(end, whole), other);
+    if (range_.start > whole.start) {
+      piece.cut(part_of(range_.start, {whole.start, end}), other);
+      std::swap(piece, other);
+    }
+    stack_.front().depth = 0;
+    stack_.front().cusps = 0;
+    stack_.front().before = HUGE_VAL;
+    add_pieces();
+  }
+
+  /// Adds the piece on the stack, from its start on, halved as often as it needs.
+  void add_pieces() {
+    for (std::size_t count = 1; count > 0;) {
+      Piece& piece = stack_[count - 1];
+      const PieceLength found = needs_halves(piece) ? PieceLength{0.0, HUGE_VAL, 0.0} : speed_.length(piece.speed);
+      if (is_enough(piece, found)) {
+        sum_.value += found.value;
+        sum_.error += found.error;
+        sum_.terms += found.terms;
+        --count;
+        continue;
+      }
+      if (++pieces_ > most_) fail();
+      halve(count++, found.error);
+    }
+  }
+
+  /// A cusp's arms grow with the square of the parameter: after so many halvings what is left is as short as rounding.
+  /// Beside a wild weight a part of the domain may be as short as the weight is small.
+  bool needs_halves(Piece& piece) const {
+    constexpr int kCusp = 28;
+    constexpr int kWeight = 2200;
+    if (curve_.rational()) {
+      piece.speed.normalise();
+      if (!piece.speed.is_even()) return piece.depth < kWeight;
+    }
+    return piece.cusps < kCusp && !piece.speed.is_regular() && ++piece.cusps > 0;
+  }
+
+  bool is_enough(const Piece& piece, const PieceLength& found) const {
+    if (std::isinf(found.error)) return false;
+    if (!std::isfinite(found.value) || !std::isfinite(found.terms)) {
+      throw InvalidShape(std::string(kWhat) + ": points and weights differ too much in size for it");
+    }
+    const double rounding = rounding_of(found.terms);
+    if (found.error <= std::max(kCaution * tolerance_ * found.value, rounding)) return true;
+    // Where halving no longer helps only rounding is left.
+    return found.error > 0.25 * piece.before && found.error <= kNoise * rounding;
+  }
+
+  /// The piece becomes its second half, and its first lies upon it.
+  void halve(std::size_t count, double error) {
+    if (stack_.size() == count) stack_.emplace_back();
+    Piece& first = stack_[count];
+    Piece& second = stack_[count - 1];
+    std::swap(first.speed, second.speed);
+    second.depth += 1;
+    second.before = error;
+    first.depth = second.depth;
+    first.cusps = second.cusps;
+    first.before = error;
+    first.speed.cut(0.5, second.speed);
+  }
+
   const NurbsCurve& curve_;
-  Stencil at_;
+  Interval range_;
+  double tolerance_;
+  Speed speed_;
+  std::vector<glm::dvec4> near_;    ///< control points of a span
+  std::vector<glm::dvec4> points_;  ///< and of its Bezier piece
+  std::vector<Piece> stack_;
+  int exponent_ = 0;
+  PieceLength sum_;
+  std::size_t pieces_ = 0;
+  std::size_t most_ = 0;
 };
 
 Approximation<double> length_inside(const NurbsCurve& curve, const Interval& range, double tolerance) {
   require_finite_points(curve, range);
-  const Placement placement = placement_of(curve.points());
-  const int exponent = scale_of(curve.knot_vector());
-  const NurbsCurve placed_curve = placed(curve, placement);
-  const NurbsCurve near = exponent == 0 ? placed_curve : divided(placed_curve, {.parameters = exponent});
-  Speed speed(near);
-  const auto rule = [&](const Cell<1>& cell) {
-    const auto nodes = gauss_nodes(cell.box[0]);
-    Sum sum;
-    for (std::size_t i = 0; i < kGaussNodes; ++i) {
-      const double weight = cell.box[0].length() * gauss_rule().weights[i];
-      const Sum here = speed(nodes[i]);
-      sum.value += weight * here.value;
-      sum.magnitude += weight * here.magnitude;
-    }
-    return sum;
-  };
-  const auto cells = cells_of(near, {std::scalbn(range.start, -exponent), std::scalbn(range.end, -exponent)});
-  const auto found = adaptive_integral(cells, rule, tolerance, kMostCells, "the length cannot be found");
-  return {finite_size(found.value, 1, placement, "length"), given_size(found.error, 1, placement)};
+  if (range.start == range.end) return {0.0, 0.0};
+  return Measure(curve, range, tolerance).measured();
 }
 
 /// Whole turns, and what is left of one, which may lie on both sides of the seam.
@@ -132,12 +273,14 @@ Approximation<double> length_around(const NurbsCurve& curve, const Interval& ran
 
 Approximation<double> length(const NurbsCurve& curve, Interval range, double tolerance) {
   require_relative(tolerance);
-  if (range.start > range.end) {
-    throw InvalidShape("start = " + text_of(range.start) + " is above end = " + text_of(range.end));
+  if (curve.periodic()) {
+    require_order(range);
+    return length_around(curve, range, tolerance);
   }
-  if (curve.periodic()) return length_around(curve, range, tolerance);
   const Interval domain = curve.domain();
-  return length_inside(curve, {admitted(range.start, domain, "start"), admitted(range.end, domain, "end")}, tolerance);
+  const Interval within{admitted(range.start, domain, "start"), admitted(range.end, domain, "end")};
+  require_order(range);
+  return length_inside(curve, within, tolerance);
 }
 
 Approximation<double> length(const NurbsCurve& curve) { return length(curve, curve.domain()); }
