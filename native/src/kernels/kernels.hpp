@@ -119,6 +119,14 @@ struct SpeedRule {
   const double* differences;      ///< between these and the shares of a rule with fewer nodes
 };
 
+/// Nodes along v on which a surface is wanted: functions of one span, one after the other.
+struct SurfaceRow {
+  int degree;
+  std::size_t nodes;  ///< a multiple of 4
+  const double* values;
+  const double* slopes;
+};
+
 /// Bits of what a kernel found.
 inline constexpr int kNotFinite = 1;   ///< a point that is no number: all are written
 inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made: NaN is written
@@ -141,6 +149,10 @@ struct Kernels {
   /// The length, its difference from that by the rule with fewer nodes, and the integral of the terms' size: 3 numbers.
   /// @param slopes  four numbers a coefficient of N, of which the last is the size of its terms
   void (*speed_sums)(const SpeedRule&, const double* slopes, const double* weights, double* out);
+
+  /// Of each node x, y, z; those of S_u x S_v; the lengths of S_u and S_v; the weight: 9 rows of so many numbers.
+  /// @param row, slope  degree + 1 homogeneous points along v, and their derivatives by u
+  void (*surface_row)(const SurfaceRow&, const double* row, const double* slope, double* out);
 
   /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
   void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);

@@ -1,4 +1,4 @@
-// The kernel of lengths. Included in the namespace of each set of instructions: see set.hpp.
+// Kernels of lengths and areas. Included in the namespace of each set of instructions: see set.hpp.
 
 SPLINECORE_INLINE double sum_of(Lanes a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
@@ -55,4 +55,33 @@ void speed_sums(const SpeedRule& rule, const double* slopes, const double* weigh
   if (rule.slopes_degree == 2 && rule.weight_degree == 0) return speed_sums_of<2, 0>(rule, slopes, weights, out);
   if (rule.slopes_degree == 4 && rule.weight_degree == 3) return speed_sums_of<4, 3>(rule, slopes, weights, out);
   speed_sums_of<-1, -1>(rule, slopes, weights, out);
+}
+
+SPLINECORE_INLINE Lanes length_of(const Points& a) {
+  return square_root(mul_add(a.x, a.x, mul_add(a.y, a.y, a.z * a.z)));
+}
+
+/// A derivative, from the homogeneous one and the point.
+SPLINECORE_INLINE Points slope_at(const Points& h, const Points& point, Lanes r) {
+  return {mul_add(-h.w, point.x, h.x) * r, mul_add(-h.w, point.y, h.y) * r, mul_add(-h.w, point.z, h.z) * r, h.w};
+}
+
+void surface_row(const SurfaceRow& form, const double* row, const double* slope, double* out) {
+  const std::size_t width = form.nodes;
+  for (std::size_t i = 0; i < width; i += 4, out += 4) {
+    const Points h = at_nodes(form.values + i, width, form.degree, row);
+    const Lanes r = all(1.0) / h.w;
+    const Points point{h.x * r, h.y * r, h.z * r, h.w};
+    const Points u = slope_at(at_nodes(form.values + i, width, form.degree, slope), point, r);
+    const Points v = slope_at(at_nodes(form.slopes + i, width, form.degree, row), point, r);
+    store(point.x, out);
+    store(point.y, out + width);
+    store(point.z, out + 2 * width);
+    store(mul_add(u.y, v.z, -(u.z * v.y)), out + 3 * width);
+    store(mul_add(u.z, v.x, -(u.x * v.z)), out + 4 * width);
+    store(mul_add(u.x, v.y, -(u.y * v.x)), out + 5 * width);
+    store(length_of(u), out + 6 * width);
+    store(length_of(v), out + 7 * width);
+    store(h.w, out + 8 * width);
+  }
 }

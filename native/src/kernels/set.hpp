@@ -29,7 +29,7 @@ extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
-    speed_sums,
+    speed_sums, surface_row,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
     pair_sums, pair_points, pair_slopes, pair_normals};

@@ -4,15 +4,17 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "finite_weights.hpp"
 #include "base/placement.hpp"
+#include "basis/knot_tables.hpp"
+#include "kernels/kernels.hpp"
 #include "quadrature.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/base/quotient.hpp"
-#include "splinecore/basis/samples.hpp"
 #include "splinecore/patch/panels.hpp"
 
 namespace splinecore {
@@ -28,10 +30,38 @@ struct Place {
   double terms = 0.0;  ///< the size of what it is made of
 };
 
-double sum_of_sizes(std::span<const double> weights) {
-  double sum = 0.0;
-  for (const double weight : weights) sum += std::abs(weight);
-  return sum;
+/// The functions along an axis at the nodes of an interval inside a span.
+struct Nodes {
+  std::size_t first;            ///< of the points that they depend on
+  std::vector<double> values;  ///< function by function
+  std::vector<double> slopes;
+  std::array<double, kGaussNodes> steps;  ///< the sum of the sizes of the slopes
+};
+
+Nodes nodes_on(const KnotVector& knots, const Interval& interval) {
+  const int degree = knots.degree();
+  const int span = knots.span_of(interval.middle(), Side::right);
+  const Interval whole = knots.span_interval(span);
+  const auto at = gauss_nodes(interval);
+  const double* const rows = knots.tables().rows(knots, span, 1);
+  std::array<BasisPlace, kGaussNodes> places;
+  for (std::size_t i = 0; i < kGaussNodes; ++i) {
+    places[i] = {rows, (at[i] - whole.start) / whole.length(), (whole.end - at[i]) / whole.length()};
+  }
+  const std::size_t width = table_width(degree);
+  std::vector<double> functions(2 * width * kGaussNodes);
+  kernels().functions(degree, 1, places.data(), kGaussNodes, functions.data());
+  const std::size_t count = kGaussNodes * (static_cast<std::size_t>(degree) + 1);
+  Nodes found{static_cast<std::size_t>(knots.spans()[span] - degree), std::vector<double>(count),
+              std::vector<double>(count), {}};
+  for (std::size_t i = 0; i < kGaussNodes; ++i) {
+    for (int k = 0; k <= degree; ++k) {
+      found.values[k * kGaussNodes + i] = functions[2 * width * i + k];
+      found.slopes[k * kGaussNodes + i] = functions[2 * width * i + width + k];
+      found.steps[i] += std::abs(functions[2 * width * i + width + k]);
+    }
+  }
+  return found;
 }
 
 /// Largest length of a homogeneous point.
@@ -41,54 +71,71 @@ double reach_of(const NurbsPatch& patch) {
   return reach;
 }
 
-/// Calls visit(place, weight) at the nodes of a cell of a patch whose homogeneous points reach so far.
-template <class Visit>
-void for_each_node(const NurbsPatch& patch, double reach, const Cell<2>& cell, Visit visit) {
-  const auto nodes_u = gauss_nodes(cell.box[0]);
-  const auto nodes_v = gauss_nodes(cell.box[1]);
-  const Samples u = Samples::make(patch.knot_vector(Axis::u), nodes_u, 1);
-  const Samples v = Samples::make(patch.knot_vector(Axis::v), nodes_v, 1);
-  const std::size_t width = patch.knot_vector(Axis::v).unrolled_count();
-  const std::size_t low = v.first(0);
-  const std::size_t columns = v.first(kGaussNodes - 1) - low + v.weights(0).size();
-  std::array<double, kGaussNodes> steps_v;
-  for (std::size_t j = 0; j < kGaussNodes; ++j) steps_v[j] = sum_of_sizes(v.weights(j, 1));
-  std::vector<glm::dvec4> row(columns);
-  std::vector<glm::dvec4> slope(columns);
-  for (std::size_t i = 0; i < kGaussNodes; ++i) {
-    std::ranges::fill(row, glm::dvec4(0.0));
-    std::ranges::fill(slope, glm::dvec4(0.0));
-    breathe(8 * u.weights(i).size() * columns);
-    for (std::size_t k = 0; k < u.weights(i).size(); ++k) {
-      const glm::dvec4* points = patch.homogeneous_points().data() + (u.first(i) + k) * width + low;
-      for (std::size_t j = 0; j < columns; ++j) {
-        row[j] += u.weights(i, 0)[k] * points[j];
-        slope[j] += u.weights(i, 1)[k] * points[j];
+/// A patch, and the functions at nodes that cells in a row have in common.
+class Surface {
+ public:
+  explicit Surface(const NurbsPatch& patch) : patch_(patch), reach_(reach_of(patch)) {}
+
+  /// Calls visit(place, weight) at the nodes of a cell.
+  template <class Visit>
+  void for_each_node(const Cell<2>& cell, Visit visit) {
+    const Nodes& u = nodes(Axis::u, cell.box[0]);
+    const Nodes& v = nodes(Axis::v, cell.box[1]);
+    const SurfaceRow form{patch_.knot_vector(Axis::v).degree(), kGaussNodes, v.values.data(), v.slopes.data()};
+    std::array<double, 9 * kGaussNodes> found;
+    for (std::size_t i = 0; i < kGaussNodes; ++i) {
+      sum_row(u, i, v.first);
+      kernels().surface_row(form, &row_.front().x, &slope_.front().x, found.data());
+      for (std::size_t j = 0; j < kGaussNodes; ++j) {
+        const auto at = [&](std::size_t row) { return found[row * kGaussNodes + j]; };
+        const double terms = at(6) * v.steps[j] + at(7) * u.steps[i];
+        visit(Place{{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, terms * reach_ / std::abs(at(8))},
+              gauss_rule().weights[i] * gauss_rule().weights[j]);
       }
     }
-    for (std::size_t j = 0; j < kGaussNodes; ++j) {
-      const std::size_t first = v.first(j) - low;
-      const glm::dvec4 h = weighted_sum(v.weights(j, 0), row.data() + first);
-      const glm::dvec4 hu = weighted_sum(v.weights(j, 0), slope.data() + first);
-      const glm::dvec4 hv = weighted_sum(v.weights(j, 1), row.data() + first);
-      const glm::dvec3 point = project(h);
-      const glm::dvec3 su = (glm::dvec3(hu) - hu.w * point) / h.w;
-      const glm::dvec3 sv = (glm::dvec3(hv) - hv.w * point) / h.w;
-      const double terms = glm::length(su) * steps_v[j] + glm::length(sv) * sum_of_sizes(u.weights(i, 1));
-      visit(Place{point, glm::cross(su, sv), terms * reach / std::abs(h.w)},
-            gauss_rule().weights[i] * gauss_rule().weights[j]);
+  }
+
+ private:
+  const Nodes& nodes(Axis axis, const Interval& interval) {
+    auto& known = nodes_[static_cast<int>(axis)];
+    const auto [place, is_new] = known.try_emplace({interval.start, interval.end});
+    if (is_new) place->second = nodes_on(patch_.knot_vector(axis), interval);
+    return place->second;
+  }
+
+  /// The points along v at a node along u, from one on, and their derivatives.
+  void sum_row(const Nodes& u, std::size_t node, std::size_t low) {
+    const std::size_t width = patch_.knot_vector(Axis::v).unrolled_count();
+    const std::size_t columns = patch_.knot_vector(Axis::v).degree() + 1;
+    const std::size_t rows = patch_.knot_vector(Axis::u).degree() + 1;
+    breathe(8 * rows * columns);
+    row_.assign(columns, glm::dvec4(0.0));
+    slope_.assign(columns, glm::dvec4(0.0));
+    for (std::size_t k = 0; k < rows; ++k) {
+      const glm::dvec4* points = patch_.homogeneous_points().data() + (u.first + k) * width + low;
+      const double value = u.values[k * kGaussNodes + node];
+      const double slope = u.slopes[k * kGaussNodes + node];
+      for (std::size_t j = 0; j < columns; ++j) {
+        row_[j] += value * points[j];
+        slope_[j] += slope * points[j];
+      }
     }
   }
-}
+
+  const NurbsPatch& patch_;
+  double reach_;
+  std::array<std::map<std::pair<double, double>, Nodes>, 2> nodes_;
+  std::vector<glm::dvec4> row_;
+  std::vector<glm::dvec4> slope_;
+};
 
 /// The rule for the sum of integrand(place), a Sum, over patches.
 template <class Integrand>
 auto rule_of(const std::vector<NurbsPatch>& patches, Integrand integrand) {
-  std::vector<double> reaches;
-  for (const NurbsPatch& patch : patches) reaches.push_back(reach_of(patch));
-  return [&patches, reaches, integrand](const Cell<2>& cell) {
+  std::vector<Surface> surfaces(patches.begin(), patches.end());
+  return [surfaces = std::move(surfaces), integrand](const Cell<2>& cell) mutable {
     Sum sum;
-    for_each_node(patches[cell.part], reaches[cell.part], cell, [&](const Place& place, double weight) {
+    surfaces[cell.part].for_each_node(cell, [&](const Place& place, double weight) {
       const Sum here = integrand(place);
       sum.value += weight * here.value;
       sum.magnitude += weight * here.magnitude;
