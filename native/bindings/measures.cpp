@@ -1,3 +1,6 @@
+#include <cmath>
+#include <optional>
+
 #include "arrays.hpp"
 #include "class_of.hpp"
 #include "curve_methods.hpp"
@@ -44,10 +47,25 @@ Shape with_more(Shape shape, std::initializer_list<py::ssize_t> more) {
   return shape;
 }
 
+/// Of a periodic curve, which goes on, one end that was given may lie beyond the other, which was not.
+/// @throws InvalidShape naming the one that was given
+void require_both_ends(const splinecore::Interval& domain, std::optional<double> start, std::optional<double> end) {
+  if (start && !end && std::isfinite(*start) && *start > domain.end) {
+    throw InvalidShape("start = " + splinecore::text_of(*start) + " is above " + splinecore::text_of(domain.end) +
+                       ", the end of the domain: an end is wanted, too");
+  }
+  if (end && !start && std::isfinite(*end) && *end < domain.start) {
+    throw InvalidShape("end = " + splinecore::text_of(*end) + " is below " + splinecore::text_of(domain.start) +
+                       ", the start of the domain: a start is wanted, too");
+  }
+}
+
 double length(const NurbsCurve& curve, const py::object& start, const py::object& end, const py::object& tolerance) {
   const splinecore::Interval domain = curve.domain();
-  const splinecore::Interval range{optional_real(start, "start").value_or(domain.start),
-                                   optional_real(end, "end").value_or(domain.end)};
+  const std::optional<double> from = optional_real(start, "start");
+  const std::optional<double> to = optional_real(end, "end");
+  if (curve.periodic()) require_both_ends(domain, from, to);
+  const splinecore::Interval range{from.value_or(domain.start), to.value_or(domain.end)};
   const double most = real(tolerance, "tolerance");
   return unlocked([&] { return splinecore::length(curve, range, most).value; });
 }
@@ -85,9 +103,9 @@ void bind_curve(py::class_<Curve> cls) {
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::kw_only(),
           py::arg("tolerance") = splinecore::kLengthTolerance,
           "The length between two parameters, by default of all: a float, right to a relative tolerance.\n\n"
-          "Adaptive Gauss-Legendre quadrature on every span, also through cusps. Of a periodic curve start and end\n"
-          "may be any numbers: it goes on, and turns are counted. InvalidShape unless start <= end in the domain of\n"
-          "another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached. Row S15.");
+          "Adaptive quadrature of Gauss and Kronrod on every span, also through cusps. Of a periodic curve start and\n"
+          "end may be any numbers: it goes on, and turns are counted. InvalidShape unless start <= end in the domain\n"
+          "of another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached. Row S15.");
   cls.def("curvature", [](const Curve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::curvature);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
-#include "splinecore/base/errors.hpp"
-#include "splinecore/base/one_sign.hpp"
-#include "splinecore/base/pause.hpp"
-#include "splinecore/basis/samples.hpp"
 #include "quadrature.hpp"
 #include "speed.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
 
@@ -53,7 +54,7 @@ double part_of(double u, const Interval& interval) {
 }
 
 /// Adds up the lengths of spans. Each is a Bezier piece about an origin of its own, so that no digit is lost far away,
-/// and in a size of about 1, so that no square leaves the numbers.
+/// and sizes are brought near 1, so that no square leaves the numbers.
 class Measure {
  public:
   Measure(const NurbsCurve& curve, const Interval& range, double tolerance)
@@ -174,15 +175,23 @@ class Measure {
       Piece& piece = stack_[count - 1];
       const PieceLength found = needs_halves(piece) ? PieceLength{0.0, HUGE_VAL, 0.0} : speed_.length(piece.speed);
       if (is_enough(piece, found)) {
-        sum_.value += found.value;
-        sum_.error += found.error;
-        sum_.terms += found.terms;
+        add(found);
         --count;
         continue;
       }
       if (++pieces_ > most_) fail();
       halve(count++, found.error);
     }
+  }
+
+  void add(const PieceLength& found) {
+    // Of many pieces; what a sum loses goes into the next one (Kahan 1965).
+    const double more = found.value - lost_;
+    const double sum = sum_.value + more;
+    lost_ = (sum - sum_.value) - more;
+    sum_.value = sum;
+    sum_.error += found.error;
+    sum_.terms += found.terms;
   }
 
   /// A cusp's arms grow with the square of the parameter: after so many halvings what is left is as short as rounding.
@@ -231,6 +240,7 @@ class Measure {
   std::vector<Piece> stack_;
   int exponent_ = 0;
   PieceLength sum_;
+  double lost_ = 0.0;
   std::size_t pieces_ = 0;
   std::size_t most_ = 0;
 };
@@ -247,6 +257,7 @@ Approximation<double> length_around(const NurbsCurve& curve, const Interval& ran
   const Interval domain = curve.domain();
   const double start = knots.admit(range.start, Side::right, {}, "start");
   const double end = knots.admit(range.end, Side::left, {}, "end");
+  require_order(range);
   if (range.start == range.end) return {0.0, 0.0};
   const auto part = [&](double from, double to) { return length_inside(curve, {from, to}, tolerance); };
   // Halves, because the distance itself may overflow.
@@ -273,10 +284,7 @@ Approximation<double> length_around(const NurbsCurve& curve, const Interval& ran
 
 Approximation<double> length(const NurbsCurve& curve, Interval range, double tolerance) {
   require_relative(tolerance);
-  if (curve.periodic()) {
-    require_order(range);
-    return length_around(curve, range, tolerance);
-  }
+  if (curve.periodic()) return length_around(curve, range, tolerance);
   const Interval domain = curve.domain();
   const Interval within{admitted(range.start, domain, "start"), admitted(range.end, domain, "end")};
   require_order(range);
