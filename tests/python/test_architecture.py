@@ -21,7 +21,7 @@ NATIVE_ARROWS = {
     'conic': {'base', 'basis', 'curve', 'convert'},
     'tessellate': {'base', 'basis', 'curve', 'patch', 'convert'},
     'formula': {'base'},
-    'measure': {'base', 'basis', 'curve', 'patch'},
+    'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }
