@@ -138,8 +138,9 @@ def test_cancel_ends_a_call_on_several_threads(threads):
 @pytest.mark.skipif(sys.platform == "win32", reason="sends a signal to itself")
 def test_ctrl_c_ends_a_call_on_several_threads():
     program = textwrap.dedent("""
-        import signal, sys, threading
+        import signal, sys
         import numpy as np
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         sys.path[:0] = {path!r}
         from shapes import torus
         many = np.linspace(0.0, 4.0, 300_000)
