@@ -127,3 +127,31 @@ def test_a_shape_that_is_hidden_follows_its_net_and_one_in_no_scene_does_not():
     assert live.problem(held) == ""
     require_exact(ob)
     leave()
+
+
+def test_the_attribute_that_is_chosen_stays_chosen_through_a_drag_and_other_faces():
+    """From 4.5 on a drag takes an attribute away, and Blender counts those behind it anew."""
+    ob = add(squares())
+    names = [attribute.name for attribute in ob.data.attributes if not attribute.name.startswith('.')]
+    for name in (*names, "mine"):
+        if name == "mine":
+            ob.data.attributes.new(name, 'FLOAT', 'POINT')
+        if name == 'custom_normal':     # the one that goes
+            continue
+        ob.data.attributes.active = ob.data.attributes[name]
+        held = enter()
+        select(held, 4)
+        move(0, 0, 0.1)
+        assert ob.data.attributes.active.name == name
+        leave()
+        assert ob.data.attributes.active.name == name
+    ob.data.splinewright.resolution_u += 1
+    assert ob.data.attributes.active.name == "mine"
+    require_exact(ob)
+
+
+def test_a_shape_by_tolerance_is_not_read_for_faces_that_it_would_not_keep(monkeypatch):
+    ob = add(squares())
+    ob.data.splinewright.mode = 'TOLERANCE'
+    monkeypatch.setattr(store, 'read', None)
+    assert shape.faces_of(ob.data) is None

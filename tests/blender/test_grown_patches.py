@@ -461,3 +461,38 @@ def test_typed_numbers_reach_points_of_rows_that_were_added():
     assert after.points[-1, 2, 0] == 0.1 and after.weights[-1, 2] == 0.3
     leave()
     assert value() == after
+
+
+def test_a_net_that_cannot_be_read_waits_for_nothing_and_its_shape_stays():
+    started('plain nurbs')
+    cut((0, 0, 0), cuts=2)
+    longer = followed()
+    delete((0, 0, 1))
+    bpy.context.view_layer.update()
+    assert live.is_waiting(held())
+    layers = mesh().verts.layers.int
+    layers.remove(layers["splinewright_vertex"])
+    live.pull(held(), live.Moment.TOLD)
+    assert "lost the numbers" in live.problem(held())
+    assert not live.is_waiting(held()) and value() == longer
+    require_exact(bpy.data.objects["shape"])
+
+
+def test_where_a_net_that_has_grown_cannot_be_read_its_shape_stays_until_it_can(monkeypatch):
+    before, reading = started('plain nurbs'), live.reading
+    calls = []
+
+    def read(*arguments, work=reading.read):
+        calls.append(arguments)
+        if len(calls) > 1:              # from what the net has become on
+            raise reading.ChangedNet("it is not to be read now")
+        return work(*arguments)
+    monkeypatch.setattr(reading, 'read', read)
+    extrude((0, 0, -1), by=(1, 0, 0))
+    bpy.context.view_layer.update()
+    session = live.session(held().data)
+    assert "not to be read" in live.problem(held()) and value() == before
+    assert len(session.state.positions) == len(session.points) == len(session.net.rows) > before.points[..., 0].size
+    monkeypatch.undo()
+    live.pull(held())
+    assert followed().points.shape[0] == before.points.shape[0] + 1

@@ -91,7 +91,7 @@ def write_parameters(mesh, corners):
     if attribute is None:
         other = _of_parameters(mesh)
         if other is not None:
-            mesh.attributes.remove(other[0])
+            remove(mesh, PARAMETERS)
         attribute = mesh.attributes.new(PARAMETERS, 'FLOAT_VECTOR', domain)
     attribute.data.foreach_set('vector', values.ravel())
 
@@ -300,13 +300,14 @@ def hide_with_faces(mesh):
 def active(mesh):
     """Which layers are shown and which are rendered, by their names, for set_active()."""
     colours, uvs = mesh.color_attributes, mesh.uv_layers
-    return {'colour': colours.active_color_name, 'rendered colour': colours.default_color_name,
+    return {'attribute': active_attribute(mesh), 'colour': colours.active_color_name, 'rendered colour': colours.default_color_name,
             'uv': uvs.active.name if uvs.active else "",
             'rendered uv': next((layer.name for layer in uvs if layer.active_render), "")}
 
 
 def set_active(mesh, names):
     colours, uvs = mesh.color_attributes, mesh.uv_layers
+    _set_active_attribute(mesh, names['attribute'])
     # Blender 3.4 takes no names here.
     if names['colour'] in colours:
         colours.active_color = colours[names['colour']]
@@ -316,3 +317,21 @@ def set_active(mesh, names):
         uvs.active = uvs[names['uv']]
     if names['rendered uv'] in uvs:
         uvs[names['rendered uv']].active_render = True
+
+
+def active_attribute(mesh):
+    """The name of the attribute that is chosen in Blender's list of them, or ""."""
+    active = mesh.attributes.active
+    return active.name if active else ""
+
+
+def _set_active_attribute(mesh, name):
+    if name in mesh.attributes and active_attribute(mesh) != name:
+        mesh.attributes.active = mesh.attributes[name]
+
+
+def remove(mesh, name):
+    """Take an attribute away; another that is active stays so. Blender counts them: what came after the one would not."""
+    active = active_attribute(mesh)
+    mesh.attributes.remove(mesh.attributes[name])
+    _set_active_attribute(mesh, active)

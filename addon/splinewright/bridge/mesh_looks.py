@@ -16,7 +16,7 @@ def name_patches(mesh, face_patches):
     if attribute is None:
         users = mesh.attributes.get(PATCH_NAME)
         if users is not None:
-            mesh.attributes.remove(users)
+            mesh_layers.remove(mesh, PATCH_NAME)
         attribute = mesh.attributes.new(PATCH_NAME, 'INT', 'FACE')
     attribute.data.foreach_set('value', face_patches)
 

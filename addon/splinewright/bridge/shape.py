@@ -200,8 +200,9 @@ def evaluated(data, definition, around=None, faces=None):
 def faces_of(data):
     """The splinecore Tessellation whose faces a Mesh was written with, made again, or None where it is not to be had or
     asks for other faces as soon as points move."""
-    known, definition = store.read_stamp(data), store.read(data)
-    if known is None or definition.has_curves or not fineness.by_count(data):
+    known = store.read_stamp(data) if fineness.by_count(data) else None
+    definition = store.read(data) if known is not None else None
+    if definition is None or definition.has_curves:
         return None
     try:
         found = fineness.tessellated(data, definitions.to_patch_set(definition))

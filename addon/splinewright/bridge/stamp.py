@@ -1,10 +1,11 @@
 """What identifies the geometry that Splinewright wrote, to notice what others changed since."""
 
-import functools
 import zlib
 
 import bpy
 import numpy as np
+
+from ..core import checksum
 
 
 def of(data):
@@ -25,23 +26,13 @@ def is_of_faces(stamp, tessellation):
         tessellation.vertex_count, len(tessellation.face_starts), zlib.crc32(corners))
 
 
-def moved(before, positions):
-    """The stamp of a Mesh whose vertices were given other positions (n, 3) float32 since that of `before`."""
+def moved(before, total):
+    """The stamp of a Mesh whose vertices were given other positions since that of `before`.
+
+    total: core.checksum.of() the positions.
+    """
     vertices, edges, faces, _, corners = before
-    return [vertices, edges, faces, _checksum(positions.ravel()), corners]
-
-
-def _checksum(numbers):
-    """Of float32 numbers in their order, below 2^52; a quarter of the time of a CRC."""
-    if len(numbers) % 2:
-        numbers = np.append(numbers, np.float32(0))
-    return int(np.dot(numbers.view(np.uint64), _factors(len(numbers) // 2)) >> np.uint64(12))
-
-
-@functools.lru_cache(8)
-def _factors(count):
-    """Odd factors, so that no change of one number is lost; sums wrap around at 2^64."""
-    return np.arange(1, count + 1, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C16) + np.uint64(1)
+    return [vertices, edges, faces, total, corners]
 
 
 def _of_mesh(mesh):
@@ -52,7 +43,7 @@ def _of_mesh(mesh):
         mesh.vertices.foreach_get('co', positions)
     corners = np.empty(len(mesh.loops), np.int32)
     mesh.loops.foreach_get('vertex_index', corners)
-    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), _checksum(positions), zlib.crc32(corners)]
+    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners)]
 
 
 def _of_curve(curve):

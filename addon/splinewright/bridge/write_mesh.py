@@ -35,7 +35,7 @@ def move(mesh, positions):
     if versions.has_auto_smooth:
         mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
     if versions.keeps_exact_normals and 'custom_normal' in mesh.attributes:
-        mesh.attributes.remove(mesh.attributes['custom_normal'])    # of another shape
+        mesh_layers.remove(mesh, 'custom_normal')   # of another shape
     mesh.update()
 
 
@@ -48,7 +48,7 @@ def let_normals_turn(mesh):
     else:
         mesh.corner_normals.foreach_get('vector', flat)
     if versions.keeps_exact_normals:
-        mesh.attributes.remove(mesh.attributes['custom_normal'])
+        mesh_layers.remove(mesh, 'custom_normal')
     mesh.normals_split_custom_set(flat.reshape(-1, 3).tolist())
 
 
@@ -124,7 +124,7 @@ def _write_normals(mesh, normals):
     if versions.keeps_exact_normals:
         attribute = mesh.attributes.get('custom_normal')
         if attribute is not None and (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'CORNER'):
-            mesh.attributes.remove(attribute)
+            mesh_layers.remove(mesh, 'custom_normal')
             attribute = None
         if attribute is None:
             attribute = mesh.attributes.new('custom_normal', 'FLOAT_VECTOR', 'CORNER')

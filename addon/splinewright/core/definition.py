@@ -4,7 +4,9 @@ A piece names rows of the pool. Points are (x, y, z, w) as given; tangents and t
 pieces are rows with w = 0. Everything is float64 and survives a round trip bit for bit.
 """
 
+import json
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -26,6 +28,12 @@ class Piece:
     degree: tuple = ()              # NURBS: of each axis
     periodic: tuple = ()            # NURBS: of each axis
     knots: tuple = ()               # NURBS: knots, Hermite: parameters, of each axis
+
+    @cached_property
+    def layout(self):
+        """What it is beside its numbers, and how many it has of them, as JSON."""
+        return json.dumps({'kind': self.kind, 'shape': list(self.indices.shape), 'degree': list(self.degree),
+                           'periodic': [bool(p) for p in self.periodic], 'knots': [len(k) for k in self.knots]})
 
     def require_consistent(self, axes, pool_size):
         """Raises Refusal unless the counts of a piece with so many axes fit each other and the pool."""

@@ -1,5 +1,7 @@
 """The net of patches as a Mesh. Attributes of its vertices are their numbers and weights."""
 
+from operator import itemgetter
+
 import bmesh
 import bpy
 import numpy as np
@@ -58,7 +60,7 @@ def _numbers(vertices, net):
     if numbers is None:
         raise ChangedNet("the net has lost the numbers of its points, by which they are told apart: undo that")
     numbers = numbers.astype(np.int64) - net.first
-    if np.array_equal(np.sort(numbers), np.arange(count)):
+    if np.array_equal(numbers, np.arange(count)) or np.array_equal(np.sort(numbers), np.arange(count)):
         return numbers
     seals = vertices.values('FLOAT', _SEAL)
     if seals is None:
@@ -146,7 +148,8 @@ class _Vertices:
         dtype = np.float32 if kind == 'FLOAT' else np.int32
         if self._edited is not None:
             layer = self._layer(kind, name)
-            return None if layer is None else np.array([vertex[layer] for vertex in self._edited.verts], dtype)
+            vertices = self._edited.verts
+            return None if layer is None else np.fromiter(map(itemgetter(layer), vertices), dtype, len(vertices))
         attribute = self._attribute(kind, name)
         if attribute is None:
             return None

@@ -71,7 +71,6 @@ def grow(data, current, definition, found, moment):
     moment is not right, current.is_waiting says that there is something to take up: while an operator is busy rows are
     appended only. Raises Refusal or an error of the library, and nothing has changed, where there is no such shape.
     """
-    current.is_waiting = False
     if not definition.has_curves and not found.extra and (found.slots >= 0).all():
         return False
     kind = net_object.kind_of(data)

@@ -12,6 +12,7 @@ import numpy as np
 from ...core import definition as definitions
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
+from ...core.moved_positions import MovedPositions
 from ...core.net import exact_net, reading
 from .. import (curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store,
                 write_mesh)
@@ -50,7 +51,7 @@ class Session:
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
         self._pause = self._next_check = 0.0
         self._patch_sets = {}           # the last ones, by how many points they have
-        self._positions = self._evaluated = None    # on the faces; of which PatchSet, None for none
+        self._moved = None              # the MovedPositions on the faces
         self._settings = {}             # of the shape, their values by the number that the net carries for them
         self.along = {}                 # what lay along the shape, by its number there: see along
 
@@ -91,7 +92,7 @@ class Session:
     def wrote(self, data, faces):
         """The shape has these faces now."""
         if faces is not self.faces:
-            self._evaluated = None
+            self._moved = None
         self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
 
     def settings(self, number, present):
@@ -117,32 +118,31 @@ class Session:
                                    last.with_points(definition.pool[:, :3], definition.pool[:, 3]))
         return self._patch_sets[count]
 
-    def _has_faces(self, data):
-        """Whether the shape has the faces that are known here."""
-        known = store.read_stamp(data)
+    def _has_faces(self, data, known):
+        """Whether the shape has the faces that are known here. known: its stamp."""
         return (self.faces is not None and known is not None and self._fineness == fineness.of(data)
                 and stamp.same_topology(self._stamp, known))
 
     def final_faces(self, data):
         """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
-        return self.faces if self._has_faces(data) and fineness.by_count(data) else None
+        return self.faces if self._has_faces(data, store.read_stamp(data)) and fineness.by_count(data) else None
 
-    def moved(self, data, patch_set):
-        """(v, 3) float32, the positions on the faces that the shape has, or None where it needs others. The next call
-        writes over them: what did not move since stays."""
-        if not self._has_faces(data):
+    def moved(self, data, known, patch_set):
+        """The MovedPositions on the faces that the shape has, or None where it needs others. known: its stamp."""
+        if not self._has_faces(data, known):
             faces = shape.faces_of(data)
             if faces is None:
                 return None
             self.wrote(data, faces)
-        before, self._evaluated = self._evaluated, None
-        if not self.faces.fits(patch_set, before):
+        moved, self._moved = self._moved, None
+        if not (moved or self.faces).fits(patch_set):
             return None                 # sides that were one are not any more, or the other way round
-        if before is None:
-            self._positions = np.empty((self.faces.vertex_count, 3), np.float32)
-        self.faces.evaluate_positions(patch_set, before=before, out=self._positions)
-        self._evaluated = patch_set
-        return self._positions
+        if moved is None:
+            moved = MovedPositions(self.faces, patch_set)
+        else:
+            moved.move(patch_set)
+        self._moved = moved
+        return moved
 
 
 def session(data):
@@ -221,11 +221,10 @@ def pull(ob, moment=Moment.FREE):
 
 def _pulled(ob, moment):
     """(the data-block of a net's shape, whether it changed, what it does not take of the net)."""
-    net_object.require_whole(ob)
-    owner = net_object.shape_of(ob)
+    owner = net_object.required_shape(ob)
     if owner is None:
         return None, False, "the shape of this net was deleted, or is in no scene"
-    if not net_object.is_current(ob):
+    if not net_object.edits(ob, owner):
         return None, False, "this net is of an earlier time: its shape has changed since, and follows it no more"
     data, current = owner.data, session(ob.data)
     wanted = current.settings(settings_number.read(ob), shown_now(data))
@@ -287,19 +286,19 @@ def end_along(gesture):
 
 
 def _follow(data, ob, current, moment):
-    """Bring a shape up to date; whether it changed, and what it does not take."""
-    can_grow = _can_grow(ob)
+    """Bring a shape up to date; whether it changed, and what it does not take. Raises where the net cannot be read: nothing
+    waits then, and the shape is left alone."""
+    current.is_waiting, can_grow = False, not recipes.has(data)
     if can_grow:
         growing.choose(ob.data, current)
-    found, refused = _read(data, ob, current), ""
-    definition = exact_net.read(current.net, found.state)
-    if can_grow:
-        try:
-            if growing.grow(ob.data, current, definition, found, moment):
-                found = _read(data, ob, current)
-                definition = exact_net.read(current.net, found.state)
-        except FAILURES as error:
-            refused = sentence(error)
+    found, definition = _read(data, ob, current)
+    has_grown, refused = False, ""
+    try:
+        has_grown = can_grow and growing.grow(ob.data, current, definition, found, moment)
+    except FAILURES as error:
+        refused = sentence(error)
+    if has_grown:                       # what was read before is of another stage
+        found, definition = _read(data, ob, current)
     if found.extra > current.extra and can_grow and ended_operators() == state.seen:
         state.began = state.seen        # they ended before points were copied: another is at work
     current.extra = found.extra
@@ -324,8 +323,10 @@ def _follow(data, ob, current, moment):
 
 
 def _read(data, ob, current):
-    return reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data, current.net),
-                        lambda: _last(data, current.net))
+    """(the core.net.reading.Reading of a net, the definition that it says)."""
+    found = reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data, current.net),
+                         lambda: _last(data, current.net))
+    return found, exact_net.read(current.net, found.state)
 
 
 def _last(data, net):
@@ -415,19 +416,20 @@ def _show(data, definition, current):
         return False
     current.require_alone(data, pool)
     shape.require_writable(data)
-    positions = None if definition.has_curves else current.moved(data, current.patch_set(definition))
-    if positions is None:
+    known = store.read_stamp(data)
+    moved = None if definition.has_curves else current.moved(data, known, current.patch_set(definition))
+    if moved is None:
         with keyed_stages.staged(data, current):
             faces = (curve_extras.show if definition.has_curves else shape.set_definition)(data, definition)
         if faces is not None:
             current.wrote(data, faces)
         current.pool = definition.pool
         return True
-    if not _are_finite(positions, definition.pool):
+    if not _are_finite(moved.positions, definition.pool):
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
-    write_mesh.move(data, positions)
+    write_mesh.move(data, moved.positions)
     current.pool = definition.pool
-    store.write_draft(data, definition, stamp.moved(store.read_stamp(data), positions))
+    store.write_draft(data, definition, stamp.moved(known, moved.checksum()))
     point_keys.show(data, definition.pool)
     return True
 

@@ -59,11 +59,13 @@ def is_orphan(ob):
     return (shape is None or isinstance(shape, bpy.types.Object)) and shape_of(ob) is None
 
 
-def require_whole(ob):
-    """Raises DamagedNet where it cannot be told which net of which shape this is."""
+def required_shape(ob):
+    """shape_of(). Raises DamagedNet where it cannot be told which net of which shape this is."""
     required_token(ob.data)
-    if shape_of(ob) is None and not is_orphan(ob):
+    shape = shape_of(ob)
+    if shape is None and not is_orphan(ob):
         raise damaged("what it edits is no object")
+    return shape
 
 
 def net_of(definition):
@@ -107,7 +109,12 @@ def kind_of(data):
 def is_current(ob):
     """Whether the net is the one that edits its shape: no copy, and none of an earlier time."""
     shape = shape_of(ob)
-    return shape is not None and editor(shape.data) == token(ob.data) != ""
+    return shape is not None and edits(ob, shape)
+
+
+def edits(ob, shape):
+    """Whether a net is the one that edits a shape."""
+    return editor(shape.data) == token(ob.data) != ""
 
 
 def end(ob):

@@ -74,7 +74,7 @@ def give_handle_types(ob, types):
 
 def _require_there(ob, net, vertices):
     """(k,): the slots of vertices."""
-    net_object.require_whole(ob)
+    net_object.required_shape(ob)
     slots = _slots(ob, net)[vertices]
     if (slots < 0).any():
         raise ChangedNet("a point of the net is not there any more")

@@ -147,7 +147,7 @@ def exact(net, positions, weights, typed=()):
 
     typed: rows (vertex, x, y, z, w) of float64 numbers, which a vertex that has their float32 value takes.
     """
-    kept = (np.abs(positions - net.single) <= net.slack).all(1)
+    kept = in_rows(np.abs(positions - net.single) <= net.slack)
     kept_weights = weights == net.single_weights
     now = np.where(kept[:, None], net.positions, positions)
     now_weights = np.where(kept_weights, net.weights, weights)
@@ -160,6 +160,11 @@ def exact(net, positions, weights, typed=()):
             now_weights[vertex] = weight
             kept_weights[vertex] = weight == net.weights[vertex]
     return Exact(now, now_weights, kept, kept_weights)
+
+
+def in_rows(flags):
+    """Of (n, 3) flags where all three of a row are set: (n,), much faster than NumPy's all()."""
+    return flags[:, 0] & flags[:, 1] & flags[:, 2]
 
 
 def read(net, state):

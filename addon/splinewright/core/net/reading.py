@@ -58,30 +58,39 @@ def read(net, present, typed, last):
     as the shape has them, asked only where some cannot be read."""
     found = slots(net, present)
     there = found >= 0
-    positions, weights = net.single.copy(), net.single_weights.copy()
-    positions[there] = present.positions()[found[there]]
+    positions = _at(found, there, present.positions(), net.single)
     if present.computed is not None:
         is_there = np.zeros(len(found), bool)
         is_there[there] = present.computed[found[there]]
         is_there &= (np.abs(positions - net.single) <= net.rounding).all(1) & ~_are_typed(positions, typed)
         positions[is_there] = net.single[is_there]
     weights_now = present.weights()
-    if weights_now is not None:
-        weights[there] = weights_now[found[there]]
+    weights = net.single_weights.copy() if weights_now is None else _at(found, there, weights_now, net.single_weights)
     is_zero = net.are_points & (weights == 0) & (net.weights != 0)
-    is_wild = ~np.isfinite(positions).all(1) | ~np.isfinite(weights)
+    is_wild = ~(exact_net.in_rows(np.isfinite(positions)) & np.isfinite(weights))
     lost = ~there | is_wild
     if present.void is not None:
         lost[there] |= present.void[found[there]]
     lost_weight = lost | is_zero | (weights_now is None)
-    positions[lost], weights[lost_weight] = net.single[lost], net.single_weights[lost_weight]
+    is_any_lost = lost_weight.any()
+    if is_any_lost:
+        positions[lost], weights[lost_weight] = net.single[lost], net.single_weights[lost_weight]
     state = exact_net.exact(net, positions, weights, typed)
-    if lost_weight.any():
+    if is_any_lost:
         state = _as_last(state, net, last(), lost, lost_weight)
     problem = _problem(len(found), int((~there).sum()), len(present.numbers) >= len(found), is_wild.any(),
                        is_zero.any(), weights_now is None)
     extra = len(present.numbers) - int(there.sum())
     return Reading(state, found, problem, note(extra, present.void is not None), extra)
+
+
+def _at(slots, there, present, otherwise):
+    """A new array of what is present at slots, and in its place where they are not there of what was."""
+    if there.all():
+        return present[slots]
+    result = otherwise.copy()
+    result[there] = present[slots[there]]
+    return result
 
 
 def _as_last(state, net, last, lost, lost_weight):

@@ -1,0 +1,78 @@
+"""Positions on the faces of a patch set that is dragged, and their checksum: what depends on points that moved alone is
+worked out, with the bits of the whole."""
+
+import numpy as np
+
+from .checksum import Kept
+from .failures import FAILURES
+
+#: Sets of rows of which it is known where they move vertices.
+_KNOWN = 4
+#: Bits that no evaluation gives, not even one that fails.
+_UNTOUCHED = 0x7FC5A5A5
+#: Between such weights a coordinate that changed changes the point times its weight, and nothing else. Tangents have none.
+_LEAST, _MOST = 1e-100, 1e100
+
+
+class MovedPositions:
+    """Of one Tessellation. What it gives it writes over the next time."""
+
+    def __init__(self, faces, patch_set):
+        self.faces, self.positions = faces, np.empty((faces.vertex_count, 3), np.float32)
+        self._evaluated, self._checksum = None, None
+        self._spans = {}                # of which rows moved (first vertex, end)
+        self.move(patch_set)
+
+    def move(self, patch_set):
+        """Be those of another set with the same patches, that fits."""
+        before, self._evaluated = self._evaluated, None
+        self.faces.evaluate_positions(patch_set, before=before, out=self.positions)
+        self._evaluated = patch_set
+        if before is not None and self._checksum is not None:
+            self._sum_moved(before, patch_set)
+
+    def fits(self, patch_set):
+        """Whether the faces can show a set."""
+        return self.faces.fits(patch_set, self._evaluated)
+
+    def checksum(self):
+        """checksum.of() the positions."""
+        if self._checksum is None:
+            self._checksum = Kept(self.positions.reshape(-1))
+        return self._checksum.value()
+
+    def _sum_moved(self, before, patch_set):
+        span = self._span(before, patch_set)
+        if span is None:
+            self._checksum = None
+        else:
+            self._checksum.wrote(self.positions.reshape(-1), 3 * span[0], 3 * span[1])
+
+    def _span(self, before, patch_set):
+        """(the first vertex that may have moved, the end of them), or None where that may be any."""
+        points, weights = before.points, before.weights
+        if points.shape != patch_set.points.shape or not np.array_equal(weights, patch_set.weights):
+            return None
+        differ = points.view(np.uint64) != patch_set.points.view(np.uint64)
+        rows = differ[:, 0] | differ[:, 1] | differ[:, 2]
+        known = rows.tobytes()
+        if known not in self._spans:
+            if len(self._spans) >= _KNOWN:
+                del self._spans[next(iter(self._spans))]
+            self._spans[known] = self._tried(before, rows)
+        return self._spans[known]
+
+    def _tried(self, before, rows):
+        """_span() where those rows move, wherever to: they are moved in all coordinates, and it is seen what is written."""
+        sizes = np.abs(before.weights)
+        if not (_LEAST < sizes.min() and sizes.max() < _MOST):
+            return None
+        points = before.points.copy()
+        points[rows] = np.where(np.abs(points[rows]) < 1, points[rows] + 2, 0.5 * points[rows])
+        out = np.full(3 * self.faces.vertex_count, _UNTOUCHED, np.uint32)
+        try:
+            self.faces.evaluate_positions(before.with_points(points), before=before, out=out.view(np.float32).reshape(-1, 3))
+        except FAILURES:
+            return None
+        written = np.flatnonzero(out[::3] != _UNTOUCHED)
+        return (int(written[0]), int(written[-1]) + 1) if len(written) else (0, 0)
