@@ -300,14 +300,13 @@ def hide_with_faces(mesh):
 def active(mesh):
     """Which layers are shown and which are rendered, by their names, for set_active()."""
     colours, uvs = mesh.color_attributes, mesh.uv_layers
-    return {'attribute': active_attribute(mesh), 'colour': colours.active_color_name, 'rendered colour': colours.default_color_name,
+    return {'colour': colours.active_color_name, 'rendered colour': colours.default_color_name,
             'uv': uvs.active.name if uvs.active else "",
             'rendered uv': next((layer.name for layer in uvs if layer.active_render), "")}
 
 
 def set_active(mesh, names):
     colours, uvs = mesh.color_attributes, mesh.uv_layers
-    _set_active_attribute(mesh, names['attribute'])
     # Blender 3.4 takes no names here.
     if names['colour'] in colours:
         colours.active_color = colours[names['colour']]
@@ -325,7 +324,7 @@ def active_attribute(mesh):
     return active.name if active else ""
 
 
-def _set_active_attribute(mesh, name):
+def set_active_attribute(mesh, name):
     if name in mesh.attributes and active_attribute(mesh) != name:
         mesh.attributes.active = mesh.attributes[name]
 
@@ -334,4 +333,4 @@ def remove(mesh, name):
     """Take an attribute away; another that is active stays so. Blender counts them: what came after the one would not."""
     active = active_attribute(mesh)
     mesh.attributes.remove(mesh.attributes[name])
-    _set_active_attribute(mesh, active)
+    set_active_attribute(mesh, active)

@@ -14,6 +14,7 @@ def write(mesh, tessellation, positions, normals, sharp):
     """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
     sharp edges (k, 2). Where the faces are the same as before only positions and normals change.
     What a user put on them stays, or is carried over to the new ones."""
+    active = mesh_layers.active_attribute(mesh)
     if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
@@ -28,6 +29,7 @@ def write(mesh, tessellation, positions, normals, sharp):
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
     # Before 4.5, too, Blender marks edges sharp where normals differ.
     mesh_sharp.note(mesh, users, flags if versions.keeps_exact_normals else mesh_sharp.marked(mesh))
+    mesh_layers.set_active_attribute(mesh, active)
     mesh.update()
 
 
