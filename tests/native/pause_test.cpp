@@ -8,7 +8,6 @@
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "splinecore/measure/length.hpp"
-#include "splinecore/tessellate/cells.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 #include "support.hpp"
 
@@ -121,20 +120,6 @@ TEST(Breathe, EndsAMeshThatGrows) {
   const Pause stop = [] { throw Stopped(); };
   const Pausing pausing(stop);
   EXPECT_THROW(mesh(), Stopped);
-}
-
-TEST(Breathe, EndsTheFittingOfCellsToOneAnother) {
-  constexpr Place kCount = Place{1} << 16;
-  std::vector<MeshCell> cells{{0, 1, 0, kCount}};
-  for (Place i = 0; i < kCount; ++i) cells.push_back({1, 2, i, i + 1});
-  const MeshCell whole{0, 2, 0, kCount};
-  CellGrid grid(whole, cells);
-  EXPECT_GE(pauses_of([&] { grid.balance(); }), 5);
-  EXPECT_EQ(grid.cells().size(), cells.size() + kCount / 2 - 1);
-  CellGrid other(whole, cells);
-  const Pause stop = [] { throw Stopped(); };
-  const Pausing pausing(stop);
-  EXPECT_THROW(other.balance(), Stopped);
 }
 
 TEST(Breathe, LeavesAKnotVectorWhoseMatricesWereBegunUsable) {

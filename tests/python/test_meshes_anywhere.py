@@ -72,6 +72,36 @@ def test_a_mesh_is_the_same_at_every_scale(scale, settings):
         assert np.array_equal(mesh.corner_vertices, expected.corner_vertices)
 
 
+@pytest.mark.parametrize('settings', ({'tolerance': 0.01}, {'tolerance': 0.05, 'angle': 0.1}))
+def test_a_mesh_is_the_same_far_from_the_origin(settings):
+    random = np.random.default_rng(5)
+    x, y = np.meshgrid(np.arange(5.0), np.arange(5.0), indexing='ij')
+    # Numbers that a shift by a power of two leaves as they are.
+    points = np.stack([x, y, np.round(64 * random.uniform(-1, 1, (5, 5))) / 64], -1)
+    weights = 2.0 ** random.integers(-2, 3, (5, 5))
+    knots = [0, 0, 0, 0, 1, 2, 2, 2, 2]
+
+    def mesh(shift):
+        return sc.Tessellation.adaptive(set_of(sc.NurbsPatch((3, 3), (knots, knots), points + shift, weights)),
+                                        **settings)
+    near, far = mesh(0.0), mesh(2.0**27)
+    assert len(near.face_patches) > 50
+    assert (near.corner_vertices == far.corner_vertices).all() and (near.corner_uvs == far.corner_uvs).all()
+
+
+@pytest.mark.parametrize('weight', (1e-100, 1e-170, 1e-300))
+def test_a_corner_may_weigh_next_to_nothing(weight):
+    x, y = np.meshgrid(np.arange(3.0), np.arange(3.0), indexing='ij')
+    weights = np.ones((3, 3))
+    weights[0, 0] = weight
+    patch = sc.BezierPatch(np.stack([x, y, 0.2 * x * y], -1), weights)
+    mesh = sc.Tessellation.adaptive(set_of(patch), tolerance=0.05)
+    positions = mesh.evaluate_positions(set_of(patch))
+    assert np.isfinite(positions).all() and 4 < len(positions) < 100000
+    for corner in ((0, 0, 0), (2, 0, 0), (0, 2, 0), (2, 2, 0.8)):
+        assert np.linalg.norm(positions - corner, axis=1).min() < 1e-6
+
+
 @pytest.mark.parametrize('far', (1e6, 1e11, 1e15))
 def test_a_second_patch_far_away_changes_nothing(far):
     near = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])

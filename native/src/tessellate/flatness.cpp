@@ -1,4 +1,4 @@
-#include "splinecore/tessellate/flatness.hpp"
+#include "flatness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,18 +80,31 @@ void add_first_differences(const Value* p, std::size_t rows, std::size_t columns
   }
 }
 
-/// The unit normal of homogeneous slopes, or (0, 0, 0) where a derivative is no more than rounding.
-glm::dvec3 unit_normal(const glm::dvec4& h, const glm::dvec4& hu, const glm::dvec4& hv, double magnitude) {
-  const glm::dvec3 su = glm::dvec3(hu) - hu.w / h.w * glm::dvec3(h);
-  const glm::dvec3 sv = glm::dvec3(hv) - hv.w / h.w * glm::dvec3(h);
-  const glm::dvec3 normal = glm::cross(su, sv);
+/// The derivatives of a point by both parameters, times its weight.
+struct Slopes {
+  glm::dvec3 u;
+  glm::dvec3 v;
+};
+
+Slopes slopes_of(const glm::dvec4& h, const glm::dvec4& hu, const glm::dvec4& hv) {
+  if (hu.w == 0.0 && hv.w == 0.0) return {glm::dvec3(hu), glm::dvec3(hv)};
+  return {glm::dvec3(hu) - hu.w / h.w * glm::dvec3(h), glm::dvec3(hv) - hv.w / h.w * glm::dvec3(h)};
+}
+
+/// Their unit normal, or (0, 0, 0) where one of them is no more than rounding.
+glm::dvec3 unit_normal(const Slopes& slopes, double magnitude) {
+  const glm::dvec3 normal = glm::cross(slopes.u, slopes.v);
   const double size = size_of(normal);
-  const double size_u = size_of(su);
-  const double size_v = size_of(sv);
+  const double size_u = size_of(slopes.u);
+  const double size_v = size_of(slopes.v);
   constexpr double kNothing = 0x1p-80;  // squared, as the sizes are
   const double least = kNothing * magnitude;
   const bool is_noise = !(size_u > least) || !(size_v > least) || !(size > kNothing * size_u * size_v);
   return is_noise ? glm::dvec3(0.0) : normal / std::sqrt(size);
+}
+
+glm::dvec3 unit_normal(const glm::dvec4& h, const glm::dvec4& hu, const glm::dvec4& hv, double magnitude) {
+  return unit_normal(slopes_of(h, hu, hv), magnitude);
 }
 
 /// The sum of the net with these factors along u and v.
@@ -121,6 +134,8 @@ std::array<BernsteinRow, 3> rows_of(int degree, double margin) {
 std::size_t place_on(Axis axis, int line, int k) { return axis == Axis::u ? 3 * k + line : 3 * line + k; }
 
 constexpr double kInside = 0x1p-10;
+/// What bounds are at most where all weights are above 0: four of them have a sum.
+constexpr double kLargestBound = 1e300;
 
 }  // namespace
 
@@ -141,6 +156,7 @@ FlatnessProbe::FlatnessProbe(int degree_u, int degree_v, bool rational)
 void FlatnessProbe::take(const BernsteinNet<glm::dvec4>& piece) {
   piece_ = &piece;
   has_values_ = has_points_ = has_normals_ = has_pairs_ = false;
+  middle_slopes_ = {};
 }
 
 void FlatnessProbe::centre(const glm::dvec4* points, std::size_t count, std::size_t middle, Centred& seen) const {
@@ -172,15 +188,16 @@ SecondDerivativeBounds FlatnessProbe::bounds_of(const Value* values, const Centr
   add_second_differences(seen.weights.data(), rows, columns, weight);
   double reach = 0.0;
   for (std::size_t k = 0; k < rows * columns; ++k) {
-    reach = std::max(reach, size_of(values[k]) / (seen.weights[k] * seen.weights[k]));
+    reach = std::max(reach, size_of(values[k] / seen.weights[k]));
   }
   reach = std::sqrt(reach);
   // The quotient rule, term by term: S_uu = (A_uu - 2 W_u S_u - W_uu S) / W.
   const double su = (point.u + weight.u * reach) / least;
   const double sv = (point.v + weight.v * reach) / least;
-  return {(point.uu + 2.0 * weight.u * su + weight.uu * reach) / least,
-          (point.uv + weight.u * sv + weight.v * su + weight.uv * reach) / least,
-          (point.vv + 2.0 * weight.v * sv + weight.vv * reach) / least};
+  const auto finite = [](double bound) { return std::min(bound, kLargestBound); };
+  return {finite((point.uu + 2.0 * weight.u * su + weight.uu * reach) / least),
+          finite((point.uv + weight.u * sv + weight.v * su + weight.uv * reach) / least),
+          finite((point.vv + 2.0 * weight.v * sv + weight.vv * reach) / least)};
 }
 
 SecondDerivativeBounds FlatnessProbe::bounds() {
@@ -278,8 +295,23 @@ glm::dvec3 FlatnessProbe::middle_normal() {
     slope_v += u_[1].values[i] * sum;
   }
   const double magnitude = magnitude_of(*piece_);
-  const glm::dvec3 normal = unit_normal(values_[4], slope_u, slope_v, magnitude);
-  return normal == glm::dvec3(0.0) ? normal_near(4, magnitude) : normal;
+  const Slopes slopes = slopes_of(values_[4], slope_u, slope_v);
+  const glm::dvec3 normal = unit_normal(slopes, magnitude);
+  if (normal == glm::dvec3(0.0)) return normal_near(4, magnitude);
+  middle_slopes_ = {slopes.u / values_[4].w, slopes.v / values_[4].w};
+  return normal;
+}
+
+double FlatnessProbe::sine_bound(const SecondDerivativeBounds& bounds) const {
+  // No derivative differs from that in the middle by more, nor then does their product, the normal.
+  const double apart_u = 0.5 * (bounds.uu + bounds.uv);
+  const double apart_v = 0.5 * (bounds.uv + bounds.vv);
+  const double length_u = glm::length(middle_slopes_[0]);
+  const double length_v = glm::length(middle_slopes_[1]);
+  const double apart = length_u * apart_v + length_v * apart_u + apart_u * apart_v;
+  const double part = apart / glm::length(glm::cross(middle_slopes_[0], middle_slopes_[1]));
+  constexpr double kLargestPart = 0.5;  // twice its arc is below a right angle
+  return part < kLargestPart ? 2.0 * part : 1.0;
 }
 
 const std::array<glm::dvec3, 9>& FlatnessProbe::normals() {

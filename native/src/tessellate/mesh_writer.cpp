@@ -43,6 +43,16 @@ std::size_t MeshWriter::sample_at(std::size_t patch, double u, double v, Side si
   return found->second;
 }
 
+void MeshWriter::reserve_faces(std::size_t count) {
+  mesh_.face_starts_.reserve(count);
+  mesh_.face_patches_.reserve(count);
+  mesh_.corner_vertices_.reserve(4 * count);
+  mesh_.corner_samples_.reserve(4 * count);
+  mesh_.corner_uvs_.reserve(8 * count);
+  mesh_.vertex_samples_.reserve(count);
+  sample_places_.reserve(count);
+}
+
 void MeshWriter::add_face(std::size_t patch, std::span<const FaceCorner> corners, std::span<const char> is_border) {
   const std::size_t count = corners.size();
   std::array<std::size_t, 4> kept;

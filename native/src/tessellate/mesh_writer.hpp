@@ -35,6 +35,9 @@ class MeshWriter {
   /// The sample there, the same whoever asks.
   std::size_t sample_at(std::size_t patch, double u, double v, Side side_u, Side side_v);
 
+  /// Room for so many faces of four corners.
+  void reserve_faces(std::size_t count);
+
   /// A face of three or four corners, counter-clockwise seen from where S_u x S_v points, unless it has shrunk to
   /// an edge.
   /// @param is_border  of the edge from each corner to the next: the normal may jump across it

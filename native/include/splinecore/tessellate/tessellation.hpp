@@ -9,9 +9,15 @@
 #include "splinecore/patch/patch_set.hpp"
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/tessellate/axis_samples.hpp"
-#include "splinecore/tessellate/cells.hpp"
 
 namespace splinecore {
+
+/// How fine a mesh is to be.
+struct Fineness {
+  double distance;  ///< no point of the surface lies farther from the mesh; infinite for any
+  double angle;     ///< radians, between normals at 3 x 3 places of each face, which is a 1024th of a span at least;
+                    ///< infinite for any
+};
 
 /// The mesh of a patch set: everything but positions (lecture row S22).
 ///
@@ -30,9 +36,11 @@ class Tessellation {
   ///
   /// Crack-free across every side that two patches have in common (panels_of()), whatever their degrees, knots
   /// and numbers of faces. Quads, and triangles where cells of different sizes meet.
+  /// The same in every bit whatever the threads.
+  /// @param threads  at most, 0 for one a core where there is enough to do; none outlives the call
   /// @throws InvalidShape if a number is not above 0, there would be more than 2^21 cells, or a patch runs to
   ///         infinity.
-  static Tessellation adaptive(const PatchSet& set, const Fineness& fineness);
+  static Tessellation adaptive(const PatchSet& set, const Fineness& fineness, int threads = 0);
 
   /// Whether the set has the patches, on the same knots and with the same sides in common, that this was made for.
   bool fits(const PatchSet& set) const;

@@ -8,6 +8,7 @@
 
 #include "splinecore/basis/bernstein_net.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Bounds of |S_uu|, |S_uv| and |S_vv| over a piece; infinite where a weight is not above 0.
@@ -62,6 +63,9 @@ class FlatnessProbe {
   NormalAngles normal_angles();
   /// The sine of the largest angle, 1 where it is a right angle or more.
   double largest_sine();
+  /// At least as much at no cost, when the normal in the middle has been asked for.
+  /// @param bounds  of the piece
+  double sine_bound(const SecondDerivativeBounds& bounds) const;
 
   /// The shorter and the longer of the two sides along a direction, by way of their middles.
   std::pair<double, double> lengths(Axis axis);
@@ -107,6 +111,7 @@ class FlatnessProbe {
   std::array<glm::dvec4, 9> values_;
   std::array<glm::dvec3, 9> points_;
   std::array<glm::dvec3, 9> normals_;
+  std::array<glm::dvec3, 2> middle_slopes_{};  ///< along u and v, as far as known
   Pairs pairs_;
   bool has_values_ = false;
   bool has_points_ = false;
@@ -115,3 +120,4 @@ class FlatnessProbe {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop
