@@ -89,19 +89,6 @@ def test_a_mesh_is_the_same_far_from_the_origin(settings):
     assert (near.corner_vertices == far.corner_vertices).all() and (near.corner_uvs == far.corner_uvs).all()
 
 
-@pytest.mark.parametrize('weight', (1e-100, 1e-170, 1e-300))
-def test_a_corner_may_weigh_next_to_nothing(weight):
-    x, y = np.meshgrid(np.arange(3.0), np.arange(3.0), indexing='ij')
-    weights = np.ones((3, 3))
-    weights[0, 0] = weight
-    patch = sc.BezierPatch(np.stack([x, y, 0.2 * x * y], -1), weights)
-    mesh = sc.Tessellation.adaptive(set_of(patch), tolerance=0.05)
-    positions = mesh.evaluate_positions(set_of(patch))
-    assert np.isfinite(positions).all() and 4 < len(positions) < 100000
-    for corner in ((0, 0, 0), (2, 0, 0), (0, 2, 0), (2, 2, 0.8)):
-        assert np.linalg.norm(positions - corner, axis=1).min() < 1e-6
-
-
 @pytest.mark.parametrize('far', (1e6, 1e11, 1e15))
 def test_a_second_patch_far_away_changes_nothing(far):
     near = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
