@@ -21,9 +21,9 @@ CALLS = {
     "patch.derivatives": lambda cancel: torus().derivatives(MANY, MANY, 1, cancel=cancel),
     "Tessellation.adaptive":
         lambda cancel: sc.Tessellation.adaptive(sc.PatchSet.from_patches([torus()]), tolerance=1e-5, cancel=cancel),
-    "patch.evaluate_grid": lambda cancel: torus().evaluate_grid(MANY[::400], MANY[::400], cancel=cancel),
+    "patch.evaluate_grid": lambda cancel: torus().evaluate_grid(MANY[::200], MANY[::200], cancel=cancel),
     "patch.evaluate_grid_with_normals":
-        lambda cancel: torus().evaluate_grid_with_normals(MANY[::400], MANY[::400], cancel=cancel),
+        lambda cancel: torus().evaluate_grid_with_normals(MANY[::200], MANY[::200], cancel=cancel),
 }
 
 

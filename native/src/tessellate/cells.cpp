@@ -77,16 +77,17 @@ class Splitter {
     if (cell.v1 - cell.v0 > widest_[1]) return Axis::v;
     const bool can_u = cell.u1 - cell.u0 > kSmallest;
     const bool can_v = cell.v1 - cell.v0 > kSmallest;
+    const bool is_wide = cell.u1 - cell.u0 >= cell.v1 - cell.v0;
     probe_.take(net);
     const SecondDerivativeBounds bounds = probe_.bounds();
     if (bounds.distance() == HUGE_VAL) {
       if (!can_u && !can_v) throw InvalidShape("the patch runs to infinity: no mesh is near it everywhere");
-      return can_u && (!can_v || cell.u1 - cell.u0 >= cell.v1 - cell.v0) ? Axis::u : Axis::v;
+      return can_u && (!can_v || is_wide) ? Axis::u : Axis::v;
     }
     if (!can_u && !can_v) return std::nullopt;
     const auto needed = need_of(bounds, cell);
     if (!needed) return std::nullopt;
-    const bool is_u = needed->u >= needed->v;
+    const bool is_u = needed->u == needed->v ? is_wide : needed->u > needed->v;
     if (is_u ? can_u : can_v) return is_u ? Axis::u : Axis::v;
     return can_u ? Axis::u : Axis::v;
   }
