@@ -57,6 +57,16 @@ def test_the_bits_are_the_same_on_any_number_of_threads(name):
         assert np.array_equal(CALLS[name](threads=threads), alone), threads
 
 
+@pytest.mark.parametrize("fineness", [{"tolerance": 1e-3}, {"angle": 0.05}, {"tolerance": 1e-2, "angle": 0.1}])
+def test_an_adaptive_mesh_is_the_same_on_any_number_of_threads(fineness):
+    shapes = sc.PatchSet.from_patches([torus(), wavy_patch(), torus(2.0, 0.5)])
+    alone = sc.Tessellation.adaptive(shapes, threads=1, **fineness)
+    for threads in (0, 2, 5):
+        mesh = sc.Tessellation.adaptive(shapes, threads=threads, **fineness)
+        assert np.array_equal(mesh.corner_vertices, alone.corner_vertices)
+        assert np.array_equal(mesh.evaluate_positions(shapes), alone.evaluate_positions(shapes))
+
+
 @pytest.mark.parametrize("count", [0, 1, 2, 5])
 def test_few_parameters_have_few_threads(count):
     places = np.linspace(0.0, 4.0, count)
@@ -95,6 +105,8 @@ def test_a_number_of_threads_that_is_none_is_refused(threads):
         circle().evaluate(U, threads=threads)
     with pytest.raises((sc.InvalidShape, TypeError), match="threads"):
         torus().evaluate_grid(ROWS, COLUMNS, threads=threads)
+    with pytest.raises((sc.InvalidShape, TypeError), match="threads"):
+        sc.Tessellation.adaptive(sc.PatchSet.from_patches([torus()]), tolerance=0.1, threads=threads)
 
 
 @pytest.mark.skipif(not os.path.isdir("/proc/self/task"), reason="counts threads in /proc")

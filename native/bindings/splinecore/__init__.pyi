@@ -981,6 +981,7 @@ class Tessellation:
         *,
         tolerance: float | None = None,
         angle: float | None = None,
+        threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> Tessellation: ...
     @property
