@@ -42,6 +42,6 @@ BOUNDS = {
     "W6 Beziers": Bound(12, 3, 96, "3 new points a span, each 2 steps of de Boor of 2 operations; 96 bytes"),
     "W10": Bound(11, 0.5, 48, "24 FMA for S, Su, Sv, 18 for cross product and length, in lanes of 4, 0.5 for rows; "
                  "48 bytes"),
-    "W11": Bound(61 * 20 * 12, 61 * 20 / 2, 0, "61 spans, 20 places of Gauss's rule each, as W2 without its second "
-                 "derivative, and a root"),
+    "W11": Bound(61 * 31 * 5, 61 * 31 / 2, 0, "61 spans, 31 nodes of Kronrod's rule each: 15 FMA for the speed, its "
+                 "length, a root and a division, in lanes of 4"),
 }

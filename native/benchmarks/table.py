@@ -149,12 +149,13 @@ WHAT = {
 def brief(rows, machine):
     """The table of the README."""
     lines = [f"{machine['name']}, {machine['versions']}, one thread; nanoseconds an item:", "",
-             "| | splinecore | rival | ratio | error |", "| --- | ---: | ---: | ---: | ---: |"]
+             "| | splinecore | rival | ratio | error | of the bound | all cores |",
+             "| --- | ---: | ---: | ---: | ---: | ---: | ---: |"]
     for row in rows:
         rival = f"{cell(row, row.rival)} ({row.rival.replace(',', '')})" if row.rival else "–"
         ratio = f"{row.ratio:.1f}×" if row.ratio is not None else "–"
         lines.append(f"| {WHAT[row.workload]} | {cell(row, row.ours)} | {rival} | {ratio} "
-                     f"| {number(row.errors.get(row.ours), 2)} |")
+                     f"| {number(row.errors.get(row.ours), 2)} | {share_cell(row)} | {cell(row, ALL_CORES)} |")
     return "\n".join(lines) + "\n"
 
 

@@ -94,6 +94,7 @@ google_tests() {
 native_tests() {
   heading "GoogleTest under address and undefined behaviour"
   google_tests "$asan"/tests/native/splinecore_tests --gtest_filter="$1"
+  google_tests "$asan"/tests/native/splinecore_inside_tests
   heading "Inputs that are kept, through the fuzz targets"
   google_tests "$asan"/tests/fuzz/splinewright_replay
 }
@@ -117,6 +118,7 @@ all_python() {
 thread_tests() {
   heading "Shared values under the thread sanitizer"
   google_tests "$tsan"/tests/sanitize/splinewright_shared_values
+  google_tests "$tsan"/tests/native/splinecore_inside_tests
 }
 
 thread_python() {
@@ -179,16 +181,16 @@ if [ -n "$lacks" ]; then
 fi
 case "$part" in
   quick)
-    build_with address "$asan" splinecore_tests splinewright_replay _splinecore fuzzers
-    build_with thread "$tsan" splinewright_shared_values
+    build_with address "$asan" splinecore_tests splinecore_inside_tests splinewright_replay _splinecore fuzzers
+    build_with thread "$tsan" splinewright_shared_values splinecore_inside_tests
     native_tests "$slow_native"
     python_tests "${quick_python[@]}"
     thread_tests
     fuzz few "${targets[@]}"
     ;;
   full)
-    build_with address "$asan" splinecore_tests splinewright_replay _splinecore fuzzers
-    build_with thread "$tsan" splinewright_shared_values _splinecore
+    build_with address "$asan" splinecore_tests splinecore_inside_tests splinewright_replay _splinecore fuzzers
+    build_with thread "$tsan" splinewright_shared_values splinecore_inside_tests _splinecore
     native_tests '*'
     all_python
     thread_tests

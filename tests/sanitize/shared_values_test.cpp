@@ -96,6 +96,23 @@ TEST(SharedValues, SetsAreTessellated) {
   });
 }
 
+TEST(SharedValues, BatchesRunOnSeveralThreads) {
+  expect_equal_readings(set_of, [](const PatchSet& set) {
+    std::vector<double> u(40);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = static_cast<double>(i) / static_cast<double>(u.size());
+    const PatchOptions options{Side::right, Side::right, AtInfinity::nan, 3};
+    const NurbsPatch patch = nurbs_of(set.patch(0));
+    std::vector<double> pairs(9 * u.size());
+    first_derivatives(patch, u, u, pairs, options);
+    std::vector<double> points(3 * u.size() * u.size());
+    std::vector<double> normals(points.size());
+    evaluate_grid_with_normals(patch, u, u, points, normals, options);
+    std::vector<float> all = mesh_of(Tessellation::adaptive(set, {0.1, std::numbers::pi}, 3), set);
+    for (const auto& some : {pairs, points, normals}) all.insert(all.end(), some.begin(), some.end());
+    return all;
+  });
+}
+
 TEST(SharedValues, OneTopologyIsEvaluated) {
   const Tessellation mesh = Tessellation::make(set_of(0), 6, 6);
   expect_equal_readings(set_of, [&](const PatchSet& set) {

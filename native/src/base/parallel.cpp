@@ -105,6 +105,15 @@ class Parts {
   std::exception_ptr error_;
 };
 
+/// Threads that are waited for; std::jthread is not everywhere yet.
+struct Others {
+  std::vector<std::thread> threads;
+
+  ~Others() {
+    for (std::thread& thread : threads) thread.join();
+  }
+};
+
 }  // namespace
 
 int threads_for(int asked, std::size_t work, std::size_t parts) {
@@ -116,12 +125,12 @@ int threads_for(int asked, std::size_t work, std::size_t parts) {
 void run_on_threads(std::size_t count, int threads, const std::function<void(std::size_t)>& part) {
   Parts parts(count, part);
   {
-    std::vector<std::jthread> others;
+    Others others;
     const std::size_t wanted = std::min<std::size_t>(threads, count) - 1;
-    others.reserve(wanted);
+    others.threads.reserve(wanted);
     try {
-      while (others.size() < wanted) {
-        others.emplace_back([&] { parts.work_apart(); });
+      while (others.threads.size() < wanted) {
+        others.threads.emplace_back([&] { parts.work_apart(); });
         parts.enter();
       }
     } catch (const std::system_error&) {
