@@ -14,6 +14,7 @@
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -115,16 +116,36 @@ class Locator {
   std::size_t size_;
 };
 
-/// Homogeneous derivatives, as many as there are values, at the parameter of a stencil, and the quotient rule.
-void derivatives_at(const NurbsCurve& curve, const Stencil& at, std::span<glm::dvec4> homogeneous,
-                    std::span<glm::dvec3> values) {
-  const glm::dvec4* points = curve.homogeneous_points().data() + at.first();
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    homogeneous[k] = weighted_sum(at.weights(static_cast<int>(k)), points);
-    values[k] = glm::dvec3(homogeneous[k]);
+/// Derivatives of any order at one parameter after the other. The domain is divided by a power of two about its length, so
+/// that neither its powers nor the products of the quotient rule leave the numbers where derivatives do not.
+class AnyOrder {
+ public:
+  AnyOrder(const NurbsCurve& curve, int order)
+      : curve_(curve), exponent_(scale_of(curve.knot_vector())), at_(divided(curve.knot_vector(), exponent_), order),
+        homogeneous_(static_cast<std::size_t>(order) + 1), values_(homogeneous_.size()) {}
+
+  /// Point and derivatives at a parameter that was admitted.
+  std::span<const glm::dvec3> find(double u, Side side) {
+    at_.move_to(std::ldexp(u, -exponent_), side);
+    const glm::dvec4* points = curve_.homogeneous_points().data() + at_.first();
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      homogeneous_[k] = weighted_sum(at_.weights(static_cast<int>(k)), points);
+      values_[k] = glm::dvec3(homogeneous_[k]);
+    }
+    if (curve_.rational()) quotient_derivatives(homogeneous_, values_);
+    for (std::size_t k = 1; exponent_ != 0 && k < values_.size(); ++k) {
+      for (int axis = 0; axis < 3; ++axis) values_[k][axis] = std::ldexp(values_[k][axis], -exponent_ * static_cast<int>(k));
+    }
+    return values_;
   }
-  if (curve.rational()) quotient_derivatives(homogeneous, values);
-}
+
+ private:
+  const NurbsCurve& curve_;
+  int exponent_;
+  Stencil at_;
+  std::vector<glm::dvec4> homogeneous_;
+  std::vector<glm::dvec3> values_;
+};
 
 /// Puts in order what is no number among the values at one parameter. The kernels' sums are larger than the points by up
 /// to 2^degree; those of a stencil are not.
@@ -136,11 +157,8 @@ void settle(const NurbsCurve& curve, double u, EvaluateOptions options, std::spa
   const std::size_t count = values.size() / 3;
   const auto is_written = [&](std::size_t k) { return is_number(&values[3 * k]); };
   if (std::ranges::all_of(std::views::iota(std::size_t{0}, count), is_written)) return;
-  Stencil at(curve.knot_vector(), static_cast<int>(count) - 1);
-  at.move_to(u, options.side);
-  std::vector<glm::dvec4> homogeneous(count);
-  std::vector<glm::dvec3> found(count);
-  derivatives_at(curve, at, homogeneous, found);
+  AnyOrder derivatives_of(curve, static_cast<int>(count) - 1);
+  const auto found = derivatives_of.find(u, options.side);
   const bool is_far = !is_finite(found[0]);
   if (is_far && options.at_infinity == AtInfinity::raise) throw PointAtInfinity(u);
   for (std::size_t k = 0; k < count; ++k) {
@@ -252,13 +270,10 @@ void high_derivatives(const NurbsCurve& curve, std::span<const double> parameter
                       int order, std::span<double> out, EvaluateOptions options) {
   const std::size_t columns = 3 * (static_cast<std::size_t>(order) + 1);
   constexpr std::size_t kFast = 3 * (kFastOrder + 1);
-  std::vector<glm::dvec4> homogeneous(order + 1);
-  std::vector<glm::dvec3> values(order + 1);
-  Stencil at(curve.knot_vector(), order);
+  AnyOrder derivatives_of(curve, order);
   for (std::size_t i = begin; i < end; ++i) {
     const double u = curve.knot_vector().admit(parameters[i], options.side, i);
-    at.move_to(u, options.side);
-    derivatives_at(curve, at, homogeneous, values);
+    const auto values = derivatives_of.find(u, options.side);
     const auto row = out.subspan(columns * i, columns);
     for (std::size_t k = 0; k < columns; ++k) row[k] = values[k / 3][static_cast<int>(k % 3)];
     // The lower ones are the same, bit for bit, whatever the order.

@@ -15,6 +15,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/quotient.hpp"
+#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 
@@ -66,23 +67,39 @@ void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span
   });
 }
 
-/// The homogeneous derivatives at one pair.
+/// The homogeneous derivatives at one pair, by the domains divided by powers of two about their lengths.
 struct PairSums {
   PairSums(const NurbsPatch& patch, int highest)
-      : form(form_of(patch)), order(highest), u(patch.knot_vector(Axis::u), highest),
-        v(patch.knot_vector(Axis::v), highest), sums(static_cast<std::size_t>((highest + 1) * (highest + 1))) {}
+      : form(form_of(patch)), order(highest), exponent_u(scale_of(patch.knot_vector(Axis::u))),
+        exponent_v(scale_of(patch.knot_vector(Axis::v))),
+        u(divided(patch.knot_vector(Axis::u), exponent_u), highest),
+        v(divided(patch.knot_vector(Axis::v), exponent_v), highest),
+        sums(static_cast<std::size_t>((highest + 1) * (highest + 1))) {}
 
   const std::vector<glm::dvec4>& at(double at_u, double at_v, PatchOptions options) {
-    u.move_to(at_u, options.side_u);
-    v.move_to(at_v, options.side_v);
+    u.move_to(std::ldexp(at_u, -exponent_u), options.side_u);
+    v.move_to(std::ldexp(at_v, -exponent_v), options.side_v);
     breathe(4 * sums.size() * static_cast<std::size_t>(form.degree_v + 1));
     kernels().pair_sums(form, order, corner_of(form, u.first(), v.first()), u.all_weights().data(),
                         v.all_weights().data(), &sums.data()->x);
     return sums;
   }
 
+  /// Derivatives k along u and l along v by the domains as they are.
+  void undivide(std::span<glm::dvec3> values) const {
+    if (exponent_u == 0 && exponent_v == 0) return;
+    for (int k = 0; k <= order; ++k) {
+      for (int l = 0; l <= order; ++l) {
+        glm::dvec3& value = values[static_cast<std::size_t>(k * (order + 1) + l)];
+        for (int axis = 0; axis < 3; ++axis) value[axis] = std::ldexp(value[axis], -(k * exponent_u + l * exponent_v));
+      }
+    }
+  }
+
   GridForm form;
   int order;
+  int exponent_u;
+  int exponent_v;
   Stencil u;
   Stencil v;
   std::vector<glm::dvec4> sums;
@@ -136,6 +153,7 @@ void all_derivatives(const NurbsPatch& patch, std::span<const double> u, std::sp
     const std::vector<glm::dvec4>& homogeneous = sums.at(at_u, at_v, options);
     for (std::size_t kl = 0; kl < size; ++kl) values[kl] = glm::dvec3(homogeneous[kl]);
     if (patch.rational()) quotient_derivatives(homogeneous, order, values);
+    sums.undivide(values);
     for (std::size_t kl = 0; kl < size; ++kl) store(values[kl], &row[3 * kl]);
     // The lowest are the same, bit for bit, whatever the order.
     std::copy_n(&first[9 * i], 3, &row[0]);
