@@ -103,6 +103,7 @@ py::dtype dtype_of(const py::object& value) {
   try {
     return py::dtype::from_args(value);
   } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;
     throw py::type_error("dtype = " + short_text(value) + " is not float64 or float32");
   }
 }

@@ -53,7 +53,8 @@ class Rows {
     py::list together;
     try {
       together = py::module_::import("numpy").attr("broadcast_arrays")(*given);
-    } catch (py::error_already_set&) {
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_ValueError)) throw;
       std::string shapes;
       for (const py::handle& array : given) shapes += " " + shape_text(py::reinterpret_borrow<py::array>(array));
       throw InvalidShape("values of shapes" + shapes + " do not broadcast");
@@ -78,7 +79,7 @@ py::array evaluate(const Formula& formula, const py::args& values, const py::obj
   const Rows rows(formula, values);
   const AtUndefined otherwise = at_undefined_of(at_undefined);
   const Output output(rows.shape(), py::none(), py::none());
-  in_parts(rows.size(), kPart, py::none(), [&](std::size_t begin, std::size_t end) {
+  in_parts(rows.size(), kPart, [&](std::size_t begin, std::size_t end) {
     splinecore::evaluate(formula, rows.part(begin, end), output.doubles(begin, end - begin), otherwise);
   });
   return output.array();
@@ -91,7 +92,7 @@ py::array gradient(const Formula& formula, const py::args& values, const py::obj
   Shape shape = rows.shape();
   shape.push_back(static_cast<py::ssize_t>(width));
   const Output output(shape, py::none(), py::none());
-  in_parts(rows.size(), kPart, py::none(), [&](std::size_t begin, std::size_t end) {
+  in_parts(rows.size(), kPart, [&](std::size_t begin, std::size_t end) {
     const std::span<double> out = output.doubles(width * begin, width * (end - begin));
     splinecore::gradients(formula, rows.part(begin, end), out, otherwise);
   });
@@ -108,7 +109,7 @@ py::array derivatives(const Formula& formula, const py::object& t, const py::obj
   shape.push_back(highest + 1);
   const Output output(shape, py::none(), py::none());
   const std::size_t row = highest + 1;
-  in_parts(at.size(), kPart, py::none(), [&](std::size_t begin, std::size_t end) {
+  in_parts(at.size(), kPart, [&](std::size_t begin, std::size_t end) {
     splinecore::derivatives(formula, {at.data() + begin, end - begin}, highest,
                             output.doubles(row * begin, row * (end - begin)), otherwise);
   });

@@ -51,14 +51,12 @@ auto unlocked(Work work, const py::object& cancel = py::none()) {
   return work();
 }
 
-/// Calls work(begin, end) on consecutive parts of [0, total) as unlocked() does, and heed() between them.
-/// @throws py::type_error if cancel is neither None nor callable.
+/// Calls work(begin, end) on consecutive parts of [0, total) as unlocked() does, and heeds Ctrl-C between them.
 template <class Work>
-void in_parts(std::size_t total, std::size_t part, const py::object& cancel, Work work) {
-  require_callable(cancel);
+void in_parts(std::size_t total, std::size_t part, Work work) {
   for (std::size_t begin = 0; begin < total; begin += part) {
-    unlocked([&] { work(begin, std::min(total, begin + part)); }, cancel);
-    heed(cancel);
+    unlocked([&] { work(begin, std::min(total, begin + part)); });
+    heed(py::none());
   }
 }
 

@@ -150,7 +150,8 @@ struct Places {
       const py::list both = py::module_::import("numpy").attr("broadcast_arrays")(given_u, given_v);
       u = Doubles(both[0]);
       v = Doubles(both[1]);
-    } catch (py::error_already_set&) {
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_ValueError)) throw;
       throw InvalidShape("u of shape " + shape_text(given_u) + " and v of shape " + shape_text(given_v) +
                          " do not broadcast");
     }

@@ -36,7 +36,8 @@ struct Pairs {
     py::list both;
     try {
       both = py::module_::import("numpy").attr("broadcast_arrays")(given_u, given_v);
-    } catch (py::error_already_set&) {
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_ValueError)) throw;
       throw InvalidShape("u of shape " + shape_text(given_u) + " and v of shape " + shape_text(given_v) +
                          " do not broadcast");
     }

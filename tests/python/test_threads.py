@@ -57,6 +57,26 @@ def test_the_bits_are_the_same_on_any_number_of_threads(name):
         assert np.array_equal(CALLS[name](threads=threads), alone), threads
 
 
+@pytest.mark.parametrize("degree", [3, 4])
+@pytest.mark.parametrize("order", [0, 1, 2])
+def test_the_bits_of_many_spans_are_the_same_in_any_batch(degree, order):
+    """Many parameters a span and few, in order and not: kernels take them at once or each for itself."""
+    rng = np.random.default_rng(degree)
+    inner = np.sort(rng.uniform(0.0, 1.0, 199))
+    knots = np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
+    count = len(inner) + degree + 1
+    curve = sc.NurbsCurve(degree, knots, rng.normal(size=(count, 3)), rng.uniform(0.3, 3.0, count))
+    u = np.sort(rng.uniform(0.0, 1.0, COUNT))
+    wanted = curve.derivatives(u, order, threads=1)
+    for threads in (3, 64):
+        assert np.array_equal(curve.derivatives(u, order, threads=threads), wanted), threads
+    mixed = rng.permutation(COUNT)
+    assert np.array_equal(curve.derivatives(u[mixed], order), wanted[mixed])
+    assert np.array_equal(curve.derivatives(u[::-1].copy(), order), wanted[::-1])
+    assert np.array_equal(np.array([curve.derivatives(one, order) for one in u[:3000]]), wanted[:3000])
+    assert np.array_equal(curve.derivatives(u, 3)[:, :order + 1], wanted)
+
+
 @pytest.mark.parametrize("fineness", [{"tolerance": 1e-3}, {"angle": 0.05}, {"tolerance": 1e-2, "angle": 0.1}])
 def test_an_adaptive_mesh_is_the_same_on_any_number_of_threads(fineness):
     shapes = sc.PatchSet.from_patches([torus(), wavy_patch(), torus(2.0, 0.5)])
@@ -169,3 +189,15 @@ def test_ctrl_c_ends_a_call_on_several_threads():
     process.send_signal(signal.SIGINT)
     out, _ = process.communicate(timeout=120)
     assert out == "stopped\n"
+
+
+def test_ctrl_c_is_not_taken_for_shapes_that_do_not_fit(monkeypatch):
+    """An interrupt may come inside of numpy, too."""
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(np, "broadcast_arrays", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        torus().evaluate(U, U)
+    with pytest.raises(KeyboardInterrupt):
+        sc.Formula("s + t", ["s", "t"]).evaluate(U, U)

@@ -33,12 +33,14 @@ class Parts {
   /// Takes parts as long as there are any, and none behind one that failed.
   void work(const Pause* own) {
     for (std::ptrdiff_t i = next_++; i < count_ && i <= failed_; i = next_++) {
-      const Pause pause = [&] {
-        if (i > failed_) throw NotWanted{};
-        if (own != nullptr && !heed(*own)) throw NotWanted{};
-      };
-      const Pausing pausing(pause);
-      attempt(i, [&] { part_(static_cast<std::size_t>(i)); });
+      attempt(i, [&] {
+        const Pause pause = [&] {
+          if (i > failed_) throw NotWanted{};
+          if (own != nullptr && !heed(*own)) throw NotWanted{};
+        };
+        const Pausing pausing(pause);
+        part_(static_cast<std::size_t>(i));
+      });
     }
   }
 

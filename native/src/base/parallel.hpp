@@ -29,7 +29,7 @@ void parallel_for(std::size_t count, int threads, Part&& part) {
 }
 
 /// Calls work(begin, end) on consecutive parts of [0, count), on as many threads as are asked for (threads_for()).
-/// @param steps_of_one  steps of work for each, as those of parallel_for()
+/// @param steps_of_one  steps of work for each, as those of threads_for()
 template <class Work>
 void in_ranges(std::size_t count, std::size_t steps_of_one, int asked, Work&& work) {
   const int threads = threads_for(asked, count * steps_of_one, count);

@@ -216,7 +216,7 @@ double KnotVector::admit(double u, Side side, std::optional<std::size_t> index, 
                      text_of(range.start) + ", " + text_of(range.end) + "]");
 }
 
-int KnotVector::span_of(double u, Side side) const noexcept { return state_->tables->finder.find(u, side); }
+int KnotVector::span_of(double u, Side side) const { return state_->tables->finder.find(u, side); }
 
 std::span<const double> KnotVector::bezier_matrix(int i) const {
   const std::size_t order = static_cast<std::size_t>(degree()) + 1;

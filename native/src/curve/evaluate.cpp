@@ -209,13 +209,14 @@ class Batch {
     return count;
   }
 
-  /// Whether four parameters lie in one half.
+  /// Whether as many parameters as a kernel takes at once lie in one half.
   bool begins_run(std::size_t at, std::size_t count) const {
+    const std::size_t lanes = kernels().lanes;
     const std::int32_t* const half = found_.half.data() + at;
-    return at + 3 < count && half[0] == half[1] && half[0] == half[2] && half[0] == half[3];
+    return at + lanes <= count && std::ranges::all_of(half + 1, half + lanes, [&](auto other) { return other == *half; });
   }
 
-  /// As many parameters from i on as lie strictly inside a half, four by four.
+  /// As many parameters from i on as lie strictly inside a half, so many at once.
   std::size_t run_from(std::size_t i, int half) {
     constexpr std::size_t kMost = std::size_t{1} << 12;
     const auto part = u_.subspan(i, std::min(kMost, end_ - i));

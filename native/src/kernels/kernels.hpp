@@ -135,7 +135,7 @@ struct Kernels {
   const char* name;
   std::size_t lanes;  ///< 4 or 8
 
-  /// As many of the parameters as lie, four by four, strictly inside the half whose parameters are from low to high.
+  /// As many of the parameters as lie, `lanes` at once, strictly inside the half whose parameters are from low to high.
   /// Writes 3 (order + 1) numbers for each. @returns how many; `found` takes kNotFinite.
   std::size_t (*curve_run)(const CurveForm&, const CurveHalf&, double low, double high, const double* u,
                            std::size_t count, double* out, int* found);

@@ -5,7 +5,7 @@ typedef float SingleLanes __attribute__((vector_size(16)));
 typedef std::int64_t MaskLanes __attribute__((vector_size(32)));
 
 // As many doubles at once as a register holds: neighbours in a row or in a span are computed so.
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
 typedef double WideLanes __attribute__((vector_size(64)));
 typedef std::int64_t WideMask __attribute__((vector_size(64)));
 #define SPLINECORE_WIDE_LANES
@@ -61,24 +61,30 @@ SPLINECORE_INLINE Lanes upper(WideLanes a) { return __builtin_shufflevector(a, a
 #endif
 
 /// 1 / a and 1 / sqrt(a), within two roundings; of numbers near the least and the largest perhaps not a number. The
-/// only divider is slower than steps of Newton and Halley from a first guess, where wide lanes have one.
+/// only divider is slower than steps of Newton and Halley from a first guess, where there is one: the same steps for
+/// lanes of every width, so that they give the same bits.
+#if defined(SPLINECORE_WIDE_LANES)
+SPLINECORE_INLINE Lanes guessed_reciprocal(Lanes a) { return _mm256_maskz_rcp14_pd(0xf, a); }
+SPLINECORE_INLINE WideLanes guessed_reciprocal(WideLanes a) { return _mm512_maskz_rcp14_pd(0xff, a); }
+SPLINECORE_INLINE Lanes guessed_reciprocal_root(Lanes a) { return _mm256_maskz_rsqrt14_pd(0xf, a); }
+SPLINECORE_INLINE WideLanes guessed_reciprocal_root(WideLanes a) { return _mm512_maskz_rsqrt14_pd(0xff, a); }
+
+template <class V>
+SPLINECORE_INLINE V reciprocal(V a) {
+  V r = guessed_reciprocal(a);
+  r = mul_add(r, mul_add(-a, r, all<V>(1.0)), r);
+  return mul_add(r, mul_add(-a, r, all<V>(1.0)), r);
+}
+template <class V>
+SPLINECORE_INLINE V reciprocal_root(V a) {
+  V r = guessed_reciprocal_root(a);
+  const V error = mul_add(-(a * r), r, all<V>(1.0));
+  r = mul_add(r * error, mul_add(all<V>(0.375), error, all<V>(0.5)), r);
+  return mul_add(r * all<V>(0.5), mul_add(-(a * r), r, all<V>(1.0)), r);
+}
+#else
 SPLINECORE_INLINE Lanes reciprocal(Lanes a) { return all(1.0) / a; }
 SPLINECORE_INLINE Lanes reciprocal_root(Lanes a) { return all(1.0) / square_root(a); }
-#if defined(SPLINECORE_WIDE_LANES)
-SPLINECORE_INLINE WideLanes reciprocal(WideLanes a) {
-  const WideLanes one = all<WideLanes>(1.0);
-  WideLanes r = _mm512_maskz_rcp14_pd(0xff, a);
-  r = mul_add(r, mul_add(-a, r, one), r);
-  return mul_add(r, mul_add(-a, r, one), r);
-}
-SPLINECORE_INLINE WideLanes reciprocal_root(WideLanes a) {
-  const WideLanes one = all<WideLanes>(1.0);
-  const WideLanes half = all<WideLanes>(0.5);
-  WideLanes r = _mm512_maskz_rsqrt14_pd(0xff, a);
-  const WideLanes error = mul_add(-(a * r), r, one);
-  r = mul_add(r * error, mul_add(all<WideLanes>(0.375), error, half), r);
-  return mul_add(r * half, mul_add(-(a * r), r, one), r);
-}
 #endif
 
 /// x, y, z and w of as many points.

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <optional>
 
 #include "base/parallel.hpp"
@@ -117,6 +118,7 @@ void AdaptiveBuilder::make_grids(const PatchSet& set, const Fineness& fineness, 
     std::size_t panel;
     std::size_t number;
   };
+  std::map<std::size_t, PlacedPatch> placed;
   std::deque<CellCutter> cutters;
   std::vector<Row> rows;
   std::vector<std::vector<std::vector<Cut>>> cuts;
@@ -125,8 +127,14 @@ void AdaptiveBuilder::make_grids(const PatchSet& set, const Fineness& fineness, 
     const auto& spans = spans_[panel.patch];
     const bool closed_u = panel.sides[0].edge >= 0 && panel.sides[0].edge == panel.sides[1].edge;
     const bool closed_v = panel.sides[2].edge >= 0 && panel.sides[2].edge == panel.sides[3].edge;
-    const CellCutter& cutter = cutters.emplace_back(nurbs_of(set.patch(panel.patch)), spans,
-                                                    whole_of(panel, spans[0], spans[1]), fineness, closed_u, closed_v);
+    auto patch = placed.find(panel.patch);
+    if (patch == placed.end()) {
+      const NurbsPatch& given = nurbs_of(set.patch(panel.patch));
+      breathe(given.points().size());
+      patch = placed.try_emplace(panel.patch, given, fineness).first;
+    }
+    const CellCutter& cutter =
+        cutters.emplace_back(patch->second, spans, whole_of(panel, spans[0], spans[1]), closed_u, closed_v);
     for (std::size_t i = 0; i < cutter.rows(); ++i) rows.push_back({cuts.size(), i});
     cuts.emplace_back(cutter.rows());
     work += kStepsOfPiece * cutter.rows() * cutter.columns();

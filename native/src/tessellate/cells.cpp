@@ -202,24 +202,26 @@ void require_room_for_cells(std::size_t count) {
   if (count >= kMaxCells) throw InvalidShape("the mesh would have more than 2^21 cells: allow more");
 }
 
-CellCutter::CellCutter(const NurbsPatch& patch, const std::array<std::vector<MeshSpan>, 2>& spans,
-                       const MeshCell& whole, const Fineness& fineness, bool closed_u, bool closed_v)
-    : patch_(patch), spans_(spans), whole_(whole), fineness_(fineness),
-      widest_{widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)} {
-  const Placement placement = placement_for_cells(patch);
-  patch_ = placed(patch, placement);
-  fineness_.distance = given_size(fineness.distance, -1, placement);
-  weight_exponent_ = weight_exponent_of(patch_);
+PlacedPatch::PlacedPatch(const NurbsPatch& given, const Fineness& wanted) : patch(given), fineness(wanted) {
+  const Placement placement = placement_for_cells(given);
+  patch = placed(given, placement);
+  fineness.distance = given_size(wanted.distance, -1, placement);
+  weight_exponent = weight_exponent_of(patch);
 }
+
+CellCutter::CellCutter(const PlacedPatch& placed, const std::array<std::vector<MeshSpan>, 2>& spans,
+                       const MeshCell& whole, bool closed_u, bool closed_v)
+    : placed_(placed), spans_(spans), whole_(whole),
+      widest_{widest(whole.u1 - whole.u0, closed_u), widest(whole.v1 - whole.v0, closed_v)} {}
 
 std::vector<Cut> CellCutter::cuts_of_row(std::size_t row) {
   std::vector<Cut> cuts;
-  const FlatnessProbe probe(patch_.knot_vector(Axis::u).degree(), patch_.knot_vector(Axis::v).degree(),
-                            patch_.rational());
-  Splitter splitter(fineness_, probe, widest_, count_, cuts);
+  const NurbsPatch& patch = placed_.patch;
+  const FlatnessProbe probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree(), patch.rational());
+  Splitter splitter(placed_.fineness, probe, widest_, count_, cuts);
   const Place i = whole_.u0 / kSpan + static_cast<Place>(row);
   for (Place j = whole_.v0 / kSpan; j < whole_.v1 / kSpan; ++j) {
-    splitter.add_piece(mesh_piece(patch_, spans_[0][i].number, spans_[1][j].number, weight_exponent_),
+    splitter.add_piece(mesh_piece(patch, spans_[0][i].number, spans_[1][j].number, placed_.weight_exponent),
                        {i * kSpan, (i + 1) * kSpan, j * kSpan, (j + 1) * kSpan});
   }
   return cuts;

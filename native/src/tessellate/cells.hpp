@@ -29,13 +29,22 @@ void require_room_for_cells(std::size_t count);
 /// What a cell costs, about, in steps of breathe().
 inline constexpr std::size_t kStepsOfCell = 500;
 
+/// A patch as it is cut: near the origin and of size 1, and what is asked for there.
+struct PlacedPatch {
+  PlacedPatch(const NurbsPatch& given, const Fineness& wanted);
+
+  NurbsPatch patch;
+  Fineness fineness;
+  int weight_exponent;
+};
+
 /// Cuts a part of a patch into rectangles each fine enough, none across a knot and none more than 16 times as long
 /// as wide; in a closed direction none wider than a third, so that no two faces have the same corners.
 class CellCutter {
  public:
-  /// @param spans  of u and v, which must outlive this
-  CellCutter(const NurbsPatch& patch, const std::array<std::vector<MeshSpan>, 2>& spans, const MeshCell& whole,
-             const Fineness& fineness, bool closed_u, bool closed_v);
+  /// @param spans  of u and v, which must outlive this, as the patch must
+  CellCutter(const PlacedPatch& placed, const std::array<std::vector<MeshSpan>, 2>& spans, const MeshCell& whole,
+             bool closed_u, bool closed_v);
 
   /// Rows of spans: across u.
   std::size_t rows() const noexcept { return static_cast<std::size_t>((whole_.u1 - whole_.u0) / kSpan); }
@@ -48,12 +57,10 @@ class CellCutter {
   std::vector<Cut> cuts_of_row(std::size_t row);
 
  private:
-  NurbsPatch patch_;  ///< moved near the origin, of size 1
+  const PlacedPatch& placed_;
   const std::array<std::vector<MeshSpan>, 2>& spans_;
   MeshCell whole_;
-  Fineness fineness_;           ///< for it
   std::array<Place, 2> widest_;  ///< no cell is wider
-  int weight_exponent_ = 0;
   std::atomic<std::size_t> count_ = 0;
 };
 

@@ -71,7 +71,7 @@ class KnotVector {
 
   /// Position in spans() of the span that holds an admitted parameter. At a knot Side::right
   /// takes the span that starts there, Side::left the one that ends there.
-  int span_of(double u, Side side) const noexcept;
+  int span_of(double u, Side side) const;
 
   /// (degree + 1)² numbers of span i: row j holds the coefficients, over the degree + 1 control
   /// points spans()[i] - degree …, of the j-th Bezier point of the piece on that span. All lie in [0, 1].

@@ -17,7 +17,7 @@ struct EvaluateOptions {
 
 /// x, y, z at each parameter; out.size() == 3 * parameters.size(). float32 is the last store only.
 ///
-/// Bernstein weights of the span times its matrix times the control points: as stable as
+/// Horner's scheme in Bernstein's form from the nearer end of the span (Volk and Schumaker 1990): as stable as
 /// de Casteljau's algorithm at any degree (S6, S14, S15). Results do not depend on the batch.
 /// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless asked for NaN.
 void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
