@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
-#include <vector>
+#include <span>
 
 #include "kernels/kernels.hpp"
 #include "span_blocks.hpp"
@@ -30,11 +29,13 @@ class KnotTables {
   }
 
  public:
-  KnotTables(std::size_t spans, int degree, std::vector<double> starts, double end)
-      : finder(std::move(starts), end),
-        matrices(spans, (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 1)),
-        values_(spans, rows_of(degree, 0) * table_width(degree)),
-        derivatives_(spans, (rows_of(degree, 0) + rows_of(degree, 1) + rows_of(degree, 2)) * table_width(degree)) {}
+  /// @param unrolled, spans  as of the vector that keeps both
+  KnotTables(std::span<const double> unrolled, std::span<const int> spans, int degree)
+      : finder(unrolled, spans),
+        matrices(spans.size(), (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 1)),
+        values_(spans.size(), rows_of(degree, 0) * table_width(degree)),
+        derivatives_(spans.size(), (rows_of(degree, 0) + rows_of(degree, 1) + rows_of(degree, 2)) * table_width(degree)) {
+  }
 
   /// Rows of a span for derivatives 0 … order, 2 at most, one after the other: see fill_derivative_table().
   const double* rows(const KnotVector& knots, int span, int order) {

@@ -130,15 +130,12 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
   state->degree = degree;
   state->periodic = periodic;
   state->count = static_cast<int>(knots.size()) - (periodic ? 1 : degree + 1);
-  state->unrolled = periodic ? unroll(knots, degree) : knots;
+  if (periodic) state->periods = unroll(knots, degree);
   state->knots = std::move(knots);
+  state->unrolled = periodic ? state->periods : state->knots;
   state->spans = positive_spans(state->unrolled, degree);
   require_size(degree, state->spans.size());
-  std::vector<double> starts;
-  starts.reserve(state->spans.size() + 2);
-  for (const int k : state->spans) starts.push_back(state->unrolled[k]);
-  const double end = state->spans.empty() ? 0.0 : state->unrolled[state->spans.back() + 1];
-  state->tables = std::make_shared<KnotTables>(state->spans.size(), degree, std::move(starts), end);
+  state->tables = std::make_shared<KnotTables>(state->unrolled, state->spans, degree);
   return KnotVector(std::move(state));
 }
 

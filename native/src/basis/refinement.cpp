@@ -198,13 +198,13 @@ RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> point
   std::vector<glm::dvec4> made(count);
   std::vector<int> copied(with_copies ? count : 0);
   std::vector<PairedPoint> scratch(degree + 1);
+  // The window of knots j + 1 … j + degree: what is new of it lies together among the inserted ones.
+  const int* const before = line.old_before.data() + 1;
   for (std::size_t j = 0; j < count; ++j) {
     if (j % kBlock == 0) breathe(8 * kBlock * static_cast<std::size_t>(degree));
-    // The window of knots j + 1 … j + degree: what is new of it lies together among the inserted ones.
-    const int before = line.old_before[j + 1];
-    const int number = degree - (line.old_before[j + degree + 1] - before);
-    const double* const arguments = added.data() + (j + 1 - before);
-    const int first = before - 1 - number;
+    const int number = degree - (before[j + degree] - before[j]);
+    const double* const arguments = added.data() + (j + 1 - before[j]);
+    const int first = before[j] - 1 - number;
     made[j] = blossom_point(old + first, degree, arguments, number, points.data() + first, scratch.data()).point();
     if (with_copies) copied[j] = number == 0 ? first : copied_of(made[j], points, first, number);
   }

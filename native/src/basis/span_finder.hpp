@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
@@ -18,18 +18,15 @@ namespace splinecore {
 /// They are counted when they are first asked for: many knots are made that only lead to others.
 class SpanFinder {
  public:
-  /// @param starts  of the spans, growing
-  SpanFinder(std::vector<double> starts, double end)
-      : count_(static_cast<std::int32_t>(starts.size())), bounds_(std::move(starts)) {
-    bounds_.push_back(end);
-    bounds_.push_back(std::numeric_limits<double>::infinity());
-  }
+  /// @param knots   that whoever has the finder keeps
+  /// @param starts  of the spans among them, which meet; kept as well
+  SpanFinder(std::span<const double> knots, std::span<const int> starts) : knots_(knots), starts_(starts) {}
   ~SpanFinder() { delete parts_.load(); }
   SpanFinder(const SpanFinder&) = delete;
   SpanFinder& operator=(const SpanFinder&) = delete;
 
   /// Where the spans start, and the end of the last one.
-  const double* bounds() const noexcept { return bounds_.data(); }
+  const double* bounds() const { return parts().bounds.data(); }
 
   /// Of each span: a parameter above it is nearer to the end.
   const double* middles() const { return parts().middles.data(); }
@@ -53,6 +50,7 @@ class SpanFinder {
 
  private:
   struct Parts {
+    std::vector<double> bounds;  ///< and infinity behind them
     std::vector<double> middles;
     double scale = 0.0;
     bool is_crowded = false;
@@ -70,21 +68,27 @@ class SpanFinder {
 
   std::unique_ptr<const Parts> counted() const {
     auto made = std::make_unique<Parts>();
-    made->middles.reserve(static_cast<std::size_t>(count_));
-    for (std::int32_t i = 0; i < count_; ++i) {
-      const double middle = Interval{bounds_[i], bounds_[i + 1]}.middle();
-      made->middles.push_back(middle < bounds_[i + 1] ? middle : bounds_[i]);
+    const std::size_t count = starts_.size();
+    std::vector<double>& bounds = made->bounds;
+    bounds.reserve(count + 2);
+    for (const int k : starts_) bounds.push_back(knots_[k]);
+    bounds.push_back(starts_.empty() ? 0.0 : knots_[starts_.back() + 1]);
+    bounds.push_back(std::numeric_limits<double>::infinity());
+    made->middles.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double middle = Interval{bounds[i], bounds[i + 1]}.middle();
+      made->middles.push_back(middle < bounds[i + 1] ? middle : bounds[i]);
     }
     constexpr std::size_t kMostParts = std::size_t{1} << 20;
     constexpr double kLargest = 1e300;
-    const std::size_t number = count_ > 1 ? std::min(kMostParts, 8 * static_cast<std::size_t>(count_)) : 1;
-    const double scale = static_cast<double>(number) / (bounds_[count_] - bounds_.front());
-    made->scale = count_ > 1 && scale > 0.0 && scale < kLargest ? scale : 0.0;
+    const std::size_t number = count > 1 ? std::min(kMostParts, 8 * count) : 1;
+    const double scale = static_cast<double>(number) / (bounds[count] - bounds.front());
+    made->scale = count > 1 && scale > 0.0 && scale < kLargest ? scale : 0.0;
     std::vector<std::int32_t>& first = made->first;
     first.assign(number + 2, 0);
     // The part grows with u, so that spans that start in other parts need not be looked at.
-    for (std::int32_t i = 0; i < count_; ++i) {
-      ++first[static_cast<std::size_t>((bounds_[i] - bounds_.front()) * made->scale) + 1];
+    for (std::size_t i = 0; i < count; ++i) {
+      ++first[static_cast<std::size_t>((bounds[i] - bounds.front()) * made->scale) + 1];
     }
     constexpr std::int32_t kFew = 4;
     made->is_crowded = std::ranges::any_of(first, [](std::int32_t starts) { return starts > kFew; });
@@ -95,32 +99,30 @@ class SpanFinder {
   template <class Begins>
   void find_each(const double* u, std::size_t count, std::int32_t* spans, Begins begins) const {
     const Parts& parts = this->parts();
-    const double* const bounds = bounds_.data();
+    const double* const bounds = parts.bounds.data();
     const std::int32_t* const first = parts.first.data();
     const double start = bounds[0];
     const double scale = parts.scale;
-    const std::int32_t last = count_ - 1;
+    const std::int32_t last = static_cast<std::int32_t>(starts_.size()) - 1;
     const bool is_crowded = parts.is_crowded;
     for (std::size_t i = 0; i < count; ++i) {
       const double at = u[i];
       const auto part = static_cast<std::size_t>(static_cast<std::int64_t>((at - start) * scale));
       std::int32_t next = first[part];
-      if (is_crowded) next = searched(at, next, first[part + 1], begins);
+      if (is_crowded) next = searched(bounds, at, next, first[part + 1], begins);
       while (begins(bounds[next], at)) ++next;
       spans[i] = std::clamp(next - 1, 0, last);
     }
   }
 
   template <class Begins>
-  std::int32_t searched(double u, std::int32_t low, std::int32_t high, Begins begins) const noexcept {
-    const double* const from = bounds_.data() + low;
-    const double* const to = bounds_.data() + high;
-    const auto next = std::partition_point(from, to, [&](double bound) { return begins(bound, u); });
-    return static_cast<std::int32_t>(next - bounds_.data());
+  static std::int32_t searched(const double* bounds, double u, std::int32_t low, std::int32_t high, Begins begins) noexcept {
+    const auto next = std::partition_point(bounds + low, bounds + high, [&](double bound) { return begins(bound, u); });
+    return static_cast<std::int32_t>(next - bounds);
   }
 
-  std::int32_t count_;
-  std::vector<double> bounds_;  ///< and infinity behind them
+  std::span<const double> knots_;
+  std::span<const int> starts_;
   mutable std::atomic<const Parts*> parts_{nullptr};
 };
 

@@ -90,7 +90,8 @@ class KnotVector {
     bool periodic = false;
     int count = 0;
     std::vector<double> knots;
-    std::vector<double> unrolled;
+    std::vector<double> periods;        ///< the knots unrolled, where periodic
+    std::span<const double> unrolled;
     std::vector<int> spans;
     std::shared_ptr<KnotTables> tables;
   };
