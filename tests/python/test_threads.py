@@ -119,6 +119,28 @@ def test_the_first_place_at_infinity_is_named(threads):
     assert np.isnan(found).all(axis=1).nonzero()[0].tolist() == [700, 15_000]
 
 
+@pytest.mark.parametrize("gap", [1, 5, 63, 64, 200])
+@pytest.mark.parametrize("threads", [1, 2, 5, 64])
+def test_of_unlike_errors_the_first_is_named(threads, gap):
+    line = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [[0, 0, 0], [1, 0, 0], [2, 1, 0]], [1.0, -1.0, 1.0])
+    sheet = sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 2], [0, 0, 2, 2]),
+                          [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]], [[2, 1, 0], [2, 2, 0]]],
+                          [[1.0, 1.0], [-1.0, -1.0], [1.0, 1.0]])
+    calls = [lambda: line.evaluate(places, threads=threads), lambda: line.derivatives(places, 1, threads=threads),
+             lambda: sheet.evaluate(places, U % 2, threads=threads),
+             lambda: sheet.first_derivatives(places, U % 2, threads=threads)]
+    for first in (0, 1, 700, 7_777):
+        places = np.linspace(0.1, 0.3, COUNT)
+        places[first], places[first + gap] = 0.5, 3.0
+        for call in calls:
+            with pytest.raises(sc.PointAtInfinity, match=r"u = 0\.5"):
+                call()
+        places[first], places[first + gap] = 3.0, 0.5
+        for call in calls:
+            with pytest.raises(sc.InvalidShape, match=rf"u\[{first}\]"):
+                call()
+
+
 @pytest.mark.parametrize("threads", [-1, 1025, 10**30, 1.5, "2", None, [2]])
 def test_a_number_of_threads_that_is_none_is_refused(threads):
     with pytest.raises((sc.InvalidShape, TypeError), match="threads"):

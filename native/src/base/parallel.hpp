@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "splinecore/base/errors.hpp"
+
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
@@ -37,6 +39,24 @@ void in_ranges(std::size_t count, std::size_t steps_of_one, int asked, Work&& wo
   constexpr std::size_t kOfThread = 4;
   const std::size_t parts = std::min(count, kOfThread * static_cast<std::size_t>(threads));
   parallel_for(parts, threads, [&](std::size_t i) { work(i * count / parts, (i + 1) * count / parts); });
+}
+
+/// Returns work(first, count), which does several at once; if that fails, they are done one after the other, so that of
+/// several that fail the first is named, wherever a part begins.
+template <class Work>
+auto in_order_of_errors(std::size_t first, std::size_t count, Work&& work) {
+  const auto singly = [&] {
+    for (std::size_t i = first; i < first + count; ++i) work(i, std::size_t{1});
+  };
+  try {
+    return work(first, count);
+  } catch (const InvalidShape&) {
+    singly();
+    throw;
+  } catch (const PointAtInfinity&) {
+    singly();
+    throw;
+  }
 }
 
 /// Steps of a kernel, which makes so many at once.

@@ -185,8 +185,10 @@ class Batch {
     end_ = end;
     for (std::size_t i = begin; i < end;) {
       const std::size_t count = std::min(kScattered, end - i);
-      locator_.locate(u_.subspan(i, count), i, found_);
-      i += advance(i, count);
+      i += in_order_of_errors(i, count, [&](std::size_t first, std::size_t some) {
+        locator_.locate(u_.subspan(first, some), first, found_);
+        return advance(first, some);
+      });
     }
   }
 

@@ -43,8 +43,7 @@ void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span
   AxisPlaces places_u(patch.knot_vector(Axis::u), order, "u");
   AxisPlaces places_v(patch.knot_vector(Axis::v), order, "v");
   std::array<PairPlace, kPart> part;
-  for (std::size_t first = begin; first < end; first += kPart) {
-    const std::size_t count = std::min(kPart, end - first);
+  const auto visit_some = [&](std::size_t first, std::size_t count) {
     places_u.locate(u.subspan(first, count), first, options.side_u);
     places_v.locate(v.subspan(first, count), first, options.side_v);
     for (std::size_t i = 0; i < count; ++i) {
@@ -54,6 +53,10 @@ void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span
     }
     breathe(count * steps_of_pair(form));
     visit(form, part.data(), first, count);
+  };
+  for (std::size_t first = begin; first < end; first += kPart) {
+    const std::size_t count = std::min(kPart, end - first);
+    in_order_of_errors(first, count, visit_some);
   }
 }
 
