@@ -37,11 +37,13 @@ class AxisPlaces {
   int first(std::size_t i) const noexcept { return starts_[spans_[i]] - degree_; }
 
   void write(std::size_t i, BasisPlace& place) const {
+    using Pair = double __attribute__((vector_size(2 * sizeof(double))));
     const std::int32_t span = spans_[i];
     const double start = bounds_[span];
     const double end = bounds_[span + 1];
-    place.t = (u_[i] - start) / (end - start);
-    place.s = (end - u_[i]) / (end - start);
+    const Pair parts = Pair{u_[i] - start, end - u_[i]} / Pair{end - start, end - start};
+    place.t = parts[0];
+    place.s = parts[1];
     place.rows = rows_ != nullptr ? rows_ + static_cast<std::size_t>(span) * size_ : tables_.rows(knots_, span, order_);
   }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "kernels/kernels.hpp"
 #include "splinecore/base/interval.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -41,11 +42,10 @@ class SpanFinder {
 
   /// The same of many.
   void find_all(const double* u, std::size_t count, Side side, std::int32_t* spans) const {
-    if (side == Side::right) {
-      find_each(u, count, spans, [](double bound, double at) { return bound <= at; });
-    } else {
-      find_each(u, count, spans, [](double bound, double at) { return bound < at; });
-    }
+    const Parts& found = parts();
+    const SpanParts parts{found.bounds.data(), static_cast<std::int32_t>(starts_.size()), found.scale,
+                          found.first.data(), found.is_crowded};
+    kernels().find_spans(parts, side == Side::right, u, count, spans);
   }
 
  private:
@@ -94,31 +94,6 @@ class SpanFinder {
     made->is_crowded = std::ranges::any_of(first, [](std::int32_t starts) { return starts > kFew; });
     for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
     return made;
-  }
-
-  template <class Begins>
-  void find_each(const double* u, std::size_t count, std::int32_t* spans, Begins begins) const {
-    const Parts& parts = this->parts();
-    const double* const bounds = parts.bounds.data();
-    const std::int32_t* const first = parts.first.data();
-    const double start = bounds[0];
-    const double scale = parts.scale;
-    const std::int32_t last = static_cast<std::int32_t>(starts_.size()) - 1;
-    const bool is_crowded = parts.is_crowded;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double at = u[i];
-      const auto part = static_cast<std::size_t>(static_cast<std::int64_t>((at - start) * scale));
-      std::int32_t next = first[part];
-      if (is_crowded) next = searched(bounds, at, next, first[part + 1], begins);
-      while (begins(bounds[next], at)) ++next;
-      spans[i] = std::clamp(next - 1, 0, last);
-    }
-  }
-
-  template <class Begins>
-  static std::int32_t searched(const double* bounds, double u, std::int32_t low, std::int32_t high, Begins begins) noexcept {
-    const auto next = std::partition_point(bounds + low, bounds + high, [&](double bound) { return begins(bound, u); });
-    return static_cast<std::int32_t>(next - bounds);
   }
 
   std::span<const double> knots_;

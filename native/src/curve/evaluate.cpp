@@ -53,7 +53,7 @@ class Locator {
   Locator(const NurbsCurve& curve, int order, Side side)
       : curve_(curve), knots_(curve.knot_vector()), finder_(knots_.tables().finder), tables_(curve.tables()),
         domain_(knots_.domain()), order_(order), side_(side), rows_(tables_.all_rows(curve, order)),
-        size_(tables_.size(order)) {}
+        size_(tables_.size(order)), last_row_(4 * knots_.degree()) {}
 
   double admitted(double u, std::size_t i) const {
     return u > domain_.start && u < domain_.end ? u : knots_.admit(u, side_, i);
@@ -73,8 +73,8 @@ class Locator {
   void write(const Located& found, std::size_t begin, std::size_t end, ScatteredHalves& halves) const {
     const double* const bounds = finder_.bounds();
     for (std::size_t i = begin; i < end; ++i) {
-      const std::int32_t span = found.half[i] / 2;
-      const std::int32_t second = found.half[i] % 2;
+      const std::int32_t span = found.half[i] >> 1;
+      const std::int32_t second = found.half[i] & 1;
       halves.u[i - begin] = found.u[i];
       halves.near[i - begin] = bounds[span + second];
       halves.far[i - begin] = bounds[span + 1 - second];
@@ -84,24 +84,24 @@ class Locator {
   }
 
   /// The ends of the span of a half.
-  const double* ends(int half) const { return finder_.bounds() + half / 2; }
+  const double* ends(int half) const { return finder_.bounds() + (half >> 1); }
 
   /// The row at the near end.
   const double* rows(int half) const {
-    const double* const span = rows_ != nullptr ? rows_ + static_cast<std::size_t>(half / 2) * size_
-                                                : tables_.rows(curve_, half / 2, order_);
-    return span + (half % 2) * (4 * knots_.degree());
+    const double* const span = rows_ != nullptr ? rows_ + static_cast<std::size_t>(half >> 1) * size_
+                                                : tables_.rows(curve_, half >> 1, order_);
+    return span + (half & 1) * last_row_;
   }
 
   CurveHalf form(int half) const {
-    const int second = half % 2;
+    const int second = half & 1;
     return {ends(half)[second], ends(half)[1 - second], rows(half), 4 - 8 * second};
   }
 
   /// The parameters of a half.
   Interval range(int half) const {
-    const double middle = finder_.middles()[half / 2];
-    return half % 2 == 0 ? Interval{ends(half)[0], middle} : Interval{middle, ends(half)[1]};
+    const double middle = finder_.middles()[half >> 1];
+    return (half & 1) == 0 ? Interval{ends(half)[0], middle} : Interval{middle, ends(half)[1]};
   }
 
  private:
@@ -114,6 +114,7 @@ class Locator {
   Side side_;
   const double* rows_;
   std::size_t size_;
+  std::ptrdiff_t last_row_;  ///< of a span's
 };
 
 /// Derivatives of any order at one parameter after the other. The domain is divided by a power of two about its length, so
@@ -213,9 +214,9 @@ class Batch {
 
   /// Whether as many parameters as a kernel takes at once lie in one half.
   bool begins_run(std::size_t at, std::size_t count) const {
-    const std::size_t lanes = kernels().lanes;
     const std::int32_t* const half = found_.half.data() + at;
-    return at + lanes <= count && std::ranges::all_of(half + 1, half + lanes, [&](auto other) { return other == *half; });
+    return at + lanes_ <= count && half[1] == half[0] &&
+           std::ranges::all_of(half + 2, half + lanes_, [&](auto other) { return other == *half; });
   }
 
   /// As many parameters from i on as lie strictly inside a half, so many at once.
@@ -256,6 +257,7 @@ class Batch {
   std::span<const double> u_;
   std::span<Real> out_;
   std::size_t columns_;
+  std::size_t lanes_ = kernels().lanes;
   std::size_t end_ = 0;
 };
 

@@ -14,6 +14,15 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
+/// The spans of a domain, which is cut into equal parts that know their first one.
+struct SpanParts {
+  const double* bounds;  ///< where the spans start, the end of the last, and infinity
+  std::int32_t count;
+  double scale;               ///< from a parameter behind the start to its part
+  const std::int32_t* first;  ///< of each part: how many spans start in those before it
+  bool is_crowded;            ///< some parts have many starts
+};
+
 /// Half of a span of a curve, for derivatives 0 … order.
 struct CurveHalf {
   double near;         ///< the end of the span in this half
@@ -134,6 +143,9 @@ inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made
 struct Kernels {
   const char* name;
   std::size_t lanes;  ///< 4 or 8
+
+  /// The last span that starts before each parameter, or `at` it; of one before them all the first.
+  void (*find_spans)(const SpanParts&, bool at, const double* u, std::size_t count, std::int32_t* spans);
 
   /// As many of the parameters as lie, `lanes` at once, strictly inside the half whose parameters are from low to high.
   /// Writes 3 (order + 1) numbers for each. @returns how many; `found` takes kNotFinite.

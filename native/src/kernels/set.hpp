@@ -18,6 +18,7 @@ const double* binomials(int degree) noexcept;
 namespace {
 
 #include "lanes.hpp"
+#include "spans.hpp"
 #include "curves.hpp"
 #include "lengths.hpp"
 #include "functions.hpp"
@@ -28,6 +29,7 @@ namespace {
 extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
+    find_spans,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     speed_sums, surface_row,
     functions,
