@@ -42,10 +42,13 @@ class SpanFinder {
 
   /// The same of many.
   void find_all(const double* u, std::size_t count, Side side, std::int32_t* spans) const {
+    kernels().find_spans(for_kernels(), side == Side::right, u, count, spans);
+  }
+
+  SpanParts for_kernels() const {
     const Parts& found = parts();
-    const SpanParts parts{found.bounds.data(), static_cast<std::int32_t>(starts_.size()), found.scale,
-                          found.first.data(), found.is_crowded};
-    kernels().find_spans(parts, side == Side::right, u, count, spans);
+    return {found.bounds.data(), static_cast<std::int32_t>(starts_.size()), found.scale, found.first.data(),
+            found.is_crowded};
   }
 
  private:

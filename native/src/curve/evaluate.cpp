@@ -33,64 +33,48 @@ std::size_t run_of(const CurveForm& form, const CurveHalf& half, double low, dou
   return kernels().curve_run_single(form, half, low, high, u.data(), u.size(), out, found);
 }
 
-int scattered_of(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, double* out) {
-  return kernels().curve_scattered(form, halves, count, out);
+int scattered_of(const CurveForm& form, const ScatteredHalves& halves, std::size_t begin, std::size_t end, double* out) {
+  return kernels().curve_scattered(form, halves, begin, end, out);
 }
 
-int scattered_of(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, float* out) {
-  return kernels().curve_scattered_single(form, halves, count, out);
+int scattered_of(const CurveForm& form, const ScatteredHalves& halves, std::size_t begin, std::size_t end, float* out) {
+  return kernels().curve_scattered_single(form, halves, begin, end, out);
 }
-
-/// Some parameters, admitted, and the halves of spans that they lie in: twice the span, and 1 more in its second half.
-struct Located {
-  std::array<double, kScattered> u;
-  std::array<std::int32_t, kScattered> half;
-};
 
 /// Finds the halves of spans that parameters lie in.
 class Locator {
  public:
   Locator(const NurbsCurve& curve, int order, Side side)
-      : curve_(curve), knots_(curve.knot_vector()), finder_(knots_.tables().finder), tables_(curve.tables()),
-        domain_(knots_.domain()), order_(order), side_(side), rows_(tables_.all_rows(curve, order)),
-        size_(tables_.size(order)), last_row_(4 * knots_.degree()) {}
+      : curve_(curve), knots_(curve.knot_vector()), tables_(curve.tables()), domain_(knots_.domain()), order_(order),
+        side_(side), halves_{knots_.tables().finder.for_kernels(), knots_.tables().finder.middles(),
+                             tables_.all_rows(curve, order), tables_.size(order), 4 * knots_.degree(),
+                             taken_by(knots_)} {}
 
   double admitted(double u, std::size_t i) const {
     return u > domain_.start && u < domain_.end ? u : knots_.admit(u, side_, i);
   }
 
   /// @param first  the number of the first parameter
-  void locate(std::span<const double> u, std::size_t first, Located& found) const {
-    for (std::size_t i = 0; i < u.size(); ++i) found.u[i] = admitted(u[i], first + i);
-    finder_.find_all(found.u.data(), u.size(), side_, found.half.data());
-    const double* const middles = finder_.middles();
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      found.half[i] = 2 * found.half[i] + static_cast<std::int32_t>(found.u[i] > middles[found.half[i]]);
+  void locate(std::span<const double> u, std::size_t first, ScatteredHalves& found) const {
+    const bool at = side_ == Side::right;
+    if (!kernels().find_halves(halves_, at, u.data(), u.size(), found)) {
+      std::array<double, kScattered> moved;
+      for (std::size_t i = 0; i < u.size(); ++i) moved[i] = admitted(u[i], first + i);
+      HalfTable whole = halves_;
+      whole.taken = domain_;
+      kernels().find_halves(whole, at, moved.data(), u.size(), found);
     }
-  }
-
-  /// What kernels take for those from begin to end.
-  void write(const Located& found, std::size_t begin, std::size_t end, ScatteredHalves& halves) const {
-    const double* const bounds = finder_.bounds();
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::int32_t span = found.half[i] >> 1;
-      const std::int32_t second = found.half[i] & 1;
-      halves.u[i - begin] = found.u[i];
-      halves.near[i - begin] = bounds[span + second];
-      halves.far[i - begin] = bounds[span + 1 - second];
-      halves.rows[i - begin] = rows(found.half[i]);
-      halves.step[i - begin] = 4 - 8 * second;
-    }
+    for (std::size_t i = 0; halves_.rows == nullptr && i < u.size(); ++i) found.rows[i] = rows(found.half[i]);
   }
 
   /// The ends of the span of a half.
-  const double* ends(int half) const { return finder_.bounds() + (half >> 1); }
+  const double* ends(int half) const { return halves_.parts.bounds + (half >> 1); }
 
   /// The row at the near end.
   const double* rows(int half) const {
-    const double* const span = rows_ != nullptr ? rows_ + static_cast<std::size_t>(half >> 1) * size_
-                                                : tables_.rows(curve_, half >> 1, order_);
-    return span + (half & 1) * last_row_;
+    const double* const span = halves_.rows != nullptr ? halves_.rows + static_cast<std::size_t>(half >> 1) * halves_.size
+                                                       : tables_.rows(curve_, half >> 1, order_);
+    return span + (half & 1) * halves_.last_row;
   }
 
   CurveHalf form(int half) const {
@@ -100,21 +84,25 @@ class Locator {
 
   /// The parameters of a half.
   Interval range(int half) const {
-    const double middle = finder_.middles()[half >> 1];
+    const double middle = halves_.middles[half >> 1];
     return (half & 1) == 0 ? Interval{ends(half)[0], middle} : Interval{middle, ends(half)[1]};
   }
 
  private:
+  /// Where periodic the ends may stand for each other.
+  static Interval taken_by(const KnotVector& knots) {
+    const Interval domain = knots.domain();
+    if (!knots.periodic()) return domain;
+    return {std::nextafter(domain.start, domain.end), std::nextafter(domain.end, domain.start)};
+  }
+
   const NurbsCurve& curve_;
   const KnotVector& knots_;
-  const SpanFinder& finder_;
   CurveTables& tables_;
   Interval domain_;
   int order_;
   Side side_;
-  const double* rows_;
-  std::size_t size_;
-  std::ptrdiff_t last_row_;  ///< of a span's
+  HalfTable halves_;
 };
 
 /// Derivatives of any order at one parameter after the other. The domain is divided by a power of two about its length, so
@@ -214,7 +202,7 @@ class Batch {
 
   /// Whether as many parameters as a kernel takes at once lie in one half.
   bool begins_run(std::size_t at, std::size_t count) const {
-    const std::int32_t* const half = found_.half.data() + at;
+    const std::int32_t* const half = found_.half + at;
     return at + lanes_ <= count && half[1] == half[0] &&
            std::ranges::all_of(half + 2, half + lanes_, [&](auto other) { return other == *half; });
   }
@@ -235,10 +223,8 @@ class Batch {
   /// Those from begin to end of the parameters that were located, of which the first is number i.
   void write_scattered(std::size_t i, std::size_t begin, std::size_t end) {
     if (begin >= end) return;
-    locator_.write(found_, begin, end, halves_);
-    const std::size_t count = end - begin;
-    breathe(count * columns_ * static_cast<std::size_t>(form_.degree + 2));
-    const int found = scattered_of(form_, halves_, count, out_.data() + columns_ * (i + begin));
+    breathe((end - begin) * columns_ * static_cast<std::size_t>(form_.degree + 2));
+    const int found = scattered_of(form_, found_, begin, end, out_.data() + columns_ * (i + begin));
     if (found != 0) settle_all(i + begin, i + end);
   }
 
@@ -252,8 +238,7 @@ class Batch {
   CurveForm form_;
   EvaluateOptions options_;
   Locator locator_;
-  Located found_;
-  ScatteredHalves halves_;
+  ScatteredHalves found_;
   std::span<const double> u_;
   std::span<Real> out_;
   std::size_t columns_;

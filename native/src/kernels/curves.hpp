@@ -179,12 +179,12 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
 }
 
 template <int kDegree, bool kRational, int kOrder, class Real>
-int scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, Real* out) {
+int scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t begin, std::size_t end, Real* out) {
   const int degree = kDegree > 0 ? kDegree : form.degree;
   Lanes doubts = all(0.0);
-  for (std::size_t i = 0, lanes = 4; i < count; i += lanes) {
+  for (std::size_t i = begin, lanes = 4; i < end; i += lanes) {
     // Four at once; the last ones each for itself, in all lanes.
-    if (count - i < 4) lanes = 1;
+    if (end - i < 4) lanes = 1;
     const Lanes near = lanes == 4 ? load(halves.near + i) : all(halves.near[i]);
     const Lanes far = lanes == 4 ? load(halves.far + i) : all(halves.far[i]);
     const Lanes at = lanes == 4 ? load(halves.u + i) : all(halves.u[i]);
@@ -205,7 +205,7 @@ int scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t 
     }
     project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
     doubts = doubt(doubts, d);
-    store_points(d, static_cast<int>(lanes), out + 3 * (kOrder + 1) * i);
+    store_points(d, static_cast<int>(lanes), out + 3 * (kOrder + 1) * (i - begin));
   }
   return is_certain(doubts) ? 0 : kNotFinite;
 }
@@ -228,15 +228,17 @@ std::size_t curve_run(const CurveForm& form, const CurveHalf& half, double low, 
 }
 
 template <int kDegree, class Real>
-int scattered_of_degree(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, Real* out) {
-  const auto with = [&](auto work) { return work(form, halves, count, out); };
+int scattered_of_degree(const CurveForm& form, const ScatteredHalves& halves, std::size_t begin, std::size_t end,
+                        Real* out) {
+  const auto with = [&](auto work) { return work(form, halves, begin, end, out); };
   if (form.order == 0) return with(form.rational ? scattered<kDegree, true, 0, Real> : scattered<kDegree, false, 0, Real>);
   if (form.order == 1) return with(form.rational ? scattered<kDegree, true, 1, Real> : scattered<kDegree, false, 1, Real>);
   return with(form.rational ? scattered<kDegree, true, 2, Real> : scattered<kDegree, false, 2, Real>);
 }
 
 template <class Real>
-int curve_scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t count, Real* out) {
-  return form.degree == 3 ? scattered_of_degree<3>(form, halves, count, out)
-                          : scattered_of_degree<0>(form, halves, count, out);
+int curve_scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t begin, std::size_t end,
+                    Real* out) {
+  return form.degree == 3 ? scattered_of_degree<3>(form, halves, begin, end, out)
+                          : scattered_of_degree<0>(form, halves, begin, end, out);
 }

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "splinecore/base/interval.hpp"
+
 // What is computed for many parameters at once. Each kernel is compiled for every set of instructions that is worth it
 // and chosen at run time; here are plain numbers alone, so that nothing of one set is taken for the other.
 //
@@ -31,10 +33,21 @@ struct CurveHalf {
   std::ptrdiff_t step;  ///< from row to row: 4 or -4
 };
 
-/// Up to so many parameters, each with a half of its own.
+/// The halves of all spans of a curve.
+struct HalfTable {
+  SpanParts parts;
+  const double* middles;  ///< of each span: a parameter above it is nearer to the end
+  const double* rows;     ///< of all spans, `size` numbers each; or nullptr
+  std::size_t size;
+  std::ptrdiff_t last_row;  ///< where the row at the end of a span begins
+  Interval taken;           ///< parameters that are in the domain as they are
+};
+
+/// Up to so many parameters, each with a half of its own: twice the span, and 1 more in its second half.
 inline constexpr std::size_t kScattered = 64;
 struct ScatteredHalves {
   double u[kScattered];
+  std::int32_t half[kScattered];
   double near[kScattered];
   double far[kScattered];
   const double* rows[kScattered];
@@ -147,6 +160,10 @@ struct Kernels {
   /// The last span that starts before each parameter, or `at` it; of one before them all the first.
   void (*find_spans)(const SpanParts&, bool at, const double* u, std::size_t count, std::int32_t* spans);
 
+  /// The halves of spans that parameters lie in, but for the rows where the table has none. False, and they may not be
+  /// written, where one is not taken.
+  bool (*find_halves)(const HalfTable&, bool at, const double* u, std::size_t count, ScatteredHalves& halves);
+
   /// As many of the parameters as lie, `lanes` at once, strictly inside the half whose parameters are from low to high.
   /// Writes 3 (order + 1) numbers for each. @returns how many; `found` takes kNotFinite.
   std::size_t (*curve_run)(const CurveForm&, const CurveHalf&, double low, double high, const double* u,
@@ -154,9 +171,10 @@ struct Kernels {
   std::size_t (*curve_run_single)(const CurveForm&, const CurveHalf&, double low, double high, const double* u,
                                   std::size_t count, float* out, int* found);
 
-  /// The same for parameters that are scattered.
-  int (*curve_scattered)(const CurveForm&, const ScatteredHalves&, std::size_t count, double* out);
-  int (*curve_scattered_single)(const CurveForm&, const ScatteredHalves&, std::size_t count, float* out);
+  /// The same for parameters that are scattered, from `begin` to `end`.
+  int (*curve_scattered)(const CurveForm&, const ScatteredHalves&, std::size_t begin, std::size_t end, double* out);
+  int (*curve_scattered_single)(const CurveForm&, const ScatteredHalves&, std::size_t begin, std::size_t end,
+                                float* out);
 
   /// The length, its difference from that by the rule with fewer nodes, and the integral of the terms' size: 3 numbers.
   /// @param slopes  four numbers a coefficient of N, of which the last is the size of its terms

@@ -29,7 +29,7 @@ namespace {
 extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
-    find_spans,
+    find_spans, find_halves,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     speed_sums, surface_row,
     functions,
