@@ -1,8 +1,8 @@
-#include <map>
 #include <optional>
 
 #include "arrays.hpp"
 #include "long_calls.hpp"
+#include "point_arguments.hpp"
 #include "rooms.hpp"
 #include "splinecore/basis/hermite.hpp"
 #include "splinecore/build/cardinal.hpp"
@@ -16,14 +16,9 @@ using splinecore::BezierCurve;
 using splinecore::Closing;
 using splinecore::EndTangent;
 using splinecore::InvalidShape;
-using splinecore::Parametrisation;
 using splinecore::Shaping;
 
 namespace {
-
-std::vector<glm::dvec3> points_of(const py::object& points) {
-  return vectors(real_array(points, "points"), "points", 1);
-}
 
 /// One point of two or three numbers.
 glm::dvec3 place_of(const py::object& value, const char* name) {
@@ -36,36 +31,9 @@ glm::dvec3 place_of(const py::object& value, const char* name) {
   return {given.data()[0], given.data()[1], given.size() == 3 ? given.data()[2] : 0.0};
 }
 
-/// The value that a word stands for. @throws py::type_error if it is no text, InvalidShape if not one of them.
-template <class Choice>
-Choice chosen(const py::object& word, const char* name, const std::map<std::string, Choice>& choices) {
-  const bool is_text = py::isinstance<py::str>(word);
-  if (!is_text) throw py::type_error(std::string(name) + " must be a str, not " + type_name(word));
-  const auto found = choices.find(py::cast<std::string>(word));
-  if (found != choices.end()) return found->second;
-  std::string all;
-  for (const auto& [text, choice] : choices) all += (all.empty() ? "'" : ", '") + text + "'";
-  throw InvalidShape(std::string(name) + " = " + std::string(py::repr(word)) + " is none of " + all);
-}
-
 EndTangent ends_of(const py::object& word) {
   return chosen<EndTangent>(word, "ends", {{"parabola", EndTangent::parabola}, {"chord", EndTangent::chord},
                                            {"natural", EndTangent::natural}});
-}
-
-/// A word, or the parameters themselves.
-std::vector<double> parameters_of(const std::vector<glm::dvec3>& points, const py::object& parametrisation,
-                                  Closing closing) {
-  constexpr const char* kName = "parametrisation";
-  if (py::isinstance<py::str>(parametrisation)) {
-    const auto kind = chosen<Parametrisation>(parametrisation, kName, {{"uniform", Parametrisation::uniform},
-                                                                       {"centripetal", Parametrisation::centripetal},
-                                                                       {"chordal", Parametrisation::chordal}});
-    return splinecore::parameters_of(points, kind, closing);
-  }
-  std::vector<double> given = numbers(parametrisation, kName);
-  if (given.empty()) throw InvalidShape(std::string(kName) + " has 0 values");
-  return splinecore::hermite_parameters(std::move(given), points.size() + (closing == Closing::closed ? 1 : 0), kName);
 }
 
 /// One number for all points, or one for each.
@@ -90,7 +58,7 @@ splinecore::HermiteCurve kochanek_bartels(const py::object& points, const py::ob
   set_part(bias, "bias", &Shaping::bias, shaping);
   const Closing closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
   const EndTangent tangent = ends_of(ends);
-  const std::vector<double> at = parameters_of(rows, parametrisation, closing);
+  const std::vector<double> at = parameters_of(rows, parametrisation, closing, "parametrisation");
   return unlocked([&] { return splinecore::kochanek_bartels(rows, shaping, at, closing, tangent); });
 }
 

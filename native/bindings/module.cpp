@@ -48,6 +48,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_power(module);
   bindings::bind_curves(module);
   bindings::bind_build(module);
+  bindings::bind_fit(module);
   bindings::bind_conics(module);
   bindings::bind_patches(module);
   bindings::bind_patch_set(module);

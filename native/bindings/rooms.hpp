@@ -11,6 +11,7 @@ void bind_basis(pybind11::module_& module);
 void bind_power(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);
 void bind_build(pybind11::module_& module);
+void bind_fit(pybind11::module_& module);
 void bind_conics(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);

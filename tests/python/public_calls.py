@@ -12,9 +12,9 @@ import types
 import numpy as np
 
 import splinecore as sc
-from splinecore import basis, build, conics
+from splinecore import basis, build, conics, fit
 
-MODULES = {"sc": sc, "basis": basis, "build": build, "conics": conics}
+MODULES = {"sc": sc, "basis": basis, "build": build, "conics": conics, "fit": fit}
 SIDES = ("u_start", "u_end", "v_start", "v_end")
 
 
@@ -260,6 +260,8 @@ FUNCTIONS = {
     "build.catmull_rom": lambda at: [build.catmull_rom(at.points, closed=closed)
                                      for closed in (False, len(at.points) > 2)],
     "build.kochanek_bartels": lambda at: build.kochanek_bartels(at.points, 0.1, 0.2, 0.3),
+    "fit.interpolate": lambda at: [fit.interpolate(at.points, degree, 'uniform', closed=closed)
+                                   for degree in (1, 2, 3) for closed in (False, True)],
     "build.chain_from_polygon": lambda at: build.chain_from_polygon(at.points),
     "build.polygon_of_chain": lambda at: build.polygon_of_chain(build.chain_from_polygon(at.points)),
     "build.join_beziers": lambda at: build.join_beziers(at.bezier.split(0.25)),

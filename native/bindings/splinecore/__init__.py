@@ -36,7 +36,7 @@ from ._splinecore import (
     loads,
     seam_continuity,
 )
-from . import basis, build, conics
+from . import basis, build, conics, fit
 
 __all__ = [
     "Approximation",
@@ -64,12 +64,13 @@ __all__ = [
     "build",
     "conics",
     "dumps",
+    "fit",
     "loads",
     "seam_continuity",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name not in ("basis", "build", "conics"):
+    if _name not in ("basis", "build", "conics", "fit"):
         globals()[_name].__module__ = __name__
 del _name

@@ -6,7 +6,7 @@ from typing import Any, Generic, Literal, SupportsIndex, TypedDict, TypeVar, fin
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import basis, build, conics
+from . import basis, build, conics, fit
 
 __all__ = [
     "Approximation",
@@ -34,6 +34,7 @@ __all__ = [
     "build",
     "conics",
     "dumps",
+    "fit",
     "loads",
     "seam_continuity",
 ]

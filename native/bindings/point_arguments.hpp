@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "arrays.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/build/parametrisation.hpp"
+
+namespace bindings {
+
+/// Points of two or three numbers, row after row.
+std::vector<glm::dvec3> points_of(const py::object& points);
+
+/// A word, or the parameters themselves.
+/// @param name  of the argument
+std::vector<double> parameters_of(const std::vector<glm::dvec3>& points, const py::object& parametrisation,
+                                  splinecore::Closing closing, const char* name);
+
+/// The value that a word stands for. @throws py::type_error if it is no text, InvalidShape if not one of them.
+template <class Choice>
+Choice chosen(const py::object& word, const char* name, const std::map<std::string, Choice>& choices) {
+  const bool is_text = py::isinstance<py::str>(word);
+  if (!is_text) throw py::type_error(std::string(name) + " must be a str, not " + type_name(word));
+  const auto found = choices.find(py::cast<std::string>(word));
+  if (found != choices.end()) return found->second;
+  std::string all;
+  for (const auto& [text, choice] : choices) all += (all.empty() ? "'" : ", '") + text + "'";
+  throw splinecore::InvalidShape(std::string(name) + " = " + std::string(py::repr(word)) + " is none of " + all);
+}
+
+}  // namespace bindings
