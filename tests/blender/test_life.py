@@ -57,6 +57,22 @@ def test_detach_leaves_what_is_shown_and_no_definition(name):
     require_exact(bpy.data.objects["shape"])
 
 
+@pytest.mark.parametrize('edit', (
+    lambda points: points * (1, 1, -1), lambda points: points * (-1, -1, 1), lambda points: points[::-1],
+    lambda points: points * 2, lambda points: points[:, [1, 0, 2]]))
+@pytest.mark.parametrize('pair', ((5, 7), (20, 22), (33, 34), (0, -1)))
+def test_two_vertices_that_are_mirrored_or_change_places_are_a_change_by_hand(pair, edit):
+    ob, pair = add(VALUES['nurbs patch']()), list(pair)
+    there = shown(ob).copy()
+    there[pair] = edit(there[pair])
+    ob.data.vertices.foreach_set('co', np.ascontiguousarray(there, np.float32).ravel())
+    ob.data.update()
+    assert shape.is_touched(ob.data)
+    changed = shown(ob).copy()
+    ob.data.splinewright.resolution_u = 7
+    assert "changed by hand" in ob.data.splinewright.problem and np.array_equal(shown(ob), changed)
+
+
 def applied_modifier(ob):
     ob.modifiers.new("wave", 'DISPLACE')
     bpy.ops.object.modifier_apply(modifier="wave")

@@ -1,9 +1,12 @@
 """What once went wrong, or nearly: coarse meshes, second assignments, absurd sizes, odd files."""
 
+import json
+
 import bpy
 import numpy as np
 import pytest
 
+from shapes import VALUES, add
 from support import corner_normals, part, scene_state, splinecore as sc
 
 store = part('bridge.store')
@@ -133,6 +136,15 @@ def test_no_damage_breaks_the_panel_or_the_settings(old, new):
         store.read(mesh)
     mesh.splinewright.resolution_u = 3
     assert "damaged" in mesh.splinewright.problem
+
+
+@pytest.mark.parametrize('make', VALUES.values(), ids=VALUES)
+def test_what_is_stored_of_pieces_is_json_of_all_of_them_at_once(make):
+    data = add(make()).data
+    assert data[store.KEY]['structure'] == json.dumps([
+        {'kind': piece.kind, 'shape': list(piece.indices.shape), 'degree': list(piece.degree),
+         'periodic': [bool(axis) for axis in piece.periodic], 'knots': [len(knots) for knots in piece.knots]}
+        for piece in store.read(data).pieces])
 
 
 @pytest.mark.parametrize('version', ("2", 2.5, 0))

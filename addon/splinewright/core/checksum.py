@@ -1,7 +1,5 @@
 """A checksum of float32 numbers that is known anew, in every bit, where some of them changed: from these alone."""
 
-import functools
-
 import numpy as np
 
 #: Pairs of numbers in a block, of which the sum is kept.
@@ -9,45 +7,57 @@ _BLOCK = 4096
 
 
 def of(numbers):
-    """Of float32 numbers in their order, below 2^52; a quarter of the time of a CRC."""
-    pairs = _pairs(numbers)
-    return _shown(np.dot(pairs, _factors(len(pairs))))
+    """Of float32 numbers in their order, below 2^52."""
+    return Kept(np.append(numbers, np.float32(0)) if len(numbers) % 2 else numbers).value()
+
+
+def room(count):
+    """An array for so many float32 numbers, and for a 0 behind them where it takes one to make pairs of all."""
+    return np.zeros(count + count % 2, np.float32)
 
 
 class Kept:
-    """The checksum of an array that others write to, who tell where."""
+    """The checksum of an array, made by room(), that others write to, who tell where."""
 
     def __init__(self, numbers):
-        self._sums = np.zeros(-(-len(numbers) // (2 * _BLOCK)), np.uint64)
-        self._add(numbers, 0, len(self._sums))
+        self._pairs = numbers.view(np.uint64)
+        self._sums = np.zeros(-(-len(self._pairs) // _BLOCK), np.uint64)
+        self._add(0, len(self._sums))
 
     def value(self):
         """of() the numbers."""
-        return _shown(self._sums.sum(dtype=np.uint64))
+        return int(self._sums.sum(dtype=np.uint64) >> np.uint64(12))
 
-    def wrote(self, numbers, first, end):
-        """Those from `first` to `end` may be others now."""
-        self._add(numbers, first // (2 * _BLOCK), -(-end // (2 * _BLOCK)))
+    def wrote(self, first, end):
+        """The numbers from `first` to `end` may be others now."""
+        self._add(first // (2 * _BLOCK), -(-end // (2 * _BLOCK)))
 
-    def _add(self, numbers, first, end):
-        pairs = _pairs(numbers)
-        factors = _factors(len(pairs))
+    def _add(self, first, end):
         for block in range(first, end):
-            part = slice(block * _BLOCK, (block + 1) * _BLOCK)
-            self._sums[block] = np.dot(pairs[part], factors[part])
+            start = block * _BLOCK
+            self._sums[block] = _sum(self._pairs[start:start + _BLOCK], start)
 
 
-def _pairs(numbers):
-    if len(numbers) % 2:
-        numbers = np.append(numbers, np.float32(0))
-    return numbers.view(np.uint64)
+def _sum(pairs, first):
+    """Of pairs of which the one at hand is that at `first`, modulo 2^64.
+
+    A product with an odd number keeps the highest bit that changed and forgets those it would carry to: so high bits, signs
+    say, are laid over low ones before. By 29, not by 32: two numbers of a pair whose signs flip would meet.
+    """
+    mixed = pairs >> np.uint64(29)
+    mixed ^= pairs
+    return np.dot(mixed, _factors(first + len(pairs))[first:])
 
 
-def _shown(total):
-    return int(total >> np.uint64(12))
+_known = np.empty(0, np.uint64)
 
 
-@functools.lru_cache(8)
 def _factors(count):
-    """Odd factors, so that no change of one number is lost; sums wrap around at 2^64."""
-    return np.arange(1, count + 1, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C16) + np.uint64(1)
+    """Odd numbers, one for each place, that have nothing to do with one another: splitmix64 of the place."""
+    global _known
+    if len(_known) < count:
+        mixed = np.arange(1, count + 1, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C15)
+        mixed = (mixed ^ mixed >> np.uint64(30)) * np.uint64(0xBF58476D1CE4E5B9)
+        mixed = (mixed ^ mixed >> np.uint64(27)) * np.uint64(0x94D049BB133111EB)
+        _known = (mixed ^ mixed >> np.uint64(31)) | np.uint64(1)
+    return _known[:count]

@@ -3,7 +3,7 @@ worked out, with the bits of the whole."""
 
 import numpy as np
 
-from .checksum import Kept
+from .checksum import Kept, room
 from .failures import FAILURES
 
 #: Sets of rows of which it is known where they move vertices.
@@ -18,7 +18,8 @@ class MovedPositions:
     """Of one Tessellation. What it gives it writes over the next time."""
 
     def __init__(self, faces, patch_set):
-        self.faces, self.positions = faces, np.empty((faces.vertex_count, 3), np.float32)
+        self.faces, self._room = faces, room(3 * faces.vertex_count)
+        self.positions = self._room[:3 * faces.vertex_count].reshape(-1, 3)
         self._evaluated, self._checksum = None, None
         self._spans = {}                # of which rows moved (first vertex, end)
         self.move(patch_set)
@@ -28,7 +29,9 @@ class MovedPositions:
         before, self._evaluated = self._evaluated, None
         self.faces.evaluate_positions(patch_set, before=before, out=self.positions)
         self._evaluated = patch_set
-        if before is not None and self._checksum is not None:
+        if before is None:
+            self._checksum = None       # of what is no more
+        elif self._checksum is not None:
             self._sum_moved(before, patch_set)
 
     def fits(self, patch_set):
@@ -38,7 +41,7 @@ class MovedPositions:
     def checksum(self):
         """checksum.of() the positions."""
         if self._checksum is None:
-            self._checksum = Kept(self.positions.reshape(-1))
+            self._checksum = Kept(self._room)
         return self._checksum.value()
 
     def _sum_moved(self, before, patch_set):
@@ -46,7 +49,7 @@ class MovedPositions:
         if span is None:
             self._checksum = None
         else:
-            self._checksum.wrote(self.positions.reshape(-1), 3 * span[0], 3 * span[1])
+            self._checksum.wrote(3 * span[0], 3 * span[1])
 
     def _span(self, before, patch_set):
         """(the first vertex that may have moved, the end of them), or None where that may be any."""

@@ -63,7 +63,8 @@ class Session:
     def take_stage(self, stage):
         """Take this for the stage of the net that is at hand."""
         self.stage = stage
-        self.faces, self.placed = None, holding.Placed()
+        self.faces = self._moved = None
+        self.placed = holding.Placed()
         self._patch_sets.clear()
         self.show(stage.net)
 
@@ -86,7 +87,7 @@ class Session:
 
     def trust(self):
         """Undo may have put back any earlier state of the shape."""
-        self.faces = self.pool = None
+        self.faces = self._moved = self.pool = None
         self.placed = holding.Placed()
 
     def wrote(self, data, faces):
@@ -288,7 +289,7 @@ def end_along(gesture):
 def _follow(data, ob, current, moment):
     """Bring a shape up to date; whether it changed, and what it does not take. Raises where the net cannot be read: nothing
     waits then, and the shape is left alone."""
-    current.is_waiting, can_grow = False, not recipes.has(data)
+    current.is_waiting, can_grow = False, _can_grow(data)
     if can_grow:
         growing.choose(ob.data, current)
     found, definition = _read(data, ob, current)
@@ -352,14 +353,14 @@ def _follow_points(data, ob, current):
 
 def pass_over(ob):
     """What was extruded from a net's ends and called off is passed over once for all."""
-    if _can_grow(ob):
+    owner = net_object.shape_of(ob)
+    if owner is not None and _can_grow(owner.data):
         growing.settle(ob.data, session(ob.data))
 
 
-def _can_grow(ob):
-    """Whether a net that is made of a definition may gain and lose points."""
-    owner = net_object.shape_of(ob)
-    return owner is not None and not recipes.has(owner.data)
+def _can_grow(data):
+    """Whether the net of a shape, of its definition, may gain and lose points."""
+    return not recipes.has(data)
 
 
 def problem(ob):
