@@ -14,8 +14,12 @@ from . import versions
 
 #: Attribute of vertices where all corners of each agree, else of corners: u, v in [0, 1] of the patch, and its number.
 PARAMETERS = "parameters"
+#: Attribute of corners of Blender 4.5 and later: normals as they are.
+NORMALS = 'custom_normal'
+#: On a mesh whose NORMALS were chosen in Blender's list when they were taken away: what is chosen in their place.
+_INSTEAD = "splinewright_chosen_instead"
 UV_NAME = "UVMap"
-_OWN = {PARAMETERS, UV_NAME, 'patch', 'position', 'custom_normal', 'material_index', 'sharp_face', 'sharp_edge'}
+_OWN = {PARAMETERS, UV_NAME, 'patch', 'position', NORMALS, 'material_index', 'sharp_face', 'sharp_edge'}
 #: Blender's own, which a user made all the same.
 _HIDDEN = {'.sculpt_mask', '.sculpt_face_set', '.uv_seam', '.hide_poly'}
 _PINS = '.pn.'
@@ -319,18 +323,38 @@ def set_active(mesh, names):
 
 
 def active_attribute(mesh):
-    """The name of the attribute that is chosen in Blender's list of them, or ""."""
+    """The name of the attribute that is chosen in Blender's list of them, or "". Of NORMALS that put_away() took it is known
+    until another is chosen."""
+    found = _active_attribute(mesh)
+    return NORMALS if mesh.get(_INSTEAD) == found else found
+
+
+def _active_attribute(mesh):
     active = mesh.attributes.active
     return active.name if active else ""
 
 
 def set_active_attribute(mesh, name):
-    if name in mesh.attributes and active_attribute(mesh) != name:
+    if name in mesh.attributes and _active_attribute(mesh) != name:
         mesh.attributes.active = mesh.attributes[name]
 
 
 def remove(mesh, name):
     """Take an attribute away; another that is active stays so. Blender counts them: what came after the one would not."""
-    active = active_attribute(mesh)
+    active = _active_attribute(mesh)
     mesh.attributes.remove(mesh.attributes[name])
     set_active_attribute(mesh, active)
+
+
+def put_away_normals(mesh):
+    """remove() NORMALS, that are to come back."""
+    is_active = _active_attribute(mesh) == NORMALS
+    remove(mesh, NORMALS)
+    if is_active:
+        mesh[_INSTEAD] = _active_attribute(mesh)
+
+
+def have_normals_back(mesh):
+    """All attributes are there again."""
+    if _INSTEAD in mesh.keys():
+        del mesh[_INSTEAD]

@@ -29,6 +29,7 @@ def write(mesh, tessellation, positions, normals, sharp):
     _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
     # Before 4.5, too, Blender marks edges sharp where normals differ.
     mesh_sharp.note(mesh, users, flags if versions.keeps_exact_normals else mesh_sharp.marked(mesh))
+    mesh_layers.have_normals_back(mesh)
     mesh_layers.set_active_attribute(mesh, active)
     mesh.update()
 
@@ -39,8 +40,8 @@ def move(mesh, positions):
     _write_positions(mesh, positions)
     if versions.has_auto_smooth:
         mesh.use_auto_smooth = False    # Blender 3.4 would spend most of a drag on it
-    if versions.keeps_exact_normals and 'custom_normal' in mesh.attributes:
-        mesh_layers.remove(mesh, 'custom_normal')   # of another shape
+    if versions.keeps_exact_normals and mesh_layers.NORMALS in mesh.attributes:
+        mesh_layers.put_away_normals(mesh)      # they are of another shape
     mesh.update()
 
 
@@ -52,9 +53,12 @@ def let_normals_turn(mesh):
         mesh.loops.foreach_get('normal', flat)
     else:
         mesh.corner_normals.foreach_get('vector', flat)
+    active = mesh_layers.active_attribute(mesh)
     if versions.keeps_exact_normals:
-        mesh_layers.remove(mesh, 'custom_normal')
+        mesh_layers.remove(mesh, mesh_layers.NORMALS)
     _set_split_normals(mesh, flat.reshape(-1, 3))
+    mesh_layers.have_normals_back(mesh)
+    mesh_layers.set_active_attribute(mesh, active)
 
 
 def _has_faces(mesh, tessellation):
@@ -127,12 +131,12 @@ def _write_uvs(mesh, tessellation):
 def _write_normals(mesh, normals):
     flat = np.ascontiguousarray(normals, np.float32)
     if versions.keeps_exact_normals:
-        attribute = mesh.attributes.get('custom_normal')
+        attribute = mesh.attributes.get(mesh_layers.NORMALS)
         if attribute is not None and (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'CORNER'):
-            mesh_layers.remove(mesh, 'custom_normal')
+            mesh_layers.remove(mesh, mesh_layers.NORMALS)
             attribute = None
         if attribute is None:
-            attribute = mesh.attributes.new('custom_normal', 'FLOAT_VECTOR', 'CORNER')
+            attribute = mesh.attributes.new(mesh_layers.NORMALS, 'FLOAT_VECTOR', 'CORNER')
         attribute.data.foreach_set('vector', flat.ravel())
         return
     if versions.has_auto_smooth:
