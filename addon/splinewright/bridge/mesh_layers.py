@@ -121,6 +121,13 @@ def read(data, field, width, dtype):
     return flat.reshape(-1, width)
 
 
+def positions_of(mesh):
+    """The items that hold where the vertices of a mesh lie, and the name of their field: an attribute where Blender has one,
+    which it reads and writes a hundred times as fast."""
+    attribute = mesh.attributes.get('position')
+    return (mesh.vertices, 'co') if attribute is None else (attribute.data, 'vector')
+
+
 def column(mesh, collection, field, attribute, dtype):
     """(n,) of a field, whose attribute is where this Blender has it; None where no element has that."""
     if not versions.marks_are_attributes:

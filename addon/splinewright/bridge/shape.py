@@ -9,8 +9,8 @@ from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.handles import fitting
 from ..core.library import sc
-from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, point_keys, problems, recipes, settings, stamp, store,
-               write_curve, write_mesh)
+from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, mesh_layers, point_keys, problems, recipes, settings,
+               stamp, store, write_curve, write_mesh)
 from .file_state import key, state
 
 
@@ -220,9 +220,7 @@ def lines_of(data, curve, around=None):
 def points_of(data):
     """(n, 3) float64: the points that the data-block holds."""
     if isinstance(data, bpy.types.Mesh):
-        flat = np.empty(3 * len(data.vertices), np.float32)
-        data.vertices.foreach_get('co', flat)
-        return flat.reshape(-1, 3).astype(np.float64)
+        return mesh_layers.read(*mesh_layers.positions_of(data), 3, np.float32).astype(np.float64)
     found = [np.empty((0, 3))]
     for spline in data.splines:
         flat = np.empty(4 * len(spline.points), np.float32)

@@ -73,11 +73,8 @@ def _has_faces(mesh, tessellation):
 
 
 def _write_positions(mesh, positions):
-    flat = np.ascontiguousarray(positions, np.float32).ravel()
-    if 'position' in mesh.attributes:
-        mesh.attributes['position'].data.foreach_set('vector', flat)
-    else:
-        mesh.vertices.foreach_set('co', flat)
+    data, field = mesh_layers.positions_of(mesh)
+    data.foreach_set(field, np.ascontiguousarray(positions, np.float32).ravel())
 
 
 def _replace_faces(mesh, tessellation, positions):

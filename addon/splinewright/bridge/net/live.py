@@ -70,9 +70,15 @@ class Session:
 
     def take(self, exact, slots):
         """Take these for the numbers of the vertices, and for their slots among what Blender holds, -1 for none."""
-        self.state, self.slots = exact, slots
-        with np.errstate(over='ignore'):
-            self.points = exact.positions.astype(np.float32)    # for the overlay
+        self.state, self.slots, self._points = exact, slots, None
+
+    @property
+    def points(self):
+        """(n, 3) float32: where the vertices of the net are, for what is drawn."""
+        if self._points is None:
+            with np.errstate(over='ignore'):
+                self._points = self.state.positions.astype(np.float32)
+        return self._points
 
     def require_alone(self, data, pool):
         """Raises Refusal where others changed the shape since its net last wrote it."""
