@@ -1,5 +1,7 @@
 """While points are dragged: the mesh has the bits of one made anew, no faces are built, others are left alone."""
 
+from contextlib import contextmanager
+
 import bpy
 import numpy as np
 import pytest
@@ -68,6 +70,51 @@ def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
     live.settle(ob.data)
     assert not calls
     leave()
+
+
+@pytest.mark.parametrize('name', ('nurbs patch', 'teapot', 'mixed set'))
+def test_the_end_of_a_drag_compares_no_faces_that_it_knows_and_leaves_what_it_would_find(name, monkeypatch):
+    ob = add(VALUES[name]())
+    held = enter()
+    select(held, 4)
+    move(0, 0, 0.1)
+    move(0, 0, 0.1)
+    for owner, asked in ((part('bridge.write_mesh'), '_has_faces'), (part('bridge.mesh_attributes'), 'lies_as')):
+        monkeypatch.setattr(owner, asked, None)
+    live.settle(ob.data)
+    monkeypatch.undo()
+    assert not store.is_draft(ob.data) and store.read_stamp(ob.data) == part('bridge.stamp').of(ob.data)
+    tessellation = live.session(held.data).faces
+    assert part('bridge.write_mesh')._has_faces(ob.data, tessellation)
+    assert part('bridge.mesh_attributes').lies_as(ob.data, tessellation)
+    require_exact(ob)
+    move(0, 0, 0.1)
+    ob.data.vertices[3].co.z += 1       # by hand
+    monkeypatch.setattr(live.session(held.data), '_next_check', 0)
+    with pytest.raises(Exception, match="changed by hand"):
+        live.settle(ob.data)
+    leave()
+
+
+@pytest.mark.parametrize('many', (1, 10 ** 9))
+def test_the_end_of_a_drag_of_many_vertices_shows_how_far_it_is(many, monkeypatch):
+    ob = add(VALUES['teapot']())
+    held = enter()
+    select(held, 4)
+    move(0, 0, 0.1)
+    shown = []
+
+    @contextmanager
+    def noted(context, total):
+        shown.append(total)
+        yield shown.append
+    editing = part('ui.editing')
+    monkeypatch.setattr(editing, '_MANY', many)
+    monkeypatch.setattr(editing.progress, 'shown', noted)
+    editing.settle()
+    assert not store.is_draft(ob.data) and shown == ([2, 1, 2] if many == 1 else [])
+    leave()
+    require_exact(ob)
 
 
 def test_sides_that_come_apart_show_it_at_that_move_and_are_one_again_when_they_meet(monkeypatch):

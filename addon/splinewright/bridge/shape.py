@@ -5,6 +5,7 @@ from typing import Callable, NamedTuple
 import bpy
 import numpy as np
 
+from ..core import checksum
 from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.handles import fitting
@@ -112,7 +113,7 @@ def carry_out(plan, progress=no_progress):
 def rewrite(data, progress=no_progress, faces=None):
     """Evaluate the stored definition again, after its settings changed. Raises and returns as set_definition() does.
 
-    faces: the Tessellation that it is to have, where that is known and fits.
+    faces: the Tessellation whose faces it is known to have, as long as nobody touched it, and is to keep if it fits.
     """
     require_untouched(data)
     return restore(data, progress, faces)
@@ -132,7 +133,8 @@ def restore(data, progress=no_progress, faces=None):
 
 def _finish(data, picture, progress):
     picture.write()
-    store.write_final(data, stamp.of(data))
+    found = stamp.moved(store.read_stamp(data), checksum.of(picture.points.ravel())) if picture.has_faces else stamp.of(data)
+    store.write_final(data, found)
     progress(2)
     problems.tell(data, problems.SETTING, "")
     state.touched[key(data)] = False
@@ -172,6 +174,7 @@ class Picture(NamedTuple):
     points: np.ndarray                  # (n, 3) float32, all of them
     write: Callable                     # puts it into the data-block
     tessellation: object = None         # the splinecore Tessellation of patches
+    has_faces: bool = False             # whether the data-block is known to have its faces
 
 
 def evaluated(data, definition, around=None, faces=None):
@@ -192,9 +195,10 @@ def evaluated(data, definition, around=None, faces=None):
     is_known = faces is not None and faces.fits(patch_set)
     tessellation = faces if is_known else fineness.tessellated(data, patch_set)
     positions, normals = tessellation.evaluate(patch_set)
-    _single(positions)
+    positions = _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.of(data).sharp_angle)
-    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp), tessellation)
+    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp, is_known),
+                   tessellation, is_known)
 
 
 def faces_of(data):
@@ -232,7 +236,7 @@ def points_of(data):
 def _single(points):
     """The points as Blender holds them, in float32. Raises InvalidShape if one is too far away."""
     with np.errstate(over='ignore'):
-        points = points.astype(np.float32)
+        points = np.ascontiguousarray(points, np.float32)
     if not np.isfinite(points).all():
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
     return points

@@ -9,6 +9,11 @@ from ..bridge import point_keys, problems, recipes, remaking, shape, store
 from ..bridge.file_state import block_of, ended_operators, key, state
 from ..bridge.net import free_net, live, net_object, selection
 from ..core.failures import FAILURES, Refusal, sentence, told
+from . import progress
+
+
+#: Normals of so many vertices take more than a moment.
+_MANY = 200_000
 
 
 def why_not(ob):
@@ -295,7 +300,11 @@ def settle():
 def _settle(owner):
     """Whatever goes wrong is kept in words: other shapes are to get theirs, too."""
     try:
-        live.settle(owner.data)
+        if len(getattr(owner.data, 'vertices', ())) < _MANY:
+            live.settle(owner.data)
+        else:
+            with progress.shown(bpy.context, shape.STEPS) as step:
+                live.settle(owner.data, step)
     except Exception as error:
         problems.tell(owner.data, problems.SETTING, told(error))
 
