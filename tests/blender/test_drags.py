@@ -2,6 +2,7 @@
 
 from contextlib import contextmanager
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -9,9 +10,9 @@ import pytest
 from shapes import VALUES, add, enter, leave, move, require_exact, select
 from support import part, splinecore as sc, vertices
 
-fineness, live, net_object, recipes, shape, store, versions = (part(name) for name in (
-    'bridge.fineness', 'bridge.net.live', 'bridge.net.net_object', 'bridge.recipes', 'bridge.shape', 'bridge.store',
-    'bridge.versions'))
+cage, fineness, live, net_object, recipes, shape, store, versions = (part(name) for name in (
+    'bridge.net.cage', 'bridge.fineness', 'bridge.net.live', 'bridge.net.net_object', 'bridge.recipes', 'bridge.shape',
+    'bridge.store', 'bridge.versions'))
 
 
 @pytest.mark.parametrize('name', ('nurbs patch', 'teapot', 'mixed set', 'ferguson', 'patch with a point at infinity'))
@@ -226,3 +227,20 @@ def test_a_shape_by_tolerance_is_not_read_for_faces_that_it_would_not_keep(monke
     ob.data.splinewright.mode = 'TOLERANCE'
     monkeypatch.setattr(store, 'read', None)
     assert shape.faces_of(ob.data) is None
+
+
+def test_a_net_in_edit_mode_is_read_alike_from_its_copy_and_from_itself():
+    add(VALUES['teapot']())
+    held = enter()
+    net, edited = live.session(held.data).net, bmesh.from_edit_mesh(held.data)
+    edited.verts.ensure_lookup_table()
+    for step in range(3):
+        edited.verts[7 + step].co = (1 / 3, step, -9)
+        edited.verts[20][edited.verts.layers.float['weight']] = 2.5 + step
+        if step == 2:
+            edited.verts.remove(edited.verts[300])
+        there, itself = cage.present(held, net), cage.present(held.data, net)
+        for name in ('positions', 'weights', 'links'):
+            assert np.array_equal(getattr(there, name)(), getattr(itself, name)())
+        assert np.array_equal(there.numbers, itself.numbers) and there.weights()[20] == 2.5 + step
+    leave()
