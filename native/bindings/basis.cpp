@@ -4,7 +4,7 @@
 #include "basis_matrices.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/basis/functions.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/samples.hpp"

@@ -1,7 +1,7 @@
 #include "curve_methods.hpp"
 
 #include "long_calls.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/tessellate/polyline.hpp"
 

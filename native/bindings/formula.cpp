@@ -3,7 +3,7 @@
 #include "formulas.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/basis/bernstein.hpp"
 #include "splinecore/formula/evaluate.hpp"
 #include "splinecore/formula/polynomial.hpp"

@@ -1,7 +1,7 @@
 #include "patch_evaluation.hpp"
 
 #include "long_calls.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/evaluate_set.hpp"
 

@@ -5,7 +5,6 @@
 #include "patch_verbs.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/convert/to_hermite.hpp"
 #include "splinecore/patch/bezier_patch.hpp"

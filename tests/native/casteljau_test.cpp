@@ -102,21 +102,5 @@ TEST(Casteljau, RefusesWhatIsNoNumber) {
   }
 }
 
-TEST(Cut, PartsAreTheCurve) {
-  Random random(502);
-  for (int round = 0; round < 200; ++round) {
-    const BezierCurve curve = random_bezier(random, Weights::any);
-    auto before = bezier_piece(curve.nurbs(), 0);
-    BernsteinNet<glm::dvec4> after;
-    const double u = real(random, 0, 1);
-    before.cut(Axis::u, u, after);
-    EXPECT_EQ(before.values.back(), after.values.front());
-    const glm::dvec4 given = homogeneous_at(curve.nurbs(), 0.5 * u);
-    const glm::dvec4 expected = std::ldexp(1.0, -curve.nurbs().weight_exponent()) * given;
-    before.halve(Axis::u, after);
-    EXPECT_LE(largest(before.values.back() - expected), 1e-14 * size_of(curve.nurbs()));
-  }
-}
-
 }  // namespace
 }  // namespace splinecore

@@ -2,7 +2,7 @@
 #include <tuple>
 
 #include "reference.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/order.hpp"
 #include "support.hpp"
 
 namespace splinecore {

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/formula/taylor.hpp"
 #include "support.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/join.hpp"
-#include "splinecore/curve/rescale.hpp"
 #include "splinecore/curve/transform.hpp"
 #include "splinecore/measure/continuity.hpp"
 #include "splinecore/tessellate/polyline.hpp"
@@ -100,20 +99,6 @@ TEST(Joined, RefusesWhatHasNoEndInSight) {
             "an end to join lies at infinity");
   EXPECT_EQ(refusal([&] { joined(line(), reversed(line()), Smoothness::g1); }),
             "the curves leave the joint the same way: no direction lies between them");
-}
-
-TEST(Rescaling, IsUndoneToTheDigit) {
-  Random random(73);
-  for (const double size : {1e-300, 1e-150, 1.0, 1e150, 1e290}) {
-    glm::dmat4 matrix(size);
-    matrix[3][3] = 1.0;
-    const NurbsCurve curve = transformed(random_curve(random, {3, 4, Ends::unclamped, Weights::any}), matrix);
-    const Scales scales = scales_of(curve);
-    const NurbsCurve near_one = divided(curve, scales);
-    EXPECT_LT(size_of(near_one), 0x1p110);
-    EXPECT_GT(size_of(near_one), 0x1p-110);
-    EXPECT_EQ(divided(near_one, {-scales.coordinates, -scales.weights, -scales.parameters}), curve);
-  }
 }
 
 TEST(LargestDistance, IsInfiniteWhereOneCurveAloneRunsToInfinity) {

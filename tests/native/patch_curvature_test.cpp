@@ -3,7 +3,6 @@
 #include <glm/geometric.hpp>
 
 #include "splinecore/build/primitives.hpp"
-#include "splinecore/patch/rescale.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -93,6 +92,12 @@ TEST(PatchCurvature, FormsOfAParaboloid) {
   EXPECT_NEAR(forms.n, -8.0 * z, 1e-13);
 }
 
+KnotVector divided(const KnotVector& knots, int exponent) {
+  std::vector<double> divided(knots.knots().begin(), knots.knots().end());
+  for (double& u : divided) u = std::scalbn(u, -exponent);
+  return KnotVector::make(knots.degree(), std::move(divided), knots.periodic());
+}
+
 TEST(PatchCurvature, DoesNotDependOnTheScaleOfParameters) {
   Random random(7);
   const NurbsPatch patch = random_patch(random, Weights::positive);
@@ -103,7 +108,9 @@ TEST(PatchCurvature, DoesNotDependOnTheScaleOfParameters) {
   const SurfaceCurvature here = curvature_at(patch, u, v);
   const FundamentalForms forms = forms_at(patch, u, v);
   for (const auto& [by_u, by_v] : {std::pair{500, 500}, std::pair{-500, -500}, std::pair{700, 0}, std::pair{0, -600}}) {
-    const NurbsPatch other = divided(patch, {by_u, by_v});
+    const NurbsPatch other =
+        NurbsPatch::make(divided(patch.knot_vector(Axis::u), by_u), divided(patch.knot_vector(Axis::v), by_v),
+                         {patch.points().begin(), patch.points().end()});
     const double there_u = std::scalbn(u, -by_u);
     const double there_v = std::scalbn(v, -by_v);
     const SurfaceCurvature there = curvature_at(other, there_u, there_v);

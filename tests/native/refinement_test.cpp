@@ -1,7 +1,6 @@
-#include "splinecore/basis/refinement.hpp"
-
 #include <ranges>
 
+#include "splinecore/curve/nurbs_curve.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -52,9 +51,10 @@ TEST(Refine, KeepsThousandRandomCurves) {
 TEST(Refine, GivesTheOldKnotsWithTheNewOnesInOrder) {
   Random random(11);
   for (const Kind& kind : all_kinds(Weights::one)) {
-    const KnotVector knots = random_knots(random, kind.degree, kind.spans, kind.ends);
+    const NurbsCurve curve = random_curve(random, kind);
+    const KnotVector& knots = curve.knot_vector();
     const std::vector<double> inserted = insertable(random, knots);
-    const KnotVector refined = refinement(knots, inserted).knots();
+    const KnotVector refined = refine(curve, inserted).knot_vector();
     std::vector<double> expected(knots.knots().begin(), knots.knots().end());
     expected.insert(expected.end(), inserted.begin(), inserted.end());
     std::ranges::sort(expected);
@@ -135,22 +135,16 @@ TEST(Refine, OfPointsWithOneWeightKeepsThemInTheHull) {
   }
 }
 
-TEST(MissingInside, AreTheInnerKnotsThatAnotherVectorHasMoreOf) {
-  const KnotVector own = KnotVector::make(2, {0, 0, 0, 1, 1, 3, 5, 5, 5});
-  const KnotVector other = KnotVector::make(2, {-2, -1, 0, 1, 2, 2, 3, 3, 5, 6, 7});
-  EXPECT_EQ(missing_inside(own, other), (std::vector<double>{2, 2, 3}));
-  EXPECT_EQ(missing_inside(other, own), (std::vector<double>{1}));
-  EXPECT_TRUE(missing_inside(own, own).empty());
-}
-
 TEST(BezierPoints, AreThoseOfEverySpan) {
   Random random(17);
   for (const Kind& kind : all_kinds(Weights::any)) {
     const NurbsCurve curve = random_curve(random, kind);
+    const std::size_t order = kind.degree + 1;
+    std::vector<glm::dvec4> all(curve.knot_vector().spans().size() * order);
+    bezier_points(curve, all);
     for (int i = 0; i < static_cast<int>(curve.knot_vector().spans().size()); ++i) {
       const Interval span = curve.knot_vector().span_interval(i);
-      const std::vector<glm::dvec4> points = bezier_piece(curve, i).values;
-      ASSERT_EQ(points.size(), static_cast<std::size_t>(kind.degree + 1));
+      const auto points = std::span(all).subspan(i * order, order);
       std::vector<glm::dvec4> ends(2);
       evaluate_homogeneous(curve, std::vector{span.start}, std::span(ends).first(1), Side::right);
       evaluate_homogeneous(curve, std::vector{span.end}, std::span(ends).last(1), Side::left);

@@ -76,6 +76,32 @@ def test_a_native_room_includes_only_rooms_above_it(room):
             assert included == room or included in NATIVE_ARROWS[room], f"{path} includes {included}"
 
 
+def includes(*folders):
+    """The quoted includes of all files below, each with the file."""
+    for folder in folders:
+        for path in sorted(folder.rglob("*.?pp")):
+            yield from ((path, included) for included in re.findall(r'#include "([^"]+)"', path.read_text()))
+
+
+def test_the_public_interface_and_the_bindings_include_public_headers_only():
+    for path, included in includes(NATIVE / "include", NATIVE / "bindings"):
+        is_public = (NATIVE / "include" / included).is_file()
+        assert is_public or (path.parent / included).is_file(), f"{path} includes {included}"
+
+
+def test_a_header_that_the_library_alone_includes_is_not_public():
+    wanted = {included for path, included in includes(NATIVE / "include", NATIVE / "bindings", PROJECT / "tests")
+              if path.parent.name != "inside"}
+    for path in sorted((NATIVE / "include").rglob("*.hpp")):
+        assert str(path.relative_to(NATIVE / "include")) in wanted, f"{path} belongs in native/src"
+
+
+def test_internal_headers_hide_what_they_declare():
+    for room, path in native_files():
+        if (NATIVE / "src") in path.parents and path.suffix == ".hpp" and "namespace splinecore" in path.read_text():
+            assert "#pragma GCC visibility push(hidden)" in path.read_text(), path
+
+
 def test_the_library_knows_neither_python_nor_blender():
     for _, path in native_files():
         assert not re.search(r'pybind11|Python\.h|numpy', path.read_text()), path

@@ -6,24 +6,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "given_points.hpp"
+#include "require.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
-
-namespace {
-
-constexpr const char* kAxes = "xyz";
-
-void require_coordinates(const double* xyz, const std::string& argument, std::size_t index,
-                         std::size_t row_length) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::isfinite(xyz[axis])) continue;
-    throw InvalidShape(argument + index_text(index, row_length) + "." + kAxes[axis] + " = " +
-                       text_of(xyz[axis]) + " is not finite");
-  }
-}
-
-}  // namespace
 
 std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given) {
   std::vector<glm::dvec4> points(given.size());
@@ -46,11 +33,6 @@ struct Exponents {
   }
 };
 
-glm::dvec4 divided(const glm::dvec4& point, int exponent) {
-  if (point.w != 0.0) return {glm::dvec3(point), std::scalbn(point.w, -exponent)};
-  return {std::scalbn(point.x, -exponent), std::scalbn(point.y, -exponent), std::scalbn(point.z, -exponent), 0.0};
-}
-
 }  // namespace
 
 int weight_exponent(std::span<const glm::dvec4> given) noexcept {
@@ -67,29 +49,10 @@ int weight_exponent(std::span<const glm::dvec4> given) noexcept {
   return directions.most < directions.least ? exponent : std::max(exponent, directions.most - kLargest);
 }
 
-std::vector<glm::dvec4> with_weights_divided(std::span<const glm::dvec4> given, int exponent) {
-  std::vector<glm::dvec4> points(given.begin(), given.end());
-  if (exponent == 0) return points;
-  for (glm::dvec4& point : points) point = divided(point, exponent);
-  return points;
-}
-
 std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given, int exponent) {
   std::vector<glm::dvec4> points = with_weights_divided(given, exponent);
   for (glm::dvec4& point : points) point = homogeneous(point);
   return points;
-}
-
-GivenPoints as_given_from(std::span<const glm::dvec4> old, bool is_rational, int exponent,
-                          std::span<const glm::dvec4> points) {
-  if (!is_rational) return {as_given_polynomial(points), old, {}};
-  std::vector<glm::dvec4> made = as_given(points);
-  if (exponent == 0) return {std::move(made), old, {}};
-  const auto comes_back = [&](const glm::dvec4& point) { return divided(divided(point, -exponent), exponent) == point; };
-  if (std::ranges::all_of(made, comes_back)) return {with_weights_divided(made, -exponent), old, {}};
-  std::vector<glm::dvec4> divided = with_weights_divided(old, exponent);
-  const std::span<const glm::dvec4> view = divided;
-  return {std::move(made), view, std::move(divided)};
 }
 
 std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, std::size_t row_length) {
@@ -98,7 +61,7 @@ std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, st
     for (int axis = 0; axis < 3; ++axis) {
       if (std::isfinite(points[i][axis])) continue;
       const std::string place = index_text(i, row_length);
-      throw InvalidShape("points" + place + "." + kAxes[axis] + " = " + text_of(given[i][axis]) + " times weights" +
+      throw InvalidShape("points" + place + "." + "xyz"[axis] + " = " + text_of(given[i][axis]) + " times weights" +
                          place + " = " + text_of(given[i].w) + " is too large for a number");
     }
   }
@@ -108,12 +71,6 @@ std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, st
 std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points) {
   std::vector<glm::dvec4> given(points.size());
   std::ranges::transform(points, given.begin(), [](const auto& p) { return as_given(p); });
-  return given;
-}
-
-std::vector<glm::dvec4> as_given_polynomial(std::span<const glm::dvec4> points) {
-  std::vector<glm::dvec4> given = as_given(points);
-  for (glm::dvec4& point : given) point.w = 1.0;
   return given;
 }
 
@@ -168,20 +125,6 @@ void require_points(std::span<const glm::dvec4> points, std::size_t row_length) 
   }
   if (std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w == 0.0; })) {
     throw InvalidShape("weights are all zero: no point of the shape is finite");
-  }
-}
-
-void require_finite(std::span<const double> values, const std::string& argument) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i])) continue;
-    throw InvalidShape(argument + index_text(i) + " = " + text_of(values[i]) + " is not finite");
-  }
-}
-
-void require_finite(std::span<const glm::dvec3> vectors, const std::string& argument,
-                    std::size_t row_length) {
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    require_coordinates(&vectors[i].x, argument, i, row_length);
   }
 }
 

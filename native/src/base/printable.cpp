@@ -1,4 +1,4 @@
-#include "splinecore/base/printable.hpp"
+#include "printable.hpp"
 
 #include <algorithm>
 

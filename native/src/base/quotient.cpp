@@ -1,9 +1,6 @@
-#include "splinecore/base/quotient.hpp"
+#include "quotient.hpp"
 
 #include <cmath>
-#include <string>
-
-#include "splinecore/base/errors.hpp"
 
 namespace splinecore {
 
@@ -17,12 +14,6 @@ double choose(int n, int k) noexcept {
 }
 
 }  // namespace
-
-void require_order(int order) {
-  if (order >= 0 && order <= kMaxOrder) return;
-  throw InvalidShape("order = " + std::to_string(order) + " is outside [0, " +
-                     std::to_string(kMaxOrder) + "]");
-}
 
 bool is_finite(const glm::dvec3& p) noexcept {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);

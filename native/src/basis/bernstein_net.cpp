@@ -1,4 +1,4 @@
-#include "splinecore/basis/bernstein_net.hpp"
+#include "bernstein_net.hpp"
 
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/samples.hpp"

@@ -1,4 +1,4 @@
-#include "splinecore/basis/blossom.hpp"
+#include "blossom.hpp"
 
 namespace splinecore {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "blossom_point.hpp"
+#include "elevation.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/basis/elevation.hpp"
 
 namespace splinecore {
 

@@ -1,13 +1,13 @@
-#include "splinecore/basis/elevation.hpp"
+#include "elevation.hpp"
 
 #include <algorithm>
 #include <string>
 
+#include "blossom.hpp"
 #include "old_knots.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
-#include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
 

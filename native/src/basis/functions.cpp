@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 
 namespace splinecore {

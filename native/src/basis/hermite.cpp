@@ -2,8 +2,8 @@
 
 #include <numeric>
 
+#include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 
 namespace splinecore {
 

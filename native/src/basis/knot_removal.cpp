@@ -1,4 +1,4 @@
-#include "splinecore/basis/knot_removal.hpp"
+#include "knot_removal.hpp"
 
 #include <algorithm>
 #include <cmath>

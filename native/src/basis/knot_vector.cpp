@@ -10,9 +10,10 @@
 #include <numeric>
 #include <string>
 
+#include "base/require.hpp"
 #include "knot_tables.hpp"
+#include "periodic_knots.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {

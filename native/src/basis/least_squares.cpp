@@ -1,4 +1,4 @@
-#include "splinecore/basis/least_squares.hpp"
+#include "least_squares.hpp"
 
 #include <algorithm>
 #include <cmath>

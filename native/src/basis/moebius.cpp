@@ -1,4 +1,4 @@
-#include "splinecore/basis/moebius.hpp"
+#include "moebius.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "periodic_knots.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 #pragma GCC visibility push(hidden)

@@ -1,4 +1,4 @@
-#include "splinecore/basis/point_matrix.hpp"
+#include "point_matrix.hpp"
 
 #include "splinecore/base/pause.hpp"
 

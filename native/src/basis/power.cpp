@@ -1,4 +1,4 @@
-#include "splinecore/basis/power.hpp"
+#include "power.hpp"
 
 namespace splinecore {
 

@@ -1,4 +1,4 @@
-#include "splinecore/basis/refinement.hpp"
+#include "refinement.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -6,11 +6,11 @@
 #include <numeric>
 #include <string>
 
+#include "blossom.hpp"
 #include "blossom_point.hpp"
 #include "old_knots.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
 

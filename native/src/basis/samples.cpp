@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "axis_places.hpp"
+#include "blossom.hpp"
 #include "span_tables.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
 

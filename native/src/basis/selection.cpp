@@ -1,10 +1,11 @@
-#include "splinecore/basis/selection.hpp"
+#include "selection.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "splinecore/base/double_double.hpp"
+#include "base/double_double.hpp"
+#include "periodic_knots.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {

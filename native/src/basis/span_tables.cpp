@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "blossom.hpp"
 #include "kernels/kernels.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/basis/blossom.hpp"
 
 namespace splinecore {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/basis/hermite.hpp"
 
 namespace splinecore {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/hermite.hpp"

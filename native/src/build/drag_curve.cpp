@@ -1,9 +1,9 @@
 #include <string>
 
+#include "base/require.hpp"
 #include "influence.hpp"
 #include "least_change.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/build/drag.hpp"
 
 namespace splinecore {

@@ -3,10 +3,10 @@
 #include <numeric>
 #include <string>
 
+#include "base/require.hpp"
 #include "influence.hpp"
 #include "least_change.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/build/drag.hpp"
 
 namespace splinecore {

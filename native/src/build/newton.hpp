@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/base/double_double.hpp"
+#include "base/double_double.hpp"
 #include "splinecore/base/interval.hpp"
 #include "splinecore/build/polynomial.hpp"
 

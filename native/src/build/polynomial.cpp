@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "base/quotient.hpp"
+#include "base/require.hpp"
 #include "newton.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {

@@ -6,11 +6,12 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "base/quotient.hpp"
+#include "basis/bernstein_net.hpp"
+#include "curve/bezier_piece.hpp"
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/convert/to_bezier.hpp"
-#include "splinecore/basis/bernstein_net.hpp"
 
 namespace splinecore {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/require.hpp"
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 
 namespace splinecore {
 

@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "base/require.hpp"
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/conic/ellipse.hpp"
 
 namespace splinecore {

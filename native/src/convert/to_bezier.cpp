@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
-#include "splinecore/base/points.hpp"
-#include "splinecore/basis/point_matrix.hpp"
+#include "base/given_points.hpp"
+#include "basis/point_matrix.hpp"
+#include "curve/bezier_piece.hpp"
+#include "patch/bezier_piece.hpp"
 
 namespace splinecore {
 

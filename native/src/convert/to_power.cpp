@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "splinecore/basis/power.hpp"
+#include "basis/power.hpp"
+#include "splinecore/base/points.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 
 namespace splinecore {

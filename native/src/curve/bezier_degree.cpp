@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
 #include <string>
 
-#include "splinecore/base/double_double.hpp"
+#include "base/double_double.hpp"
+#include "base/given_points.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/quotient.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 
 namespace splinecore {
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <string>
 
+#include "base/given_points.hpp"
+#include "basis/elevation.hpp"
+#include "basis/least_squares.hpp"
+#include "basis/refinement.hpp"
 #include "made_of.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
-#include "splinecore/basis/elevation.hpp"
-#include "splinecore/basis/least_squares.hpp"
-#include "splinecore/basis/refinement.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
 

@@ -1,4 +1,4 @@
-#include "splinecore/curve/difference.hpp"
+#include "difference.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <queue>
 #include <ranges>
 
-#include "splinecore/base/one_sign.hpp"
+#include "base/one_sign.hpp"
+#include "base/quotient.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {

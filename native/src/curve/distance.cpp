@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "basis/refinement.hpp"
+#include "bezier_piece.hpp"
+#include "difference.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/refinement.hpp"
 #include "splinecore/curve/degree.hpp"
-#include "splinecore/curve/difference.hpp"
 
 namespace splinecore {
 

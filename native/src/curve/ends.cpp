@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/given_points.hpp"
+#include "basis/periodic_knots.hpp"
+#include "basis/selection.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
-#include "splinecore/basis/selection.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/removal.hpp"
 

@@ -8,13 +8,14 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "base/quotient.hpp"
 #include "basis/knot_tables.hpp"
 #include "curve_tables.hpp"
+#include "rescale.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
-#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 

@@ -6,9 +6,12 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "base/given_points.hpp"
+#include "base/one_sign.hpp"
+#include "basis/bernstein_net.hpp"
 #include "basis/gaps.hpp"
+#include "bezier_piece.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/one_sign.hpp"
 
 namespace splinecore {
 

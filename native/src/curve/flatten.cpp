@@ -5,11 +5,11 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "base/one_sign.hpp"
+#include "base/quotient.hpp"
+#include "basis/bernstein_net.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/interval.hpp"
-#include "splinecore/base/one_sign.hpp"
-#include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 
 namespace splinecore {
 

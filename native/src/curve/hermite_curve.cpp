@@ -4,10 +4,10 @@
 #include <array>
 #include <string>
 
+#include "base/require.hpp"
+#include "basis/selection.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/basis/hermite.hpp"
-#include "splinecore/basis/selection.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {

@@ -6,16 +6,16 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "base/quotient.hpp"
+#include "rescale.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/removal.hpp"
-#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "basis/moebius.hpp"
+#include "basis/selection.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/moebius.hpp"
-#include "splinecore/basis/selection.hpp"
 
 namespace splinecore {
 

@@ -2,12 +2,14 @@
 
 #include <string>
 
+#include "base/given_points.hpp"
+#include "basis/bernstein_net.hpp"
+#include "basis/refinement.hpp"
+#include "basis/selection.hpp"
 #include "curve_tables.hpp"
 #include "made_of.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/basis/refinement.hpp"
-#include "splinecore/basis/selection.hpp"
 
 namespace splinecore {
 
@@ -42,10 +44,6 @@ NurbsCurve NurbsCurve::make(int degree, std::vector<double> knots, std::vector<g
 
 NurbsCurve NurbsCurve::from_homogeneous(KnotVector knots, std::span<const glm::dvec4> points) {
   return make(std::move(knots), as_given(points));
-}
-
-GivenPoints as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points) {
-  return as_given_from(curve.points(), curve.rational(), curve.weight_exponent(), points);
 }
 
 NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve) {

@@ -5,8 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "base/one_sign.hpp"
+#include "basis/bernstein_net.hpp"
 #include "basis/gaps.hpp"
-#include "splinecore/base/one_sign.hpp"
+#include "bezier_piece.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 

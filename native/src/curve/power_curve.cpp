@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "basis/power.hpp"
+#include "basis/selection.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/basis/power.hpp"
-#include "splinecore/basis/selection.hpp"
 
 namespace splinecore {
 

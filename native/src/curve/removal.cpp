@@ -4,13 +4,14 @@
 #include <cmath>
 #include <string>
 
-#include "splinecore/base/as_many.hpp"
+#include "base/as_many.hpp"
+#include "base/given_points.hpp"
+#include "basis/knot_removal.hpp"
+#include "basis/least_squares.hpp"
+#include "basis/refinement.hpp"
+#include "basis/removal_rounds.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/basis/knot_removal.hpp"
-#include "splinecore/basis/least_squares.hpp"
-#include "splinecore/basis/refinement.hpp"
-#include "splinecore/basis/removal_rounds.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
 

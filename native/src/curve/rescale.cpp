@@ -1,4 +1,4 @@
-#include "splinecore/curve/rescale.hpp"
+#include "rescale.hpp"
 
 #include <algorithm>
 #include <cmath>

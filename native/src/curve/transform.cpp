@@ -1,5 +1,8 @@
 #include "splinecore/curve/transform.hpp"
 
+#include <glm/vec3.hpp>
+
+#include "base/given_points.hpp"
 #include "splinecore/base/points.hpp"
 
 namespace splinecore {

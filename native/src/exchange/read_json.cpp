@@ -1,9 +1,9 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "base/printable.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/base/printable.hpp"
 #include "splinecore/exchange/json.hpp"
 
 namespace splinecore {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
+#include "base/printable.hpp"
 #include "parser.hpp"
 #include "program.hpp"
-#include "splinecore/base/printable.hpp"
 
 namespace splinecore {
 

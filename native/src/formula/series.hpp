@@ -3,7 +3,7 @@
 #include <array>
 
 #include "program.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "splinecore/base/order.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "splinecore/base/angle.hpp"
+#include "base/angle.hpp"
+#include "base/quotient.hpp"
+#include "curve/rescale.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/placement.hpp"
+#include "curve/rescale.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 

@@ -1,5 +1,7 @@
 #include "finite_weights.hpp"
 
+#include "basis/bernstein_net.hpp"
+#include "patch/bezier_piece.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "base/quotient.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/measure/patch_curvature.hpp"
 

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "base/placement.hpp"
+#include "base/quotient.hpp"
+#include "patch/rescale.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/base/quotient.hpp"
-#include "splinecore/patch/rescale.hpp"
 
 namespace splinecore {
 

@@ -8,12 +8,12 @@
 #include <limits>
 #include <utility>
 
-#include "flank.hpp"
+#include "base/angle.hpp"
 #include "base/placement.hpp"
-#include "splinecore/base/angle.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "base/quotient.hpp"
+#include "flank.hpp"
+#include "patch/rescale.hpp"
 #include "splinecore/patch/join.hpp"
-#include "splinecore/patch/rescale.hpp"
 
 namespace splinecore {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "basis/bernstein_net.hpp"
 #include "kernels/kernels.hpp"
-#include "splinecore/basis/bernstein_net.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {

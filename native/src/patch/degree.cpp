@@ -2,10 +2,10 @@
 
 #include <string>
 
+#include "basis/elevation.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/bernstein.hpp"
-#include "splinecore/basis/elevation.hpp"
 #include "splinecore/curve/bezier_degree.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "tolerance.hpp"

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "basis/refinement.hpp"
+#include "bezier_piece.hpp"
+#include "curve/difference.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/refinement.hpp"
-#include "splinecore/curve/difference.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/ends.hpp"
 

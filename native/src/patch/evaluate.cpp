@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/quotient.hpp"
 #include "basis/axis_places.hpp"
+#include "curve/rescale.hpp"
 #include "grid.hpp"
 #include "normal.hpp"
 #include "settled.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/order.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/base/quotient.hpp"
-#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include "base/require.hpp"
+#include "basis/selection.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/basis/hermite.hpp"
-#include "splinecore/basis/selection.hpp"
 #include "splinecore/patch/evaluate.hpp"
 
 namespace splinecore {

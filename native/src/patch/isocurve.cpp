@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "base/given_points.hpp"
+#include "basis/point_matrix.hpp"
 #include "lines.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/basis/point_matrix.hpp"
 #include "splinecore/basis/samples.hpp"
 
 namespace splinecore {

@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "base/quotient.hpp"
 #include "common_edge.hpp"
 #include "edge_rows.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/distance.hpp"

@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/given_points.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 

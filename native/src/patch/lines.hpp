@@ -4,8 +4,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "splinecore/basis/point_matrix.hpp"
-#include "splinecore/basis/selection.hpp"
+#include "basis/point_matrix.hpp"
+#include "basis/selection.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "splinecore/patch/bezier_patch.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"

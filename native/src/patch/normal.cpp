@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/placement.hpp"
+#include "base/quotient.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/base/quotient.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {

@@ -2,11 +2,11 @@
 
 #include <string>
 
+#include "basis/refinement.hpp"
+#include "basis/selection.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/basis/refinement.hpp"
-#include "splinecore/basis/selection.hpp"
 
 namespace splinecore {
 
@@ -55,10 +55,6 @@ NurbsPatch NurbsPatch::make(KnotVector knots_u, KnotVector knots_v, std::vector<
 NurbsPatch NurbsPatch::from_homogeneous(KnotVector knots_u, KnotVector knots_v,
                                         std::span<const glm::dvec4> points) {
   return make(std::move(knots_u), std::move(knots_v), as_given(points));
-}
-
-GivenPoints as_given_from(const NurbsPatch& patch, std::span<const glm::dvec4> points) {
-  return as_given_from(patch.points(), patch.rational(), patch.weight_exponent(), points);
 }
 
 NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> inserted) {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/as_many.hpp"
+#include "base/given_points.hpp"
+#include "basis/removal_rounds.hpp"
+#include "basis/selection.hpp"
 #include "lines.hpp"
-#include "splinecore/base/as_many.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/basis/removal_rounds.hpp"
-#include "splinecore/basis/selection.hpp"
 #include "splinecore/curve/removal.hpp"
 #include "splinecore/patch/distance.hpp"
 #include "tolerance.hpp"

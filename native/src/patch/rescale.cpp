@@ -1,6 +1,6 @@
-#include "splinecore/patch/rescale.hpp"
+#include "rescale.hpp"
 
-#include "splinecore/curve/rescale.hpp"
+#include "curve/rescale.hpp"
 
 namespace splinecore {
 

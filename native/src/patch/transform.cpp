@@ -1,7 +1,7 @@
 #include "splinecore/patch/transform.hpp"
 
+#include "basis/moebius.hpp"
 #include "lines.hpp"
-#include "splinecore/basis/moebius.hpp"
 #include "splinecore/curve/transform.hpp"
 #include "splinecore/patch/ends.hpp"
 

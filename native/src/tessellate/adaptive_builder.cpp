@@ -19,7 +19,7 @@ namespace splinecore {
 /// Fits the cells of all panels to one another, numbers their vertices and lays faces.
 class AdaptiveBuilder {
  public:
-  AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, int threads, Tessellation& mesh);
+  AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, int threads, MeshParts& mesh);
   void add_faces();
 
  private:
@@ -32,7 +32,7 @@ class AdaptiveBuilder {
   static constexpr std::int32_t kOnBorder = -1;
   static constexpr std::int32_t kInMiddle = -2;  ///< one that its cell alone has
 
-  const Panel& panel_of(std::size_t panel) const { return mesh_.panels_[panel]; }
+  const Panel& panel_of(std::size_t panel) const { return mesh_.panels[panel]; }
   const std::vector<MeshSpan>& spans(std::size_t panel, Axis axis) const {
     return spans_[panel_of(panel).patch][axis == Axis::u ? 0 : 1];
   }
@@ -57,7 +57,7 @@ class AdaptiveBuilder {
   void add_cell(std::size_t panel, const GridCell& cell);
   void add_face(std::size_t panel, const MeshCell& cell, std::span<const Spot> spots);
 
-  Tessellation& mesh_;
+  MeshParts& mesh_;
   std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
   std::vector<CellGrid> grids_;  // of each panel
   std::vector<std::vector<std::pair<std::size_t, int>>> edge_sides_;  ///< of each edge: panels and their sides on it
@@ -103,13 +103,13 @@ bool is_on_knot(Place place) { return place % kSpan == 0; }
 
 }  // namespace
 
-AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, int threads, Tessellation& mesh)
+AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, int threads, MeshParts& mesh)
     : mesh_(mesh), spans_(mesh_spans(set)), writer_(set, mesh) {
   make_grids(set, fineness, threads);
   fit();
   std::vector<std::size_t> counts;
   for (const std::vector<double>& places : edge_places_) counts.push_back(places.size());
-  side_vertices_.emplace(mesh.panels_, counts);
+  side_vertices_.emplace(mesh.panels, counts);
 }
 
 /// Cuts all panels into cells, row by row.
@@ -123,7 +123,7 @@ void AdaptiveBuilder::make_grids(const PatchSet& set, const Fineness& fineness, 
   std::vector<Row> rows;
   std::vector<std::vector<std::vector<Cut>>> cuts;
   std::size_t work = 0;
-  for (const Panel& panel : mesh_.panels_) {
+  for (const Panel& panel : mesh_.panels) {
     const auto& spans = spans_[panel.patch];
     const bool closed_u = panel.sides[0].edge >= 0 && panel.sides[0].edge == panel.sides[1].edge;
     const bool closed_v = panel.sides[2].edge >= 0 && panel.sides[2].edge == panel.sides[3].edge;
@@ -195,7 +195,7 @@ bool AdaptiveBuilder::is_one_place(std::size_t edge, double a, double b) const {
 
 /// The places of all sides of each edge.
 void AdaptiveBuilder::collect(std::vector<std::vector<double>>& edges) const {
-  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
+  for (std::size_t panel = 0; panel < mesh_.panels.size(); ++panel) {
     for (int side = 0; side < 4; ++side) {
       const int edge = panel_of(panel).sides[side].edge;
       if (edge < 0) continue;
@@ -215,7 +215,7 @@ void AdaptiveBuilder::collect(std::vector<std::vector<double>>& edges) const {
 /// Gives every side all places of its edge; whether one was new.
 bool AdaptiveBuilder::spread(const std::vector<std::vector<double>>& edges) {
   bool is_any_new = false;
-  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
+  for (std::size_t panel = 0; panel < mesh_.panels.size(); ++panel) {
     for (int side = 0; side < 4; ++side) {
       const int edge = panel_of(panel).sides[side].edge;
       if (edge < 0) continue;
@@ -236,8 +236,8 @@ bool AdaptiveBuilder::spread(const std::vector<std::vector<double>>& edges) {
 }
 
 void AdaptiveBuilder::fit() {
-  edge_sides_.resize(side_counts(mesh_.panels_).size());
-  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
+  edge_sides_.resize(side_counts(mesh_.panels).size());
+  for (std::size_t panel = 0; panel < mesh_.panels.size(); ++panel) {
     for (int side = 0; side < 4; ++side) {
       const int edge = panel_of(panel).sides[side].edge;
       if (edge >= 0) edge_sides_[edge].emplace_back(panel, side);
@@ -320,7 +320,7 @@ void AdaptiveBuilder::add_face(std::size_t panel, const MeshCell& cell, std::spa
     const Spot& spot = spots[k];
     jumps[k] = {is_crease(panel, Axis::u, spot.u), is_crease(panel, Axis::v, spot.v)};
     const std::int32_t vertex = vertex_at(panel, spot);
-    corners[k] = {vertex, jumps[k][0] || jumps[k][1] ? sample_at(panel, spot, cell) : mesh_.vertex_samples_[vertex],
+    corners[k] = {vertex, jumps[k][0] || jumps[k][1] ? sample_at(panel, spot, cell) : mesh_.vertex_samples[vertex],
                   parameter_at(spans_u, spot.u), parameter_at(spans_v, spot.v)};
   }
   for (std::size_t k = 0; k < spots.size(); ++k) {
@@ -385,10 +385,10 @@ Tessellation Tessellation::adaptive(const PatchSet& set, const Fineness& finenes
   if (!(fineness.distance > 0.0) || !(fineness.angle > 0.0)) {
     throw InvalidShape("a tolerance of a mesh is not above 0");
   }
-  Tessellation mesh(set);
+  MeshParts mesh(set);
   AdaptiveBuilder(set, fineness, threads, mesh).add_faces();
-  mesh.place_vertices(set);
-  return mesh;
+  place_vertices(set, mesh);
+  return Tessellation(std::move(mesh));
 }
 
 }  // namespace splinecore

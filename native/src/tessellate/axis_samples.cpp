@@ -1,4 +1,4 @@
-#include "splinecore/tessellate/axis_samples.hpp"
+#include "axis_samples.hpp"
 
 namespace splinecore {
 

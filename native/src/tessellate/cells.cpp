@@ -9,6 +9,7 @@
 
 #include "base/placement.hpp"
 #include "flatness.hpp"
+#include "patch/bezier_piece.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <vector>
 
+#include "mesh_spans.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
-#include "splinecore/tessellate/mesh_spans.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 
 #pragma GCC visibility push(hidden)

@@ -17,11 +17,11 @@ namespace splinecore {
 /// Grids of vertices on panels, and strips where two sides of an edge have other places.
 class CountBuilder {
  public:
-  CountBuilder(const PatchSet& set, int resolution_u, int resolution_v, Tessellation& mesh);
+  CountBuilder(const PatchSet& set, int resolution_u, int resolution_v, MeshParts& mesh);
   void add_faces();
 
  private:
-  using Grid = Tessellation::Grid;
+  using Grid = MeshParts::Grid;
 
   /// The lines of a grid that a panel has, both ends included, with its vertices.
   struct Block {
@@ -41,8 +41,8 @@ class CountBuilder {
     std::vector<char> is_crease;
   };
 
-  const Panel& panel_of(const Block& block) const { return mesh_.panels_[block.panel]; }
-  const Grid& grid_of(const Block& block) const { return mesh_.grids_[panel_of(block).patch]; }
+  const Panel& panel_of(const Block& block) const { return mesh_.panels[block.panel]; }
+  const Grid& grid_of(const Block& block) const { return mesh_.grids[panel_of(block).patch]; }
   void make_grids();
 
   Block block_of(std::size_t panel) const;
@@ -58,7 +58,7 @@ class CountBuilder {
   void add(std::size_t patch, std::span<const FaceCorner> corners, std::span<const char> is_border, bool is_coarse);
 
   const PatchSet& set_;
-  Tessellation& mesh_;
+  MeshParts& mesh_;
   CountPlan plan_;
   std::optional<MeshWriter> writer_;
   std::optional<SideVertices> side_vertices_;
@@ -71,29 +71,30 @@ int across_of(int side) { return side < 2 ? 0 : 1; }
 
 }  // namespace
 
-CountBuilder::CountBuilder(const PatchSet& set, int resolution_u, int resolution_v, Tessellation& mesh)
-    : set_(set), mesh_(mesh), plan_(set, mesh.panels_, resolution_u, resolution_v) {
+CountBuilder::CountBuilder(const PatchSet& set, int resolution_u, int resolution_v, MeshParts& mesh)
+    : set_(set), mesh_(mesh), plan_(set, mesh.panels, resolution_u, resolution_v) {
   make_grids();
   std::vector<std::size_t> counts;
   for (const std::vector<double>& places : plan_.edges()) counts.push_back(places.size());
   writer_.emplace(set, mesh);
-  side_vertices_.emplace(mesh.panels_, counts);
+  side_vertices_.emplace(mesh.panels, counts);
 }
 
 void CountBuilder::make_grids() {
   for (std::size_t i = 0; i < set_.patches().size(); ++i) {
     const NurbsPatch& form = nurbs_of(set_.patch(i));
     Grid grid{sample_axis(form.knot_vector(Axis::u), plan_.spans_of(i)[0], plan_.resolution_of(i)[0]),
-              sample_axis(form.knot_vector(Axis::v), plan_.spans_of(i)[1], plan_.resolution_of(i)[1]), mesh_.sample_count_};
-    mesh_.sample_count_ += grid.u.samples.size() * grid.v.samples.size();
-    mesh_.grids_.push_back(std::move(grid));
+              sample_axis(form.knot_vector(Axis::v), plan_.spans_of(i)[1], plan_.resolution_of(i)[1]),
+              mesh_.sample_count};
+    mesh_.sample_count += grid.u.samples.size() * grid.v.samples.size();
+    mesh_.grids.push_back(std::move(grid));
   }
 }
 
 CountBuilder::Block CountBuilder::block_of(std::size_t panel) const {
   Block block;
   block.panel = panel;
-  const Grid& grid = mesh_.grids_[mesh_.panels_[panel].patch];
+  const Grid& grid = mesh_.grids[mesh_.panels[panel].patch];
   for (const int axis : {0, 1}) {
     block.begin[axis] = (axis == 0 ? grid.u : grid.v).span_starts[plan_.spans(panel, axis).first];
     block.end[axis] = block.begin[axis] + plan_.strips(panel, axis);
@@ -272,7 +273,7 @@ void CountBuilder::add_block(Block& block) {
 }
 
 void CountBuilder::add_faces() {
-  for (std::size_t panel = 0; panel < mesh_.panels_.size(); ++panel) {
+  for (std::size_t panel = 0; panel < mesh_.panels.size(); ++panel) {
     Block block = block_of(panel);
     add_block(block);
   }
@@ -295,10 +296,10 @@ Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resol
                 (1.0 + resolution_v * static_cast<double>(form.knot_vector(Axis::v).spans().size()));
   }
   if (expected > kMaxSamples) throw InvalidShape("the mesh would have more than 2^22 vertices: lower the resolution");
-  Tessellation mesh(set);
+  MeshParts mesh(set);
   CountBuilder(set, resolution_u, resolution_v, mesh).add_faces();
-  mesh.place_vertices(set);
-  return mesh;
+  place_vertices(set, mesh);
+  return Tessellation(std::move(mesh));
 }
 
 }  // namespace splinecore

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh_spans.hpp"
 #include "splinecore/patch/panels.hpp"
-#include "splinecore/tessellate/mesh_spans.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {

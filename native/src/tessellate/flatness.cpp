@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "splinecore/base/angle.hpp"
-#include "splinecore/base/quotient.hpp"
+#include "base/angle.hpp"
+#include "base/quotient.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "splinecore/basis/bernstein_net.hpp"
+#include "basis/bernstein_net.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {

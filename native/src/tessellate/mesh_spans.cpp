@@ -1,8 +1,10 @@
-#include "splinecore/tessellate/mesh_spans.hpp"
+#include "mesh_spans.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "basis/bernstein_net.hpp"
+#include "patch/bezier_piece.hpp"
 #include "splinecore/base/points.hpp"
 
 namespace splinecore {

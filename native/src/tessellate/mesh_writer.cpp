@@ -10,8 +10,8 @@
 namespace splinecore {
 
 std::int32_t MeshWriter::add_vertex(std::size_t sample) {
-  mesh_.vertex_samples_.push_back(sample);
-  return static_cast<std::int32_t>(mesh_.vertex_samples_.size()) - 1;
+  mesh_.vertex_samples.push_back(sample);
+  return static_cast<std::int32_t>(mesh_.vertex_samples.size()) - 1;
 }
 
 std::size_t MeshWriter::SampleHash::operator()(const SampleKey& key) const noexcept {
@@ -27,10 +27,10 @@ std::size_t MeshWriter::new_sample(std::size_t patch, double u, double v, Side s
   const std::size_t kind = 4 * patch + (side_u == Side::left ? 2 : 0) + (side_v == Side::left ? 1 : 0);
   int& scatter = scatter_of_[kind];
   if (scatter < 0) {
-    scatter = static_cast<int>(mesh_.scatters_.size());
-    mesh_.scatters_.push_back({patch, {side_u, side_v, AtInfinity::raise}, {}, {}, 0});
+    scatter = static_cast<int>(mesh_.scatters.size());
+    mesh_.scatters.push_back({patch, {side_u, side_v, AtInfinity::raise}, {}, {}, 0});
   }
-  Tessellation::Scatter& samples = mesh_.scatters_[scatter];
+  MeshParts::Scatter& samples = mesh_.scatters[scatter];
   sample_places_.emplace_back(scatter, samples.u.size());
   samples.u.push_back(u);
   samples.v.push_back(v);
@@ -44,12 +44,12 @@ std::size_t MeshWriter::sample_at(std::size_t patch, double u, double v, Side si
 }
 
 void MeshWriter::reserve_faces(std::size_t count) {
-  mesh_.face_starts_.reserve(count);
-  mesh_.face_patches_.reserve(count);
-  mesh_.corner_vertices_.reserve(4 * count);
-  mesh_.corner_samples_.reserve(4 * count);
-  mesh_.corner_uvs_.reserve(8 * count);
-  mesh_.vertex_samples_.reserve(count);
+  mesh_.face_starts.reserve(count);
+  mesh_.face_patches.reserve(count);
+  mesh_.corner_vertices.reserve(4 * count);
+  mesh_.corner_samples.reserve(4 * count);
+  mesh_.corner_uvs.reserve(8 * count);
+  mesh_.vertex_samples.reserve(count);
   sample_places_.reserve(count);
 }
 
@@ -62,9 +62,9 @@ void MeshWriter::add_face(std::size_t patch, std::span<const FaceCorner> corners
   }
   if (kept_count < 3) return;
   if (kept_count == 4 && (corners[0].vertex == corners[2].vertex || corners[1].vertex == corners[3].vertex)) return;
-  const auto first = static_cast<std::int32_t>(mesh_.corner_vertices_.size());
-  mesh_.face_starts_.push_back(first);
-  mesh_.face_patches_.push_back(static_cast<std::int32_t>(patch));
+  const auto first = static_cast<std::int32_t>(mesh_.corner_vertices.size());
+  mesh_.face_starts.push_back(first);
+  mesh_.face_patches.push_back(static_cast<std::int32_t>(patch));
   if (domain_patch_ != patch) {
     const NurbsPatch& form = nurbs_of(set_.patch(patch));
     domains_ = {form.knot_vector(Axis::u).domain(), form.knot_vector(Axis::v).domain()};
@@ -75,17 +75,17 @@ void MeshWriter::add_face(std::size_t patch, std::span<const FaceCorner> corners
   };
   for (std::size_t k = 0; k < kept_count; ++k) {
     const FaceCorner& corner = corners[kept[k]];
-    mesh_.corner_vertices_.push_back(corner.vertex);
-    mesh_.corner_samples_.push_back(corner.sample);
-    mesh_.corner_uvs_.push_back(scaled(domains_[0], corner.u));
-    mesh_.corner_uvs_.push_back(scaled(domains_[1], corner.v));
+    mesh_.corner_vertices.push_back(corner.vertex);
+    mesh_.corner_samples.push_back(corner.sample);
+    mesh_.corner_uvs.push_back(scaled(domains_[0], corner.u));
+    mesh_.corner_uvs.push_back(scaled(domains_[1], corner.v));
   }
   for (std::size_t k = 0; k < kept_count; ++k) {
     if (!is_border[kept[k]]) continue;
     std::int32_t a = first + static_cast<std::int32_t>(k);
     std::int32_t b = first + static_cast<std::int32_t>((k + 1) % kept_count);
-    if (mesh_.corner_vertices_[a] > mesh_.corner_vertices_[b]) std::swap(a, b);
-    mesh_.seams_.push_back({mesh_.corner_vertices_[a], mesh_.corner_vertices_[b], a, b});
+    if (mesh_.corner_vertices[a] > mesh_.corner_vertices[b]) std::swap(a, b);
+    mesh_.seams.push_back({mesh_.corner_vertices[a], mesh_.corner_vertices[b], a, b});
   }
 }
 
@@ -100,42 +100,42 @@ void MeshWriter::add_face_once(std::size_t patch, std::span<const FaceCorner> co
 void MeshWriter::finish() {
   drop_unused_vertices();
   place_samples();
-  std::ranges::sort(mesh_.seams_, {}, [](const Seam& seam) { return std::pair{seam.low_vertex, seam.high_vertex}; });
-  if (mesh_.face_starts_.empty()) {
+  std::ranges::sort(mesh_.seams, {}, [](const Seam& seam) { return std::pair{seam.low_vertex, seam.high_vertex}; });
+  if (mesh_.face_starts.empty()) {
     throw InvalidShape("the mesh would have no face: raise the resolution, or move points apart");
   }
 }
 
 void MeshWriter::drop_unused_vertices() {
-  std::vector<std::int32_t> new_index(mesh_.vertex_samples_.size(), -1);
-  for (const std::int32_t vertex : mesh_.corner_vertices_) new_index[vertex] = 0;
+  std::vector<std::int32_t> new_index(mesh_.vertex_samples.size(), -1);
+  for (const std::int32_t vertex : mesh_.corner_vertices) new_index[vertex] = 0;
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < new_index.size(); ++i) {
     if (new_index[i] < 0) continue;
     new_index[i] = static_cast<std::int32_t>(kept.size());
-    kept.push_back(mesh_.vertex_samples_[i]);
+    kept.push_back(mesh_.vertex_samples[i]);
   }
   if (kept.size() == new_index.size()) return;
-  mesh_.vertex_samples_ = std::move(kept);
-  for (std::int32_t& vertex : mesh_.corner_vertices_) vertex = new_index[vertex];
-  for (Seam& seam : mesh_.seams_) {
+  mesh_.vertex_samples = std::move(kept);
+  for (std::int32_t& vertex : mesh_.corner_vertices) vertex = new_index[vertex];
+  for (Seam& seam : mesh_.seams) {
     seam.low_vertex = new_index[seam.low_vertex];
     seam.high_vertex = new_index[seam.high_vertex];
   }
 }
 
 void MeshWriter::place_samples() {
-  for (Tessellation::Scatter& scatter : mesh_.scatters_) {
-    scatter.first_sample = mesh_.sample_count_;
-    mesh_.sample_count_ += scatter.u.size();
+  for (MeshParts::Scatter& scatter : mesh_.scatters) {
+    scatter.first_sample = mesh_.sample_count;
+    mesh_.sample_count += scatter.u.size();
   }
   const auto place = [&](std::size_t& sample) {
     if (sample < first_) return;
     const auto [scatter, number] = sample_places_[sample - first_];
-    sample = mesh_.scatters_[scatter].first_sample + number;
+    sample = mesh_.scatters[scatter].first_sample + number;
   };
-  std::ranges::for_each(mesh_.vertex_samples_, place);
-  std::ranges::for_each(mesh_.corner_samples_, place);
+  std::ranges::for_each(mesh_.vertex_samples, place);
+  std::ranges::for_each(mesh_.corner_samples, place);
 }
 
 }  // namespace splinecore

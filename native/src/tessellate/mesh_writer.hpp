@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "splinecore/tessellate/tessellation.hpp"
+#include "mesh_parts.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -20,12 +20,12 @@ struct FaceCorner {
   double v;
 };
 
-/// Writes vertices and faces into a Tessellation, and samples of patches that lie on no grid.
+/// Writes vertices and faces into the parts of a mesh, and samples of patches that lie on no grid.
 class MeshWriter {
  public:
-  /// The grids of the tessellation are there, and its sample_count_ is theirs.
-  MeshWriter(const PatchSet& set, Tessellation& mesh)
-      : set_(set), mesh_(mesh), first_(mesh.sample_count_), scatter_of_(4 * set.patches().size(), -1) {}
+  /// The grids of the mesh are there, and its sample_count is theirs.
+  MeshWriter(const PatchSet& set, MeshParts& mesh)
+      : set_(set), mesh_(mesh), first_(mesh.sample_count), scatter_of_(4 * set.patches().size(), -1) {}
 
   std::int32_t add_vertex(std::size_t sample);
 
@@ -50,13 +50,13 @@ class MeshWriter {
   void finish();
 
  private:
-  using Seam = Tessellation::Seam;
+  using Seam = MeshParts::Seam;
 
   void drop_unused_vertices();
   void place_samples();
 
   const PatchSet& set_;
-  Tessellation& mesh_;
+  MeshParts& mesh_;
   std::size_t first_;  // samples from this one on are not on grids
   struct SampleKey {
     std::size_t patch;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/one_sign.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/one_sign.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/finite_arcs.hpp"
 

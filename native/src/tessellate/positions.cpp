@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh_parts.hpp"
 #include "moved_spans.hpp"
-#include "splinecore/patch/evaluate.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 
 namespace splinecore {
@@ -56,7 +56,7 @@ class PositionWriter {
  public:
   explicit PositionWriter(std::span<float> positions) : positions_(positions) {}
 
-  void write(const NurbsPatch& patch, const Tessellation::Grid& grid, const SpanRectangle& spans) {
+  void write(const NurbsPatch& patch, const MeshParts::Grid& grid, const SpanRectangle& spans) {
     const KnotVector& knots = patch.knot_vector(Axis::u);
     const Range rows = samples_on(grid.u.samples, knots, spans.u);
     const Range columns = samples_on(grid.v.samples, patch.knot_vector(Axis::v), spans.v);
@@ -71,7 +71,7 @@ class PositionWriter {
     }
   }
 
-  void write(const NurbsPatch& patch, const Tessellation::Scatter& scatter, const SpanRectangle& spans) {
+  void write(const NurbsPatch& patch, const MeshParts::Scatter& scatter, const SpanRectangle& spans) {
     const KnotVector& knots_u = patch.knot_vector(Axis::u);
     const KnotVector& knots_v = patch.knot_vector(Axis::v);
     const auto span_u = [&](int i) { return knots_u.span_of(scatter.u[i], scatter.sides.side_u); };
@@ -94,13 +94,13 @@ class PositionWriter {
     return std::span(points_).first(3 * count);
   }
 
-  void put_rows(const Tessellation::Grid& grid, const Range& rows, const Range& columns) {
+  void put_rows(const MeshParts::Grid& grid, const Range& rows, const Range& columns) {
     const auto width = static_cast<std::int32_t>(grid.v.samples.size());
     const float* point = points_.data();
     for (int row = rows.begin; row < rows.end; ++row, point += 3 * (columns.end - columns.begin)) {
       const std::int32_t first = row * width + columns.begin;
       const std::int32_t end = row * width + columns.end;
-      const auto end_of = [](const Tessellation::Run& run) { return run.sample + run.count; };
+      const auto end_of = [](const MeshParts::Run& run) { return run.sample + run.count; };
       auto run = std::ranges::upper_bound(grid.runs, first, {}, end_of);
       for (; run != grid.runs.end() && run->sample < end; ++run) {
         const std::int32_t from = std::max(run->sample, first);
@@ -111,7 +111,7 @@ class PositionWriter {
     }
   }
 
-  void put_samples(const NurbsPatch& patch, const Tessellation::Scatter& scatter, const Range& samples) {
+  void put_samples(const NurbsPatch& patch, const MeshParts::Scatter& scatter, const Range& samples) {
     for (std::size_t begin = samples.begin; begin < static_cast<std::size_t>(samples.end); begin += kBlock) {
       const std::size_t count = std::min(kBlock, samples.end - begin);
       const std::span<float> found = points(count);
@@ -129,11 +129,11 @@ class PositionWriter {
 
 void Tessellation::evaluate_positions(const PatchSet& set, std::span<float> positions) const {
   PositionWriter writer(positions);
-  for (std::size_t i = 0; i < grids_.size(); ++i) {
+  for (std::size_t i = 0; i < parts_->grids.size(); ++i) {
     const NurbsPatch& patch = nurbs_of(set.patch(i));
-    writer.write(patch, grids_[i], all_spans(patch));
+    writer.write(patch, parts_->grids[i], all_spans(patch));
   }
-  for (const Scatter& scatter : scatters_) {
+  for (const MeshParts::Scatter& scatter : parts_->scatters) {
     const NurbsPatch& patch = nurbs_of(set.patch(scatter.patch));
     writer.write(patch, scatter, all_spans(patch));
   }
@@ -142,13 +142,13 @@ void Tessellation::evaluate_positions(const PatchSet& set, std::span<float> posi
 void Tessellation::update_positions(const PatchSet& set, const PatchSet& before, std::span<float> positions) const {
   PositionWriter writer(positions);
   std::vector<std::vector<SpanRectangle>> moved;
-  for (std::size_t i = 0; i < patches_->size(); ++i) {
+  for (std::size_t i = 0; i < parts_->patches->size(); ++i) {
     moved.push_back(moved_spans(nurbs_of(set.patch(i)), nurbs_of(before.patch(i))));
   }
-  for (std::size_t i = 0; i < grids_.size(); ++i) {
-    for (const SpanRectangle& spans : moved[i]) writer.write(nurbs_of(set.patch(i)), grids_[i], spans);
+  for (std::size_t i = 0; i < parts_->grids.size(); ++i) {
+    for (const SpanRectangle& spans : moved[i]) writer.write(nurbs_of(set.patch(i)), parts_->grids[i], spans);
   }
-  for (const Scatter& scatter : scatters_) {
+  for (const MeshParts::Scatter& scatter : parts_->scatters) {
     for (const SpanRectangle& spans : moved[scatter.patch]) {
       writer.write(nurbs_of(set.patch(scatter.patch)), scatter, spans);
     }

@@ -5,8 +5,9 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <utility>
 
-#include "splinecore/patch/evaluate.hpp"
+#include "mesh_parts.hpp"
 
 namespace splinecore {
 
@@ -49,19 +50,31 @@ bool meet_alike(const std::vector<Panel>& panels, const std::vector<Panel>& othe
 
 }  // namespace
 
-Tessellation::Tessellation(const PatchSet& set) : patches_(set.topology()), panels_(panels_of(set)) {}
+MeshParts::MeshParts(const PatchSet& set) : patches(set.topology()), panels(panels_of(set)) {}
+
+Tessellation::Tessellation(MeshParts parts) : parts_(std::make_shared<const MeshParts>(std::move(parts))) {}
+
+std::size_t Tessellation::vertex_count() const noexcept { return parts_->vertex_samples.size(); }
+
+std::span<const std::int32_t> Tessellation::face_starts() const noexcept { return parts_->face_starts; }
+
+std::span<const std::int32_t> Tessellation::face_patches() const noexcept { return parts_->face_patches; }
+
+std::span<const std::int32_t> Tessellation::corner_vertices() const noexcept { return parts_->corner_vertices; }
+
+std::span<const float> Tessellation::corner_uvs() const noexcept { return parts_->corner_uvs; }
 
 bool Tessellation::fits(const PatchSet& set) const {
-  return has_patches_of(set) && meet_alike(panels_, panels_of(set));
+  return has_patches_of(set) && meet_alike(parts_->panels, panels_of(set));
 }
 
 bool Tessellation::has_patches_of(const PatchSet& set) const {
-  return patches_ == set.topology() || *patches_ == *set.topology();
+  return parts_->patches == set.topology() || *parts_->patches == *set.topology();
 }
 
 bool Tessellation::still_fits(const PatchSet& set, const PatchSet& before) const {
   const auto is_loose = [&](std::size_t row) {
-    return row < loose_.size() && loose_[row] &&
+    return row < parts_->loose.size() && parts_->loose[row] &&
            std::memcmp(&set.points()[row], &before.points()[row], sizeof(glm::dvec4)) != 0;
   };
   const std::size_t count = std::min(set.points().size(), before.points().size());
@@ -73,23 +86,23 @@ bool Tessellation::still_fits(const PatchSet& set, const PatchSet& before) const
 
 void Tessellation::evaluate(const PatchSet& set, std::span<float> positions,
                             std::span<float> corner_normals) const {
-  std::vector<double> points(3 * sample_count_);
-  std::vector<double> normals(3 * sample_count_);
-  for (std::size_t i = 0; i < grids_.size(); ++i) {
-    const Grid& grid = grids_[i];
+  std::vector<double> points(3 * parts_->sample_count);
+  std::vector<double> normals(3 * parts_->sample_count);
+  for (std::size_t i = 0; i < parts_->grids.size(); ++i) {
+    const MeshParts::Grid& grid = parts_->grids[i];
     const std::size_t size = 3 * grid.u.samples.size() * grid.v.samples.size();
     evaluate_grid_with_normals(nurbs_of(set.patch(i)), grid.u.samples, grid.v.samples,
                                std::span(points).subspan(3 * grid.first_sample, size),
                                std::span(normals).subspan(3 * grid.first_sample, size));
   }
-  for (const Scatter& scatter : scatters_) {
+  for (const MeshParts::Scatter& scatter : parts_->scatters) {
     const std::size_t size = 3 * scatter.u.size();
     evaluate_with_normals(nurbs_of(set.patch(scatter.patch)), scatter.u, scatter.v,
                           std::span(points).subspan(3 * scatter.first_sample, size),
                           std::span(normals).subspan(3 * scatter.first_sample, size), scatter.sides);
   }
-  gather(vertex_samples_, points, positions);
-  gather(corner_samples_, normals, corner_normals);
+  gather(parts_->vertex_samples, points, positions);
+  gather(parts_->corner_samples, normals, corner_normals);
   for (float& number : corner_normals) number = std::isnan(number) ? 0.0F : number;
 }
 
@@ -103,10 +116,10 @@ std::vector<std::int32_t> Tessellation::sharp_edges(std::span<const float> corne
     return std::atan2(glm::length(glm::cross(na, nb)), glm::dot(na, nb)) > angle;
   };
   std::vector<std::int32_t> sharp;
-  // seams_ is sorted by vertices, so the sides of one edge are neighbours.
-  for (std::size_t i = 1; i < seams_.size(); ++i) {
-    const Seam& a = seams_[i - 1];
-    const Seam& b = seams_[i];
+  // Seams are sorted by vertices, so the sides of one edge are neighbours.
+  for (std::size_t i = 1; i < parts_->seams.size(); ++i) {
+    const MeshParts::Seam& a = parts_->seams[i - 1];
+    const MeshParts::Seam& b = parts_->seams[i];
     if (a.low_vertex != b.low_vertex || a.high_vertex != b.high_vertex) continue;
     if (!apart(a.low_corner, b.low_corner) && !apart(a.high_corner, b.high_corner)) continue;
     const bool known = sharp.size() >= 2 && sharp[sharp.size() - 2] == a.low_vertex && sharp.back() == a.high_vertex;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "loose_rows.hpp"
-#include "splinecore/tessellate/tessellation.hpp"
+#include "mesh_parts.hpp"
 
 namespace splinecore {
 
@@ -36,44 +36,44 @@ auto in_order(const Values& values, const std::vector<std::int32_t>& order) {
 /// Sorts what a mesh evaluates so that the vertices on a span of a patch are found at once.
 class VertexPlaces {
  public:
-  VertexPlaces(const PatchSet& set, Tessellation& mesh)
-      : set_(set), mesh_(mesh), by_sample_(sorted_by(mesh.vertex_samples_.size(), mesh.sample_count_,
-                                                     [&](std::size_t i) { return mesh.vertex_samples_[i]; })),
-        vertex_samples_(mesh.vertex_samples_), new_sample_(mesh.sample_count_) {
+  VertexPlaces(const PatchSet& set, MeshParts& mesh)
+      : set_(set), mesh_(mesh), by_sample_(sorted_by(mesh.vertex_samples.size(), mesh.sample_count,
+                                                     [&](std::size_t i) { return mesh.vertex_samples[i]; })),
+        vertex_samples_(mesh.vertex_samples), new_sample_(mesh.sample_count) {
     std::iota(new_sample_.begin(), new_sample_.end(), std::size_t{0});
   }
 
   void place() {
-    for (Tessellation::Grid& grid : mesh_.grids_) find_runs(grid);
-    if (mesh_.scatters_.empty()) return;
-    std::size_t next = mesh_.scatters_.front().first_sample;
-    for (Tessellation::Scatter& scatter : mesh_.scatters_) {
+    for (MeshParts::Grid& grid : mesh_.grids) find_runs(grid);
+    if (mesh_.scatters.empty()) return;
+    std::size_t next = mesh_.scatters.front().first_sample;
+    for (MeshParts::Scatter& scatter : mesh_.scatters) {
       put(scatter, sorted(scatter), next);
       next += scatter.u.size();
     }
-    mesh_.sample_count_ = next;
-    mesh_.vertex_samples_ = std::move(vertex_samples_);
-    for (std::size_t& sample : mesh_.corner_samples_) sample = new_sample_[sample];
+    mesh_.sample_count = next;
+    mesh_.vertex_samples = std::move(vertex_samples_);
+    for (std::size_t& sample : mesh_.corner_samples) sample = new_sample_[sample];
   }
 
  private:
   /// Vertices with samples from `first` on, as places in by_sample_.
   std::pair<std::size_t, std::size_t> vertices_in(std::size_t first, std::size_t count) const {
     const auto before = [&](std::size_t sample) {
-      const auto sample_of = [&](std::int32_t vertex) { return mesh_.vertex_samples_[vertex]; };
+      const auto sample_of = [&](std::int32_t vertex) { return mesh_.vertex_samples[vertex]; };
       return std::ranges::lower_bound(by_sample_, sample, {}, sample_of) - by_sample_.begin();
     };
     return {before(first), before(first + count)};
   }
 
-  void find_runs(Tessellation::Grid& grid) const {
+  void find_runs(MeshParts::Grid& grid) const {
     const std::size_t columns = grid.v.samples.size();
     const auto [begin, end] = vertices_in(grid.first_sample, grid.u.samples.size() * columns);
     for (std::size_t i = begin; i < end; ++i) {
       const std::int32_t vertex = by_sample_[i];
-      const auto sample = static_cast<std::int32_t>(mesh_.vertex_samples_[vertex] - grid.first_sample);
+      const auto sample = static_cast<std::int32_t>(mesh_.vertex_samples[vertex] - grid.first_sample);
       if (!grid.runs.empty() && sample % static_cast<std::int32_t>(columns) != 0) {
-        Tessellation::Run& last = grid.runs.back();
+        MeshParts::Run& last = grid.runs.back();
         if (sample == last.sample + last.count && vertex == last.vertex + last.count) {
           ++last.count;
           continue;
@@ -85,12 +85,12 @@ class VertexPlaces {
   }
 
   /// The samples of a scatter as they are to lie: one for each vertex, which scatter.vertices says then, and others.
-  std::vector<std::int32_t> sorted(Tessellation::Scatter& scatter) const {
+  std::vector<std::int32_t> sorted(MeshParts::Scatter& scatter) const {
     const auto [begin, end] = vertices_in(scatter.first_sample, scatter.u.size());
     std::vector<std::int32_t> samples;
     std::vector<char> is_known(scatter.u.size(), 0);
     for (std::size_t i = begin; i < end; ++i) {
-      samples.push_back(static_cast<std::int32_t>(mesh_.vertex_samples_[by_sample_[i]] - scatter.first_sample));
+      samples.push_back(static_cast<std::int32_t>(mesh_.vertex_samples[by_sample_[i]] - scatter.first_sample));
       is_known[samples.back()] = 1;
     }
     const std::vector<std::int32_t> order = by_spans(scatter, samples);
@@ -102,7 +102,7 @@ class VertexPlaces {
     return samples;
   }
 
-  std::vector<std::int32_t> by_spans(const Tessellation::Scatter& scatter,
+  std::vector<std::int32_t> by_spans(const MeshParts::Scatter& scatter,
                                      const std::vector<std::int32_t>& samples) const {
     const NurbsPatch& patch = nurbs_of(set_.patch(scatter.patch));
     const auto sorted_along = [&](Axis axis, const std::vector<std::int32_t>& chosen) {
@@ -119,7 +119,7 @@ class VertexPlaces {
   }
 
   /// Gives a scatter its samples in another order.
-  void put(Tessellation::Scatter& scatter, const std::vector<std::int32_t>& samples, std::size_t first) {
+  void put(MeshParts::Scatter& scatter, const std::vector<std::int32_t>& samples, std::size_t first) {
     scatter.u = in_order(scatter.u, samples);
     scatter.v = in_order(scatter.v, samples);
     for (std::size_t i = 0; i < samples.size(); ++i) new_sample_[scatter.first_sample + samples[i]] = first + i;
@@ -128,15 +128,15 @@ class VertexPlaces {
   }
 
   const PatchSet& set_;
-  Tessellation& mesh_;
+  MeshParts& mesh_;
   std::vector<std::int32_t> by_sample_;       // vertices in the order of their samples
   std::vector<std::size_t> vertex_samples_;   // as they will be
   std::vector<std::size_t> new_sample_;       // of each sample as it was
 };
 
-void Tessellation::place_vertices(const PatchSet& set) {
-  VertexPlaces(set, *this).place();
-  loose_ = loose_rows(set, panels_);
+void place_vertices(const PatchSet& set, MeshParts& mesh) {
+  VertexPlaces(set, mesh).place();
+  mesh.loose = loose_rows(set, mesh.panels);
 }
 
 }  // namespace splinecore

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace splinecore {
@@ -30,29 +28,12 @@ std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points);
 /// so that products stay in the range of numbers, and where it can be none is so small that it loses digits.
 int weight_exponent(std::span<const glm::dvec4> given) noexcept;
 
-/// Weights, or directions, divided by a power of two: the same points, if all of a shape are.
-std::vector<glm::dvec4> with_weights_divided(std::span<const glm::dvec4> given, int exponent);
-
-/// homogeneous() of points with_weights_divided().
+/// homogeneous() of the points with weights, or directions, divided by that power of two: the same points.
 std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given, int exponent);
-
-/// The points of a shape and those that were made of its homogeneous ones, as given. Weights that were all 1 are 1
-/// again: what is polynomial stays so. Weights have the size of the old ones, unless a new one would lose digits so: then
-/// all stay divided by a power of two.
-struct GivenPoints {
-  std::vector<glm::dvec4> made;
-  std::span<const glm::dvec4> old;  ///< of the shape itself, or of `divided`
-  std::vector<glm::dvec4> divided;
-};
-GivenPoints as_given_from(std::span<const glm::dvec4> old, bool is_rational, int exponent,
-                          std::span<const glm::dvec4> homogeneous_points);
 
 /// homogeneous() of all. @throws InvalidShape naming a point that its weight makes too large for a number.
 /// @param row_length  0 for a row of points, otherwise the length of a net's rows
 std::vector<glm::dvec4> finite_homogeneous(std::span<const glm::dvec4> given, std::size_t row_length = 0);
-
-/// The same of points whose w are 1 but for rounding: they come out 1.
-std::vector<glm::dvec4> as_given_polynomial(std::span<const glm::dvec4> points);
 
 /// True unless every w is 1.
 bool is_rational(std::span<const glm::dvec4> points) noexcept;
@@ -66,12 +47,5 @@ double largest_coordinate(std::span<const glm::dvec4> points) noexcept;
 /// @throws InvalidShape if a number is not finite, or every w is zero.
 /// @param row_length  0 for a row of points, otherwise the length of a net's rows
 void require_points(std::span<const glm::dvec4> points, std::size_t row_length = 0);
-
-/// @throws InvalidShape naming `argument` if a number is not finite.
-void require_finite(std::span<const double> values, const std::string& argument);
-
-/// @throws InvalidShape naming `argument` if a coordinate is not finite.
-void require_finite(std::span<const glm::dvec3> vectors, const std::string& argument,
-                    std::size_t row_length = 0);
 
 }  // namespace splinecore

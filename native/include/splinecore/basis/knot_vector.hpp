@@ -100,12 +100,6 @@ class KnotVector {
   std::shared_ptr<const State> state_;
 };
 
-/// The parameter u of one period, that many periods later.
-double periodic_image(std::span<const double> period, double u, long turns) noexcept;
-
-/// Knot i of a periodic vector, for any integer i: unrolled()[i + degree] where that exists.
-double periodic_knot(std::span<const double> period, long i) noexcept;
-
 /// How often the value occurs among the knots; where periodic, within one period.
 int multiplicity(const KnotVector& knots, double u) noexcept;
 

@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
-#include "splinecore/base/points.hpp"
-#include "splinecore/basis/bernstein_net.hpp"
 #include "splinecore/basis/knot_vector.hpp"
-#include "splinecore/basis/point_matrix.hpp"
 
 namespace splinecore {
 
@@ -67,12 +64,6 @@ class NurbsCurve {
   std::shared_ptr<CurveTables> tables_;
 };
 
-/// The curve's points and those made of its homogeneous_points(), as given.
-GivenPoints as_given_from(const NurbsCurve& curve, std::span<const glm::dvec4> points);
-
-/// The points that a matrix makes of the curve's, on its new knots; what stays is copied bit for bit.
-NurbsCurve applied(const PointMatrix& matrix, const NurbsCurve& curve);
-
 /// The same curve with these parameters added to its knots, each as often as it occurs.
 /// Untouched control points are copied bit for bit (Boehm 1980, Goldman's blossom form; S15).
 /// @throws InvalidShape if one is outside the domain or its multiplicity would pass degree + 1.
@@ -97,12 +88,7 @@ NurbsCurve unrolled(const NurbsCurve& curve);
 /// zero, over [-end, -start].
 NurbsCurve reversed(const NurbsCurve& curve);
 
-/// The homogeneous Bezier points of the piece on one of the spans of the knot vector.
-inline BernsteinNet<glm::dvec4> bezier_piece(const NurbsCurve& curve, int span) {
-  return bezier_piece(curve.knot_vector(), span, curve.homogeneous_points().data());
-}
-
-/// Those of all pieces, row after row.
+/// The homogeneous Bezier points of the pieces on all spans of the knot vector, row after row.
 void bezier_points(const NurbsCurve& curve, std::span<glm::dvec4> out);
 
 /// The intervals of the domain, in order, on which the curve is finite and in one piece: it is

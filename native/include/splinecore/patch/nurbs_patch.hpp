@@ -7,8 +7,6 @@
 
 #include "splinecore/base/axis.hpp"
 #include "splinecore/base/interval.hpp"
-#include "splinecore/base/points.hpp"
-#include "splinecore/basis/bernstein_net.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 namespace splinecore {
@@ -53,9 +51,6 @@ class NurbsPatch {
   std::vector<glm::dvec4> homogeneous_;
 };
 
-/// The patch's points and those made of its homogeneous ones, as given.
-GivenPoints as_given_from(const NurbsPatch& patch, std::span<const glm::dvec4> points);
-
 /// refine() of a curve, in one direction.
 NurbsPatch refine(const NurbsPatch& patch, Axis axis, std::span<const double> inserted);
 NurbsPatch insert_knot(const NurbsPatch& patch, Axis axis, double u, int times = 1);
@@ -70,12 +65,6 @@ NurbsPatch opened(const NurbsPatch& patch, Axis axis, double u);
 
 /// u and v exchanged: the same points, normals on the other side.
 NurbsPatch swapped(const NurbsPatch& patch);
-
-/// The homogeneous Bezier points of the piece on one of the spans of each knot vector.
-inline BernsteinNet<glm::dvec4> bezier_piece(const NurbsPatch& patch, int span_u, int span_v) {
-  return bezier_piece(patch.knot_vector(Axis::u), span_u, patch.knot_vector(Axis::v), span_v,
-                      patch.homogeneous_points().data());
-}
 
 /// The same surface with plain knot vectors.
 NurbsPatch unrolled(const NurbsPatch& patch);

@@ -5,12 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/patch/panels.hpp"
 #include "splinecore/patch/patch_set.hpp"
-#include "splinecore/patch/evaluate.hpp"
-#include "splinecore/tessellate/axis_samples.hpp"
 
 namespace splinecore {
+
+struct MeshParts;
 
 /// How fine a mesh is to be.
 struct Fineness {
@@ -53,15 +52,15 @@ class Tessellation {
   /// apart, or opened: of points that moved, and not one by having the same rows of the pool.
   bool still_fits(const PatchSet& set, const PatchSet& before) const;
 
-  std::size_t vertex_count() const noexcept { return vertex_samples_.size(); }
+  std::size_t vertex_count() const noexcept;
 
   /// Where the corners of each face start in corner_vertices().
-  std::span<const std::int32_t> face_starts() const noexcept { return face_starts_; }
-  std::span<const std::int32_t> face_patches() const noexcept { return face_patches_; }
-  std::span<const std::int32_t> corner_vertices() const noexcept { return corner_vertices_; }
+  std::span<const std::int32_t> face_starts() const noexcept;
+  std::span<const std::int32_t> face_patches() const noexcept;
+  std::span<const std::int32_t> corner_vertices() const noexcept;
 
   /// u, v of each corner, scaled to [0, 1] over the patch's domain.
-  std::span<const float> corner_uvs() const noexcept { return corner_uvs_; }
+  std::span<const float> corner_uvs() const noexcept;
 
   /// x, y, z of each vertex and of the normal at each corner, (0, 0, 0) where the surface has none, of a set with the
   /// same patches. Whether their sides lie on one another as they did is for fits() to say.
@@ -79,54 +78,9 @@ class Tessellation {
   std::vector<std::int32_t> sharp_edges(std::span<const float> corner_normals, double angle) const;
 
  private:
-  /// Samples one after the other in a row of a grid, the first by its number there, and the vertices that have them.
-  struct Run {
-    std::int32_t sample;
-    std::int32_t count;
-    std::int32_t vertex;
-  };
-  struct Grid {
-    AxisSamples u;
-    AxisSamples v;
-    std::size_t first_sample;
-    std::vector<Run> runs = {};  // in the samples' order
-  };
-  /// Samples of one patch, all from the same sides of its knots. Those of vertices come first, by spans in u, then v.
-  struct Scatter {
-    std::size_t patch;
-    PatchOptions sides;
-    std::vector<double> u;
-    std::vector<double> v;
-    std::size_t first_sample;
-    std::vector<std::int32_t> vertices = {};
-  };
-  /// The side of a mesh edge that a face lies on.
-  struct Seam {
-    std::int32_t low_vertex, high_vertex;
-    std::int32_t low_corner, high_corner;
-  };
-  friend class CountBuilder;
-  friend class AdaptiveBuilder;
-  friend class MeshWriter;
-  friend class PositionWriter;
-  friend class VertexPlaces;
+  explicit Tessellation(MeshParts parts);
 
-  explicit Tessellation(const PatchSet& set);
-  void place_vertices(const PatchSet& set);
-
-  std::shared_ptr<const std::vector<IndexedPatch>> patches_;
-  std::vector<Panel> panels_;
-  std::vector<Grid> grids_;        // of each patch, by count
-  std::vector<Scatter> scatters_;  // beside grids, or all where it is adaptive
-  std::size_t sample_count_ = 0;
-  std::vector<std::size_t> vertex_samples_;
-  std::vector<std::size_t> corner_samples_;
-  std::vector<std::int32_t> corner_vertices_;
-  std::vector<std::int32_t> face_starts_;
-  std::vector<std::int32_t> face_patches_;
-  std::vector<float> corner_uvs_;
-  std::vector<Seam> seams_;  // sorted by vertices
-  std::vector<char> loose_;  // of each row of the pool: whether sides on it may come apart or open
+  std::shared_ptr<const MeshParts> parts_;
 };
 
 }  // namespace splinecore

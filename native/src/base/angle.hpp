@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// From 0 to pi.
@@ -12,3 +13,4 @@ inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

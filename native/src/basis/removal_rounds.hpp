@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "knot_removal.hpp"
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/knot_removal.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The best after the first removals of a list that leave the distance within the tolerance, and how many these are:
@@ -85,3 +86,4 @@ inline KnotVector rolled_up(const KnotVector& plain) {
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The best after all removals that are allowed: `remove(value, times)` gives the next best, or nothing where so many
@@ -18,3 +19,4 @@ Best removed_as_often_as_can_be(Best best, Remove remove) {
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

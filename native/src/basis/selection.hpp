@@ -6,6 +6,7 @@
 
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// New knots, and for each of their control points the old one that it is.
@@ -45,3 +46,4 @@ Selection reversed(const KnotVector& knots);
 void require_inside(const KnotVector& knots, double u);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

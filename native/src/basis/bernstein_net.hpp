@@ -13,6 +13,7 @@
 #include "splinecore/base/axis.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Bernstein coefficients of a polynomial piece over [0, 1]², row after row, rows along u: of a patch, of its weight,
@@ -79,3 +80,4 @@ BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots_u, int span_u, con
                                       const glm::dvec4* points);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

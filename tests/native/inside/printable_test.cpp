@@ -1,4 +1,5 @@
-#include "splinecore/base/printable.hpp"
+#include "base/printable.hpp"
+
 #include "splinecore/exchange/json.hpp"
 #include "splinecore/formula/formula.hpp"
 #include "support.hpp"

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// A text as messages show it, valid UTF-8 whatever it was: unprintable bytes, and those of no character, as \x.. and
@@ -10,3 +11,4 @@ namespace splinecore {
 std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/patch/patch_set.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// A span that a mesh tells apart. Spans shorter than 1e-9 of the domain, on which the patch stands still but for
@@ -38,3 +39,4 @@ double parameter_before(const std::vector<MeshSpan>& spans, Place place);
 Place place_of(const std::vector<MeshSpan>& spans, double u);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,7 +1,9 @@
-#include "splinecore/basis/bernstein_net.hpp"
+#include "basis/bernstein_net.hpp"
 
-#include "splinecore/base/one_sign.hpp"
+#include "base/one_sign.hpp"
+#include "curve/bezier_piece.hpp"
 #include "splinecore/basis/bernstein.hpp"
+#include "splinecore/curve/bezier_curve.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -69,6 +71,22 @@ TEST(BernsteinNet, RangeHoldsTheValues) {
   for (int k = 0; k <= 100; ++k) {
     const double at = value(whole, 0.01 * k, 1.0 - 0.01 * k);
     EXPECT_TRUE(at >= low - 1e-15 && at <= high + 1e-15);
+  }
+}
+
+TEST(Cut, PartsAreTheCurve) {
+  Random random(502);
+  for (int round = 0; round < 200; ++round) {
+    const BezierCurve curve = BezierCurve::make(random_points(random, integer(random, 2, 10), Weights::any));
+    auto before = bezier_piece(curve.nurbs(), 0);
+    BernsteinNet<glm::dvec4> after;
+    const double u = real(random, 0, 1);
+    before.cut(Axis::u, u, after);
+    EXPECT_EQ(before.values.back(), after.values.front());
+    const glm::dvec4 given = homogeneous_at(curve.nurbs(), 0.5 * u);
+    const glm::dvec4 expected = std::ldexp(1.0, -curve.nurbs().weight_exponent()) * given;
+    before.halve(Axis::u, after);
+    EXPECT_LE(largest(before.values.back() - expected), 1e-14 * size_of(curve.nurbs()));
   }
 }
 

@@ -4,8 +4,9 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "splinecore/basis/bernstein_net.hpp"
+#include "basis/bernstein_net.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The difference of two rational pieces on the same parameters: a rational piece of its own.
@@ -49,3 +50,4 @@ DifferencePiece difference(BernsteinNet<glm::dvec4> a, BernsteinNet<glm::dvec4> 
 double largest_length(std::vector<DifferencePiece> pieces, double slack);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

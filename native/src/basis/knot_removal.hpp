@@ -7,6 +7,7 @@
 
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Rows of homogeneous points on a plain knot vector, from which knots are taken one after the other.
@@ -87,3 +88,4 @@ using Judge = std::function<double(const KnotList&, int)>;
 std::vector<int> removal_order(KnotList list, double tolerance, std::span<const double> kept, const Judge& judge);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

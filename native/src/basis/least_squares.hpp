@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/basis/point_matrix.hpp"
+#include "point_matrix.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The old points that a matrix brings nearest to given new points, in the sum of squares.
@@ -17,3 +18,4 @@ std::vector<glm::dvec4> closest_preimage(const PointMatrix& matrix, std::span<co
                                          std::vector<glm::dvec4> start, std::span<const int> fixed);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/basis/point_matrix.hpp"
+#include "point_matrix.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The same functions on knots with more of them.
@@ -31,3 +32,4 @@ std::vector<double> knot_copies(const KnotVector& knots, double u, int times);
 std::vector<double> missing_inside(const KnotVector& knots, const KnotVector& other);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// A number as the unevaluated sum of two doubles: about 32 decimal digits.
@@ -58,3 +59,4 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) noex
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

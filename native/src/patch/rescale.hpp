@@ -4,6 +4,7 @@
 
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// scale_of() the knots of both directions.
@@ -13,3 +14,4 @@ std::array<int, 2> parameter_scales(const NurbsPatch& patch);
 NurbsPatch divided(const NurbsPatch& patch, const std::array<int, 2>& parameters);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

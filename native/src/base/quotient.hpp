@@ -4,13 +4,8 @@
 #include <glm/vec4.hpp>
 #include <span>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
-
-/// Highest derivative order that is offered; factorials and binomials stay exact below it.
-inline constexpr int kMaxOrder = 64;
-
-/// @throws InvalidShape unless 0 <= order <= kMaxOrder.
-void require_order(int order);
 
 /// The point that a homogeneous point stands for.
 inline glm::dvec3 project(const glm::dvec4& h) noexcept { return glm::dvec3(h) / h.w; }
@@ -25,3 +20,4 @@ void quotient_derivatives(std::span<const glm::dvec4> homogeneous, int order,
                           std::span<glm::dvec3> out) noexcept;
 
 }  // namespace splinecore
+#pragma GCC visibility pop

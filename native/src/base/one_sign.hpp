@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Whether all are above `noise`, or all below its negative. What has such Bernstein coefficients is zero nowhere.
@@ -13,3 +14,4 @@ bool has_one_sign(const Values& values, Projection projection = {}, double noise
 }
 
 }  // namespace splinecore
+#pragma GCC visibility pop

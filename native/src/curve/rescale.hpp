@@ -2,6 +2,7 @@
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Powers of two near the largest coordinate and weight, and near the length of the domain.
@@ -29,3 +30,4 @@ int scale_of(const KnotVector& knots);
 KnotVector divided(const KnotVector& knots, int exponent);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/base/double_double.hpp"
+#include "base/double_double.hpp"
 #include "splinecore/base/interval.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 // Rows of coefficients c_k of sum c_k (t - origin)^k, lowest power first (lecture row S2). All sums are
@@ -24,3 +25,4 @@ std::vector<glm::dvec4> power_to_bernstein(std::span<const glm::dvec4> coefficie
 std::vector<glm::dvec4> bernstein_to_power(std::span<const glm::dvec4> points, Interval range, double origin);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

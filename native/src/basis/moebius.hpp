@@ -5,6 +5,7 @@
 
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Knots under t = rho u / ((1 - u) + rho u), u and t in [0, 1] over the domain, which stays; and what each
@@ -28,3 +29,4 @@ bool has_moebius_pole(const KnotVector& knots, double rho);
 glm::dvec4 multiplied(const glm::dvec4& given, double factor, std::size_t index, std::size_t row_length = 0);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

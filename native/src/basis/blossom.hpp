@@ -2,6 +2,7 @@
 
 #include <span>
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Weights over control points i, i + 1, … of the blossom that has the given arguments and, for
@@ -13,3 +14,4 @@ namespace splinecore {
 void blossom_weights(const double* t, int degree, std::span<const double> arguments, double* row);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

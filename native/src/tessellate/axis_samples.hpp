@@ -2,9 +2,10 @@
 
 #include <vector>
 
+#include "mesh_spans.hpp"
 #include "splinecore/basis/samples.hpp"
-#include "splinecore/tessellate/mesh_spans.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Where one direction of a patch is sampled: on lines, each with one sample or two.
@@ -25,3 +26,4 @@ struct AxisSamples {
 AxisSamples sample_axis(const KnotVector& knots, const std::vector<MeshSpan>& spans, int resolution);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

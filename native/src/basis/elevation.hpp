@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/basis/point_matrix.hpp"
+#include "point_matrix.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// The same functions as functions of one degree more: every distinct knot has one copy more.
@@ -25,3 +26,4 @@ struct ElevatedPoints {
 ElevatedPoints elevated(const KnotVector& knots, std::span<const glm::dvec4> points, int times);
 
 }  // namespace splinecore
+#pragma GCC visibility pop

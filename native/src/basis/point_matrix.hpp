@@ -6,6 +6,7 @@
 
 #include "splinecore/basis/knot_vector.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Which point a row of weights is a copy of, because no other has a part in it; -1 where none is.
@@ -54,3 +55,4 @@ class PointMatrix {
 };
 
 }  // namespace splinecore
+#pragma GCC visibility pop
