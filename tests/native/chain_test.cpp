@@ -195,7 +195,10 @@ TEST(UniformToBezier, AgreesWithTheBlossoms) {
     const KnotVector knots = KnotVector::uniform(degree, degree + 1);
     const auto blossoms = knots.bezier_matrix(0);
     const std::vector<double> values = uniform_to_bezier(degree).values;
-    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], blossoms[i], 1e-15) << degree;
+    const std::size_t order = blossoms.size();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_NEAR(values[i], blossoms[i / order][i % order], 1e-15) << degree;
+    }
   }
 }
 

@@ -79,7 +79,7 @@ void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* poi
   const auto matrix = knots.bezier_matrix(span);
   const glm::dvec4* first = points + knots.spans()[span] - knots.degree();
   breathe(4 * order * order);
-  for (std::size_t j = 0; j < order; ++j) out[j] = weighted_sum(matrix.subspan(j * order, order), first);
+  for (std::size_t j = 0; j < order; ++j) out[j] = weighted_sum(matrix[j], first);
 }
 
 BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points) {
@@ -102,14 +102,14 @@ BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots_u, int span_u, con
   for (std::size_t i = 0; i < rows; ++i) {
     breathe(4 * columns * columns);
     for (std::size_t j = 0; j < columns; ++j) {
-      half[i * columns + j] = weighted_sum(matrix_v.subspan(j * columns, columns), corner + i * width);
+      half[i * columns + j] = weighted_sum(matrix_v[j], corner + i * width);
     }
   }
   BernsteinNet<glm::dvec4> piece{rows, columns, std::vector<glm::dvec4>(rows * columns, glm::dvec4(0.0))};
   for (std::size_t i = 0; i < rows; ++i) {
     breathe(4 * rows * columns);
     for (std::size_t k = 0; k < rows; ++k) {
-      const double weight = matrix_u[i * rows + k];
+      const double weight = matrix_u[i][k];
       if (weight == 0.0) continue;
       for (std::size_t j = 0; j < columns; ++j) piece.values[i * columns + j] += weight * half[k * columns + j];
     }

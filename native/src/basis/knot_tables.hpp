@@ -32,7 +32,6 @@ class KnotTables {
   /// @param unrolled, spans  as of the vector that keeps both
   KnotTables(std::span<const double> unrolled, std::span<const int> spans, int degree)
       : finder(unrolled, spans),
-        matrices(spans.size(), (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 1)),
         values_(spans.size(), rows_of(degree, 0) * table_width(degree)),
         derivatives_(spans.size(), (rows_of(degree, 0) + rows_of(degree, 1) + rows_of(degree, 2)) * table_width(degree)) {
   }
@@ -47,7 +46,6 @@ class KnotTables {
   std::size_t size(int order) const noexcept { return (order > 0 ? derivatives_ : values_).size(); }
 
   SpanFinder finder;
-  SpanBlocks matrices;
 
  private:
   static std::size_t rows_of(int degree, int order) { return static_cast<std::size_t>(std::max(degree + 1 - order, 0)); }

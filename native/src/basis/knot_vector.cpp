@@ -216,12 +216,8 @@ double KnotVector::admit(double u, Side side, std::optional<std::size_t> index, 
 
 int KnotVector::span_of(double u, Side side) const { return state_->tables->finder.find(u, side); }
 
-std::span<const double> KnotVector::bezier_matrix(int i) const {
-  const std::size_t order = static_cast<std::size_t>(degree()) + 1;
-  const auto fill = [&](std::size_t span, double* out) {
-    fill_matrix(state_->unrolled.data() + state_->spans[span], degree(), out);
-  };
-  return {state_->tables->matrices.of(i, fill), order * order};
+SquareRows KnotVector::bezier_matrix(int i) const {
+  return {state_->tables->rows(*this, i, 0), static_cast<std::size_t>(degree()) + 1, table_width(degree())};
 }
 
 bool operator==(const KnotVector& a, const KnotVector& b) noexcept {

@@ -18,21 +18,6 @@ bool is_bezier(const double* start, int degree) {
 
 }  // namespace
 
-void fill_matrix(const double* start, int degree, double* out) {
-  const std::size_t order = degree + 1;
-  if (is_bezier(start, degree)) {
-    std::fill_n(out, order * order, 0.0);
-    for (std::size_t j = 0; j < order; ++j) out[j * order + j] = 1.0;
-    return;
-  }
-  std::vector<double> arguments(degree, start[0]);
-  for (std::size_t ends = 0; ends < order; ++ends, out += order) {
-    if (ends > 0) arguments[ends - 1] = start[1];
-    breathe(4 * order * order);
-    blossom_weights(start - degree, degree, arguments, out);
-  }
-}
-
 void differentiate(const double* start, int lower, std::span<double> weights) {
   const int degree = static_cast<int>(weights.size()) - 1;
   for (int p = lower + 1; p <= degree; ++p) {
@@ -60,7 +45,7 @@ void fill_derivative_table(const double* start, int degree, int order, double* o
     } else {
       blossom_weights(start - lower, lower, arguments, out);
     }
-    differentiate(start, lower, {out, static_cast<std::size_t>(degree) + 1});
+    if (order > 0) differentiate(start, lower, {out, static_cast<std::size_t>(degree) + 1});
   }
 }
 

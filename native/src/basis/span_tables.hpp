@@ -5,9 +5,6 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// Writes the (degree + 1)² numbers of KnotVector::bezier_matrix() of the span that begins at *start.
-void fill_matrix(const double* start, int degree, double* out);
-
 /// Writes degree + 1 - order rows of table_width(degree) numbers: row j has the weights of the degree + 1 control points
 /// in Bezier point j of derivative `order` on the span that begins at *start.
 void fill_derivative_table(const double* start, int degree, int order, double* out);

@@ -12,11 +12,10 @@ namespace splinecore {
 namespace {
 
 /// Puts the given points, whose every digit counts, where a Bezier point is one of them.
-void keep_points(std::span<const glm::dvec4> given, std::span<const double> matrix, int first, int count,
+void keep_points(std::span<const glm::dvec4> given, const SquareRows& matrix, int first, int count,
                  std::vector<glm::dvec4>& points) {
-  const std::size_t order = points.size();
-  for (std::size_t j = 0; j < order; ++j) {
-    const int copied = copied_point(matrix.subspan(j * order, order));
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const int copied = copied_point(matrix[j]);
     if (copied >= 0) points[j] = given[(first + copied) % count];
   }
 }
@@ -31,10 +30,10 @@ std::vector<glm::dvec4> bezier_net(const NurbsPatch& patch, int span_u, int span
   const auto matrix_v = knots_v.bezier_matrix(span_v);
   GivenPoints given = as_given_from(patch, bezier_piece(patch, span_u, span_v).values);
   for (std::size_t i = 0; i < rows; ++i) {
-    const int row = copied_point(matrix_u.subspan(i * rows, rows));
+    const int row = copied_point(matrix_u[i]);
     if (row < 0) continue;
     for (std::size_t j = 0; j < columns; ++j) {
-      const int column = copied_point(matrix_v.subspan(j * columns, columns));
+      const int column = copied_point(matrix_v[j]);
       if (column < 0) continue;
       const int u = (knots_u.spans()[span_u] - knots_u.degree() + row) % knots_u.count();
       const int v = (knots_v.spans()[span_v] - knots_v.degree() + column) % knots_v.count();

@@ -152,7 +152,7 @@ class Measure {
     breathe(order * (16 * order + 256));
     take_points(span);
     const auto matrix = knots.bezier_matrix(span);
-    for (std::size_t j = 0; j < order; ++j) points_[j] = weighted_sum(matrix.subspan(j * order, order), near_.data());
+    for (std::size_t j = 0; j < order; ++j) points_[j] = weighted_sum(matrix[j], near_.data());
     SpeedPiece& piece = stack_[0].speed;
     SpeedPiece& other = stack_[1].speed;
     speed_.write(points_, piece);

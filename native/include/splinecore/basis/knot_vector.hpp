@@ -12,6 +12,20 @@ namespace splinecore {
 
 class KnotTables;
 
+/// Rows of weights that lie somewhere else, as many in each as there are rows.
+class SquareRows {
+ public:
+  SquareRows(const double* first, std::size_t size, std::size_t step) : first_(first), size_(size), step_(step) {}
+
+  std::size_t size() const noexcept { return size_; }
+  std::span<const double> operator[](std::size_t row) const noexcept { return {first_ + row * step_, size_}; }
+
+ private:
+  const double* first_;
+  std::size_t size_;
+  std::size_t step_;
+};
+
 /// A degree and its non-decreasing knots: what places parameters among control points.
 ///
 /// Plain: n + degree + 1 knots for n control points; the domain is [u_degree, u_n].
@@ -73,10 +87,10 @@ class KnotVector {
   /// takes the span that starts there, Side::left the one that ends there.
   int span_of(double u, Side side) const;
 
-  /// (degree + 1)² numbers of span i: row j holds the coefficients, over the degree + 1 control
-  /// points spans()[i] - degree …, of the j-th Bezier point of the piece on that span. All lie in [0, 1].
+  /// Of span i: row j holds the coefficients, over the degree + 1 control points spans()[i] - degree …, of the j-th
+  /// Bezier point of the piece on that span. All lie in [0, 1]. They stay as long as a copy of the vector does.
   /// Blossoms, after Ramshaw 1989; the triangle is algorithm A2.2 of The NURBS Book.
-  std::span<const double> bezier_matrix(int i) const;
+  SquareRows bezier_matrix(int i) const;
 
   /// What evaluation computes of the spans, each when it is first asked for; shared by copies.
   KnotTables& tables() const noexcept { return *state_->tables; }
