@@ -11,24 +11,10 @@ using splinecore::InvalidShape;
 
 namespace {
 
-py::array read_only(py::array array) {
-  array.attr("setflags")(py::arg("write") = false);
-  return array;
-}
-
 void require_dimensions(const Doubles& array, const char* name, int dimensions, const char* columns) {
   if (array.ndim() == dimensions + 1) return;
   const char* shape = dimensions == 1 ? "(n, " : "(nu, nv, ";
   throw InvalidShape(std::string(name) + " has shape " + shape_text(array) + ", " + shape + columns + ") is expected");
-}
-
-bool is_aligned(const py::array& array) {
-  return (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
-}
-
-std::string short_text(const py::handle& value) {
-  const py::str text = py::str(" ").attr("join")(py::repr(value).attr("split")());
-  return py::len(text) <= 60 ? std::string(text) : std::string(py::str(text[py::slice(0, 57, 1)])) + "...";
 }
 
 [[noreturn]] void refuse_type(const py::handle& value, const char* name, const char* wanted) {
@@ -99,35 +85,16 @@ py::array as_given(const py::handle& value, const py::array& array) {
   throw InvalidShape(std::string(name) + " is not an array: " + reason);
 }
 
-py::dtype dtype_of(const py::object& value) {
-  try {
-    return py::dtype::from_args(value);
-  } catch (py::error_already_set& error) {
-    if (!error.matches(PyExc_Exception)) throw;
-    throw py::type_error("dtype = " + short_text(value) + " is not float64 or float32");
-  }
-}
-
-Shape strides_of(const Shape& shape, py::ssize_t item) {
-  Shape strides(shape.size(), item);
-  for (std::size_t i = shape.size() - 1; i-- > 0;) strides[i] = strides[i + 1] * shape[i + 1];
-  return strides;
-}
-
-/// A view of single numbers that lie `step` bytes apart.
-py::array strided_view(const void* data, Shape shape, py::ssize_t step, const py::object& owner) {
-  return read_only(py::array(py::dtype::of<double>(), shape, strides_of(shape, step), data, owner));
-}
-
-/// A view of three columns of rows that lie `step` bytes apart.
-py::array columns_view(const void* data, Shape shape, py::ssize_t step, const py::object& owner) {
-  Shape strides = strides_of(shape, step);
-  shape.push_back(3);
-  strides.push_back(sizeof(double));
-  return read_only(py::array(py::dtype::of<double>(), shape, strides, data, owner));
-}
-
 }  // namespace
+
+bool is_aligned(const py::array& array) {
+  return (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
+}
+
+std::string short_text(const py::handle& value) {
+  const py::str text = py::str(" ").attr("join")(py::repr(value).attr("split")());
+  return py::len(text) <= 60 ? std::string(text) : std::string(py::str(text[py::slice(0, 57, 1)])) + "...";
+}
 
 std::string type_name(const py::handle& value) { return py::str(py::type::of(value).attr("__name__")); }
 
@@ -312,28 +279,6 @@ std::vector<double> numbers(const py::object& value, const char* name) {
   return {array.data(), array.data() + array.size()};
 }
 
-py::array view_of_points(std::span<const glm::dvec4> points, const Shape& shape, const py::object& owner) {
-  return columns_view(points.data(), shape, sizeof(glm::dvec4), owner);
-}
-
-py::array view_of_weights(std::span<const glm::dvec4> points, const Shape& shape, const py::object& owner) {
-  return strided_view(&points.data()->w, shape, sizeof(glm::dvec4), owner);
-}
-
-py::array view_of_vectors(std::span<const glm::dvec3> vectors, const Shape& shape, const py::object& owner) {
-  return columns_view(vectors.data(), shape, sizeof(glm::dvec3), owner);
-}
-
-py::array homogeneous_array(std::span<const glm::dvec4> given, const Shape& shape) {
-  Shape rows = shape;
-  rows.push_back(4);
-  py::array_t<double> array(rows);
-  const std::size_t row_length = shape.size() == 2 ? static_cast<std::size_t>(shape[1]) : 0;
-  const std::vector<glm::dvec4> points = splinecore::finite_homogeneous(given, row_length);
-  if (!points.empty()) std::copy_n(&points.data()->x, 4 * points.size(), array.mutable_data());
-  return read_only(array);
-}
-
 py::tuple pair_of(const splinecore::Interval& interval) { return py::make_tuple(interval.start, interval.end); }
 
 splinecore::Side side_of(const py::handle& value, const char* name) {
@@ -360,55 +305,6 @@ int threads_of(const py::object& value) {
   if (threads >= 0 && threads <= kMost) return threads;
   throw InvalidShape("threads = " + std::to_string(threads) + ": 0, which is one for each core where that is worth it, to " +
                      std::to_string(kMost) + " are possible");
-}
-
-Output::Output(const Shape& shape, const py::object& out) : Output(shape, out, py::none(), "float64") {
-  if (single_) throw py::type_error("out has dtype float32, float64 is expected");
-}
-
-Output::Output(const Shape& shape, const py::object& out, const py::object& dtype)
-    : Output(shape, out, dtype, "float64 or float32") {}
-
-Output::Output(const Shape& shape, const py::object& out, const py::object& dtype, const char* possible) {
-  py::dtype wanted = py::dtype::of<double>();
-  if (!dtype.is_none()) {
-    wanted = dtype_of(dtype);
-    single_ = wanted.equal(py::dtype::of<float>());
-    if (!single_ && !wanted.equal(py::dtype::of<double>())) {
-      throw py::type_error("dtype must be float64 or float32, not " + std::string(py::str(wanted)));
-    }
-  }
-  if (out.is_none()) {
-    array_ = single_ ? py::array(py::array_t<float>(shape)) : py::array(py::array_t<double>(shape));
-    data_ = array_.mutable_data();
-    return;
-  }
-  if (!py::isinstance<py::array>(out)) throw py::type_error("out must be a numpy array, not " + type_name(out));
-  array_ = py::reinterpret_borrow<py::array>(out);
-  single_ = array_.dtype().equal(py::dtype::of<float>());
-  if (!single_ && !array_.dtype().equal(py::dtype::of<double>())) {
-    throw py::type_error("out has dtype " + std::string(py::str(array_.dtype())) + ", " + possible + " is expected");
-  }
-  if (!dtype.is_none() && !array_.dtype().equal(wanted)) {
-    throw py::type_error("out has dtype " + std::string(py::str(array_.dtype())) + ", but dtype is " +
-                         std::string(py::str(wanted)));
-  }
-  if (!std::equal(shape.begin(), shape.end(), array_.shape(), array_.shape() + array_.ndim())) {
-    throw InvalidShape("out has shape " + shape_text(array_) + ", the result has " +
-                       std::string(py::str(py::tuple(py::cast(shape)))));
-  }
-  if (!(array_.flags() & py::array::c_style)) throw InvalidShape("out is not C-contiguous");
-  if (!is_aligned(array_)) throw InvalidShape("out is not aligned in memory");
-  if (!array_.writeable()) throw InvalidShape("out is read-only");
-  data_ = array_.mutable_data();
-}
-
-std::span<double> Output::doubles(std::size_t first, std::size_t count) const {
-  return {static_cast<double*>(data_) + first, count};
-}
-
-std::span<float> Output::floats(std::size_t first, std::size_t count) const {
-  return {static_cast<float*>(data_) + first, count};
 }
 
 }  // namespace bindings

@@ -58,6 +58,11 @@ std::string place_text(const py::array& array, py::ssize_t flat);
 /// "int": for messages.
 std::string type_name(const py::handle& value);
 
+/// A value in one line of 60 characters at most: for messages.
+std::string short_text(const py::handle& value);
+
+bool is_aligned(const py::array& array);
+
 /// @throws InvalidShape unless the first dimensions are these.
 void require_net(const py::array& array, const char* name, const Shape& net);
 
@@ -90,25 +95,6 @@ Doubles apart_from(const Doubles& values, const py::object& out);
 void require_inside(const splinecore::KnotVector& knots, const Doubles& parameters, splinecore::Side side,
                     const char* name);
 
-/// Read-only views into the memory of `owner`, which they keep alive.
-py::array view_of_points(std::span<const glm::dvec4> points, const Shape& shape, const py::object& owner);
-py::array view_of_weights(std::span<const glm::dvec4> points, const Shape& shape, const py::object& owner);
-py::array view_of_vectors(std::span<const glm::dvec3> vectors, const Shape& shape, const py::object& owner);
-
-/// The same for numbers that lie one after the other.
-template <class Number>
-py::array view_of_numbers(std::span<const Number> numbers, const Shape& shape, const py::object& owner) {
-  // Strides are given: an older pybind11 would ask a newer NumPy for them in vain.
-  py::array view(py::dtype::of<Number>(), shape, py::detail::c_strides(shape, sizeof(Number)), numbers.data(), owner);
-  view.attr("setflags")(py::arg("write") = false);
-  return view;
-}
-
-template <class Number>
-py::array view_of_numbers(std::span<const Number> numbers, const py::object& owner) {
-  return view_of_numbers(numbers, {static_cast<py::ssize_t>(numbers.size())}, owner);
-}
-
 /// A new array of so many numbers. The constructor of py::array_t that takes a count asks NumPy how large
 /// they are: of an older pybind11 and NumPy 2 all of them would lie in one place.
 template <class Number>
@@ -123,9 +109,6 @@ py::array_t<std::remove_const_t<Number>> new_numbers(std::span<Number, Extent> n
   return array;
 }
 
-/// A new read-only array of (wx, wy, wz, w).
-py::array homogeneous_array(std::span<const glm::dvec4> given, const Shape& shape);
-
 py::tuple pair_of(const splinecore::Interval& interval);
 
 splinecore::Side side_of(const py::handle& value, const char* name);
@@ -133,28 +116,5 @@ splinecore::AtInfinity at_infinity_of(const py::handle& value);
 
 /// How many threads, 0 for as many as are worth it. @throws InvalidShape if it is below 0 or more than 1024.
 int threads_of(const py::object& value);
-
-/// Where a result goes: a new array, or the caller's `out`, in float64 or float32.
-class Output {
- public:
-  /// @throws py::type_error or InvalidShape if out is not a writable, aligned C-contiguous array of the
-  ///         shape, or its type and dtype disagree.
-  Output(const Shape& shape, const py::object& out, const py::object& dtype);
-
-  /// In float64 alone.
-  Output(const Shape& shape, const py::object& out);
-
-  bool single() const noexcept { return single_; }
-  const py::array& array() const noexcept { return array_; }
-  std::span<double> doubles(std::size_t first, std::size_t count) const;
-  std::span<float> floats(std::size_t first, std::size_t count) const;
-
- private:
-  Output(const Shape& shape, const py::object& out, const py::object& dtype, const char* possible);
-
-  py::array array_;
-  bool single_ = false;
-  void* data_ = nullptr;
-};
 
 }  // namespace bindings

@@ -9,6 +9,7 @@
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "values.hpp"
+#include "views.hpp"
 
 namespace bindings {
 

@@ -9,6 +9,7 @@
 #include "splinecore/conic/make_conic.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "values.hpp"
+#include "views.hpp"
 
 namespace bindings {
 

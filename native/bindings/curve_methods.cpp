@@ -1,6 +1,7 @@
 #include "curve_methods.hpp"
 
 #include "long_calls.hpp"
+#include "output.hpp"
 #include "splinecore/base/order.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/tessellate/polyline.hpp"

@@ -15,6 +15,7 @@
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "values.hpp"
 #include "verbs.hpp"
+#include "views.hpp"
 
 namespace bindings {
 

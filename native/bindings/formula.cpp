@@ -1,11 +1,12 @@
-#include "splinecore/formula/formula.hpp"
 
 #include "formulas.hpp"
 #include "long_calls.hpp"
+#include "output.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/order.hpp"
 #include "splinecore/basis/bernstein.hpp"
 #include "splinecore/formula/evaluate.hpp"
+#include "splinecore/formula/formula.hpp"
 #include "splinecore/formula/polynomial.hpp"
 #include "splinecore/formula/taylor.hpp"
 #include "values.hpp"

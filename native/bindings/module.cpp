@@ -52,6 +52,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_conics(module);
   bindings::bind_patches(module);
   bindings::bind_patch_set(module);
+  bindings::bind_tessellation(module);
   bindings::bind_measure(module);
   bindings::bind_drags(module);
   bindings::bind_primitives(module);

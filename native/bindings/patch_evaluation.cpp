@@ -1,6 +1,7 @@
 #include "patch_evaluation.hpp"
 
 #include "long_calls.hpp"
+#include "output.hpp"
 #include "splinecore/base/order.hpp"
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/evaluate_set.hpp"

@@ -9,6 +9,7 @@
 #include "splinecore/patch/join.hpp"
 #include "splinecore/patch/patch_set.hpp"
 #include "values.hpp"
+#include "views.hpp"
 
 namespace bindings {
 

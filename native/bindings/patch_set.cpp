@@ -8,8 +8,8 @@
 #include "rooms.hpp"
 #include "splinecore/patch/panels.hpp"
 #include "splinecore/patch/patch_set.hpp"
-#include "splinecore/tessellate/tessellation.hpp"
 #include "values.hpp"
+#include "views.hpp"
 
 namespace bindings {
 
@@ -18,7 +18,6 @@ using splinecore::IndexedPatch;
 using splinecore::InvalidShape;
 using splinecore::PatchKind;
 using splinecore::PatchSet;
-using splinecore::Tessellation;
 
 namespace {
 
@@ -177,7 +176,9 @@ py::list seams(const PatchSet& set) {
   return found;
 }
 
-void bind_set(py::module_& module) {
+}  // namespace
+
+void bind_patch_set(py::module_& module) {
   py::class_<PatchSet> cls(
       module, "PatchSet", py::module_local(),
       "PatchSet(points, patches, weights=None)\n\n"
@@ -257,154 +258,14 @@ void bind_set(py::module_& module) {
   cls.def("edge_counts", &edge_counts,
           "{'shared', 'free', 'pole'}: how the sides of the patches meet. An edge counts once, however many sides lie\n"
           "on it; a pole is a side shrunk to a point. Two sides are one edge where they are one curve at equal scaled\n"
-          "parameters, to 1e-10 of the extent of all points, whatever their degrees and knots.");
+          "parameters, to 1e-10 of the extent of the larger of their patches, whatever their degrees and\n"
+          "knots.");
   cls.def("seams", &seams,
           "[((patch, side), (patch, side)), ...]: the whole sides that are one edge, as of edge_counts(); sides are\n"
           "named as by boundary().");
   cls.def("__repr__", [](const PatchSet& self) {
     return "PatchSet(patches=" + std::to_string(self.patches().size()) + ", points=" + std::to_string(self.points().size()) + ")";
   });
-}
-
-const PatchSet& set_of(const py::object& value, const char* name = "patch_set") {
-  if (py::isinstance<PatchSet>(value)) return py::cast<const PatchSet&>(value);
-  throw py::type_error(std::string(name) + " must be a PatchSet, not " + type_name(value));
-}
-
-/// Faces in each span along u and v: one number for both, or a pair.
-std::pair<int, int> resolutions_of(const py::object& value) {
-  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) {
-    const int both = integer(value, "resolution");
-    return {both, both};
-  }
-  const auto [u, v] = pair_argument(value, "resolution");
-  return {integer(u, "resolution"), integer(v, "resolution")};
-}
-
-/// A set with the patches that the tessellation was made for. Where their sides lie is for fits() to say.
-const PatchSet& set_with_patches(const Tessellation& tessellation, const py::object& value,
-                                 const char* name = "patch_set") {
-  const PatchSet& set = set_of(value, name);
-  if (tessellation.has_patches_of(set)) return set;
-  throw InvalidShape(std::string(name) + " does not fit: its patches are others than those of the mesh");
-}
-
-/// The positions of a set; where the caller's `out` has those of the set `before`, what differs.
-py::array positions(const Tessellation& self, const py::object& patch_set, const py::object& before,
-                    const py::object& out) {
-  const PatchSet& set = set_with_patches(self, patch_set);
-  const py::object single = out.is_none() ? py::object(py::dtype::of<float>()) : py::object(py::none());
-  const Output result({static_cast<py::ssize_t>(self.vertex_count()), 3}, out, single);
-  if (!result.single()) throw py::type_error("out has dtype float64, float32 is expected");
-  const std::span<float> to = result.floats(0, 3 * self.vertex_count());
-  if (before.is_none()) {
-    unlocked([&] { self.evaluate_positions(set, to); });
-    return result.array();
-  }
-  if (out.is_none()) throw InvalidShape("before is the set whose positions out has, but there is no out");
-  const PatchSet& known = set_with_patches(self, before, "before");
-  unlocked([&] { self.update_positions(set, known, to); });
-  return result.array();
-}
-
-bool fits(const Tessellation& self, const py::object& patch_set, const py::object& before) {
-  const PatchSet& set = set_of(patch_set);
-  if (before.is_none()) return unlocked([&] { return self.fits(set); });
-  if (!self.has_patches_of(set)) return false;
-  const PatchSet& known = set_with_patches(self, before, "before");
-  return unlocked([&] { return self.still_fits(set, known); });
-}
-
-void bind_tessellation(py::module_& module) {
-  py::class_<Tessellation> cls(
-      module, "Tessellation", py::module_local(),
-      "Tessellation(patch_set, resolution)\n\n"
-      "The mesh of a patch set, resolution (an int or a pair) faces in every span, everything but\n"
-      "positions: made once, evaluated for any position of the points. Vertices are shared along common\n"
-      "edges, a pole is one vertex, faces are wound along S_u x S_v. Lecture row S22.");
-  seal(cls);
-  cls.def(py::init([](const py::object& patch_set, const py::object& resolution) {
-            const PatchSet& set = set_of(patch_set);
-            const auto [u, v] = resolutions_of(resolution);
-            return unlocked([&] { return Tessellation::make(set, u, v); });
-          }), py::arg("patch_set"), py::arg("resolution"));
-  cls.def_static("adaptive", [](const py::object& patch_set, const py::object& tolerance, const py::object& angle,
-                                const py::object& threads, const py::object& cancel) {
-                   require_callable(cancel);
-                   const PatchSet& set = set_of(patch_set);
-                   const int most = threads_of(threads);
-                   const auto allowed = [](const py::object& value, const char* name) {
-                     return value.is_none() ? HUGE_VAL : real(value, name);
-                   };
-                   const splinecore::Fineness fineness{allowed(tolerance, "tolerance"), allowed(angle, "angle")};
-                   return unlocked([&] { return Tessellation::adaptive(set, fineness, most); }, cancel);
-                 }, py::arg("patch_set"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = py::none(),
-                 py::arg("threads") = 0, py::arg("cancel") = py::none(),
-                 "As many faces as the shape asks for: no point of the surface farther from the mesh than tolerance (a\n"
-                 "length), normals on a face no more than angle (radians) apart; None for any. Flat parts get few faces.\n"
-                 "cancel: a callable, asked now and then, that returns true to end the call. threads: on how many, 0 for\n"
-                 "all cores where that is worth it; the mesh is the same.\n"
-                 "Crack-free wherever two sides are one curve, whatever their degrees and knots. Bounds of second\n"
-                 "derivatives after Filip, Magedson and Markot 1986. Lecture row S22.");
-  cls.def_property_readonly("vertex_count", &Tessellation::vertex_count);
-  cls.def_property_readonly("face_starts", [](const py::object& self) {
-    return view_of_numbers(py::cast<const Tessellation&>(self).face_starts(), self);
-  },
-                            "(f,) int32: where the corners of each face start, read-only.");
-  cls.def_property_readonly("face_patches", [](const py::object& self) {
-    return view_of_numbers(py::cast<const Tessellation&>(self).face_patches(), self);
-  },
-                            "(f,) int32: the patch of each face, read-only.");
-  cls.def_property_readonly("corner_vertices", [](const py::object& self) {
-    return view_of_numbers(py::cast<const Tessellation&>(self).corner_vertices(), self);
-  },
-                            "(c,) int32: the vertex of each corner, read-only.");
-  cls.def_property_readonly("corner_uvs", [](const py::object& self) {
-    const auto uvs = py::cast<const Tessellation&>(self).corner_uvs();
-    return view_of_numbers(uvs, {static_cast<py::ssize_t>(uvs.size() / 2), 2}, self);
-  }, "(c, 2) float32: u, v of each corner, scaled to [0, 1], read-only.");
-  cls.def("fits", &fits, py::arg("patch_set"), py::arg("before") = py::none(),
-          "Whether the set has the same patches, and the same of its sides lie on one another, or are points.\n"
-          "before: a set that fits, with the same patches. Looked at is then only whether sides have come apart, or\n"
-          "points opened, that are not one by having the same rows of the pool: where those did not move it costs nothing.");
-  cls.def("evaluate", [](const Tessellation& self, const py::object& patch_set) {
-            const PatchSet& set = set_with_patches(self, patch_set);
-            py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
-            py::array_t<float> normals({static_cast<py::ssize_t>(self.corner_vertices().size()), py::ssize_t{3}});
-            const std::span to_positions(positions.mutable_data(), positions.size());
-            const std::span to_normals(normals.mutable_data(), normals.size());
-            unlocked([&] { self.evaluate(set, to_positions, to_normals); });
-            return py::make_tuple(positions, normals);
-          }, py::arg("patch_set"),
-          "(positions (vertex_count, 3), corner normals (c, 3)), float32, of a set with the same patches. Whether\n"
-          "their sides lie on one another as they did is for fits() to say.");
-  cls.def("evaluate_positions", &positions, py::arg("patch_set"), py::kw_only(), py::arg("before") = py::none(),
-          py::arg("out") = py::none(),
-          "The positions alone, (vertex_count, 3) float32: what a drag needs.\n"
-          "out: an array of that shape to write them into. before: the set whose positions out has; then only what\n"
-          "differs is computed, with the same result in every bit, and after an error out has the positions of neither.");
-  cls.def("sharp_edges", [](const Tessellation& self, const py::object& normals, const py::object& angle) {
-            const py::array_t<float, py::array::c_style | py::array::forcecast> given(real_array(normals, "normals"));
-            const auto corners = static_cast<py::ssize_t>(self.corner_vertices().size());
-            if (given.ndim() != 2 || given.shape(0) != corners || given.shape(1) != 3) {
-              throw InvalidShape("normals has shape " + shape_text(given) + ", (" +
-                                 std::to_string(corners) + ", 3) is expected: one row for each corner");
-            }
-            const std::span rows(given.data(), static_cast<std::size_t>(given.size()));
-            const double most = real(angle, "angle");
-            const std::vector<std::int32_t> pairs = unlocked([&] { return self.sharp_edges(rows, most); });
-            py::array_t<std::int32_t> edges({static_cast<py::ssize_t>(pairs.size() / 2), py::ssize_t{2}});
-            std::ranges::copy(pairs, edges.mutable_data());
-            return edges;
-          }, py::arg("normals"), py::arg("angle"),
-          "(k, 2) int32: vertices of edges across which the corner normals differ by more than angle (radians).");
-}
-
-}  // namespace
-
-void bind_patch_set(py::module_& module) {
-  bind_set(module);
-  bind_tessellation(module);
 }
 
 }  // namespace bindings

@@ -4,6 +4,7 @@
 #include "rooms.hpp"
 #include "splinecore/curve/power_curve.hpp"
 #include "values.hpp"
+#include "views.hpp"
 
 namespace bindings {
 

@@ -15,6 +15,7 @@ void bind_fit(pybind11::module_& module);
 void bind_conics(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
+void bind_tessellation(pybind11::module_& module);
 void bind_measure(pybind11::module_& module);
 void bind_drags(pybind11::module_& module);
 void bind_primitives(pybind11::module_& module);
