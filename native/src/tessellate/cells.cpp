@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "base/placement.hpp"
-#include "flatness.hpp"
+#include "nine_places.hpp"
 #include "patch/bezier_piece.hpp"
+#include "second_derivatives.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
@@ -38,9 +39,9 @@ class Splitter {
  public:
   /// @param widest  no cell is wider
   /// @param count   of cells, of whoever else counts there, too
-  Splitter(const Fineness& fineness, FlatnessProbe probe, const std::array<Place, 2>& widest,
-           std::atomic<std::size_t>& count, std::vector<Cut>& cuts)
-      : fineness_(fineness), probe_(std::move(probe)), widest_(widest), count_(count), cuts_(cuts) {}
+  Splitter(const Fineness& fineness, const PieceBounds& bounds, const NinePlaces& places,
+           const std::array<Place, 2>& widest, std::atomic<std::size_t>& count, std::vector<Cut>& cuts)
+      : fineness_(fineness), bounds_(bounds), places_(places), widest_(widest), count_(count), cuts_(cuts) {}
 
   /// Cuts the rectangle that a piece fills.
   void add_piece(BernsteinNet<glm::dvec4> net, const MeshCell& cell) {
@@ -79,8 +80,9 @@ class Splitter {
     const bool can_u = cell.u1 - cell.u0 > kSmallest;
     const bool can_v = cell.v1 - cell.v0 > kSmallest;
     const bool is_wide = cell.u1 - cell.u0 >= cell.v1 - cell.v0;
-    probe_.take(net);
-    const SecondDerivativeBounds bounds = probe_.bounds();
+    bounds_.take(net);
+    places_.take(net);
+    const SecondDerivativeBounds bounds = bounds_.bounds();
     if (bounds.distance() == HUGE_VAL) {
       if (!can_u && !can_v) throw InvalidShape("the patch runs to infinity: no mesh is near it everywhere");
       return can_u && (!can_v || is_wide) ? Axis::u : Axis::v;
@@ -108,16 +110,16 @@ class Splitter {
   /// A point of the piece lies off the plane of its face by as much as its height bends. In that plane it lies off the
   /// place of its parameters, and perhaps over a face beside it, whose plane falls away by the angle between them.
   std::optional<Both> by_distance(const SecondDerivativeBounds& bounds) {
-    const glm::dvec3 normal = probe_.middle_normal();
+    const glm::dvec3 normal = places_.middle_normal();
     if (normal == glm::dvec3(0.0)) return Both{bounds.uu + bounds.uv, bounds.vv + bounds.uv};
-    const SecondDerivativeBounds height = probe_.bounds_along(normal);
+    const SecondDerivativeBounds height = bounds_.bounds_along(normal);
     const Both across{height.uu + height.uv, height.vv + height.uv};
     const Both along{bounds.uu + bounds.uv, bounds.vv + bounds.uv};
     // Where both ask for the same direction it does not matter how much the plane falls away.
     const bool is_clear = (across.u > across.v) == (along.u > along.v) && (across.u < across.v) == (along.u < along.v);
     if (is_clear && height.distance() > fineness_.distance) return across;
-    if (height.distance() + probe_.sine_bound(bounds) * bounds.distance() <= fineness_.distance) return std::nullopt;
-    const double fall = probe_.largest_sine();
+    if (height.distance() + places_.sine_bound(bounds) * bounds.distance() <= fineness_.distance) return std::nullopt;
+    const double fall = places_.largest_sine();
     if (height.distance() + fall * bounds.distance() <= fineness_.distance) return std::nullopt;
     return Both{across.u + fall * along.u, across.v + fall * along.v};
   }
@@ -130,14 +132,14 @@ class Splitter {
     for (int side = 0; side < 4; ++side) {
       if (!is_border[side]) continue;
       double& along = side < 2 ? far.v : far.u;
-      along = std::max(along, probe_.side_distance(side));
+      along = std::max(along, bounds_.side_distance(side));
     }
     return std::max(far.u, far.v) > fineness_.distance ? std::optional(far) : std::nullopt;
   }
 
   std::optional<Both> by_angle(const MeshCell& cell) {
     if (fineness_.angle == HUGE_VAL) return std::nullopt;
-    const NormalAngles angles = probe_.normal_angles();
+    const NormalAngles angles = places_.normal_angles();
     const Both needed{cell.u1 - cell.u0 > kSmallestTurn ? angles.u : 0.0,
                       cell.v1 - cell.v0 > kSmallestTurn ? angles.v : 0.0};
     if (angles.all <= fineness_.angle || std::max(needed.u, needed.v) <= 0.0) return std::nullopt;
@@ -147,18 +149,19 @@ class Splitter {
   /// Neither much too long, but for the triangles around a pole, nor bowed like a sickle.
   std::optional<Both> by_form() {
     constexpr double kPoint = 1e-9;
-    const auto [short_u, u] = probe_.lengths(Axis::u);
-    const auto [short_v, v] = probe_.lengths(Axis::v);
+    const auto [short_u, u] = places_.lengths(Axis::u);
+    const auto [short_v, v] = places_.lengths(Axis::v);
     const bool is_long_u = u > kLongest * v && short_v > kPoint * v;
     const bool is_long_v = v > kLongest * u && short_u > kPoint * u;
-    const bool is_along_u = v > 0.0 && (is_long_u || probe_.sagitta(Axis::u) > kDeepest * v);
-    const bool is_along_v = u > 0.0 && (is_long_v || probe_.sagitta(Axis::v) > kDeepest * u);
+    const bool is_along_u = v > 0.0 && (is_long_u || places_.sagitta(Axis::u) > kDeepest * v);
+    const bool is_along_v = u > 0.0 && (is_long_v || places_.sagitta(Axis::v) > kDeepest * u);
     if (!is_along_u && !is_along_v) return std::nullopt;
     return Both{is_along_u ? u : 0.0, is_along_v ? v : 0.0};
   }
 
   Fineness fineness_;
-  FlatnessProbe probe_;
+  PieceBounds bounds_;
+  NinePlaces places_;
   std::array<Place, 2> widest_;
   MeshCell piece_;
   std::atomic<std::size_t>& count_;
@@ -218,8 +221,8 @@ CellCutter::CellCutter(const PlacedPatch& placed, const std::array<std::vector<M
 std::vector<Cut> CellCutter::cuts_of_row(std::size_t row) {
   std::vector<Cut> cuts;
   const NurbsPatch& patch = placed_.patch;
-  const FlatnessProbe probe(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree(), patch.rational());
-  Splitter splitter(placed_.fineness, probe, widest_, count_, cuts);
+  const NinePlaces places(patch.knot_vector(Axis::u).degree(), patch.knot_vector(Axis::v).degree(), patch.rational());
+  Splitter splitter(placed_.fineness, PieceBounds(patch.rational()), places, widest_, count_, cuts);
   const Place i = whole_.u0 / kSpan + static_cast<Place>(row);
   for (Place j = whole_.v0 / kSpan; j < whole_.v1 / kSpan; ++j) {
     splitter.add_piece(mesh_piece(patch, spans_[0][i].number, spans_[1][j].number, placed_.weight_exponent),

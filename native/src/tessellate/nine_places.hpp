@@ -7,28 +7,11 @@
 #include <vector>
 
 #include "basis/bernstein_net.hpp"
+#include "basis/bernstein_row.hpp"
+#include "second_derivatives.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
-
-/// Bounds of |S_uu|, |S_uv| and |S_vv| over a piece; infinite where a weight is not above 0.
-struct SecondDerivativeBounds {
-  double uu = 0.0;
-  double uv = 0.0;
-  double vv = 0.0;
-
-  /// How far a point of the piece may lie from the point with its parameters on any triangle in them whose corners
-  /// are points of the piece (Filip, Magedson, Markot 1986, for triangles that lie in any way: by the variance of
-  /// their corners).
-  double distance() const noexcept { return (uu + 2.0 * uv + vv) / 8.0; }
-};
-
-/// Values and slopes of the Bernstein polynomials at one place.
-struct BernsteinRow {
-  BernsteinRow(int degree, double t);
-  std::vector<double> values;
-  std::vector<double> slopes;
-};
 
 /// Largest angles between unit normals, along each direction and of all.
 struct NormalAngles {
@@ -37,25 +20,17 @@ struct NormalAngles {
   double all = 0.0;
 };
 
-/// Measures Bezier pieces of one bidegree, one after the other, in memory that it keeps; each measure is found when
-/// it is first asked for.
+/// Points and normals of Bezier pieces of one bidegree at 3 x 3 places, one piece after the other, in memory that it
+/// keeps; each is found when it is first asked for.
 ///
-/// Points and normals are those at 3 x 3 places: 0, 1/2 and 1 of each direction, u first. Where a normal vanishes that
-/// of a place beside it stands for it, or (0, 0, 0).
-class FlatnessProbe {
+/// The places are 0, 1/2 and 1 of each direction, u first. Where a normal vanishes that of a place beside it stands for
+/// it, or (0, 0, 0).
+class NinePlaces {
  public:
-  FlatnessProbe(int degree_u, int degree_v, bool rational);
+  NinePlaces(int degree_u, int degree_v, bool rational);
 
   /// The piece that is measured from now on; all its weights are 1 where it is not rational.
   void take(const BernsteinNet<glm::dvec4>& piece);
-
-  SecondDerivativeBounds bounds();
-
-  /// bounds() of the heights of the piece over a plane with this unit normal.
-  SecondDerivativeBounds bounds_along(const glm::dvec3& normal);
-
-  /// How far a side of the piece may lie from its chord; the sides are u = 0, u = 1, v = 0, v = 1.
-  double side_distance(int side);
 
   /// The normal in the middle.
   glm::dvec3 middle_normal();
@@ -73,12 +48,6 @@ class FlatnessProbe {
   double sagitta(Axis axis);
 
  private:
-  /// A piece seen from one of its points, so that sizes are those of the piece.
-  struct Centred {
-    std::vector<glm::dvec3> points;
-    std::vector<double> weights;
-    double least = 1.0;  ///< of the weights
-  };
   /// Two of the nine places.
   struct Pair {
     int a = 0;
@@ -89,9 +58,6 @@ class FlatnessProbe {
     Pair u, v, all;
   };
 
-  void centre(const glm::dvec4* points, std::size_t count, std::size_t middle, Centred& seen) const;
-  template <class Value>
-  SecondDerivativeBounds bounds_of(const Value* values, const Centred& seen, std::size_t rows, std::size_t columns);
   void blend_values();
   void blend_slopes();
   const std::array<glm::dvec3, 9>& points();
@@ -103,10 +69,6 @@ class FlatnessProbe {
   std::array<BernsteinRow, 3> u_, v_;            ///< at 0, 1/2 and 1
   std::array<BernsteinRow, 3> inner_u_, inner_v_;  ///< a little inside
   const BernsteinNet<glm::dvec4>* piece_ = nullptr;
-  Centred seen_;
-  Centred side_;
-  std::vector<double> heights_;
-  std::vector<glm::dvec4> side_points_;
   std::vector<glm::dvec4> row_values_, row_slopes_;  ///< of each row at the three places along v
   std::array<glm::dvec4, 9> values_;
   std::array<glm::dvec3, 9> points_;
