@@ -78,6 +78,19 @@ inline std::vector<double> knots_at_seam(const KnotVector& knots) {
   return found;
 }
 
+/// The best of a periodic shape after all copies are gone that can go of the knots at its seam, which no list has.
+/// @param knots    the vector of the best
+/// @param without  (best, u) -> the best without copies of u
+template <class Shape, class Without>
+Approximation<Shape> without_knots_at_seam(Approximation<Shape> best, const KnotVector& knots, Without without) {
+  const Interval domain = knots.domain();
+  std::vector<double> at_seam = knots_at_seam(knots);
+  std::erase_if(at_seam, [&](double u) { return u < domain.start || u >= domain.end; });
+  at_seam.erase(std::ranges::unique(at_seam).begin(), at_seam.end());
+  for (const double u : at_seam) best = without(std::move(best), u);
+  return best;
+}
+
 /// The period of what unrolled() made of a periodic vector, when no knot near its ends has changed.
 inline KnotVector rolled_up(const KnotVector& plain) {
   const auto knots = plain.knots();

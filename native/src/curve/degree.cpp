@@ -67,7 +67,7 @@ NurbsCurve reduced_once(const NurbsCurve& curve) {
   const PointMatrix matrix = elevation(target);
   const std::vector<double> inserted = missing(curve.knot_vector(), matrix.knots());
   const NurbsCurve fine = inserted.empty() ? curve : refine(curve, inserted);
-  const std::vector<glm::dvec4> points = homogeneous(fine.points(), fine.weight_exponent());
+  const auto points = fine.homogeneous_points().first(fine.points().size());
   std::vector<glm::dvec4> start = first_guess(points, target.count());
   std::vector<int> fixed;
   if (!curve.periodic()) {

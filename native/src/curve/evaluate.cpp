@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <ranges>
 #include <string>
 
 #include "base/parallel.hpp"
 #include "base/quotient.hpp"
+#include "base/stored_point.hpp"
 #include "basis/knot_tables.hpp"
 #include "curve_tables.hpp"
 #include "rescale.hpp"
@@ -21,7 +21,6 @@ namespace splinecore {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kFastOrder = 2;
 
 std::size_t run_of(const CurveForm& form, const CurveHalf& half, double low, double high, std::span<const double> u,
@@ -141,9 +140,6 @@ class AnyOrder {
 /// to 2^degree; those of a stencil are not.
 template <class Real>
 void settle(const NurbsCurve& curve, double u, EvaluateOptions options, std::span<Real> values) {
-  const auto is_number = [](const Real* value) {
-    return std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]);
-  };
   const std::size_t count = values.size() / 3;
   const auto is_written = [&](std::size_t k) { return is_number(&values[3 * k]); };
   if (std::ranges::all_of(std::views::iota(std::size_t{0}, count), is_written)) return;
@@ -156,9 +152,7 @@ void settle(const NurbsCurve& curve, double u, EvaluateOptions options, std::spa
     if (!is_finite(found[k]) && options.at_infinity == AtInfinity::raise) {
       throw InvalidShape("derivative " + std::to_string(k) + " at u = " + text_of(u) + " is too large for a number");
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      values[3 * k + axis] = static_cast<Real>(is_finite(found[k]) ? found[k][axis] : kNan);
-    }
+    store(is_finite(found[k]) ? found[k] : glm::dvec3(kNan), &values[3 * k]);
   }
 }
 

@@ -41,7 +41,7 @@ struct Kept {
 };
 
 /// Points are kept where they alone set a point before; where two of a gap meet neither is.
-Kept kept_points(const PointMatrix& matrix, const std::vector<glm::dvec4>& points) {
+Kept kept_points(const PointMatrix& matrix, std::span<const glm::dvec4> points) {
   Kept kept;
   const int count = matrix.from().count();
   for (int i = 0; i < count; ++i) kept.start.push_back(points[std::min<std::size_t>(i, points.size() - 1)]);
@@ -70,11 +70,11 @@ Kept kept_points(const PointMatrix& matrix, const std::vector<glm::dvec4>& point
 NurbsCurve nearest_without(const NurbsCurve& curve, double u, int times) {
   const KnotVector target = without(curve.knot_vector(), u, times);
   const PointMatrix matrix = refinement(target, std::vector<double>(times, u));
-  const std::vector<glm::dvec4> points = homogeneous(curve.points(), curve.weight_exponent());
+  const auto points = curve.homogeneous_points().first(curve.points().size());
   Kept kept = kept_points(matrix, points);
   const std::vector<glm::dvec4> nearest = closest_preimage(matrix, points, std::move(kept.start), kept.fixed);
   auto [found, old, divided] = as_given_from(curve, nearest);
-  const Kept given = kept_points(matrix, {old.begin(), old.end()});
+  const Kept given = kept_points(matrix, old);
   for (const int i : kept.fixed) found[i] = given.start[i];
   return NurbsCurve::make(target, std::move(found));
 }
@@ -198,11 +198,10 @@ Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance
   Approximation<NurbsCurve> best =
       without_listed_knots<NurbsCurve>({whole, 0.0}, tolerance, std::move(kept), list, without, distance, &true_cost);
   if (!curve.periodic()) return best;
-  std::vector<double> at_seam = knots_at_seam(best.value.knot_vector());
-  std::erase_if(at_seam, [&](double u) { return u < curve.domain().start || u >= curve.domain().end; });
-  at_seam.erase(std::ranges::unique(at_seam).begin(), at_seam.end());
-  for (const double u : at_seam) best = without_copies(std::move(best), u, curve, tolerance);
-  return best;
+  const KnotVector knots = best.value.knot_vector();
+  return without_knots_at_seam(std::move(best), knots, [&](Approximation<NurbsCurve> some, double u) {
+    return without_copies(std::move(some), u, curve, tolerance);
+  });
 }
 
 }  // namespace splinecore

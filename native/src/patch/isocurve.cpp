@@ -12,12 +12,12 @@ namespace splinecore {
 
 namespace {
 
-/// The homogeneous point that a stencil makes of a line, whose points repeat where it is periodic.
+/// The homogeneous point that a stencil makes of a line.
 glm::dvec4 point_of(const Stencil& stencil, std::span<const glm::dvec4> net, const Lines& lines, std::size_t line) {
   const auto weights = stencil.weights(0);
   glm::dvec4 sum(0.0);
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    sum += weights[i] * net[lines.at(line, (stencil.first() + i) % lines.size)];
+    sum += weights[i] * net[lines.at(line, stencil.first() + i)];
   }
   return sum;
 }
@@ -33,9 +33,11 @@ NurbsCurve isocurve(const NurbsPatch& patch, Axis axis, double at, Side side) {
   Stencil stencil(knots, 0);
   stencil.move_to(knots.admit(at, side), side);
   const Lines lines = lines_of(patch, axis);
-  const std::vector<glm::dvec4> net = homogeneous(patch.points(), patch.weight_exponent());
+  const Lines wide = homogeneous_lines_of(patch, axis);
   std::vector<glm::dvec4> points;
-  for (std::size_t line = 0; line < lines.count; ++line) points.push_back(point_of(stencil, net, lines, line));
+  for (std::size_t line = 0; line < lines.count; ++line) {
+    points.push_back(point_of(stencil, patch.homogeneous_points(), wide, line));
+  }
   GivenPoints given = as_given_from(patch, points);
   if (const int copied = copied_point(stencil.weights(0)); copied >= 0) {
     const std::size_t place = (stencil.first() + copied) % lines.size;

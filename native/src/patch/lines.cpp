@@ -43,14 +43,16 @@ Line changed(const KnotVector& knots, std::vector<glm::dvec4> points, bool ratio
 }
 
 /// Gives the points of a line that are old ones the form in which those were given. They come in the old order.
-void keep_given(std::span<const glm::dvec4> old, std::span<const glm::dvec4> old_given, const Lines& old_lines,
-                std::span<const glm::dvec4> points, std::span<glm::dvec4> given, const Lines& lines, std::size_t line) {
+/// @param wide  where the old homogeneous points lie
+void keep_given(std::span<const glm::dvec4> old, const Lines& wide, std::span<const glm::dvec4> old_given,
+                const Lines& old_lines, std::span<const glm::dvec4> points, std::span<glm::dvec4> given,
+                const Lines& lines, std::size_t line) {
   const auto less = [](const glm::dvec4& a, const glm::dvec4& b) {
     return std::tie(a.x, a.y, a.z, a.w) < std::tie(b.x, b.y, b.z, b.w);
   };
   std::vector<std::size_t> order(old_lines.size);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto at = [&](std::size_t j) -> const glm::dvec4& { return old[old_lines.at(line, j)]; };
+  const auto at = [&](std::size_t j) -> const glm::dvec4& { return old[wide.at(line, j)]; };
   std::ranges::stable_sort(order, less, at);
   std::size_t expected = 0;
   for (std::size_t i = 0; i < lines.size; ++i) {
@@ -70,6 +72,12 @@ Lines lines_of(const NurbsPatch& patch, Axis axis) {
   return {axis, static_cast<std::size_t>(patch.count(across(axis))), static_cast<std::size_t>(patch.count(axis))};
 }
 
+Lines homogeneous_lines_of(const NurbsPatch& patch, Axis axis) {
+  Lines lines = lines_of(patch, axis);
+  (axis == Axis::u ? lines.step : lines.next) = patch.knot_vector(Axis::v).unrolled_count();
+  return lines;
+}
+
 NurbsPatch with_axis(const NurbsPatch& patch, Axis axis, const KnotVector& knots, std::vector<glm::dvec4> points) {
   return axis == Axis::u ? NurbsPatch::make(knots, patch.knot_vector(Axis::v), std::move(points))
                          : NurbsPatch::make(patch.knot_vector(Axis::u), knots, std::move(points));
@@ -78,10 +86,11 @@ NurbsPatch with_axis(const NurbsPatch& patch, Axis axis, const KnotVector& knots
 NurbsPatch applied(const PointMatrix& matrix, const NurbsPatch& patch, Axis axis) {
   const Lines old = lines_of(patch, axis);
   const Lines lines(axis, old.count, matrix.knots().count());
-  const std::vector<glm::dvec4> old_points = homogeneous(patch.points(), patch.weight_exponent());
+  const Lines wide = homogeneous_lines_of(patch, axis);
+  const glm::dvec4* const old_points = patch.homogeneous_points().data();
   std::vector<glm::dvec4> points(lines.count * lines.size);
   for (std::size_t i = 0; i < lines.count; ++i) {
-    matrix.apply(old_points.data() + old.at(i, 0), old.step, points.data() + lines.at(i, 0), lines.step);
+    matrix.apply(old_points + wide.at(i, 0), wide.step, points.data() + lines.at(i, 0), lines.step);
   }
   GivenPoints given = as_given_from(patch, points);
   for (std::size_t i = 0; i < lines.count; ++i) {
@@ -109,12 +118,13 @@ NurbsPatch cut(const NurbsPatch& patch, Axis axis, double u) {
 
 NurbsPatch along(const NurbsPatch& patch, Axis axis, const Verb& verb) {
   const Lines old = lines_of(patch, axis);
-  const std::vector<glm::dvec4> old_points = homogeneous(patch.points(), patch.weight_exponent());
+  const Lines wide = homogeneous_lines_of(patch, axis);
+  const auto old_points = patch.homogeneous_points();
   std::optional<KnotVector> knots;
   std::vector<glm::dvec4> points;
   for (std::size_t i = 0; i < old.count; ++i) {
     breathe(100 * old.size);
-    const Line after = changed(patch.knot_vector(axis), line_of(old_points, old, i), patch.rational(), verb);
+    const Line after = changed(patch.knot_vector(axis), line_of(old_points, wide, i), patch.rational(), verb);
     const Lines lines(axis, old.count, after.points.size());
     points.resize(lines.count * lines.size);
     for (std::size_t k = 0; k < lines.size; ++k) points[lines.at(i, k)] = after.points[k];
@@ -122,7 +132,9 @@ NurbsPatch along(const NurbsPatch& patch, Axis axis, const Verb& verb) {
   }
   GivenPoints given = as_given_from(patch, points);
   const Lines lines(axis, old.count, knots->count());
-  for (std::size_t i = 0; i < lines.count; ++i) keep_given(old_points, given.old, old, points, given.made, lines, i);
+  for (std::size_t i = 0; i < lines.count; ++i) {
+    keep_given(old_points, wide, given.old, old, points, given.made, lines, i);
+  }
   return with_axis(patch, axis, *knots, std::move(given.made));
 }
 

@@ -34,6 +34,9 @@ struct Lines {
 /// The lines of a patch along an axis.
 Lines lines_of(const NurbsPatch& patch, Axis axis);
 
+/// The same lines among its homogeneous points, which are unrolled.
+Lines homogeneous_lines_of(const NurbsPatch& patch, Axis axis);
+
 /// A patch with other knots along an axis, and with the points that belong to them.
 NurbsPatch with_axis(const NurbsPatch& patch, Axis axis, const KnotVector& knots, std::vector<glm::dvec4> points);
 

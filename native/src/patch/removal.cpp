@@ -49,10 +49,10 @@ namespace {
 
 /// The homogeneous points of a plain direction, across all its lines.
 KnotList list_of(const NurbsPatch& patch, Axis axis) {
-  const Lines lines = lines_of(patch, axis);
-  const std::vector<glm::dvec4> net = homogeneous(patch.points(), patch.weight_exponent());
+  const Lines lines = homogeneous_lines_of(patch, axis);
+  const auto net = patch.homogeneous_points();
   std::vector<glm::dvec4> rows;
-  rows.reserve(net.size());
+  rows.reserve(lines.size * lines.count);
   for (std::size_t i = 0; i < lines.size; ++i) {
     for (std::size_t line = 0; line < lines.count; ++line) rows.push_back(net[lines.at(line, i)]);
   }
@@ -122,12 +122,10 @@ Approximation<NurbsPatch> remove_knots(const NurbsPatch& patch, Axis axis, doubl
   Approximation<NurbsPatch> best =
       without_listed_knots<NurbsPatch>({patch, 0.0}, tolerance, std::move(kept), list, without, distance, judge);
   if (!is_periodic) return best;
-  const Interval domain = patch.knot_vector(axis).domain();
-  std::vector<double> at_seam = knots_at_seam(best.value.knot_vector(axis));
-  std::erase_if(at_seam, [&](double u) { return u < domain.start || u >= domain.end; });
-  at_seam.erase(std::ranges::unique(at_seam).begin(), at_seam.end());
-  for (const double u : at_seam) best = without_copies(std::move(best), axis, u, patch, tolerance);
-  return best;
+  const KnotVector knots = best.value.knot_vector(axis);
+  return without_knots_at_seam(std::move(best), knots, [&](Approximation<NurbsPatch> some, double u) {
+    return without_copies(std::move(some), axis, u, patch, tolerance);
+  });
 }
 
 }  // namespace splinecore
