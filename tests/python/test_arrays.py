@@ -108,6 +108,21 @@ def test_float32_is_the_rounded_float64(dtype):
     assert all(np.array_equal(s, e.astype("f4")) for s, e in zip(single, exact))
 
 
+@pytest.mark.parametrize("rational", [False, True])
+def test_what_is_too_large_for_float32_is_infinite_and_normals_are_those_of_float64(rational):
+    u = np.linspace(0, 1, 9)
+    net = 1e39 * random_points(4, 4, seed=5)
+    weights = np.linspace(0.5, 2, 16).reshape(4, 4) if rational else None
+    curve, patch = sc.BezierCurve(net[0], None if weights is None else weights[0]), sc.BezierPatch(net, weights)
+    points, normals = patch.evaluate_grid_with_normals(u, u)
+    single, single_normals = patch.evaluate_grid_with_normals(u, u, dtype="f4")
+    with np.errstate(over="ignore"):
+        for exact, found in [(curve.evaluate(u), curve.evaluate(u, dtype="f4")),
+                             (patch.evaluate(u, u), patch.evaluate(u, u, dtype="f4")), (points, single)]:
+            assert np.isinf(found).any() and np.array_equal(found, exact.astype("f4"))
+    assert np.isfinite(normals).all() and np.array_equal(single_normals, normals.astype("f4"))
+
+
 @pytest.mark.parametrize("dtype", ["f8", "f4"])
 def test_out_is_filled_and_returned(dtype):
     u, v = np.linspace(0, 4, 6), np.linspace(0, 4, 5)

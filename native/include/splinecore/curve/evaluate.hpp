@@ -15,10 +15,12 @@ struct EvaluateOptions {
   int threads = 0;
 };
 
-/// x, y, z at each parameter; out.size() == 3 * parameters.size(). float32 is the last store only.
+/// x, y, z at each parameter; out.size() == 3 * parameters.size(). float32 is the last store only: a coordinate
+/// above its range, 3.4e38, becomes infinite there.
 ///
 /// Horner's scheme in Bernstein's form from the nearer end of the span (Volk and Schumaker 1990): as stable as
-/// de Casteljau's algorithm at any degree (S6, S14, S15). Results do not depend on the batch.
+/// de Casteljau's algorithm at any degree (S6, S14, S15). Every parameter has the same bits whatever
+/// else is in the batch, in any order and on any number of threads.
 /// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless asked for NaN.
 void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
               EvaluateOptions options = {});

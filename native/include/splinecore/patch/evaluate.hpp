@@ -16,7 +16,11 @@ struct PatchOptions {
   int threads = 0;
 };
 
-/// x, y, z at each pair (u[i], v[i]); out.size() == 3 * u.size() (lecture rows S19, S20).
+/// x, y, z at each pair (u[i], v[i]); out.size() == 3 * u.size() (lecture rows S19, S20). float32 as of a curve.
+///
+/// A pair has the same bits whatever else is in the batch, in any order, in a grid of any shape and on any number of
+/// threads. The functions along u are summed before those along v: of a patch with both exchanged, swapped(), the last
+/// bits may differ.
 /// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless NaN is asked for.
 void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
               std::span<double> out, PatchOptions options = {});
