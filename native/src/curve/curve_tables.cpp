@@ -25,10 +25,4 @@ void fill_rows(const NurbsCurve& curve, std::size_t span, int order, double* out
   }
 }
 
-std::size_t CurveTables::rows_to(int degree, int order) {
-  std::size_t rows = 0;
-  for (int k = 0; k <= order; ++k) rows += static_cast<std::size_t>(std::max(degree + 1 - k, 0));
-  return rows;
-}
-
 }  // namespace splinecore

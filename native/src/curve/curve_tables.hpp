@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "basis/span_blocks.hpp"
@@ -37,7 +38,11 @@ class CurveTables {
   SpanBlocks& of_order(int order) { return order > 0 ? derivatives_ : points_; }
 
   /// How many rows the derivatives 0 … order have.
-  static std::size_t rows_to(int degree, int order);
+  static std::size_t rows_to(int degree, int order) {
+    std::size_t rows = 0;
+    for (int k = 0; k <= order; ++k) rows += static_cast<std::size_t>(std::max(degree + 1 - k, 0));
+    return rows;
+  }
 
   SpanBlocks points_;
   SpanBlocks derivatives_;

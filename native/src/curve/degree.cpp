@@ -8,6 +8,7 @@
 #include "basis/least_squares.hpp"
 #include "basis/refinement.hpp"
 #include "made_of.hpp"
+#include "of_lower_degree.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"

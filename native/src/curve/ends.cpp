@@ -10,7 +10,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/distance.hpp"
-#include "splinecore/curve/removal.hpp"
+#include "without_knot.hpp"
 
 namespace splinecore {
 

@@ -15,7 +15,7 @@
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/curve/removal.hpp"
+#include "without_knot.hpp"
 
 namespace splinecore {
 

@@ -14,6 +14,7 @@
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
+#include "without_knot.hpp"
 
 namespace splinecore {
 

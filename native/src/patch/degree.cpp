@@ -3,6 +3,7 @@
 #include <string>
 
 #include "basis/elevation.hpp"
+#include "curve/of_lower_degree.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/bernstein.hpp"

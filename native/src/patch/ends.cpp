@@ -6,8 +6,8 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/ends.hpp"
-#include "splinecore/patch/removal.hpp"
 #include "tolerance.hpp"
+#include "without_copies.hpp"
 
 namespace splinecore {
 

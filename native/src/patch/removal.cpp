@@ -7,12 +7,13 @@
 #include "base/given_points.hpp"
 #include "basis/removal_rounds.hpp"
 #include "basis/selection.hpp"
+#include "curve/without_knot.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/curve/removal.hpp"
 #include "splinecore/patch/distance.hpp"
 #include "tolerance.hpp"
+#include "without_copies.hpp"
 
 namespace splinecore {
 

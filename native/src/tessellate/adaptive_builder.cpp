@@ -11,6 +11,8 @@
 
 namespace splinecore {
 
+namespace {
+
 /// Numbers the vertices of the cells of all panels and lays faces.
 class AdaptiveBuilder {
  public:
@@ -49,14 +51,10 @@ class AdaptiveBuilder {
   SideVertices side_vertices_;
 };
 
-namespace {
-
 /// What the faces of a cell cost, about, in steps of breathe().
 constexpr std::size_t kStepsOfFaces = 1000;
 
 bool is_on_knot(Place place) { return place % kSpan == 0; }
-
-}  // namespace
 
 AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, int threads, MeshParts& mesh)
     : mesh_(mesh), fitted_(set, mesh.panels, fineness, threads), writer_(set, mesh),
@@ -183,6 +181,8 @@ void AdaptiveBuilder::add_faces() {
   }
   writer_.finish();
 }
+
+}  // namespace
 
 Tessellation Tessellation::adaptive(const PatchSet& set, const Fineness& fineness, int threads) {
   if (!(fineness.distance > 0.0) || !(fineness.angle > 0.0)) {

@@ -14,6 +14,8 @@
 
 namespace splinecore {
 
+namespace {
+
 /// Grids of vertices on panels, and strips where two sides of an edge have other places.
 class CountBuilder {
  public:
@@ -64,12 +66,8 @@ class CountBuilder {
   std::optional<SideVertices> side_vertices_;
 };
 
-namespace {
-
 /// The number of the axis that a side lies across.
 int across_of(int side) { return side < 2 ? 0 : 1; }
-
-}  // namespace
 
 CountBuilder::CountBuilder(const PatchSet& set, int resolution_u, int resolution_v, MeshParts& mesh)
     : set_(set), mesh_(mesh), plan_(set, mesh.panels, resolution_u, resolution_v) {
@@ -279,6 +277,8 @@ void CountBuilder::add_faces() {
   }
   writer_->finish();
 }
+
+}  // namespace
 
 Tessellation Tessellation::make(const PatchSet& set, int resolution_u, int resolution_v) {
   constexpr int kMaxResolution = 4096;

@@ -41,7 +41,7 @@ struct MeshParts {
     std::int32_t low_corner, high_corner;
   };
 
-  explicit MeshParts(const PatchSet& set);
+  explicit MeshParts(const PatchSet& set) : patches(set.topology()), panels(panels_of(set)) {}
 
   std::shared_ptr<const std::vector<IndexedPatch>> patches;
   std::vector<Panel> panels;

@@ -49,8 +49,6 @@ Samples part_of(const Samples& samples, const KnotVector& knots, const Range& ra
   return Samples::make(knots, parameters, 0, sides);
 }
 
-}  // namespace
-
 /// Evaluates vertices on some spans of patches; keeps its memory from one rectangle to the next.
 class PositionWriter {
  public:
@@ -126,6 +124,8 @@ class PositionWriter {
   std::span<float> positions_;
   std::vector<float> points_;
 };
+
+}  // namespace
 
 void Tessellation::evaluate_positions(const PatchSet& set, std::span<float> positions) const {
   PositionWriter writer(positions);

@@ -50,8 +50,6 @@ bool meet_alike(const std::vector<Panel>& panels, const std::vector<Panel>& othe
 
 }  // namespace
 
-MeshParts::MeshParts(const PatchSet& set) : patches(set.topology()), panels(panels_of(set)) {}
-
 Tessellation::Tessellation(MeshParts parts) : parts_(std::make_shared<const MeshParts>(std::move(parts))) {}
 
 std::size_t Tessellation::vertex_count() const noexcept { return parts_->vertex_samples.size(); }

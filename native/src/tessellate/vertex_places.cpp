@@ -31,8 +31,6 @@ auto in_order(const Values& values, const std::vector<std::int32_t>& order) {
   return found;
 }
 
-}  // namespace
-
 /// Sorts what a mesh evaluates so that the vertices on a span of a patch are found at once.
 class VertexPlaces {
  public:
@@ -133,6 +131,8 @@ class VertexPlaces {
   std::vector<std::size_t> vertex_samples_;   // as they will be
   std::vector<std::size_t> new_sample_;       // of each sample as it was
 };
+
+}  // namespace
 
 void place_vertices(const PatchSet& set, MeshParts& mesh) {
   VertexPlaces(set, mesh).place();

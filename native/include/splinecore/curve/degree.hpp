@@ -11,9 +11,6 @@ namespace splinecore {
 /// @throws InvalidShape if times is below 0 or the degree would exceed kMaxDegree.
 NurbsCurve elevated(const NurbsCurve& curve, int times = 1);
 
-/// The curve of reduced(), whose error is not measured.
-NurbsCurve of_lower_degree(const NurbsCurve& curve, int times);
-
 /// A curve of a lower degree: the one nearest in its control points, in the sum of squares, whose inner
 /// knots have one copy fewer but one at least. A plain curve keeps its ends and comes back clamped.
 ///

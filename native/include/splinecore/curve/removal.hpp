@@ -16,15 +16,6 @@ namespace splinecore {
 Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int times = 1,
                                       std::optional<double> tolerance = {});
 
-/// The curve of remove_knot(), whose error is not measured.
-NurbsCurve without_knot(const NurbsCurve& curve, double u, int times);
-
-/// The curve with as few copies of a knot as leave the distance from `original`, which is the error, within the
-/// tolerance, and a valid curve at all.
-/// @param best  the curve with its error
-Approximation<NurbsCurve> without_copies(Approximation<NurbsCurve> best, double u, const NurbsCurve& original,
-                                         double tolerance);
-
 /// The curve without the inner knots that can go while the error stays within the tolerance, least error first: knots
 /// that nothing needs go before any that shapes the curve (after The NURBS Book, A5.9, verified by the true distance).
 /// @throws InvalidShape unless tolerance >= 0.

@@ -17,12 +17,6 @@ namespace splinecore {
 Approximation<NurbsPatch> remove_knot(const NurbsPatch& patch, Axis axis, double u, int times = 1,
                                       std::optional<double> tolerance = {});
 
-/// The patch with as few copies of a knot as leave the distance from `original`, which is the error, within the
-/// tolerance.
-/// @param best  the patch with its error
-Approximation<NurbsPatch> without_copies(Approximation<NurbsPatch> best, Axis axis, double u,
-                                         const NurbsPatch& original, double tolerance);
-
 /// The patch without the inner knots of one direction that can go while the error stays within the tolerance, least
 /// error first.
 /// @throws InvalidShape unless tolerance >= 0.
