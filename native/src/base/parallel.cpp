@@ -119,8 +119,9 @@ struct Others {
 }  // namespace
 
 int threads_for(int asked, std::size_t work, std::size_t parts) {
-  const auto cores = static_cast<std::size_t>(std::max(1U, std::thread::hardware_concurrency()));
-  const std::size_t worth = asked > 0 ? static_cast<std::size_t>(asked) : std::min(cores, work / kWorkOfThread);
+  std::size_t worth = asked > 0 ? static_cast<std::size_t>(asked) : work / kWorkOfThread;
+  // The system takes some µs to count the cores: longer than small batches.
+  if (asked == 0 && worth > 1) worth = std::min<std::size_t>(worth, std::max(1U, std::thread::hardware_concurrency()));
   return static_cast<int>(std::clamp<std::size_t>(worth, 1, std::max<std::size_t>(parts, 1)));
 }
 

@@ -80,12 +80,19 @@ struct GridForm {
   bool rational;
 };
 
-/// A row of a grid: where its functions begin, and their values and slopes.
+/// What rounding may do to normals of a patch.
+struct NormalRounding {
+  double of_points;  ///< what it may leave of a point, which the slopes of functions multiply
+  double plain;      ///< so large is |S_u x S_v|², by the squared slopes of functions, where it cannot be rounding
+};
+
+/// A row of a grid: where its functions begin, and their values and slopes; the last three for normals alone.
 struct GridRow {
   std::size_t first;
   const double* values;
   const double* slopes;
-  double noise;  ///< what rounding may leave of a sum with the slopes; for normals alone
+  double size;  ///< of the slopes: the sum of all
+  NormalRounding rounding;
 };
 
 /// The most neighbours in a row that a kernel computes at once.
@@ -93,12 +100,12 @@ inline constexpr std::size_t kMostLanes = 8;
 
 /// Up to Kernels::lanes neighbours in a row whose functions begin at one point; lanes of values and slopes, function by
 /// function.
-struct GridBlock {
-  std::size_t first;  ///< of the points in GridBlocks::ranges
+struct alignas(kMostLanes * sizeof(double)) GridBlock {
+  double sizes[kMostLanes];  ///< of the slopes
+  std::size_t first;         ///< of the points in GridBlocks::ranges
   int count;
   const double* values;
   const double* slopes;
-  double noise[kMostLanes];
 };
 
 /// Neighbouring points of a row.
@@ -118,7 +125,7 @@ struct GridBlocks {
 
 /// What normals of pairs need to know.
 struct NormalForm {
-  double rounding;  ///< of a point, which the slopes of the functions multiply
+  NormalRounding rounding;
   double scale_u;   ///< powers of two, about the lengths of the domains: derivatives are multiplied by them
   double scale_v;
 };

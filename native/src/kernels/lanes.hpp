@@ -60,8 +60,16 @@ SPLINECORE_INLINE Lanes lower(WideLanes a) { return __builtin_shufflevector(a, a
 SPLINECORE_INLINE Lanes upper(WideLanes a) { return __builtin_shufflevector(a, a, 4, 5, 6, 7); }
 #endif
 
+template <class V>
+SPLINECORE_INLINE bool is_any_at_most(V a, V most) {
+#if defined(SPLINECORE_WIDE_LANES)
+  if constexpr (sizeof(V) == sizeof(WideLanes)) return _mm512_cmp_pd_mask(a, most, _CMP_LE_OQ) != 0;
+#endif
+  return any(a <= most);
+}
+
 /// 1 / a and 1 / sqrt(a), within two roundings; of numbers near the least and the largest perhaps not a number. The
-/// only divider is slower than steps of Newton and Halley from a first guess, where there is one: the same steps for
+/// only divider is slower than steps from a first guess, where there is one: the same steps for
 /// lanes of every width, so that they give the same bits.
 #if defined(SPLINECORE_WIDE_LANES)
 SPLINECORE_INLINE Lanes guessed_reciprocal(Lanes a) { return _mm256_maskz_rcp14_pd(0xf, a); }
@@ -79,8 +87,10 @@ template <class V>
 SPLINECORE_INLINE V reciprocal_root(V a) {
   V r = guessed_reciprocal_root(a);
   const V error = mul_add(-(a * r), r, all<V>(1.0));
-  r = mul_add(r * error, mul_add(all<V>(0.375), error, all<V>(0.5)), r);
-  return mul_add(r * all<V>(0.5), mul_add(-(a * r), r, all<V>(1.0)), r);
+  // 1 / sqrt(1 - error) with |error| < 2^-13: what the term of the fourth order amounts to there, that of the second takes.
+  constexpr double kSecond = 0.375 + 0.2734375 * 0x1p-26;
+  const V terms = mul_add(mul_add(all<V>(0.3125), error, all<V>(kSecond)), error, all<V>(0.5));
+  return mul_add(r * error, terms, r);
 }
 #else
 SPLINECORE_INLINE Lanes reciprocal(Lanes a) { return all(1.0) / a; }

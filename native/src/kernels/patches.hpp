@@ -28,15 +28,23 @@ SPLINECORE_INLINE WidePoints row_sum(const double* row, int degree, const double
   return sum;
 }
 
-/// The points of a row that blocks need, x, y, z, w each.
-SPLINECORE_INLINE void collapse(const GridForm& form, std::size_t first, const double* functions,
-                                const GridBlocks& blocks, double* row) {
+template <int kDegree>
+SPLINECORE_INLINE void collapse_of(const GridForm& form, std::size_t first, const double* functions,
+                                   const GridBlocks& blocks, double* row) {
+  const int degree = kDegree > 0 ? kDegree : form.degree_u;
   for (std::size_t r = 0; r < blocks.range_count; ++r) {
     const double* points = form.points + 4 * (first * form.width + blocks.ranges[r].first);
     for (std::size_t j = 0; j < blocks.ranges[r].count; ++j, points += 4, row += 4) {
-      store(column_sum(points, 4 * form.width, form.degree_u, functions), row);
+      store(column_sum(points, 4 * form.width, degree, functions), row);
     }
   }
+}
+
+/// The points of a row that blocks need, x, y, z, w each.
+SPLINECORE_INLINE void collapse(const GridForm& form, std::size_t first, const double* functions,
+                                const GridBlocks& blocks, double* row) {
+  if (form.degree_u == 3) return collapse_of<3>(form, first, functions, blocks, row);
+  collapse_of<0>(form, first, functions, blocks, row);
 }
 
 template <bool kRational, class V>
@@ -94,16 +102,23 @@ SPLINECORE_INLINE PointsOf<V> times(const PointsOf<V>& p, V factor) {
 }
 
 /// The unit vector across two derivatives, NaN where their rounding may have made it.
+/// @param plain  so large is its square where it cannot be rounding
+/// @param rounding  of a point @param size_a  of the slopes
 template <class V>
-SPLINECORE_INLINE PointsOf<V> normal_of(const PointsOf<V>& a, const PointsOf<V>& b, V noise_a, V noise_b) {
+SPLINECORE_INLINE PointsOf<V> normal_of(const PointsOf<V>& a, const PointsOf<V>& b, V plain, double rounding, V size_a,
+                                        V size_b) {
   PointsOf<V> n{mul_add(a.y, b.z, -(a.z * b.y)), mul_add(a.z, b.x, -(a.x * b.z)), mul_add(a.x, b.y, -(a.y * b.x)),
                 all<V>(0.0)};
   const auto square = [](const PointsOf<V>& p) { return mul_add(p.x, p.x, mul_add(p.y, p.y, p.z * p.z)); };
   const V length = square(n);
-  const V noise = mul_add(square(a), noise_b * noise_b, square(b) * (noise_a * noise_a));
-  constexpr double kClear = 0x1p48;
-  const V r = reciprocal_root(length);
-  const V scale = length > all<V>(kClear) * noise ? r : all<V>(__builtin_nan(""));
+  V scale = reciprocal_root(length);
+  if (is_any_at_most(length, plain)) {
+    const V noise_a = all<V>(rounding) * size_a;
+    const V noise_b = all<V>(rounding) * size_b;
+    const V noise = mul_add(square(a), noise_b * noise_b, square(b) * (noise_a * noise_a));
+    constexpr double kClear = 0x1p48;
+    scale = length > all<V>(kClear) * noise ? scale : all<V>(__builtin_nan(""));
+  }
   n.x *= scale;
   n.y *= scale;
   n.z *= scale;
@@ -119,6 +134,7 @@ int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& 
   collapse(form, row.first, row.slopes, blocks, slope_row);
   WideLanes doubts = all<WideLanes>(0.0);
   WideLanes weak = all<WideLanes>(0.0);
+  const WideLanes plain = all<WideLanes>(row.rounding.plain * (row.size * row.size));
   std::size_t left = blocks.columns;
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const GridBlock& block = blocks.blocks[b];
@@ -131,7 +147,9 @@ int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& 
       su = beside(su, p);
       sv = beside(sv, p);
     }
-    const WidePoints n = normal_of(su, sv, all<WideLanes>(row.noise), load<WideLanes>(block.noise));
+    const WideLanes sizes = load<WideLanes>(block.sizes);
+    const WidePoints n =
+        normal_of(su, sv, plain * (sizes * sizes), row.rounding.of_points, all<WideLanes>(row.size), sizes);
     doubts = doubt(doubts, p);
     weak += n.x;
     store_block(p, block.count, left, out);
@@ -283,8 +301,10 @@ int pair_normals_of(const GridForm& form, const NormalForm& normal, const PairPl
     const Lanes scale_v = all(normal.scale_v);
     const Points su = times(kRational ? beside(d.along_u, d.point) : d.along_u, scale_u);
     const Points sv = times(kRational ? beside(d.along_v, d.point) : d.along_v, scale_v);
-    const Lanes rounding = all(normal.rounding);
-    const Points n = normal_of(su, sv, rounding * (d.size_u * scale_u), rounding * (d.size_v * scale_v));
+    const Lanes size_u = d.size_u * scale_u;
+    const Lanes size_v = d.size_v * scale_v;
+    const Lanes plain = all(normal.rounding.plain) * (size_u * size_u) * (size_v * size_v);
+    const Points n = normal_of(su, sv, plain, normal.rounding.of_points, size_u, size_v);
     doubts = doubt(doubts, d.point);
     weak += n.x;
     store_block(d.point, lanes, count - i, out + 3 * i);

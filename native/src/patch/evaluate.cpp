@@ -182,7 +182,8 @@ void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<cons
 void evaluate_with_normals(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                            std::span<double> points, std::span<double> normals, PatchOptions options) {
   const NormalFinder finder(patch);
-  const NormalForm normal{rounding_of(finder.reach()), finder.scale(Axis::u), finder.scale(Axis::v)};
+  const NormalForm normal{finder.rounding(), slope_scale(patch.knot_vector(Axis::u)),
+                          slope_scale(patch.knot_vector(Axis::v))};
   for_each_part(finder.seen(), u, v, 1, options,
                 [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
                   double* const to = &normals[3 * begin];

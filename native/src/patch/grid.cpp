@@ -15,46 +15,47 @@ const double* corner_of(const GridForm& form, int first_u, int first_v) {
   return form.points + 4 * (static_cast<std::size_t>(first_u) * form.width + static_cast<std::size_t>(first_v));
 }
 
-double rounding_of(double reach) {
-  constexpr double kRounding = 0x1p-48;
-  return kRounding * reach;
-}
+double slope_scale(const KnotVector& knots) { return std::ldexp(1.0, std::ilogb(knots.domain().length())); }
 
 namespace {
 
-double noise_of(std::span<const double> slopes, double reach) {
+double size_of(std::span<const double> slopes) {
   double size = 0.0;
   for (const double slope : slopes) size += std::abs(slope);
-  return rounding_of(reach) * size;
+  return size;
 }
 
 }  // namespace
 
 GridRow grid_row(const Samples& u, std::size_t i) {
-  return {static_cast<std::size_t>(u.first(i)), u.weights(i).data(), nullptr, 0.0};
+  return {static_cast<std::size_t>(u.first(i)), u.weights(i).data(), nullptr, 0.0, {}};
 }
 
-GridRow grid_row(const Samples& u, std::size_t i, double reach, double scale, std::vector<double>& slopes) {
-  const auto given = u.weights(i, 1);
-  slopes.assign(given.begin(), given.end());
-  for (double& slope : slopes) slope *= scale;
-  return {static_cast<std::size_t>(u.first(i)), u.weights(i).data(), slopes.data(), noise_of(slopes, reach)};
+GridRows::GridRows(const Samples& u, double scale) : u_(u), scale_(scale), width_(u.weights(0).size()) {
+  slopes_.reserve(u.size() * width_);
+  sizes_.reserve(u.size());
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const auto slopes = u.weights(i, 1);
+    for (const double slope : slopes) slopes_.push_back(scale * slope);
+    sizes_.push_back(scale * size_of(slopes));
+  }
 }
 
-GridColumns::GridColumns(const Samples& v) { fill(v, 0, 0.0, 1.0); }
+GridColumns::GridColumns(const Samples& v) { fill(v, 0, 1.0); }
 
-GridColumns::GridColumns(const Samples& v, double reach, double scale) { fill(v, 1, reach, scale); }
+GridColumns::GridColumns(const Samples& v, double scale) { fill(v, 1, scale); }
 
-void GridColumns::fill(const Samples& v, int order, double reach, double scale) {
+void GridColumns::fill(const Samples& v, int order, double scale) {
   const std::size_t degree_and_one = v.weights(0).size();
   const std::size_t lanes = kernels().lanes;
   columns_ = v.size();
   for (std::size_t begin = 0, end = 0; begin < v.size(); begin = end) {
     for (end = begin + 1; end < v.size() && end < begin + lanes && v.first(end) == v.first(begin);) ++end;
-    blocks_.push_back({static_cast<std::size_t>(v.first(begin)), static_cast<int>(end - begin), nullptr, nullptr, {}});
+    blocks_.push_back({{}, static_cast<std::size_t>(v.first(begin)), static_cast<int>(end - begin), nullptr, nullptr});
   }
-  weights_.resize(blocks_.size() * lanes * degree_and_one * (static_cast<std::size_t>(order) + 1));
-  double* next = weights_.data();
+  const std::size_t numbers = blocks_.size() * lanes * degree_and_one * (static_cast<std::size_t>(order) + 1);
+  weights_.resize((numbers + kMostLanes - 1) / kMostLanes);
+  double* next = weights_.empty() ? nullptr : weights_.data()->numbers;
   std::size_t sample = 0;
   for (GridBlock& block : blocks_) {
     for (int k = 0; k <= order; ++k, next += lanes * degree_and_one) {
@@ -64,7 +65,7 @@ void GridColumns::fill(const Samples& v, int order, double reach, double scale) 
         const auto weights = v.weights(sample + std::min<std::size_t>(lane, block.count - 1), k);
         const double factor = k == 0 ? 1.0 : scale;
         for (std::size_t j = 0; j < degree_and_one; ++j) next[lanes * j + lane] = factor * weights[j];
-        if (k == 1) block.noise[lane] = scale * noise_of(weights, reach);
+        if (k == 1) block.sizes[lane] = scale * size_of(weights);
       }
     }
     sample += static_cast<std::size_t>(block.count);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernels/kernels.hpp"
@@ -16,13 +18,18 @@ GridForm form_of(const NurbsPatch& patch);
 /// The first of the points that functions from these on are for.
 const double* corner_of(const GridForm& form, int first_u, int first_v);
 
+/// Numbers where a register of the widest lanes is loaded at once.
+struct alignas(kMostLanes * sizeof(double)) LaneRow {
+  double numbers[kMostLanes];
+};
+
 /// The columns of a grid, as many at once as a kernel takes where they lie in one span.
 class GridColumns {
  public:
   explicit GridColumns(const Samples& v);
 
-  /// For normals. @param reach  the size of the points @param scale  of the slopes
-  GridColumns(const Samples& v, double reach, double scale);
+  /// For normals. @param scale  by what slopes are multiplied
+  GridColumns(const Samples& v, double scale);
 
   GridBlocks blocks() const noexcept {
     return {blocks_.data(), blocks_.size(), ranges_.data(), ranges_.size(), width_, columns_};
@@ -32,24 +39,62 @@ class GridColumns {
   std::size_t scratch_size(std::size_t rows) const noexcept { return 4 * rows * width_; }
 
  private:
-  void fill(const Samples& v, int order, double reach, double scale);
+  void fill(const Samples& v, int order, double scale);
   void number_points(std::size_t of_block);
 
   std::vector<GridBlock> blocks_;
-  std::vector<double> weights_;
+  std::vector<LaneRow> weights_;
   std::vector<GridRange> ranges_;
   std::size_t width_ = 0;
   std::size_t columns_ = 0;
 };
 
-/// What rounding may leave of a sum of points that reach so far; the slopes of functions multiply it.
-double rounding_of(double reach);
-
 /// A row of a grid.
 GridRow grid_row(const Samples& u, std::size_t i);
 
-/// The same for normals. @param slopes  takes the slopes, times the scale
-GridRow grid_row(const Samples& u, std::size_t i, double reach, double scale, std::vector<double>& slopes);
+/// The rows of a grid for normals.
+class GridRows {
+ public:
+  /// @param scale  by what slopes are multiplied
+  GridRows(const Samples& u, double scale);
+
+  /// The rows as columns of the grid with u and v exchanged, made when they are first asked for, by one thread.
+  const GridColumns& turned() const {
+    if (!turned_) turned_.emplace(u_, scale_);
+    return *turned_;
+  }
+
+  GridRow row(std::size_t i, const NormalRounding& rounding) const noexcept {
+    return {static_cast<std::size_t>(u_.first(i)), u_.weights(i).data(), slopes_.data() + i * width_, sizes_[i], rounding};
+  }
+
+ private:
+  const Samples& u_;
+  double scale_;
+  mutable std::optional<GridColumns> turned_;
+  std::size_t width_;
+  std::vector<double> slopes_;
+  std::vector<double> sizes_;
+};
+
+/// By what derivatives along a direction are multiplied where normals are wanted: a power of two, about the length of
+/// its domain.
+double slope_scale(const KnotVector& knots);
+
+/// The parameters of a grid as the kernels take them: the same for all patches on the same knots.
+struct GridPlan {
+  GridPlan(const Samples& at_u, const Samples& at_v) : u(at_u), v(at_v), columns(v) {}
+
+  /// For normals of patches on the knots of one.
+  GridPlan(const Samples& at_u, const Samples& at_v, const NurbsPatch& on)
+      : u(at_u), v(at_v), columns(v, slope_scale(on.knot_vector(Axis::v))),
+        rows(std::in_place, u, slope_scale(on.knot_vector(Axis::u))) {}
+
+  const Samples& u;
+  const Samples& v;
+  GridColumns columns;
+  std::optional<GridRows> rows;  ///< for normals alone
+};
 
 }  // namespace splinecore
 #pragma GCC visibility pop

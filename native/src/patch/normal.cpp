@@ -10,6 +10,7 @@
 
 #include "base/placement.hpp"
 #include "base/quotient.hpp"
+#include "settled.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -133,6 +134,26 @@ void add_product(Series<RoundedNormal>& sum, const Series<Rounded>& w, const Ser
   }
 }
 
+/// Slopes times points reach no farther than the slopes times the reach, and where all weights have one sign so do
+/// derivatives: then 2^48 times the noise of the kernels' normals is no more than 2^-47 of what the fourth power says.
+NormalRounding normal_rounding(const NurbsPatch& patch) {
+  double farthest = 0.0;
+  double lightest = std::numeric_limits<double>::infinity();
+  double heaviest = -lightest;
+  for (const glm::dvec4& p : patch.homogeneous_points()) {
+    farthest = std::max(farthest, glm::length(glm::dvec3(p)));
+    lightest = std::min(lightest, p.w);
+    heaviest = std::max(heaviest, p.w);
+  }
+  const double reach =
+      farthest + std::max(std::abs(lightest), std::abs(heaviest)) * largest_coordinate(patch.points());
+  constexpr double kOfPoint = 0x1p-48;
+  constexpr double kPlain = 0x1p-46;
+  const bool is_bounded = lightest > 0.0 || heaviest < 0.0;
+  const double squared = reach * reach;
+  return {kOfPoint * reach, is_bounded ? kPlain * squared * squared : std::numeric_limits<double>::infinity()};
+}
+
 /// From the parameter across the span on the side asked for, or back into the domain.
 double step_inward(const KnotVector& knots, double u, Side side) {
   const Interval span = knots.span_interval(knots.span_of(u, side));
@@ -152,16 +173,21 @@ NormalFinder::NormalFinder(const NurbsPatch& patch) : patch_(patch) {
   if (is_far || std::abs(placement.exponent) > kLarge) near_ = placed(patch, placement);
   constexpr double kRounding = 0x1p-49;
   unit_ = kRounding * (near_ ? std::ldexp(largest, -placement.exponent) : largest);
-  double weight = 0.0;
-  for (const glm::dvec4& p : seen().homogeneous_points()) {
-    reach_ = std::max(reach_, glm::length(glm::dvec3(p)));
-    weight = std::max(weight, std::abs(p.w));
-  }
-  reach_ += weight * largest_coordinate(seen().points());
+  rounding_ = normal_rounding(seen());
+  poles_ = poles_of(seen());
 }
 
-double NormalFinder::scale(Axis axis) const {
-  return std::ldexp(1.0, std::ilogb(patch_.knot_vector(axis).domain().length()));
+std::optional<glm::dvec3> NormalFinder::at_pole(double u, double v, PatchOptions options) const {
+  for (const Pole& pole : poles_) {
+    const bool is_along_v = pole.axis() == Axis::u;
+    if ((is_along_v ? u : v) != pole.parameter()) continue;
+    const Axis along = is_along_v ? Axis::v : Axis::u;
+    const KnotVector& knots = patch_.knot_vector(along);
+    const Samples at = Samples::make(knots, {is_along_v ? &v : &u, 1}, 1, is_along_v ? options.side_v : options.side_u);
+    const std::vector<double> normal = pole.normals(GridColumns(at, slope_scale(knots)), rounding_);
+    if (is_number(normal.data())) return glm::dvec3(normal[0], normal[1], normal[2]);
+  }
+  return std::nullopt;
 }
 
 /// S_u x S_v times W^3, from the homogeneous S = A / W, is W A_u x A_v + W_u A_v x A + W_v A x A_u:
@@ -194,7 +220,8 @@ std::optional<glm::dvec3> NormalFinder::first_term(double u, double v, PatchOpti
 
 glm::dvec3 NormalFinder::limit(double u, double v, PatchOptions options) const {
   constexpr int kFew = 2;
-  std::optional<glm::dvec3> found = first_term(u, v, options, kFew);
+  std::optional<glm::dvec3> found = at_pole(u, v, options);
+  if (!found) found = first_term(u, v, options, kFew);
   if (!found) found = first_term(u, v, options, kTerms);
   return found.value_or(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
 }

@@ -2,7 +2,11 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "kernels/kernels.hpp"
+#include "pole.hpp"
 #include "splinecore/patch/evaluate.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -17,21 +21,22 @@ class NormalFinder {
   const NurbsPatch& seen() const noexcept { return near_ ? *near_ : patch_; }
   bool is_moved() const noexcept { return near_.has_value(); }
 
-  /// The size of the homogeneous points of seen().
-  double reach() const noexcept { return reach_; }
+  const NormalRounding& rounding() const noexcept { return rounding_; }
 
-  /// By what derivatives along a direction are multiplied: a power of two, about the length of its domain.
-  double scale(Axis axis) const;
+  /// The sides of seen() that are points.
+  std::span<const Pole> poles() const noexcept { return poles_; }
 
   /// The limit of the normal when (u, v) is approached from inside the domain; NaN where there is none.
   glm::dvec3 limit(double u, double v, PatchOptions options) const;
 
  private:
+  std::optional<glm::dvec3> at_pole(double u, double v, PatchOptions options) const;
   std::optional<glm::dvec3> first_term(double u, double v, PatchOptions options, int terms) const;
 
   const NurbsPatch& patch_;
   std::optional<NurbsPatch> near_;
-  double reach_ = 0.0;
+  NormalRounding rounding_{};
+  std::vector<Pole> poles_;
   double unit_ = 0.0;  ///< what rounding of the points themselves may amount to
 };
 
