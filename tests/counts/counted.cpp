@@ -7,7 +7,7 @@
 
 #include "counted_work.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/patch/evaluate.hpp"
+#include "splinecore/patch/evaluate_set.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 
 namespace {
@@ -61,6 +61,29 @@ void grid_points() {
   counted_work([&] { evaluate_grid(patch, line, line, std::span(out)); });
 }
 
+/// A bicubic petal whose start along u is one point.
+splinecore::BezierPatch petal(double turn) {
+  std::vector<glm::dvec4> points;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const double angle = turn + 0.25 * j;
+      points.emplace_back(i * std::cos(angle), i * std::sin(angle), std::sin(i + turn), 1.0);
+    }
+  }
+  for (int j = 1; j < 4; ++j) points[j] = points[0];
+  return splinecore::BezierPatch::make(4, 4, points);
+}
+
+void normals() {
+  std::vector<splinecore::AnyPatch> patches;
+  for (int i = 0; i < 8; ++i) patches.emplace_back(petal(0.75 * i));
+  const auto set = splinecore::PatchSet::of(patches, true);
+  const std::vector<double> line = even_parameters(32);
+  std::vector<double> points(3 * patches.size() * line.size() * line.size());
+  std::vector<double> found(points.size());
+  counted_work([&] { evaluate_grid_with_normals(set, line, line, std::span(points), std::span(found)); });
+}
+
 void adaptive_mesh() {
   const std::vector<splinecore::AnyPatch> patches{sheet(6)};
   const auto set = splinecore::PatchSet::of(patches, true);
@@ -76,10 +99,11 @@ void adaptive_mesh() {
 
 int main(int argc, char** argv) {
   const std::map<std::string, void (*)()> workloads = {
-      {"curve points", curve_points}, {"grid points", grid_points}, {"adaptive mesh", adaptive_mesh}};
+      {"curve points", curve_points}, {"grid points", grid_points}, {"normals", normals},
+      {"adaptive mesh", adaptive_mesh}};
   const auto found = argc == 2 ? workloads.find(argv[1]) : workloads.end();
   if (found == workloads.end()) {
-    std::fprintf(stderr, "usage: counted 'curve points' | 'grid points' | 'adaptive mesh'\n");
+    std::fprintf(stderr, "usage: counted 'curve points' | 'grid points' | 'normals' | 'adaptive mesh'\n");
     return 2;
   }
   found->second();

@@ -1,6 +1,9 @@
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "splinecore/patch/isocurve.hpp"
 #include "support.hpp"
 
 namespace splinecore {
@@ -120,6 +123,86 @@ TEST(PatchNormals, OfRandomPatchesWithTwoCollapsedEdgesAreContinuousTowardsTheDi
     const NurbsPatch patch = bezier(3, 3, net);
     EXPECT_LE(largest(normal_at(patch, 0, 0) - normal_at(patch, 2e-5, 2e-5)), 1e-2) << round;
     EXPECT_NEAR(glm::length(normal_at(patch, 0, 0)), 1.0, 1e-14);
+  }
+}
+
+/// A random net whose row along one of the sides is one point.
+NurbsPatch with_pole(Random& random, Border side, int degree_u, int degree_v, double scale) {
+  const int rows = degree_u + 1, columns = degree_v + 1;
+  std::vector<glm::dvec4> net = random_points(random, rows * columns, Weights::positive);
+  const glm::dvec3 pole = random_vector(random);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      const int across = axis_of(side) == Axis::u ? i : j;
+      const int last = axis_of(side) == Axis::u ? degree_u : degree_v;
+      glm::dvec4& p = net[i * columns + j];
+      if (across == (is_at_end(side) ? last : 0)) p = glm::dvec4(pole, p.w);
+      p = glm::dvec4(scale * glm::dvec3(p), p.w);
+    }
+  }
+  return bezier(degree_u, degree_v, net);
+}
+
+TEST(PatchNormals, AtSidesThatArePointsAreTheLimitsFromInside) {
+  Random random(118);
+  constexpr double kStep = 1e-6;
+  for (int round = 0; round < 400; ++round) {
+    const auto side = static_cast<Border>(round % 4);
+    const double scale = std::array{1.0, 1e-150, 1e150, 1e-9}[round / 4 % 4];
+    const NurbsPatch patch = with_pole(random, side, integer(random, 1, 4), integer(random, 1, 4), scale);
+    const double at = is_at_end(side) ? 1.0 : 0.0;
+    const double inside = is_at_end(side) ? 1.0 - kStep : kStep;
+    for (const double along : {0.2, 0.5, 0.9}) {
+      const bool is_along_v = axis_of(side) == Axis::u;
+      const glm::dvec3 limit = is_along_v ? normal_at(patch, at, along) : normal_at(patch, along, at);
+      const glm::dvec3 near = is_along_v ? normal_at(patch, inside, along) : normal_at(patch, along, inside);
+      EXPECT_NEAR(glm::length(limit), 1.0, 1e-14) << round;
+      // Rounds where the cone is nearly flat turn quickly.
+      EXPECT_LE(largest(limit - near), 1e-2) << round;
+    }
+  }
+}
+
+TEST(PatchNormals, AtSidesThatArePointsAreTheSameAloneAndInAnyGrid) {
+  Random random(119);
+  const std::vector<double> line{0.0, 0.1, 0.25, 0.3, 0.5, 0.6, 0.7, 0.75, 0.8, 0.95, 1.0};
+  const std::size_t n = line.size();
+  for (int round = 0; round < 40; ++round) {
+    const NurbsPatch patch = with_pole(random, static_cast<Border>(round % 4), 3, 1 + round / 4 % 4, 1.0);
+    std::vector<double> points(3 * n * n), normals(3 * n * n), paired(3 * n * n), u, v;
+    evaluate_grid_with_normals(patch, line, line, points, normals);
+    for (std::size_t k = 0; k < n * n; ++k) {
+      u.push_back(line[k / n]);
+      v.push_back(line[k % n]);
+    }
+    evaluate_with_normals(patch, u, v, points, paired);
+    std::vector<float> single_points(3 * n * n), single(3 * n * n);
+    evaluate_grid_with_normals(patch, line, line, single_points, single);
+    for (std::size_t k = 0; k < n * n; ++k) {
+      const glm::dvec3 alone = normal_at(patch, u[k], v[k]);
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(normals[3 * k + axis], alone[axis]) << round << " " << u[k] << " " << v[k];
+        EXPECT_EQ(static_cast<float>(alone[axis]), single[3 * k + axis]) << round;
+        const bool is_pole = u[k] == 0.0 || u[k] == 1.0 || v[k] == 0.0 || v[k] == 1.0;
+        if (is_pole) {
+          EXPECT_EQ(paired[3 * k + axis], alone[axis]) << round;
+        }
+      }
+    }
+  }
+}
+
+TEST(PatchNormals, WhereAllSidesButOneLineHaveCollapsedAreNone) {
+  // Both ends of u are one point each and the patch is a curve between them: no cone has a normal.
+  const NurbsPatch spindle = bezier(2, 1, {{0, 0, 0, 1}, {0, 0, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, 1}, {2, 0, 0, 1}, {2, 0, 0, 1}});
+  for (const double u : {0.0, 0.5, 1.0}) EXPECT_TRUE(std::isnan(normal_at(spindle, u, 0.5).x)) << u;
+}
+
+TEST(PatchNormals, AtAnApexWithDirectionsBesideItAreThoseOfTheCone) {
+  // A half cone: the middle of its circle is a direction, a point of weight 0.
+  const NurbsPatch cone = bezier(1, 2, {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {1, 0, 0, 1}, {0, 1, 0, 0}, {-1, 0, 0, 1}});
+  for (const double v : {0.1, 0.4, 0.8}) {
+    EXPECT_LE(largest(normal_at(cone, 0.0, v) - normal_at(cone, 1e-7, v)), 1e-6) << v;
   }
 }
 

@@ -28,23 +28,25 @@ SPLINECORE_INLINE WidePoints row_sum(const double* row, int degree, const double
   return sum;
 }
 
-template <int kDegree>
-SPLINECORE_INLINE void collapse_of(const GridForm& form, std::size_t first, const double* functions,
-                                   const GridBlocks& blocks, double* row) {
+template <int kDegree, bool kSlopes>
+SPLINECORE_INLINE void collapse_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch) {
   const int degree = kDegree > 0 ? kDegree : form.degree_u;
+  const std::size_t stride = 4 * form.width;
   for (std::size_t r = 0; r < blocks.range_count; ++r) {
-    const double* points = form.points + 4 * (first * form.width + blocks.ranges[r].first);
-    for (std::size_t j = 0; j < blocks.ranges[r].count; ++j, points += 4, row += 4) {
-      store(column_sum(points, 4 * form.width, degree, functions), row);
+    const double* points = form.points + row.first * stride + 4 * blocks.ranges[r].first;
+    for (std::size_t j = 0; j < blocks.ranges[r].count; ++j, points += 4, scratch += 4) {
+      const Lanes value = column_sum(points, stride, degree, row.values);
+      if (kSlopes) store(column_sum(points, stride, degree, row.slopes), scratch + 4 * blocks.width);
+      store(value, scratch);
     }
   }
 }
 
-/// The points of a row that blocks need, x, y, z, w each.
-SPLINECORE_INLINE void collapse(const GridForm& form, std::size_t first, const double* functions,
-                                const GridBlocks& blocks, double* row) {
-  if (form.degree_u == 3) return collapse_of<3>(form, first, functions, blocks, row);
-  collapse_of<0>(form, first, functions, blocks, row);
+/// The points of a row that blocks need, x, y, z, w each, and behind them those of the slopes.
+template <bool kSlopes>
+SPLINECORE_INLINE void collapse(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch) {
+  if (form.degree_u == 3) return collapse_of<3, kSlopes>(form, row, blocks, scratch);
+  collapse_of<0, kSlopes>(form, row, blocks, scratch);
 }
 
 template <bool kRational, class V>
@@ -74,7 +76,7 @@ SPLINECORE_INLINE void store_block(const PointsOf<V>& p, int count, std::size_t 
 template <int kDegree, bool kRational, class Real>
 int grid_points_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch, Real* out) {
   const int degree = kDegree > 0 ? kDegree : form.degree_v;
-  collapse(form, row.first, row.values, blocks, scratch);
+  collapse<false>(form, row, blocks, scratch);
   WideLanes doubts = all<WideLanes>(0.0);
   std::size_t left = blocks.columns;
   for (std::size_t b = 0; b < blocks.count; ++b) {
@@ -130,8 +132,7 @@ int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& 
                     Real* normals) {
   const int degree = kDegree > 0 ? kDegree : form.degree_v;
   double* const slope_row = scratch + 4 * blocks.width;
-  collapse(form, row.first, row.values, blocks, scratch);
-  collapse(form, row.first, row.slopes, blocks, slope_row);
+  collapse<true>(form, row, blocks, scratch);
   WideLanes doubts = all<WideLanes>(0.0);
   WideLanes weak = all<WideLanes>(0.0);
   const WideLanes plain = all<WideLanes>(row.rounding.plain * (row.size * row.size));

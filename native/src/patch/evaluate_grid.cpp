@@ -1,5 +1,7 @@
 #include "evaluate_grid.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -66,8 +68,7 @@ void grid_points(const NurbsPatch& patch, const GridPlan& plan, std::span<Real> 
 template <class Real>
 void settle_normals(const NormalFinder& finder, const PoleNormals& at_poles, const GridPlan& plan, std::size_t i,
                     AtInfinity at_infinity, const Real* points, Real* normals) {
-  for (std::size_t j = 0; j < plan.v.size(); ++j) {
-    if (std::isfinite(normals[3 * j])) continue;
+  const auto settle = [&](std::size_t j) {
     glm::dvec3 normal = glm::dvec3(kNan);
     if (is_number(points + 3 * j)) {
       normal = at_poles.at(i, j);
@@ -75,6 +76,15 @@ void settle_normals(const NormalFinder& finder, const PoleNormals& at_poles, con
       if (!is_number(&normal.x)) normal = finder.limit(plan.u.parameter(i), plan.v.parameter(j), options);
     }
     store(normal, normals + 3 * j);
+  };
+  constexpr std::size_t kSome = 8;  // which are looked at together: few rows have more than one that is weak
+  for (std::size_t begin = 0; begin < plan.v.size(); begin += kSome) {
+    const std::size_t end = std::min(begin + kSome, plan.v.size());
+    Real sum = 0;
+    for (std::size_t j = begin; j < end; ++j) sum += normals[3 * j];
+    for (std::size_t j = begin; !std::isfinite(sum) && j < end; ++j) {
+      if (!std::isfinite(normals[3 * j])) settle(j);
+    }
   }
 }
 
