@@ -157,7 +157,6 @@ TEST(PatchNormals, AtSidesThatArePointsAreTheLimitsFromInside) {
       const glm::dvec3 limit = is_along_v ? normal_at(patch, at, along) : normal_at(patch, along, at);
       const glm::dvec3 near = is_along_v ? normal_at(patch, inside, along) : normal_at(patch, along, inside);
       EXPECT_NEAR(glm::length(limit), 1.0, 1e-14) << round;
-      // Rounds where the cone is nearly flat turn quickly.
       EXPECT_LE(largest(limit - near), 1e-2) << round;
     }
   }
@@ -192,15 +191,17 @@ TEST(PatchNormals, AtSidesThatArePointsAreTheSameAloneAndInAnyGrid) {
   }
 }
 
-TEST(PatchNormals, WhereAllSidesButOneLineHaveCollapsedAreNone) {
+TEST(PatchNormals, OfACurveBetweenTwoPolesAreNone) {
   // Both ends of u are one point each and the patch is a curve between them: no cone has a normal.
-  const NurbsPatch spindle = bezier(2, 1, {{0, 0, 0, 1}, {0, 0, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, 1}, {2, 0, 0, 1}, {2, 0, 0, 1}});
+  const NurbsPatch spindle =
+      bezier(2, 1, {{0, 0, 0, 1}, {0, 0, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, 1}, {2, 0, 0, 1}, {2, 0, 0, 1}});
   for (const double u : {0.0, 0.5, 1.0}) EXPECT_TRUE(std::isnan(normal_at(spindle, u, 0.5).x)) << u;
 }
 
 TEST(PatchNormals, AtAnApexWithDirectionsBesideItAreThoseOfTheCone) {
   // A half cone: the middle of its circle is a direction, a point of weight 0.
-  const NurbsPatch cone = bezier(1, 2, {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {1, 0, 0, 1}, {0, 1, 0, 0}, {-1, 0, 0, 1}});
+  const NurbsPatch cone =
+      bezier(1, 2, {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {1, 0, 0, 1}, {0, 1, 0, 0}, {-1, 0, 0, 1}});
   for (const double v : {0.1, 0.4, 0.8}) {
     EXPECT_LE(largest(normal_at(cone, 0.0, v) - normal_at(cone, 1e-7, v)), 1e-6) << v;
   }

@@ -87,7 +87,7 @@ template <class V>
 SPLINECORE_INLINE V reciprocal_root(V a) {
   V r = guessed_reciprocal_root(a);
   const V error = mul_add(-(a * r), r, all<V>(1.0));
-  // 1 / sqrt(1 - error) with |error| < 2^-13: what the term of the fourth order amounts to there, that of the second takes.
+  // 1 / sqrt(1 - error) with |error| < 2^-13: the second term takes what the fourth amounts to there.
   constexpr double kSecond = 0.375 + 0.2734375 * 0x1p-26;
   const V terms = mul_add(mul_add(all<V>(0.3125), error, all<V>(kSecond)), error, all<V>(0.5));
   return mul_add(r * error, terms, r);

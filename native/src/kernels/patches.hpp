@@ -29,7 +29,8 @@ SPLINECORE_INLINE WidePoints row_sum(const double* row, int degree, const double
 }
 
 template <int kDegree, bool kSlopes>
-SPLINECORE_INLINE void collapse_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks, double* scratch) {
+SPLINECORE_INLINE void collapse_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks,
+                                   double* scratch) {
   const int degree = kDegree > 0 ? kDegree : form.degree_u;
   const std::size_t stride = 4 * form.width;
   for (std::size_t r = 0; r < blocks.range_count; ++r) {

@@ -65,7 +65,8 @@ class GridRows {
   }
 
   GridRow row(std::size_t i, const NormalRounding& rounding) const noexcept {
-    return {static_cast<std::size_t>(u_.first(i)), u_.weights(i).data(), slopes_.data() + i * width_, sizes_[i], rounding};
+    const auto first = static_cast<std::size_t>(u_.first(i));
+    return {first, u_.weights(i).data(), slopes_.data() + i * width_, sizes_[i], rounding};
   }
 
  private:

@@ -13,8 +13,9 @@ namespace splinecore {
 
 /// A side of a patch that is one point.
 ///
-/// Seen from there the homogeneous patch begins with t C, where t leads away from the side and C is a curve along it: the
-/// limit of the normals has the direction of C x C', as those of the cone over C have. C has the points beside the pole.
+/// Seen from there the homogeneous patch begins with t C, where t leads away from the side and C is a curve along it:
+/// the limit of the normals has the direction of C x C', as those of the cone over C have. The points of C are those
+/// beside the pole.
 class Pole {
  public:
   /// None where the side is more than a point, or is not where the net ends.
