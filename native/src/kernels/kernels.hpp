@@ -148,12 +148,36 @@ struct SpeedRule {
   const double* differences;      ///< between these and the shares of a rule with fewer nodes
 };
 
-/// Nodes along v on which a surface is wanted: functions of one span, one after the other.
-struct SurfaceRow {
+/// A rule along v for areas: Bernstein polynomials of a degree at its nodes, one after the other. The first four nodes
+/// hold both ends.
+struct SurfaceRule {
   int degree;
   std::size_t nodes;  ///< a multiple of 4
   const double* values;
   const double* slopes;
+  const double* steps;        ///< the sums of the sizes of the slopes
+  const double* shares;       ///< of the nodes in the integral
+  const double* differences;  ///< between these and the shares of a rule with fewer nodes
+};
+
+/// A line along v of a piece of a surface.
+struct SurfaceRow {
+  const double* points;  ///< degree + 1 homogeneous ones
+  const double* slopes;  ///< their derivatives by u
+  double step;           ///< the sum of the sizes of the slopes of the functions along u
+  double extent;         ///< how large the points are, to which their rounding is relative
+  double reach;          ///< and more of that where the weight is small: times one over the weight
+  double origin[3];      ///< of volumes, seen from that of the points
+  double direction[3];   ///< where normals are expected
+};
+
+/// What is found on a line: its part of the area and of the volume, each with the difference to that by the rule with
+/// fewer nodes and the size of its terms; and how far normals go against the direction, at the ends and anywhere.
+struct SurfaceSums {
+  double area[3];
+  double volume[3];
+  double against_at_ends;
+  double against;
 };
 
 /// Bits of what a kernel found.
@@ -187,9 +211,7 @@ struct Kernels {
   /// @param slopes  four numbers a coefficient of N, of which the last is the size of its terms
   void (*speed_sums)(const SpeedRule&, const double* slopes, const double* weights, double* out);
 
-  /// Of each node x, y, z; those of S_u x S_v; the lengths of S_u and S_v; the weight: 9 rows of so many numbers.
-  /// @param row, slope  degree + 1 homogeneous points along v, and their derivatives by u
-  void (*surface_row)(const SurfaceRow&, const double* row, const double* slope, double* out);
+  void (*surface_sums)(const SurfaceRule&, const SurfaceRow&, SurfaceSums* out);
 
   /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
   void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);

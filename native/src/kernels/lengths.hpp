@@ -66,22 +66,71 @@ SPLINECORE_INLINE Points slope_at(const Points& h, const Points& point, Lanes r)
   return {mul_add(-h.w, point.x, h.x) * r, mul_add(-h.w, point.y, h.y) * r, mul_add(-h.w, point.z, h.z) * r, h.w};
 }
 
-void surface_row(const SurfaceRow& form, const double* row, const double* slope, double* out) {
-  const std::size_t width = form.nodes;
-  for (std::size_t i = 0; i < width; i += 4, out += 4) {
-    const Points h = at_nodes(form.values + i, width, form.degree, row);
+SPLINECORE_INLINE Lanes dot_of(const Points& a, const Points& b) {
+  return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));
+}
+
+SPLINECORE_INLINE Points cross_of(const Points& a, const Points& b) {
+  return {mul_add(a.y, b.z, -(a.z * b.y)), mul_add(a.z, b.x, -(a.x * b.z)), mul_add(a.x, b.y, -(a.y * b.x)), a.w};
+}
+
+/// What a rule adds up: a function, the difference to a rule with fewer nodes and the size of the terms.
+struct RuleSums {
+  Lanes value, change, terms;
+
+  SPLINECORE_INLINE void add(Lanes function, Lanes size, Lanes share, Lanes difference) {
+    value = mul_add(share, function, value);
+    change = mul_add(difference, function, change);
+    terms = mul_add(share, size, terms);
+  }
+  SPLINECORE_INLINE void write(double* out) const {
+    out[0] = sum_of(value);
+    out[1] = sum_of(change);
+    out[2] = sum_of(terms);
+  }
+};
+
+SPLINECORE_INLINE double largest_of(Lanes a) {
+  const double low = a[0] > a[1] ? a[0] : a[1];
+  const double high = a[2] > a[3] ? a[2] : a[3];
+  return low > high ? low : high;
+}
+
+/// kDegree is the degree, or -1 for any.
+template <int kDegree>
+void surface_sums_of(const SurfaceRule& rule, const SurfaceRow& row, SurfaceSums* out) {
+  const int degree = kDegree < 0 ? rule.degree : kDegree;
+  const std::size_t width = rule.nodes;
+  const Points origin{all(row.origin[0]), all(row.origin[1]), all(row.origin[2]), all(0.0)};
+  const Points direction{all(-row.direction[0]), all(-row.direction[1]), all(-row.direction[2]), all(0.0)};
+  RuleSums area{};
+  RuleSums volume{};
+  Lanes against = all(0.0);
+  for (std::size_t i = 0; i < width; i += 4) {
+    const Points h = at_nodes(rule.values + i, width, degree, row.points);
     const Lanes r = all(1.0) / h.w;
     const Points point{h.x * r, h.y * r, h.z * r, h.w};
-    const Points u = slope_at(at_nodes(form.values + i, width, form.degree, slope), point, r);
-    const Points v = slope_at(at_nodes(form.slopes + i, width, form.degree, row), point, r);
-    store(point.x, out);
-    store(point.y, out + width);
-    store(point.z, out + 2 * width);
-    store(mul_add(u.y, v.z, -(u.z * v.y)), out + 3 * width);
-    store(mul_add(u.z, v.x, -(u.x * v.z)), out + 4 * width);
-    store(mul_add(u.x, v.y, -(u.y * v.x)), out + 5 * width);
-    store(length_of(u), out + 6 * width);
-    store(length_of(v), out + 7 * width);
-    store(h.w, out + 8 * width);
+    const Points u = slope_at(at_nodes(rule.values + i, width, degree, row.slopes), point, r);
+    const Points v = slope_at(at_nodes(rule.slopes + i, width, degree, row.points), point, r);
+    const Points normal = cross_of(u, v);
+    const Points place{point.x + origin.x, point.y + origin.y, point.z + origin.z, h.w};
+    const Lanes steps = mul_add(length_of(u), load(rule.steps + i), length_of(v) * all(row.step));
+    const Lanes reach = all(row.reach) * (r > -r ? r : -r);
+    const Lanes terms = steps * (all(row.extent) + reach);
+    const Lanes share = load(rule.shares + i);
+    const Lanes difference = load(rule.differences + i);
+    area.add(length_of(normal), terms, share, difference);
+    volume.add(dot_of(place, normal) * all(1.0 / 3.0), length_of(place) * terms, share, difference);
+    const Lanes here = dot_of(direction, normal);
+    against = here > against ? here : against;
+    if (i == 0) out->against_at_ends = largest_of(against);
   }
+  area.write(out->area);
+  volume.write(out->volume);
+  out->against = largest_of(against);
+}
+
+void surface_sums(const SurfaceRule& rule, const SurfaceRow& row, SurfaceSums* out) {
+  if (rule.degree == 3) return surface_sums_of<3>(rule, row, out);
+  surface_sums_of<-1>(rule, row, out);
 }

@@ -31,7 +31,7 @@ const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
     find_spans, find_halves,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
-    speed_sums, surface_row,
+    speed_sums, surface_sums,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
     pair_sums, pair_points, pair_slopes, pair_normals};

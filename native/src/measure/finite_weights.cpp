@@ -1,5 +1,7 @@
 #include "finite_weights.hpp"
 
+#include <algorithm>
+
 #include "basis/bernstein_net.hpp"
 #include "patch/bezier_piece.hpp"
 #include "splinecore/base/errors.hpp"
@@ -44,11 +46,17 @@ void require_sign(const WeightPiece& piece, double sign, int depth) {
   }
 }
 
+bool has_weights_of_one_sign(const NurbsPatch& patch) {
+  const auto points = patch.homogeneous_points();
+  return std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w > 0.0; }) ||
+         std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w < 0.0; });
+}
+
 }  // namespace
 
 void require_finite_points(const NurbsPatch& patch) {
   constexpr int kDepth = 12;
-  if (!patch.rational()) return;
+  if (!patch.rational() || has_weights_of_one_sign(patch)) return;
   const KnotVector& knots_u = patch.knot_vector(Axis::u);
   const KnotVector& knots_v = patch.knot_vector(Axis::v);
   for (int i = 0; i < static_cast<int>(knots_u.spans().size()); ++i) {

@@ -1,58 +1,269 @@
 #include "quadrature.hpp"
 
-#include <numbers>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
 namespace {
 
-using Long = long double;
+constexpr double kRounding = 0x1p-52;
+/// What rounding may leave of a change, in units of it.
+constexpr double kNoise = 64.0;
+/// The changes are no bound where a function has a corner between nodes.
+constexpr double kCaution = 0.125;
 
-struct Legendre {
-  Long value;
-  Long slope;
+/// What weights, of which the largest of a patch is about 1, are multiplied by so that products of wild ones stay.
+double lift_of(double w) { return std::abs(w) < 0x1p-150 && w != 0.0 ? 0x1p440 : 1.0; }
+
+/// A patch, from which pieces between knots are taken: each about an origin of its own, so that no digit is lost far away,
+/// and over [0, 1]², however its parameters run.
+class Source {
+ public:
+  Source(const NurbsPatch& patch, const Placement& placement, SurfaceIntegral& integral)
+      : patch_(patch), placement_(placement), integral_(&integral) {}
+
+  PieceIntegral integral(const SurfacePiece& piece, Integrand integrand) const { return (*integral_)(piece, integrand); }
+
+  SurfacePiece piece(int i, int j) const {
+    const KnotVector& u = patch_.knot_vector(Axis::u);
+    const KnotVector& v = patch_.knot_vector(Axis::v);
+    const auto rows = static_cast<std::size_t>(u.degree()) + 1;
+    const auto columns = static_cast<std::size_t>(v.degree()) + 1;
+    breathe(4 * rows * columns * (rows + columns));
+    SurfacePiece found{near_points(u.spans()[i] - u.degree(), v.spans()[j] - v.degree())};
+    BernsteinNet<glm::dvec4>& net = found.net;
+    std::vector<glm::dvec4> half(net.values.size(), glm::dvec4(0.0));
+    multiply(u.bezier_matrix(i), net, half);
+    std::ranges::fill(net.values, glm::dvec4(0.0));
+    const auto matrix = v.bezier_matrix(j);
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t k = 0; k < columns; ++k) {
+        for (std::size_t l = 0; l < columns; ++l) net.at(row, k) += matrix[k * columns + l] * half[row * columns + l];
+      }
+    }
+    found.normalise();
+    return found;
+  }
+
+ private:
+  static void multiply(std::span<const double> matrix, const BernsteinNet<glm::dvec4>& net,
+                       std::span<glm::dvec4> out) {
+    for (std::size_t i = 0; i < net.rows; ++i) {
+      for (std::size_t k = 0; k < net.rows; ++k) {
+        const double share = matrix[i * net.rows + k];
+        if (share == 0.0) continue;
+        for (std::size_t j = 0; j < net.columns; ++j) out[i * net.columns + j] += share * net.at(k, j);
+      }
+    }
+  }
+
+  const glm::dvec4& given(int i, int j) const {
+    const int rows = patch_.count(Axis::u);
+    const int columns = patch_.count(Axis::v);
+    return patch_.points()[static_cast<std::size_t>(i % rows) * columns + j % columns];
+  }
+
+  double scaled(double x) const { return std::ldexp(x, -placement_.exponent); }
+  glm::dvec3 scaled(const glm::dvec4& p) const { return {scaled(p.x), scaled(p.y), scaled(p.z)}; }
+
+  /// The homogeneous points of a piece, about the first one of them that is no direction.
+  SurfacePiece near_points(int first_u, int first_v) const {
+    const auto rows = static_cast<std::size_t>(patch_.knot_vector(Axis::u).degree()) + 1;
+    const auto columns = static_cast<std::size_t>(patch_.knot_vector(Axis::v).degree()) + 1;
+    const std::size_t width = patch_.knot_vector(Axis::v).unrolled_count();
+    const glm::dvec4* const corner = patch_.homogeneous_points().data() + first_u * width + first_v;
+    SurfacePiece piece{{rows, columns, std::vector<glm::dvec4>(rows * columns)}};
+    const glm::dvec4* origin = nullptr;
+    double lift = 1.0;
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) {
+        const double w = corner[i * width + j].w;
+        if (!origin && w != 0.0) origin = &given(first_u + static_cast<int>(i), first_v + static_cast<int>(j));
+        lift = std::max(lift, lift_of(w));
+      }
+    }
+    const glm::dvec3 o = origin ? scaled(*origin) : glm::dvec3(0.0);
+    piece.origin = o - glm::dvec3(scaled(placement_.origin.x), scaled(placement_.origin.y), scaled(placement_.origin.z));
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) {
+        const glm::dvec4& h = corner[i * width + j];
+        const double w = lift * h.w;
+        glm::dvec3 p = lift * scaled(h);
+        if (w != 0.0) {
+          p = scaled(given(first_u + static_cast<int>(i), first_v + static_cast<int>(j))) - o;
+          piece.extent = std::max({piece.extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+          p *= w;
+        }
+        piece.net.at(i, j) = {p, w};
+      }
+    }
+    return piece;
+  }
+
+  const NurbsPatch& patch_;
+  const Placement& placement_;
+  SurfaceIntegral* integral_;
 };
 
-/// Legendre's polynomial of degree kGaussNodes and its derivative, inside (-1, 1).
-Legendre legendre(Long x) {
-  Long before = 1.0L;
-  Long value = x;
-  for (std::size_t k = 2; k <= kGaussNodes; ++k) {
-    const Long next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
-    before = value;
-    value = next;
-  }
-  return {value, kGaussNodes * (x * value - before) / (x * x - 1.0L)};
-}
+/// A piece, or a part of one, that is measured.
+struct Cell {
+  const Source* source;
+  int i;
+  int j;
+  SurfacePiece piece;  ///< with no points where it is all between its knots
+  PieceIntegral found;
+};
 
-GaussRule made_rule() {
-  GaussRule rule{};
-  for (std::size_t i = 0; i < kGaussNodes; ++i) {
-    Long x = -std::cos(std::numbers::pi_v<Long> * (i + 0.75L) / (kGaussNodes + 0.5L));
-    for (int step = 0; step < 8; ++step) {
-      const Legendre at = legendre(x);
-      x -= at.value / at.slope;
+/// Adds up the parts of an integral, and finds where they are to be halved.
+class Adaptive {
+ public:
+  Adaptive(Integrand integrand, double tolerance, const char* what)
+      : integrand_(integrand), tolerance_(tolerance), what_(what) {}
+
+  /// Takes the piece between two pairs of knots, cut where its weights differ much.
+  void add(const Source& source, int i, int j) {
+    constexpr double kMost = 16.0;
+    std::vector<SurfacePiece> stack{source.piece(i, j)};
+    for (std::size_t cuts = 0; !stack.empty();) {
+      SurfacePiece piece = std::move(stack.back());
+      stack.pop_back();
+      const double u = piece.unevenness(Axis::u);
+      const double v = piece.unevenness(Axis::v);
+      if (std::max(u, v) <= kMost) {
+        const PieceIntegral found = source.integral(piece, integrand_);
+        if (cuts == 0) piece.net = {};
+        cells_.push_back({&source, i, j, std::move(piece), found});
+        continue;
+      }
+      const std::size_t points = piece.net.values.size();
+      if (++cuts > kMostCells || (points_ += points) > kMostPoints) {
+        throw InvalidShape(std::string(what_) + ": the weights of the patch differ too much in size for it");
+      }
+      // Where both have both signs, neither direction goes before the other.
+      const bool is_u = std::isinf(u) && std::isinf(v) ? cuts % 2 == 0 : u > v;
+      stack.emplace_back();
+      piece.halve(is_u ? Axis::u : Axis::v, stack.back());
+      stack.push_back(std::move(piece));
     }
-    const Long slope = legendre(x).slope;
-    rule.nodes[i] = static_cast<double>(0.5L * (1.0L + x));
-    rule.weights[i] = static_cast<double>(1.0L / ((1.0L - x * x) * slope * slope));
   }
-  return rule;
-}
+
+  /// The integral and its error, both as large as given_size() says. @param dimension  of the measure
+  Approximation<double> found(const Placement& placement, int dimension) {
+    most_ = kMostCells + 4 * cells_.size();
+    double before = HUGE_VAL;
+    while (true) {
+      add_up();
+      const double wanted = tolerance_ * std::abs(sum_.value);
+      const double rounding = kRounding * sum_.terms;
+      const double error = sum_.error();
+      const double allowed = std::max(wanted, kNoise * rounding);
+      const double target = std::max(kCaution * wanted, rounding);
+      // Where halving no longer helps only rounding is left.
+      const bool is_steady = error > 0.5 * before && error <= allowed;
+      if (error <= target || is_steady || !refine(target)) {
+        if (error <= allowed) return {sum_.value, error + rounding};
+        throw ToleranceNotReached(what_, given_size(allowed, dimension, placement),
+                                  given_size(error, dimension, placement));
+      }
+      before = error;
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMostCells = 16'000;
+  static constexpr std::size_t kMostPoints = 4'000'000;
+
+  void add_up() {
+    sum_ = {};
+    double lost = 0.0;  // of many cells: what a sum loses goes into the next one (Kahan 1965)
+    for (const Cell& cell : cells_) {
+      const double more = cell.found.value - lost;
+      const double sum = sum_.value + more;
+      lost = (sum - sum_.value) - more;
+      sum_.value = sum;
+      for (int axis = 0; axis < 2; ++axis) sum_.errors[axis] += cell.found.errors[axis];
+      sum_.terms += cell.found.terms;
+    }
+    if (std::isfinite(sum_.value) && std::isfinite(sum_.terms) && std::isfinite(sum_.error())) return;
+    throw InvalidShape(std::string(what_) + ": points and weights differ too much in size for it");
+  }
+
+  /// Halves the cells whose error is more than their share, along the directions where it is. False if there was none to
+  /// halve, or no room for more.
+  bool refine(double target) {
+    const double share = 0.5 * target / static_cast<double>(cells_.size());
+    const auto is_wrong = [&](const Cell& cell) {
+      return cell.found.error() > std::max(share, kRounding * cell.found.terms);
+    };
+    if (cells_.size() > most_ || points_ > kMostPoints || std::ranges::none_of(cells_, is_wrong)) return false;
+    std::vector<Cell> next;
+    next.reserve(cells_.size());
+    for (Cell& cell : cells_) {
+      if (is_wrong(cell)) {
+        halve(std::move(cell), share, next);
+      } else {
+        next.push_back(std::move(cell));
+      }
+    }
+    cells_ = std::move(next);
+    return true;
+  }
+
+  void halve(Cell cell, double share, std::vector<Cell>& out) {
+    if (cell.piece.net.values.empty()) cell.piece = cell.source->piece(cell.i, cell.j);
+    const auto [u, v] = cell.found.errors;
+    const bool is_both = std::min(u, v) > 0.5 * share;
+    std::array<SurfacePiece, 4> parts;
+    parts[0] = std::move(cell.piece);
+    parts[0].halve(u > v ? Axis::u : Axis::v, parts[1]);
+    if (is_both) {
+      for (int i = 0; i < 2; ++i) parts[i].halve(u > v ? Axis::v : Axis::u, parts[i + 2]);
+    }
+    for (int i = 0; i < (is_both ? 4 : 2); ++i) {
+      points_ += parts[i].net.values.size();
+      const PieceIntegral found = cell.source->integral(parts[i], integrand_);
+      out.push_back({cell.source, cell.i, cell.j, std::move(parts[i]), found});
+    }
+  }
+
+  Integrand integrand_;
+  double tolerance_;
+  const char* what_;
+  std::vector<Cell> cells_;
+  PieceIntegral sum_;
+  std::size_t most_ = 0;
+  std::size_t points_ = 0;  ///< of all pieces that were cut
+};
 
 }  // namespace
 
-const GaussRule& gauss_rule() {
-  static const GaussRule rule = made_rule();
-  return rule;
-}
-
-std::array<double, kGaussNodes> gauss_nodes(const Interval& interval) {
-  std::array<double, kGaussNodes> nodes;
-  for (std::size_t i = 0; i < kGaussNodes; ++i) nodes[i] = interval.start + interval.length() * gauss_rule().nodes[i];
-  return nodes;
+Approximation<double> surface_integral(std::span<const NurbsPatch* const> patches, const Placement& placement,
+                                       Integrand integrand, double tolerance, const char* what) {
+  Adaptive adaptive(integrand, tolerance, what);
+  std::map<std::pair<int, int>, SurfaceIntegral> integrals;
+  std::vector<Source> sources;
+  for (const NurbsPatch* patch : patches) {
+    const int u = patch->knot_vector(Axis::u).degree();
+    const int v = patch->knot_vector(Axis::v).degree();
+    sources.emplace_back(*patch, placement, integrals.try_emplace({u, v}, u, v).first->second);
+  }
+  for (std::size_t part = 0; part < patches.size(); ++part) {
+    const auto spans_u = static_cast<int>(patches[part]->knot_vector(Axis::u).spans().size());
+    const auto spans_v = static_cast<int>(patches[part]->knot_vector(Axis::v).spans().size());
+    for (int i = 0; i < spans_u; ++i) {
+      for (int j = 0; j < spans_v; ++j) adaptive.add(sources[part], i, j);
+    }
+  }
+  return adaptive.found(placement, integrand == Integrand::area ? 2 : 3);
 }
 
 void require_relative(double tolerance) {

@@ -1,0 +1,191 @@
+#include "surface_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "kernels/kernels.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/basis/bernstein.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A node of (0, 1/2], its share in Kronrod's rule and that in Gauss's.
+struct Node {
+  double at;
+  double kronrod;
+  double gauss;
+};
+
+constexpr std::array<Node, 11> kNodes{{
+    {0.0021714184870959596322, 0.005847319433685937139, 0.0},
+    {0.013046735741414139961, 0.016279081153982363739, 0.033335672154344068797},
+    {0.034921254322145886999, 0.027377948287175998016, 0.0},
+    {0.067468316655507744634, 0.037519837405459976384, 0.074725674575290296573},
+    {0.10959113670679155147, 0.046562727291848802768, 0.0},
+    {0.16029521585048779688, 0.05469357940114882095, 0.109543181257991022},
+    {0.21862143266569765833, 0.061745988131032925539, 0.0},
+    {0.2833023029353764046, 0.067354608655736662964, 0.13463335965499817755},
+    {0.35280356864926990093, 0.071387969288530040399, 0.0},
+    {0.42556283050918439456, 0.073869552450669245687, 0.14776211235737643509},
+    {0.5, 0.074722777001458452832, 0.0},
+}};
+
+/// Both ends, where the rules see nothing, lie among the first nodes, and one twice to fill the lanes.
+constexpr std::size_t kEnds = 3;
+constexpr std::size_t kCount = kEnds + 2 * kNodes.size() - 1;
+static_assert(kCount % 4 == 0);
+
+struct Rule {
+  std::array<double, kCount> at{0.0, 1.0, 1.0};
+  std::array<double, kCount> rest{1.0, 0.0, 0.0};  ///< 1 - at
+  std::array<double, kCount> shares{};
+  std::array<double, kCount> differences{};
+};
+
+constexpr Rule kRule = [] {
+  Rule rule;
+  for (std::size_t i = 0; i < kCount - kEnds; ++i) {
+    const bool is_low = i < kNodes.size();
+    const Node& node = kNodes[is_low ? i : kCount - kEnds - 1 - i];
+    rule.at[kEnds + i] = is_low ? node.at : 1.0 - node.at;
+    rule.rest[kEnds + i] = is_low ? 1.0 - node.at : node.at;
+    rule.shares[kEnds + i] = node.kronrod;
+    rule.differences[kEnds + i] = node.kronrod - node.gauss;
+  }
+  return rule;
+}();
+
+double ratio_of(double low, double high) {
+  if (low > 0.0) return high / low;
+  return high < 0.0 ? low / high : std::numeric_limits<double>::infinity();
+}
+
+/// Where the normals point between the corners; zero if they do not tell.
+glm::dvec3 direction_of(const BernsteinNet<glm::dvec4>& net) {
+  const auto corners = net.corners();
+  std::array<glm::dvec3, 4> at;
+  for (int i = 0; i < 4; ++i) at[i] = glm::dvec3(corners[i]) / corners[i].w;
+  const glm::dvec3 normal = glm::cross(at[3] - at[0], at[1] - at[2]);
+  const double length = glm::length(normal);
+  return length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0);
+}
+
+/// What the largest of a piece's homogeneous points is worth where its weights have both signs: there points may be far
+/// larger than those that the piece is made of.
+double reach_of(const BernsteinNet<glm::dvec4>& net) {
+  const auto [low, high] = net.range(&glm::dvec4::w);
+  if (low > 0.0 || high < 0.0) return 0.0;
+  double reach = 0.0;
+  for (const glm::dvec4& p : net.values) reach = std::max(reach, glm::length(glm::dvec3(p)));
+  return reach;
+}
+
+}  // namespace
+
+double SurfacePiece::unevenness(Axis axis) const {
+  const bool is_u = axis == Axis::u;
+  double most = 1.0;
+  for (std::size_t i = 0; i < (is_u ? net.columns : net.rows); ++i) {
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    for (std::size_t j = 0; j < net.count(axis); ++j) {
+      const double w = is_u ? net.at(j, i).w : net.at(i, j).w;
+      low = std::min(low, w);
+      high = std::max(high, w);
+    }
+    most = std::max(most, ratio_of(low, high));
+  }
+  return most;
+}
+
+void SurfacePiece::halve(Axis axis, SurfacePiece& second) {
+  second.origin = origin;
+  second.extent = extent;
+  net.halve(axis, second.net);
+  normalise();
+  second.normalise();
+}
+
+void SurfacePiece::normalise() {
+  constexpr int kNear = 100;
+  const auto [low, high] = net.range(&glm::dvec4::w);
+  const double largest = std::max(-low, high);
+  if (!(largest > 0.0) || std::ilogb(largest) > -kNear) return;
+  const int exponent = -std::ilogb(largest);
+  for (glm::dvec4& p : net.values) {
+    for (int i = 0; i < 4; ++i) p[i] = std::scalbn(p[i], exponent);
+  }
+}
+
+SurfaceIntegral::Functions::Functions(int degree)
+    : values(kCount * (degree + 1)), slopes(values.size()), steps(kCount) {
+  std::vector<double> own(degree + 1);
+  std::vector<double> less(degree);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    bernstein(degree, kRule.at[i], kRule.rest[i], own);
+    bernstein(degree - 1, kRule.at[i], kRule.rest[i], less);
+    for (int k = 0; k <= degree; ++k) {
+      const double slope = degree * ((k > 0 ? less[k - 1] : 0.0) - (k < degree ? less[k] : 0.0));
+      values[k * kCount + i] = own[k];
+      slopes[k * kCount + i] = slope;
+      steps[i] += std::abs(slope);
+    }
+  }
+}
+
+SurfaceIntegral::SurfaceIntegral(int degree_u, int degree_v)
+    : u_(degree_u), v_(degree_v), points_(degree_v + 1), slopes_(points_.size()) {}
+
+void SurfaceIntegral::sum_line(const BernsteinNet<glm::dvec4>& net, std::size_t node) {
+  std::ranges::fill(points_, glm::dvec4(0.0));
+  std::ranges::fill(slopes_, glm::dvec4(0.0));
+  for (std::size_t k = 0; k < net.rows; ++k) {
+    const double value = u_.values[k * kCount + node];
+    const double slope = u_.slopes[k * kCount + node];
+    const glm::dvec4* const from = &net.at(k, 0);
+    for (std::size_t j = 0; j < net.columns; ++j) {
+      points_[j] += value * from[j];
+      slopes_[j] += slope * from[j];
+    }
+  }
+}
+
+PieceIntegral SurfaceIntegral::operator()(const SurfacePiece& piece, Integrand integrand) {
+  // As wide as what lies between an end and the nearest node: a fold there is seen by the ends alone.
+  constexpr double kUnseen = kNodes[0].at;
+  breathe(kCount * (8 * piece.net.values.size() + kCount * (12 * piece.net.columns + 60)));
+  const SurfaceRule rule{piece.net.degree(Axis::v), kCount, v_.values.data(), v_.slopes.data(), v_.steps.data(),
+                         kRule.shares.data(), kRule.differences.data()};
+  const glm::dvec3 direction = direction_of(piece.net);
+  SurfaceRow row{&points_.front().x, &slopes_.front().x,
+                 0.0,                piece.extent,
+                 reach_of(piece.net), {piece.origin.x, piece.origin.y, piece.origin.z},
+                 {direction.x, direction.y, direction.z}};
+  PieceIntegral found;
+  SurfaceSums sums;
+  std::array<double, 2> against{};
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (i == kEnds - 1) continue;
+    sum_line(piece.net, i);
+    row.step = u_.steps[i];
+    kernels().surface_sums(rule, row, &sums);
+    const double(&line)[3] = integrand == Integrand::area ? sums.area : sums.volume;
+    found.value += kRule.shares[i] * line[0];
+    found.errors[0] += kRule.differences[i] * line[0];
+    found.errors[1] += kRule.shares[i] * line[1];
+    found.terms += kRule.shares[i] * line[2];
+    if (i < kEnds) against[0] = std::max(against[0], sums.against);
+    against[1] = std::max(against[1], sums.against_at_ends);
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    found.errors[axis] = std::abs(found.errors[axis]);
+    if (integrand == Integrand::area) found.errors[axis] += kUnseen * against[axis];
+  }
+  return found;
+}
+
+}  // namespace splinecore
