@@ -69,7 +69,10 @@ class Measure {
     most_ = kMostPieces + kMostPiecesOfSpan * (last - first + 1);
     for (int span = first; span <= last; ++span) add_span(span);
     const double rounding = rounding_of(sum_.terms);
-    if (sum_.error > std::max(tolerance_ * sum_.value, kNoise * rounding)) fail();
+    const double allowed = std::max(tolerance_ * sum_.value, kNoise * rounding);
+    if (sum_.error > allowed) {
+      throw ToleranceNotReached(kWhat, std::ldexp(allowed, exponent_), std::ldexp(sum_.error, exponent_));
+    }
     const double length = std::ldexp(sum_.value, exponent_);
     if (std::isinf(length)) throw InvalidShape("the length is too large for a number");
     return {length, std::ldexp(sum_.error + rounding, exponent_)};
@@ -92,11 +95,8 @@ class Measure {
     double before = HUGE_VAL;  ///< the error of what it is a half of
   };
 
-  double rounding_of(double terms) const { return 0x1p-53 * (curve_.degree() + 3) * terms; }
-
-  [[noreturn]] void fail() const {
-    throw ToleranceNotReached(kWhat, std::ldexp(tolerance_ * sum_.value, exponent_),
-                              std::ldexp(sum_.error, exponent_));
+  double rounding_of(double terms) const {
+    return 0x1p-53 * (curve_.degree() + 3) * terms + std::numeric_limits<double>::min();
   }
 
   /// Of the points that the spans depend on. Sizes whose products stay in range are left as they are.
@@ -179,9 +179,28 @@ class Measure {
         --count;
         continue;
       }
-      if (++pieces_ > most_) fail();
+      if (pieces_ == most_) {
+        add(given_up(piece, found));
+        --count;
+        continue;
+      }
+      ++pieces_;
       halve(count++, found.error);
     }
+  }
+
+  /// A piece that is halved no more: what the rules see of an uneven one tells nothing of its error.
+  PieceLength given_up(const Piece& piece, const PieceLength& found) const {
+    if (std::isfinite(found.error)) return found;
+    PieceLength seen = speed_.length(piece.speed);
+    require_numbers(seen);
+    seen.error = seen.value;
+    return seen;
+  }
+
+  static void require_numbers(const PieceLength& found) {
+    if (std::isfinite(found.value) && std::isfinite(found.terms)) return;
+    throw InvalidShape(std::string(kWhat) + ": points and weights differ too much in size for it");
   }
 
   void add(const PieceLength& found) {
@@ -208,9 +227,7 @@ class Measure {
 
   bool is_enough(const Piece& piece, const PieceLength& found) const {
     if (std::isinf(found.error)) return false;
-    if (!std::isfinite(found.value) || !std::isfinite(found.terms)) {
-      throw InvalidShape(std::string(kWhat) + ": points and weights differ too much in size for it");
-    }
+    require_numbers(found);
     const double rounding = rounding_of(found.terms);
     if (found.error <= std::max(kCaution * tolerance_ * found.value, rounding)) return true;
     // Where halving no longer helps only rounding is left.

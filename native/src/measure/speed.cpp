@@ -185,8 +185,22 @@ void Speed::write_plain(std::span<const glm::dvec4> points, SpeedPiece& out) con
 }
 
 PieceLength Speed::length(const SpeedPiece& piece) const {
+  constexpr double kSmall = 0x1p-400;
+  const PieceLength found = length(piece.slopes, piece.weights);
+  if (!(found.terms < kSmall) || found.terms == 0.0) return found;
+  // Squares of what is so short leave the numbers.
+  const int exponent = std::ilogb(found.terms);
+  BernsteinNet<glm::dvec4> slopes = piece.slopes;
+  for (glm::dvec4& slope : slopes.values) {
+    for (int i = 0; i < 4; ++i) slope[i] = std::scalbn(slope[i], -exponent);
+  }
+  const PieceLength large = length(slopes, piece.weights);
+  return {std::scalbn(large.value, exponent), std::scalbn(large.error, exponent), std::scalbn(large.terms, exponent)};
+}
+
+PieceLength Speed::length(const BernsteinNet<glm::dvec4>& slopes, const BernsteinNet<double>& weights) const {
   std::array<double, 3> sums;
-  kernels().speed_sums(rule_, &piece.slopes.values.front().x, piece.weights.values.data(), sums.data());
+  kernels().speed_sums(rule_, &slopes.values.front().x, weights.values.data(), sums.data());
   return {sums[0], std::abs(sums[1]), sums[2]};
 }
 

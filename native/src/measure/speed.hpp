@@ -50,6 +50,7 @@ class Speed {
   PieceLength length(const SpeedPiece& piece) const;
 
  private:
+  PieceLength length(const BernsteinNet<glm::dvec4>& slopes, const BernsteinNet<double>& weights) const;
   void write_rational(std::span<const glm::dvec4> points, SpeedPiece& out) const;
   void write_plain(std::span<const glm::dvec4> points, SpeedPiece& out) const;
 
