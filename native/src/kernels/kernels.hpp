@@ -165,7 +165,7 @@ struct SurfaceRow {
   const double* points;  ///< degree + 1 homogeneous ones
   const double* slopes;  ///< their derivatives by u
   double step;           ///< the sum of the sizes of the slopes of the functions along u
-  double extent;         ///< how large the points are, to which their rounding is relative
+  double extent[3];      ///< how large the coordinates are, to which their rounding is relative
   double reach;          ///< and more of that where the weight is small: times one over the weight
   double origin[3];      ///< of volumes, seen from that of the points
   double direction[3];   ///< where normals are expected

@@ -74,6 +74,14 @@ SPLINECORE_INLINE Points cross_of(const Points& a, const Points& b) {
   return {mul_add(a.y, b.z, -(a.z * b.y)), mul_add(a.z, b.x, -(a.x * b.z)), mul_add(a.x, b.y, -(a.y * b.x)), a.w};
 }
 
+SPLINECORE_INLINE Lanes size_of(Lanes a) { return a > -a ? a : -a; }
+
+/// How large a product may be with a vector of which the sizes of the coordinates are known.
+SPLINECORE_INLINE Lanes cross_size(const Points& a, const Points& most) {
+  return mul_add(size_of(a.x), most.y + most.z,
+                 mul_add(size_of(a.y), most.z + most.x, size_of(a.z) * (most.x + most.y)));
+}
+
 /// What a rule adds up: a function, the difference to a rule with fewer nodes and the size of the terms.
 struct RuleSums {
   Lanes value, change, terms;
@@ -114,9 +122,9 @@ void surface_sums_of(const SurfaceRule& rule, const SurfaceRow& row, SurfaceSums
     const Points v = slope_at(at_nodes(rule.slopes + i, width, degree, row.points), point, r);
     const Points normal = cross_of(u, v);
     const Points place{point.x + origin.x, point.y + origin.y, point.z + origin.z, h.w};
-    const Lanes steps = mul_add(length_of(u), load(rule.steps + i), length_of(v) * all(row.step));
-    const Lanes reach = all(row.reach) * (r > -r ? r : -r);
-    const Lanes terms = steps * (all(row.extent) + reach);
+    const Lanes reach = all(row.reach) * size_of(r);
+    const Points extent{all(row.extent[0]) + reach, all(row.extent[1]) + reach, all(row.extent[2]) + reach, h.w};
+    const Lanes terms = mul_add(cross_size(u, extent), load(rule.steps + i), cross_size(v, extent) * all(row.step));
     const Lanes share = load(rule.shares + i);
     const Lanes difference = load(rule.differences + i);
     area.add(length_of(normal), terms, share, difference);

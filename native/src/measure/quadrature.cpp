@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double kRounding = 0x1p-52;
 /// What rounding may leave of a change, in units of it.
-constexpr double kNoise = 64.0;
+constexpr double kNoise = 8.0;
 /// The changes are no bound where a function has a corner between nodes.
 constexpr double kCaution = 0.125;
 
@@ -100,7 +101,7 @@ class Source {
         glm::dvec3 p = lift * scaled(h);
         if (w != 0.0) {
           p = scaled(given(first_u + static_cast<int>(i), first_v + static_cast<int>(j))) - o;
-          piece.extent = std::max({piece.extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+          piece.extent = glm::max(piece.extent, glm::abs(p));
           p *= w;
         }
         piece.net.at(i, j) = {p, w};
@@ -165,17 +166,20 @@ class Adaptive {
       const double wanted = tolerance_ * std::abs(sum_.value);
       const double rounding = kRounding * sum_.terms;
       const double error = sum_.error();
-      const double allowed = std::max(wanted, kNoise * rounding);
       const double target = std::max(kCaution * wanted, rounding);
+      if (error <= target) break;
       // Where halving no longer helps only rounding is left.
-      const bool is_steady = error > 0.5 * before && error <= allowed;
-      if (error <= target || is_steady || !refine(target)) {
-        if (error <= allowed) return {sum_.value, error + rounding};
-        throw ToleranceNotReached(what_, given_size(allowed, dimension, placement),
-                                  given_size(error, dimension, placement));
-      }
+      const bool is_steady = error > 0.5 * before && error <= std::max(wanted, kNoise * rounding);
+      if (is_steady) break;
       before = error;
+      if (has_room() && refine(target)) continue;
+      // Without an error to blame, what is left is the noise of all cells together.
+      const double allowed = std::max(wanted, has_room() ? kNoise * rounding : rounding);
+      if (error <= allowed) break;
+      throw ToleranceNotReached(what_, given_size(allowed, dimension, placement),
+                                given_size(error, dimension, placement));
     }
+    return {sum_.value, sum_.error() + kRounding * sum_.terms};
   }
 
  private:
@@ -197,14 +201,15 @@ class Adaptive {
     throw InvalidShape(std::string(what_) + ": points and weights differ too much in size for it");
   }
 
-  /// Halves the cells whose error is more than their share, along the directions where it is. False if there was none to
-  /// halve, or no room for more.
+  bool has_room() const { return cells_.size() <= most_ && points_ <= kMostPoints; }
+
+  /// Halves the cells whose error is more than their share, along the directions where it is. False if there was none.
   bool refine(double target) {
     const double share = 0.5 * target / static_cast<double>(cells_.size());
     const auto is_wrong = [&](const Cell& cell) {
       return cell.found.error() > std::max(share, kRounding * cell.found.terms);
     };
-    if (cells_.size() > most_ || points_ > kMostPoints || std::ranges::none_of(cells_, is_wrong)) return false;
+    if (std::ranges::none_of(cells_, is_wrong)) return false;
     std::vector<Cell> next;
     next.reserve(cells_.size());
     for (Cell& cell : cells_) {

@@ -158,13 +158,23 @@ PieceIntegral SurfaceIntegral::operator()(const SurfacePiece& piece, Integrand i
   // As wide as what lies between an end and the nearest node: a fold there is seen by the ends alone.
   constexpr double kUnseen = kNodes[0].at;
   breathe(kCount * (8 * piece.net.values.size() + kCount * (12 * piece.net.columns + 60)));
-  const SurfaceRule rule{piece.net.degree(Axis::v), kCount, v_.values.data(), v_.slopes.data(), v_.steps.data(),
-                         kRule.shares.data(), kRule.differences.data()};
+  const SurfaceRule rule{.degree = piece.net.degree(Axis::v),
+                         .nodes = kCount,
+                         .values = v_.values.data(),
+                         .slopes = v_.slopes.data(),
+                         .steps = v_.steps.data(),
+                         .shares = kRule.shares.data(),
+                         .differences = kRule.differences.data()};
   const glm::dvec3 direction = direction_of(piece.net);
-  SurfaceRow row{&points_.front().x, &slopes_.front().x,
-                 0.0,                piece.extent,
-                 reach_of(piece.net), {piece.origin.x, piece.origin.y, piece.origin.z},
-                 {direction.x, direction.y, direction.z}};
+  const glm::dvec3& origin = piece.origin;
+  const glm::dvec3& extent = piece.extent;
+  SurfaceRow row{.points = &points_.front().x,
+                 .slopes = &slopes_.front().x,
+                 .step = 0.0,
+                 .extent = {extent.x, extent.y, extent.z},
+                 .reach = reach_of(piece.net),
+                 .origin = {origin.x, origin.y, origin.z},
+                 .direction = {direction.x, direction.y, direction.z}};
   PieceIntegral found;
   SurfaceSums sums;
   std::array<double, 2> against{};

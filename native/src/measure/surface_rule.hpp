@@ -26,7 +26,7 @@ struct PieceIntegral {
 struct SurfacePiece {
   BernsteinNet<glm::dvec4> net;
   glm::dvec3 origin{0.0};  ///< of its points
-  double extent = 0.0;     ///< the largest of their coordinates, before it was cut
+  glm::dvec3 extent{0.0};  ///< the largest of their coordinates, before it was cut
 
   /// How often the weights differ along a direction at most: infinite where they have both signs.
   double unevenness(Axis axis) const;
