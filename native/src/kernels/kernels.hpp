@@ -148,8 +148,8 @@ struct SpeedRule {
   const double* differences;      ///< between these and the shares of a rule with fewer nodes
 };
 
-/// A rule along v for areas: Bernstein polynomials of a degree at its nodes, one after the other. The first four nodes
-/// hold both ends.
+/// A rule along v for areas: Bernstein polynomials of a degree at its nodes, one after the other. The first two nodes
+/// are the ends.
 struct SurfaceRule {
   int degree;
   std::size_t nodes;  ///< a multiple of 4

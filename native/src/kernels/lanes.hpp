@@ -53,6 +53,26 @@ SPLINECORE_INLINE Lanes square_root(Lanes a) {
 SPLINECORE_INLINE bool any(MaskLanes mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 #endif
 
+// No more doubles than a register holds: of longer vectors compilers keep sums in memory.
+#if defined(__FMA__) && defined(__AVX2__)
+typedef Lanes OwnLanes;
+#else
+typedef double OwnLanes __attribute__((vector_size(16)));
+#if defined(__aarch64__)
+SPLINECORE_INLINE OwnLanes mul_add(OwnLanes a, OwnLanes b, OwnLanes c) {
+  return OwnLanes{__builtin_fma(a[0], b[0], c[0]), __builtin_fma(a[1], b[1], c[1])};
+}
+#else
+SPLINECORE_INLINE OwnLanes mul_add(OwnLanes a, OwnLanes b, OwnLanes c) { return a * b + c; }
+#endif
+#if defined(__SSE2__)
+SPLINECORE_INLINE OwnLanes square_root(OwnLanes a) { return _mm_sqrt_pd(a); }
+#else
+SPLINECORE_INLINE OwnLanes square_root(OwnLanes a) { return OwnLanes{__builtin_sqrt(a[0]), __builtin_sqrt(a[1])}; }
+#endif
+#endif
+inline constexpr std::size_t kOwn = sizeof(OwnLanes) / sizeof(double);
+
 #if defined(SPLINECORE_WIDE_LANES)
 SPLINECORE_INLINE WideLanes mul_add(WideLanes a, WideLanes b, WideLanes c) { return _mm512_fmadd_pd(a, b, c); }
 SPLINECORE_INLINE bool any(WideMask mask) { return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) != 0; }

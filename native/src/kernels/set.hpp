@@ -3,7 +3,7 @@
 
 #include "kernels.hpp"
 
-#if defined(__FMA__) && defined(__AVX2__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 

@@ -21,7 +21,8 @@ Approximation<double> integral_of(std::span<const NurbsPatch* const> patches, co
   const auto [value, error] = surface_integral(patches, placement, integrand, tolerance,
                                                is_area ? "the area cannot be found" : "the volume cannot be found");
   const int dimension = is_area ? 2 : 3;
-  return {finite_size(value, dimension, placement, is_area ? "area" : "volume"), given_size(error, dimension, placement)};
+  const double size = finite_size(value, dimension, placement, is_area ? "area" : "volume");
+  return {size, given_size(error, dimension, placement)};
 }
 
 std::vector<const NurbsPatch*> patches_of(const PatchSet& set) {

@@ -25,14 +25,16 @@ constexpr double kCaution = 0.125;
 /// What weights, of which the largest of a patch is about 1, are multiplied by so that products of wild ones stay.
 double lift_of(double w) { return std::abs(w) < 0x1p-150 && w != 0.0 ? 0x1p440 : 1.0; }
 
-/// A patch, from which pieces between knots are taken: each about an origin of its own, so that no digit is lost far away,
-/// and over [0, 1]², however its parameters run.
+/// A patch, from which pieces between knots are taken: each about an origin of its own, so that no digit is lost far
+/// away, and over [0, 1]², however its parameters run.
 class Source {
  public:
   Source(const NurbsPatch& patch, const Placement& placement, SurfaceIntegral& integral)
       : patch_(patch), placement_(placement), integral_(&integral) {}
 
-  PieceIntegral integral(const SurfacePiece& piece, Integrand integrand) const { return (*integral_)(piece, integrand); }
+  PieceIntegral integral(const SurfacePiece& piece, Integrand integrand) const {
+    return (*integral_)(piece, integrand);
+  }
 
   SurfacePiece piece(int i, int j) const {
     const KnotVector& u = patch_.knot_vector(Axis::u);
@@ -93,7 +95,7 @@ class Source {
       }
     }
     const glm::dvec3 o = origin ? scaled(*origin) : glm::dvec3(0.0);
-    piece.origin = o - glm::dvec3(scaled(placement_.origin.x), scaled(placement_.origin.y), scaled(placement_.origin.z));
+    piece.origin = o - scaled(glm::dvec4(placement_.origin, 1.0));
     for (std::size_t i = 0; i < rows; ++i) {
       for (std::size_t j = 0; j < columns; ++j) {
         const glm::dvec4& h = corner[i * width + j];

@@ -12,8 +12,8 @@ namespace splinecore {
 /// What is integrated over a surface: |S_u x S_v|, or S · (S_u x S_v) / 3.
 enum class Integrand { area, volume };
 
-/// An integral over a piece, how far it is from those by rules with fewer nodes along u and along v, and the integral of
-/// the size of the terms that it is made of, to which its rounding is relative.
+/// An integral over a piece, how far it is from those by rules with fewer nodes along u and along v, and the integral
+/// of the size of the terms that it is made of, to which its rounding is relative.
 struct PieceIntegral {
   double value = 0.0;
   std::array<double, 2> errors{};  ///< along u and along v
