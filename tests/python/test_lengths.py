@@ -1,18 +1,14 @@
 """Lengths: closed forms, at every scale and weight, of many spans, and errors that name what was given."""
 
-import json
 import math
-import os
-import subprocess
-import sys
 
 import numpy as np
 import pytest
 
 import splinecore as sc
+from test_kernels import found_by_sets
 
 CIRCLE = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)], float)
-SETS = ["baseline", "x86-64-v3"]
 
 
 def near(value, expected, relative=1e-13):
@@ -189,19 +185,15 @@ MANY = """
 import json, sys
 sys.path.insert(0, sys.argv[1])
 import numpy as np
-import test_lengths
+import splinecore, test_lengths
 curves = list(test_lengths.random_curves(np.random.default_rng(7)))
-print(json.dumps([curve.length(tolerance=t) for curve in curves for t in (1e-13, 1e-6)]))
+found = [curve.length(tolerance=t) for curve in curves for t in (1e-13, 1e-6)]
+print(json.dumps([splinecore.__instruction_set__, found]))
 """
 
 
-def lengths(kernels):
-    made = subprocess.run([sys.executable, "-c", MANY, os.path.dirname(__file__)], capture_output=True, text=True,
-                          check=True, env={**os.environ, "SPLINECORE_KERNELS": kernels})
-    return np.array(json.loads(made.stdout))
-
-
 def test_every_processor_finds_nearly_the_same():
-    first, second = (lengths(name) for name in SETS)
-    assert np.abs(first - second).max() <= 1e-13 * first.max()
-    assert (np.abs(first / second - 1) <= np.tile([4e-13, 2e-6], len(first) // 2)).all()
+    first, *others = found_by_sets(MANY)
+    for other in others:
+        assert np.abs(first - other).max() <= 1e-13 * first.max()
+        assert (np.abs(first / other - 1) <= np.tile([4e-13, 2e-6], len(first) // 2)).all()
