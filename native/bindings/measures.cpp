@@ -102,10 +102,12 @@ void bind_curve(py::class_<Curve> cls) {
           },
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::kw_only(),
           py::arg("tolerance") = splinecore::kLengthTolerance,
-          "The length between two parameters, by default of all: a float, right to a relative tolerance.\n\n"
-          "Adaptive quadrature of Gauss and Kronrod on every span, also through cusps. Of a periodic curve start and\n"
-          "end may be any numbers: it goes on, and turns are counted. InvalidShape unless start <= end in the domain\n"
-          "of another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached. Row S15.");
+          "The length between two parameters, by default of all: a float, off by at most the tolerance times itself,\n"
+          "or by rounding of the coordinates where that is more.\n\n"
+          "Adaptive quadrature of Gauss and Kronrod on every span, also through cusps and beside wild weights. Of a\n"
+          "periodic curve start and end may be any numbers: it goes on, and turns are counted. InvalidShape unless\n"
+          "start <= end in the domain of another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached\n"
+          "where that takes too much work: it tells an error that is above the tolerance. Row S15.");
   cls.def("curvature", [](const Curve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::curvature);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
@@ -196,9 +198,11 @@ Curvatures curvatures(const NurbsPatch& patch, const py::object& u, const py::ob
 }
 
 constexpr const char* kAreaText =
-    "The area, a float right to a relative tolerance: adaptive Gauss-Legendre quadrature on every pair of\n"
-    "spans. PointAtInfinity if a patch runs to infinity; ToleranceNotReached, which tells the error, as for a patch\n"
-    "that folds back on itself. Rows S19, S20.";
+    "The area, a float: off by at most the tolerance times itself, or by rounding of the coordinates where that is\n"
+    "more. Adaptive quadrature of Gauss and Kronrod on every pair of spans.\n\n"
+    "PointAtInfinity if a patch runs to infinity; InvalidShape where weights differ too much in size;\n"
+    "ToleranceNotReached where it takes too much work, as with many digits of a patch that folds back on itself: it\n"
+    "tells an error that is above the tolerance. Rows S19, S20.";
 
 template <class Patch>
 void bind_patch(py::class_<Patch> cls) {

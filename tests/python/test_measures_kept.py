@@ -141,6 +141,20 @@ def test_wild_weights_change_no_area(wild):
     assert abs(found[1] / found[0] - 1) <= 2e-9
 
 
+def test_areas_of_weights_of_zero_and_below_are_found_where_the_patch_is_finite():
+    knots = [0, 0, 0, 1, 1, 1]
+    half = [[(1, 0, 0), (1, 0, 1)], [(0, 1, 0), (0, 1, 0)], [(-1, 0, 0), (-1, 0, 1)]]
+    weights = np.array([[1, 1], [0, 0], [1, 1]])
+    for turned in (False, True):
+        net, w = (np.swapaxes(half, 0, 1), weights.T) if turned else (half, weights)
+        order = ((1, 2), ([0, 0, 1, 1], knots)) if turned else ((2, 1), (knots, [0, 0, 1, 1]))
+        assert abs(sc.NurbsPatch(*order, net, w).area() / math.pi - 1) <= 1e-12
+    beyond = [[(1, 0, 0), (1, 0, 1)], [(1, 1, 0), (1, 1, 1)], [(0, 1, 0), (0, 1, 1)]]
+    for middle, angle in ((math.sqrt(0.5), 0.5), (-math.sqrt(0.5), 1.5)):
+        patch = sc.NurbsPatch((2, 1), (knots, [0, 0, 1, 1]), beyond, [[1, 1], [middle, middle], [1, 1]])
+        assert abs(patch.area() / (angle * math.pi) - 1) <= 1e-12
+
+
 def test_weights_beyond_all_measure_are_refused_in_words():
     with pytest.raises(sc.InvalidShape, match="the weights of the patch differ too much in size for it"):
         square([[1, 1], [1, 1e250]]).area()

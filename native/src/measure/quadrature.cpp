@@ -53,6 +53,8 @@ class Source {
         for (std::size_t l = 0; l < columns; ++l) net.at(row, k) += matrix[k * columns + l] * half[row * columns + l];
       }
     }
+    const auto [low, high] = net.range(&glm::dvec4::w);
+    found.is_mixed = low <= 0.0 && high >= 0.0;
     found.normalise();
     return found;
   }
@@ -139,9 +141,9 @@ class Adaptive {
     for (std::size_t cuts = 0; !stack.empty();) {
       SurfacePiece piece = std::move(stack.back());
       stack.pop_back();
-      const double u = piece.unevenness(Axis::u);
-      const double v = piece.unevenness(Axis::v);
-      if (std::max(u, v) <= kMost) {
+      const Unevenness u = piece.unevenness(Axis::u);
+      const Unevenness v = piece.unevenness(Axis::v);
+      if (std::max(u.ratio, v.ratio) <= kMost) {
         const PieceIntegral found = source.integral(piece, integrand_);
         if (cuts == 0) piece.net = {};
         cells_.push_back({&source, i, j, std::move(piece), found});
@@ -151,10 +153,8 @@ class Adaptive {
       if (++cuts > kMostCells || (points_ += points) > kMostPoints) {
         throw InvalidShape(std::string(what_) + ": the weights of the patch differ too much in size for it");
       }
-      // Where both have both signs, neither direction goes before the other.
-      const bool is_u = std::isinf(u) && std::isinf(v) ? cuts % 2 == 0 : u > v;
       stack.emplace_back();
-      piece.halve(is_u ? Axis::u : Axis::v, stack.back());
+      piece.halve(u > v ? Axis::u : Axis::v, stack.back());
       stack.push_back(std::move(piece));
     }
   }

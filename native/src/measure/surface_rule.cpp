@@ -74,21 +74,20 @@ glm::dvec3 direction_of(const BernsteinNet<glm::dvec4>& net) {
   return length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0);
 }
 
-/// What the largest of a piece's homogeneous points is worth where its weights have both signs: there points may be far
+/// What the largest of a piece's homogeneous points is worth where weights have both signs: there points may be far
 /// larger than those that the piece is made of.
-double reach_of(const BernsteinNet<glm::dvec4>& net) {
-  const auto [low, high] = net.range(&glm::dvec4::w);
-  if (low > 0.0 || high < 0.0) return 0.0;
+double reach_of(const SurfacePiece& piece) {
   double reach = 0.0;
-  for (const glm::dvec4& p : net.values) reach = std::max(reach, glm::length(glm::dvec3(p)));
+  if (!piece.is_mixed) return reach;
+  for (const glm::dvec4& p : piece.net.values) reach = std::max(reach, glm::length(glm::dvec3(p)));
   return reach;
 }
 
 }  // namespace
 
-double SurfacePiece::unevenness(Axis axis) const {
+Unevenness SurfacePiece::unevenness(Axis axis) const {
   const bool is_u = axis == Axis::u;
-  double most = 1.0;
+  Unevenness most;
   for (std::size_t i = 0; i < (is_u ? net.columns : net.rows); ++i) {
     double low = HUGE_VAL;
     double high = -HUGE_VAL;
@@ -97,7 +96,8 @@ double SurfacePiece::unevenness(Axis axis) const {
       low = std::min(low, w);
       high = std::max(high, w);
     }
-    most = std::max(most, ratio_of(low, high));
+    most.ratio = std::max(most.ratio, ratio_of(low, high));
+    most.spread = std::max(most.spread, high - low);
   }
   return most;
 }
@@ -105,6 +105,7 @@ double SurfacePiece::unevenness(Axis axis) const {
 void SurfacePiece::halve(Axis axis, SurfacePiece& second) {
   second.origin = origin;
   second.extent = extent;
+  second.is_mixed = is_mixed;
   net.halve(axis, second.net);
   normalise();
   second.normalise();
@@ -172,7 +173,7 @@ PieceIntegral SurfaceIntegral::operator()(const SurfacePiece& piece, Integrand i
                  .slopes = &slopes_.front().x,
                  .step = 0.0,
                  .extent = {extent.x, extent.y, extent.z},
-                 .reach = reach_of(piece.net),
+                 .reach = reach_of(piece),
                  .origin = {origin.x, origin.y, origin.z},
                  .direction = {direction.x, direction.y, direction.z}};
   PieceIntegral found;

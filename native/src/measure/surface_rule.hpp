@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -22,14 +23,22 @@ struct PieceIntegral {
   double error() const { return errors[0] + errors[1]; }
 };
 
+/// How the weights differ along a direction.
+struct Unevenness {
+  double ratio = 1.0;   ///< how often at most: infinite where they have both signs
+  double spread = 0.0;  ///< by how much at most
+
+  auto operator<=>(const Unevenness&) const = default;
+};
+
 /// A Bezier piece of a surface, homogeneous.
 struct SurfacePiece {
   BernsteinNet<glm::dvec4> net;
   glm::dvec3 origin{0.0};  ///< of its points
   glm::dvec3 extent{0.0};  ///< the largest of their coordinates, before it was cut
+  bool is_mixed = false;   ///< before it was cut its weights had both signs
 
-  /// How often the weights differ along a direction at most: infinite where they have both signs.
-  double unevenness(Axis axis) const;
+  Unevenness unevenness(Axis axis) const;
 
   /// Both halves: this becomes the first.
   void halve(Axis axis, SurfacePiece& second);
