@@ -125,11 +125,11 @@ def test_a_set_gives_the_bits_of_its_patches():
 
 
 def found_by_sets(program):
-    """What a program prints with each set of instructions of this processor, the baseline first: the set, and numbers."""
+    """What a program prints with each set of instructions that this processor has, the baseline first: numbers."""
     found = {}
     for name in SETS:
-        made = subprocess.run([sys.executable, "-c", program, os.path.dirname(__file__)], capture_output=True, text=True,
-                              check=True, env={**os.environ, "SPLINECORE_KERNELS": name})
+        made = subprocess.run([sys.executable, "-c", program, os.path.dirname(__file__)], capture_output=True,
+                              text=True, check=True, env={**os.environ, "SPLINECORE_KERNELS": name})
         chosen, numbers = json.loads(made.stdout)
         if chosen == name:
             found[name] = np.array(numbers)
