@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {

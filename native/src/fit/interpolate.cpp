@@ -5,12 +5,12 @@
 #include <string>
 
 #include "basis/banded.hpp"
+#include "basis/blossom.hpp"
 #include "conditions.hpp"
+#include "curve/rescale.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/basis/blossom.hpp"
 #include "splinecore/basis/samples.hpp"
-#include "splinecore/curve/rescale.hpp"
 
 namespace splinecore {
 

@@ -50,7 +50,7 @@ class Source {
     const auto matrix = v.bezier_matrix(j);
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t k = 0; k < columns; ++k) {
-        for (std::size_t l = 0; l < columns; ++l) net.at(row, k) += matrix[k * columns + l] * half[row * columns + l];
+        for (std::size_t l = 0; l < columns; ++l) net.at(row, k) += matrix[k][l] * half[row * columns + l];
       }
     }
     const auto [low, high] = net.range(&glm::dvec4::w);
@@ -60,11 +60,11 @@ class Source {
   }
 
  private:
-  static void multiply(std::span<const double> matrix, const BernsteinNet<glm::dvec4>& net,
+  static void multiply(const SquareRows& matrix, const BernsteinNet<glm::dvec4>& net,
                        std::span<glm::dvec4> out) {
     for (std::size_t i = 0; i < net.rows; ++i) {
       for (std::size_t k = 0; k < net.rows; ++k) {
-        const double share = matrix[i * net.rows + k];
+        const double share = matrix[i][k];
         if (share == 0.0) continue;
         for (std::size_t j = 0; j < net.columns; ++j) out[i * net.columns + j] += share * net.at(k, j);
       }

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "splinecore/basis/bernstein_net.hpp"
+#include "basis/bernstein_net.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {

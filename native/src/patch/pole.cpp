@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/given_points.hpp"
 #include "lines.hpp"
 #include "settled.hpp"
 
