@@ -48,7 +48,7 @@ class Locator {
       : curve_(curve), knots_(curve.knot_vector()), tables_(curve.tables()), domain_(knots_.domain()), order_(order),
         side_(side), halves_{knots_.tables().finder.for_kernels(), knots_.tables().finder.middles(),
                              tables_.all_rows(curve, order), tables_.size(order), 4 * knots_.degree(),
-                             taken_by(knots_)} {}
+                             taken_by(knots_).start, taken_by(knots_).end} {}
 
   double admitted(double u, std::size_t i) const {
     return u > domain_.start && u < domain_.end ? u : knots_.admit(u, side_, i);
@@ -61,7 +61,8 @@ class Locator {
       std::array<double, kScattered> moved;
       for (std::size_t i = 0; i < u.size(); ++i) moved[i] = admitted(u[i], first + i);
       HalfTable whole = halves_;
-      whole.taken = domain_;
+      whole.low = domain_.start;
+      whole.high = domain_.end;
       kernels().find_halves(whole, at, moved.data(), u.size(), found);
     }
     for (std::size_t i = 0; halves_.rows == nullptr && i < u.size(); ++i) found.rows[i] = rows(found.half[i]);

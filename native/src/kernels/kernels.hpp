@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "splinecore/base/interval.hpp"
-
 // What is computed for many parameters at once. Each kernel is compiled for every set of instructions that is worth it
 // and chosen at run time; here are plain numbers alone, so that nothing of one set is taken for the other.
 //
@@ -40,7 +38,8 @@ struct HalfTable {
   const double* rows;     ///< of all spans, `size` numbers each; or nullptr
   std::size_t size;
   std::ptrdiff_t last_row;  ///< where the row at the end of a span begins
-  Interval taken;           ///< parameters that are in the domain as they are
+  double low;               ///< and `high`: parameters between them are in the domain as they are
+  double high;
 };
 
 /// Up to so many parameters, each with a half of its own: twice the span, and 1 more in its second half.

@@ -95,8 +95,8 @@ SPLINECORE_INLINE bool halves_of(const HalfTable& table, const double* u, std::s
   std::size_t i = 0;
 #if defined(SPLINECORE_WIDE_LANES)
   EightSpans found;
-  const __m512d low = _mm512_set1_pd(table.taken.start);
-  const __m512d high = _mm512_set1_pd(table.taken.end);
+  const __m512d low = _mm512_set1_pd(table.low);
+  const __m512d high = _mm512_set1_pd(table.high);
   for (; !parts.is_crowded && i + 8 <= count; i += 8) {
     const __m512d at = _mm512_loadu_pd(u + i);
     if ((_mm512_cmp_pd_mask(at, low, _CMP_GE_OQ) & _mm512_cmp_pd_mask(at, high, _CMP_LE_OQ)) != 0xff) return false;
@@ -105,7 +105,7 @@ SPLINECORE_INLINE bool halves_of(const HalfTable& table, const double* u, std::s
   }
 #endif
   for (; i < count; ++i) {
-    if (!(u[i] >= table.taken.start && u[i] <= table.taken.end)) return false;
+    if (!(u[i] >= table.low && u[i] <= table.high)) return false;
     const std::int32_t span = span_before(parts, starts_before<kAt>(parts, u[i]));
     const auto second = static_cast<std::int32_t>(u[i] > table.middles[span]);
     halves.u[i] = u[i];
