@@ -109,7 +109,7 @@ def mark_cell(row):
 def share_cell(row):
     if not row.bound_ns or not row.ours:
         return "–"
-    return f"{number(100 * row.bound_ns / row.calls[row.ours], 2)} %"
+    return f"{100 * row.bound_ns / row.calls[row.ours]:.0f} %"
 
 
 def markdown(rows, machine):
