@@ -209,11 +209,18 @@ std::optional<glm::dvec3> NormalFinder::first_term(double u, double v, PatchOpti
   add_product(normals, slope_u, slope_v, point, terms);
   add_product(normals, slope_v, point, slope_u, terms);
   for (const RoundedNormal& normal : std::span(normals).first(static_cast<std::size_t>(terms))) {
-    // About the size of the derivatives by the parts of a span: no square leaves the numbers.
+    // About the size of the derivatives by the parts of a span.
     const glm::dvec3 value = normal.value * std::abs(a) * std::abs(b);
-    const double length = glm::length(value);
-    if (!std::isfinite(length)) break;
-    if (length > normal.noise * std::abs(a) * std::abs(b)) return (point[0].value.w < 0.0 ? -value : value) / length;
+    const double size = std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
+    if (!std::isfinite(size)) break;
+    const int exponent = size > 0.0 ? std::ilogb(size) : 0;
+    const glm::dvec3 near(std::scalbn(value.x, -exponent), std::scalbn(value.y, -exponent),
+                          std::scalbn(value.z, -exponent));
+    const double length = glm::length(near);
+    // Below the least normal number digits are lost.
+    constexpr double kLost = 0x1p-1030;
+    const double noise = std::scalbn(std::max(normal.noise * std::abs(a) * std::abs(b), kLost), -exponent);
+    if (length > noise) return (point[0].value.w < 0.0 ? -near : near) / length;
   }
   return std::nullopt;
 }
