@@ -1,6 +1,7 @@
 """How smoothly curves go on where they meet: gap, angle, curvature, C and G (row S16)."""
 
 import math
+import time
 
 import numpy as np
 import pytest
@@ -223,3 +224,28 @@ def test_what_is_of_another_type_raises_type_error(bad):
     for call in (circle().continuity, circle().continuity_to, circle().joints):
         with pytest.raises(TypeError):
             call(bad)
+
+
+def test_work_on_joints_and_seams_grows_with_their_number():
+    """In the processor's time, of the best of some: eight times as much takes no twenty times as long."""
+
+    def seconds(work):
+        best = np.inf
+        for _ in range(3):
+            before = time.process_time()
+            work()
+            best = min(best, time.process_time() - before)
+        return best
+
+    def shapes(count):
+        knots = np.arange(count + 4.0)
+        points = np.random.default_rng(count).normal(size=(count, 2, 3))
+        return sc.NurbsCurve(3, knots, points[:, 0]), sc.NurbsPatch((3, 1), (knots, [0, 0, 1, 1]), points)
+
+    few, many = shapes(1000), shapes(8000)
+    assert seconds(many[0].joints) < 20 * seconds(few[0].joints)
+
+    def seam(patch):
+        return sc.seam_continuity(patch, 'v_start', patch, 'v_start')
+
+    assert seconds(lambda: seam(many[1])) < 20 * seconds(lambda: seam(few[1]))

@@ -1,13 +1,18 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <span>
+#include <utility>
 
 #include "kernels/kernels.hpp"
+#include "scaled_knots.hpp"
 #include "span_blocks.hpp"
 #include "span_finder.hpp"
 #include "span_tables.hpp"
+#include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -36,6 +41,21 @@ class KnotTables {
         derivatives_(spans.size(), (rows_of(degree, 0) + rows_of(degree, 1) + rows_of(degree, 2)) * table_width(degree)) {
   }
 
+  ~KnotTables() { delete scaled_.load(); }
+  KnotTables(const KnotTables&) = delete;
+  KnotTables& operator=(const KnotTables&) = delete;
+
+  /// The knots divided by a power of two, if that was kept: other knots than these, so that none keep themselves.
+  const ScaledKnots* scaled() const noexcept { return scaled_.load(std::memory_order_acquire); }
+
+  /// Of two that are kept at once the first is taken.
+  const ScaledKnots& keep(ScaledKnots made) {
+    auto own = std::make_unique<const ScaledKnots>(std::move(made));
+    const ScaledKnots* known = nullptr;
+    if (scaled_.compare_exchange_strong(known, own.get(), std::memory_order_acq_rel)) known = own.release();
+    return *known;
+  }
+
   /// Rows of a span for derivatives 0 … order, 2 at most, one after the other: see fill_derivative_table().
   const double* rows(const KnotVector& knots, int span, int order) {
     return of_order(order).of(static_cast<std::size_t>(span), filler(knots, order));
@@ -54,6 +74,7 @@ class KnotTables {
 
   SpanBlocks values_;
   SpanBlocks derivatives_;
+  std::atomic<const ScaledKnots*> scaled_{nullptr};
 };
 
 }  // namespace splinecore

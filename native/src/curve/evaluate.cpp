@@ -111,27 +111,28 @@ class Locator {
 class AnyOrder {
  public:
   AnyOrder(const NurbsCurve& curve, int order)
-      : curve_(curve), exponent_(scale_of(curve.knot_vector())), at_(divided(curve.knot_vector(), exponent_), order),
+      : curve_(curve), near_(near_one(curve.knot_vector())), at_(near_.knots, order),
         homogeneous_(static_cast<std::size_t>(order) + 1), values_(homogeneous_.size()) {}
 
   /// Point and derivatives at a parameter that was admitted.
   std::span<const glm::dvec3> find(double u, Side side) {
-    at_.move_to(std::ldexp(u, -exponent_), side);
+    at_.move_to(std::ldexp(u, -near_.exponent), side);
     const glm::dvec4* points = curve_.homogeneous_points().data() + at_.first();
     for (std::size_t k = 0; k < values_.size(); ++k) {
       homogeneous_[k] = weighted_sum(at_.weights(static_cast<int>(k)), points);
       values_[k] = glm::dvec3(homogeneous_[k]);
     }
     if (curve_.rational()) quotient_derivatives(homogeneous_, values_);
-    for (std::size_t k = 1; exponent_ != 0 && k < values_.size(); ++k) {
-      for (int axis = 0; axis < 3; ++axis) values_[k][axis] = std::ldexp(values_[k][axis], -exponent_ * static_cast<int>(k));
+    for (std::size_t k = 1; near_.exponent != 0 && k < values_.size(); ++k) {
+      const int exponent = -near_.exponent * static_cast<int>(k);
+      for (int axis = 0; axis < 3; ++axis) values_[k][axis] = std::ldexp(values_[k][axis], exponent);
     }
     return values_;
   }
 
  private:
   const NurbsCurve& curve_;
-  int exponent_;
+  ScaledKnots near_;
   Stencil at_;
   std::vector<glm::dvec4> homogeneous_;
   std::vector<glm::dvec3> values_;

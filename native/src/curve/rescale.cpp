@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "basis/knot_tables.hpp"
 #include "splinecore/base/points.hpp"
 
 namespace splinecore {
@@ -64,9 +65,11 @@ Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b) {
 }
 
 int scale_of(const KnotVector& knots) {
+  const int wanted = needed(std::ilogb(knots.domain().length()));
+  if (wanted == 0) return 0;
   Exponents exponents;
   for (const double knot : knots.knots()) exponents.add(knot);
-  return exponents.allowed(needed(std::ilogb(knots.domain().length())));
+  return exponents.allowed(wanted);
 }
 
 KnotVector divided(const KnotVector& knots, int exponent) {
@@ -74,6 +77,13 @@ KnotVector divided(const KnotVector& knots, int exponent) {
   std::vector<double> divided(knots.knots().begin(), knots.knots().end());
   for (double& knot : divided) knot = std::scalbn(knot, -exponent);
   return KnotVector::make(knots.degree(), std::move(divided), knots.periodic());
+}
+
+ScaledKnots near_one(const KnotVector& knots) {
+  if (const ScaledKnots* known = knots.tables().scaled()) return *known;
+  const int exponent = scale_of(knots);
+  if (exponent == 0) return {0, knots};
+  return knots.tables().keep({exponent, divided(knots, exponent)});
 }
 
 NurbsCurve divided(const NurbsCurve& curve, const Scales& scales) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "basis/scaled_knots.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -28,6 +29,9 @@ int scale_of(const KnotVector& knots);
 
 /// The knots divided by a power of two.
 KnotVector divided(const KnotVector& knots, int exponent);
+
+/// The knots divided by their scale_of(): worked out once for all copies.
+ScaledKnots near_one(const KnotVector& knots);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

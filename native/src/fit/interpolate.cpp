@@ -38,8 +38,7 @@ void require_own_function(const KnotVector& knots, const Condition& condition, s
 
 System system_of(const KnotVector& knots, std::span<const Condition> conditions) {
   const auto order = std::ranges::max_element(conditions, {}, &Condition::order)->order;
-  const int exponent = scale_of(knots);
-  const KnotVector near = divided(knots, exponent);
+  const auto [exponent, near] = near_one(knots);
   Stencil derivatives(near, order);
   const auto width = static_cast<std::size_t>(knots.degree()) + 1;
   const std::size_t count = conditions.size();

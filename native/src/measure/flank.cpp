@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -34,6 +35,11 @@ Flank::Flank(NurbsPatch patch, Border side, Role role, bool is_reversed)
   constexpr double kRounding = 1e-12;
   const double size = extent(patch_.points());
   negligible_ = kRounding * (size / along().domain().length()) * (size / across().domain().length());
+  for (int i = 0; i < static_cast<int>(along().spans().size()); ++i) {
+    const double knot = along().span_interval(i).start;
+    knots_.push_back({share_of(knot), knot});
+  }
+  if (is_reversed) std::ranges::reverse(knots_);
 }
 
 double Flank::share_of(double knot) const {
@@ -43,32 +49,28 @@ double Flank::share_of(double knot) const {
 
 std::vector<double> Flank::inner_knots() const {
   std::vector<double> shares;
-  for (int i = 1; i < static_cast<int>(along().spans().size()); ++i) {
-    shares.push_back(share_of(along().span_interval(i).start));
+  for (const SharedKnot& knot : knots_) {
+    if (knot.knot != along().domain().start) shares.push_back(knot.share);
   }
   return shares;
 }
 
 double Flank::parameter_at(double share) const {
-  const Interval domain = along().domain();
   // A knot is met exactly, or the other side of it would be looked at.
-  for (int i = 0; i < static_cast<int>(along().spans().size()); ++i) {
-    const double knot = along().span_interval(i).start;
-    if (std::abs(share_of(knot) - share) <= kSameShare) return knot;
-  }
+  const auto near = std::ranges::lower_bound(knots_, share - kSameShare, {}, &SharedKnot::share);
+  if (near != knots_.end() && near->share <= share + kSameShare) return near->knot;
+  const Interval domain = along().domain();
   const double from_start = turn_ < 0.0 ? 1.0 - share : share;
   return from_start < 1.0 ? std::min(domain.start + from_start * domain.length(), domain.end) : domain.end;
 }
 
 double Flank::room(const SeamPlace& place) const {
-  std::vector<double> ends = inner_knots();
-  ends.insert(ends.end(), {0.0, 1.0});
-  double room = 1.0;
-  for (const double end : ends) {
-    const double way = place.side == Side::right ? end - place.share : place.share - end;
-    if (way > kSameShare) room = std::min(room, way);
+  if (place.side == Side::right) {
+    const auto end = std::ranges::upper_bound(knots_, place.share + kSameShare, {}, &SharedKnot::share);
+    return (end == knots_.end() ? 1.0 : end->share) - place.share;
   }
-  return room;
+  const auto end = std::ranges::lower_bound(knots_, place.share - kSameShare, {}, &SharedKnot::share);
+  return place.share - (end == knots_.begin() ? 0.0 : std::prev(end)->share);
 }
 
 std::vector<SeamJet> Flank::jets(std::span<const SeamPlace> places) const {
@@ -83,7 +85,7 @@ void Flank::add(std::span<const SeamPlace> places, Side side, std::span<SeamJet>
   std::vector<double> there;
   for (const SeamPlace& place : places) {
     if (place.side != side) continue;
-    breathe(4 * along().spans().size());
+    breathe(64);
     there.push_back(parameter_at(place.share));
   }
   const std::size_t count = there.size();

@@ -64,8 +64,15 @@ class Flank {
   double parameter_at(double share) const;
   void add(std::span<const SeamPlace> places, Side side, std::span<SeamJet> jets) const;
 
+  /// The start of a span along, and its part of the way.
+  struct SharedKnot {
+    double share;
+    double knot;
+  };
+
   NurbsPatch patch_;
   Border side_;
+  std::vector<SharedKnot> knots_;  ///< in the order of the way
   double way_;         ///< -1 where the parameter across falls on the way
   double turn_;        ///< -1 where that along does
   double negligible_;  ///< size below which the product of the first derivatives is rounding

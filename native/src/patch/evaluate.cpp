@@ -74,15 +74,13 @@ void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span
 /// The homogeneous derivatives at one pair, by the domains divided by powers of two about their lengths.
 struct PairSums {
   PairSums(const NurbsPatch& patch, int highest)
-      : form(form_of(patch)), order(highest), exponent_u(scale_of(patch.knot_vector(Axis::u))),
-        exponent_v(scale_of(patch.knot_vector(Axis::v))),
-        u(divided(patch.knot_vector(Axis::u), exponent_u), highest),
-        v(divided(patch.knot_vector(Axis::v), exponent_v), highest),
+      : form(form_of(patch)), order(highest), near_u(near_one(patch.knot_vector(Axis::u))),
+        near_v(near_one(patch.knot_vector(Axis::v))), u(near_u.knots, highest), v(near_v.knots, highest),
         sums(static_cast<std::size_t>((highest + 1) * (highest + 1))) {}
 
   const std::vector<glm::dvec4>& at(double at_u, double at_v, PatchOptions options) {
-    u.move_to(std::ldexp(at_u, -exponent_u), options.side_u);
-    v.move_to(std::ldexp(at_v, -exponent_v), options.side_v);
+    u.move_to(std::ldexp(at_u, -near_u.exponent), options.side_u);
+    v.move_to(std::ldexp(at_v, -near_v.exponent), options.side_v);
     breathe(4 * sums.size() * static_cast<std::size_t>(form.degree_v + 1));
     kernels().pair_sums(form, order, corner_of(form, u.first(), v.first()), u.all_weights().data(),
                         v.all_weights().data(), &sums.data()->x);
@@ -91,19 +89,20 @@ struct PairSums {
 
   /// Derivatives k along u and l along v by the domains as they are.
   void undivide(std::span<glm::dvec3> values) const {
-    if (exponent_u == 0 && exponent_v == 0) return;
+    if (near_u.exponent == 0 && near_v.exponent == 0) return;
     for (int k = 0; k <= order; ++k) {
       for (int l = 0; l <= order; ++l) {
         glm::dvec3& value = values[static_cast<std::size_t>(k * (order + 1) + l)];
-        for (int axis = 0; axis < 3; ++axis) value[axis] = std::ldexp(value[axis], -(k * exponent_u + l * exponent_v));
+        const int exponent = -(k * near_u.exponent + l * near_v.exponent);
+        for (int axis = 0; axis < 3; ++axis) value[axis] = std::ldexp(value[axis], exponent);
       }
     }
   }
 
   GridForm form;
   int order;
-  int exponent_u;
-  int exponent_v;
+  ScaledKnots near_u;
+  ScaledKnots near_v;
   Stencil u;
   Stencil v;
   std::vector<glm::dvec4> sums;
