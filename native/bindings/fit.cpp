@@ -21,20 +21,22 @@ namespace {
 std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name) {
   if (value.is_none()) return {};
   const Doubles given = real_array(value, name);
+  if (given.size() == 0) return {};
   return vectors(given, name, given.ndim() == 1 ? 0 : 1);
 }
 
 /// Rows of NaN stand for none.
 std::vector<splinecore::PointTangent> tangents_of(const py::object& value, std::size_t count) {
   if (value.is_none()) return {};
-  const std::vector<glm::dvec3> rows = vectors(real_array(value, "tangents"), "tangents", 1);
+  const Doubles given = real_array(value, "tangents");
+  const std::vector<glm::dvec3> rows = vectors(given, "tangents", 1);
   if (rows.size() != count) {
     throw InvalidShape("tangents has " + std::to_string(rows.size()) + " rows for " + std::to_string(count) +
                        " points");
   }
   std::vector<splinecore::PointTangent> tangents;
   for (std::size_t i = 0; i < count; ++i) {
-    const bool is_none = std::isnan(rows[i].x) && std::isnan(rows[i].y);
+    const bool is_none = std::isnan(rows[i].x) && std::isnan(rows[i].y) && (given.shape(1) == 2 || std::isnan(rows[i].z));
     if (!is_none) tangents.push_back({i, rows[i]});
   }
   return tangents;

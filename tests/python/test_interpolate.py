@@ -184,6 +184,32 @@ def test_it_does_not_depend_on_the_scale(scale, ends):
     np.testing.assert_allclose(far.knots, near.knots * exact, rtol=1e-15)
 
 
+@pytest.mark.parametrize('degree', [3, 5, 7, 9])
+def test_natural_splines_of_the_fewest_points(degree):
+    """They are polynomials of degree (degree - 1) / 2."""
+    count = (degree + 1) // 2
+    u, coefficients = np.arange(float(count)), RNG.normal(size=(count, 2))
+    points = np.stack([np.polyval(coefficients[:, axis], u) for axis in range(2)], 1)
+    curve = fit.interpolate(points, degree, u, ends='natural').value
+    at = np.linspace(0, count - 1, 30)
+    wanted = np.stack([np.polyval(coefficients[:, axis], at) for axis in range(2)], 1)
+    np.testing.assert_allclose(curve.evaluate(at)[:, :2], wanted, rtol=0, atol=1e-9 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize('degree', range(1, 8))
+@pytest.mark.parametrize('least', [1e-6, 1e-10, 1e-12])
+def test_closed_curves_with_very_uneven_steps(degree, least):
+    points = walk(24)
+    for _ in range(10):
+        u = np.concatenate([[0.0], np.cumsum(10.0**RNG.uniform(np.log10(least), 0, 24))])
+        try:
+            curve, error = fit.interpolate(points, degree, u, closed=True)
+        except sc.InvalidShape as refused:
+            assert degree > 2 and 'rounding leaves the curve' in str(refused)
+        else:
+            assert error < 1e-12 * np.abs(curve.points).max()
+
+
 def test_far_from_the_origin_points_keep_their_digits():
     points = walk(50) + 1e8
     curve, error = fit.interpolate(points)
@@ -193,7 +219,7 @@ def test_far_from_the_origin_points_keep_their_digits():
 @pytest.mark.parametrize('closed', [False, True])
 @pytest.mark.parametrize('degree', [1, 2, 3, 5])
 def test_steps_of_many_sizes(degree, closed):
-    steps = 10.0**RNG.uniform(-3, 3, 40)
+    steps = 10.0**RNG.uniform(-3 if degree < 5 else -1, 3 if degree < 5 else 1, 40)
     points = np.cumsum(steps[:, None] * np.array([[0.6, 0.8, 0.0]]), 0)[:39]
     curve, error = fit.interpolate(points, degree, np.concatenate([[0.0], np.cumsum(steps)])[:40 if closed else 39],
                                    closed=closed)
@@ -265,6 +291,14 @@ BAD = [
     (dict(tangents=np.full((6, 2), np.inf)), 'tangents'),
     (dict(tangents=np.ones((6, 2)), degree=1), 'degree 1 takes no tangents'),
     (dict(tangents=np.ones((6, 2)), start=[1, 0]), 'given twice'),
+    (dict(points=[[0, 0], [1, 0]], degree=5, ends='natural'), 'degree 5 need at least 3 points, not 2'),
+    (dict(points=[[0, 0], [1, 0], [2, 1]], degree=7, ends='natural'), 'degree 7 need at least 4 points, not 3'),
+    (dict(points=RNG.normal(size=(300, 3)), degree=100), 'rounding leaves the curve'),
+    (dict(closed=True, degree=2, parameters=range(7), knots=range(7)), 'rounding leaves the curve|do not determine'),
+    (dict(closed=True, parameters=[0, 1, 2, 3, 4, 5, 1000], knots=range(7)), 'return after 1000, .* knots is 6'),
+    (dict(closed=True, parameters=np.linspace(-1, 1, 7) * 1.7e308, degree=2), 'overflow'),
+    (dict(points=np.array([[1, 0], [-1, 1], [1, 1], [-1, 0], [1, 1]]) * 1.7e308, parameters=range(5)), 'too large'),
+    (dict(tangents=[[np.nan, np.nan, 5]] * 6, points=np.arange(18.0).reshape(6, 3)**2), 'tangents'),
 ]
 
 

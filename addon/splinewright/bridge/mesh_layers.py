@@ -137,8 +137,9 @@ def column(mesh, collection, field, attribute, dtype):
 
 
 def corner_vertices(mesh):
-    """(c,) the vertex of each corner."""
-    return column(mesh, 'loops', 'vertex_index', '.corner_vert', np.int32)
+    """(c,) the vertex of each corner; of a mesh in Edit Mode as it was before, where Blender shows no attribute of it."""
+    found = column(mesh, 'loops', 'vertex_index', '.corner_vert', np.int32)
+    return read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0] if found is None else found
 
 
 def corner_edges(mesh):

@@ -133,7 +133,10 @@ def restore(data, progress=no_progress, faces=None):
 
 def _finish(data, picture, progress):
     picture.write()
-    found = stamp.moved(store.read_stamp(data), checksum.of(picture.points.ravel())) if picture.has_faces else stamp.of(data)
+    if picture.has_faces:
+        found = stamp.moved(store.read_stamp(data), checksum.of(picture.points.ravel()))
+    else:
+        found = stamp.of(data)
     store.write_final(data, found)
     progress(2)
     problems.tell(data, problems.SETTING, "")
@@ -152,6 +155,8 @@ def detach(data):
     held.write(data, ())
     handles.write(data, ())
     curve_layers.set_number(data, 0)
+    if isinstance(data, bpy.types.Mesh):
+        mesh_layers.have_normals_back(data)
 
 
 def is_touched(data):

@@ -55,7 +55,7 @@ def let_normals_turn(mesh):
     else:
         mesh.corner_normals.foreach_get('vector', flat)
     active = mesh_layers.active_attribute(mesh)
-    if versions.keeps_exact_normals:
+    if versions.keeps_exact_normals and mesh_layers.NORMALS in mesh.attributes:
         mesh_layers.remove(mesh, mesh_layers.NORMALS)
     _set_split_normals(mesh, flat.reshape(-1, 3))
     mesh_layers.have_normals_back(mesh)

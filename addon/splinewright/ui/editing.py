@@ -12,7 +12,7 @@ from ..core.failures import FAILURES, Refusal, sentence, told
 from . import progress
 
 
-#: Normals of so many vertices take more than a moment.
+#: Shapes of so many vertices take more than a moment to be settled.
 _MANY = 200_000
 
 
@@ -300,11 +300,11 @@ def settle():
 def _settle(owner):
     """Whatever goes wrong is kept in words: other shapes are to get theirs, too."""
     try:
-        if len(getattr(owner.data, 'vertices', ())) < _MANY:
-            live.settle(owner.data)
-        else:
+        if store.is_draft(owner.data) and len(getattr(owner.data, 'vertices', ())) >= _MANY:
             with progress.shown(bpy.context, shape.STEPS) as step:
                 live.settle(owner.data, step)
+        else:
+            live.settle(owner.data)
     except Exception as error:
         problems.tell(owner.data, problems.SETTING, told(error))
 

@@ -31,7 +31,10 @@ class Band {
       take_pivot(k, last, right, columns);
       for (long i = k + 1; i <= last; ++i) eliminate(k, i, right, columns);
     }
-    for (long k = count_ - 1; k >= 0; --k) substitute(k, right, columns);
+    for (long k = count_ - 1; k >= 0; --k) {
+      breathe(static_cast<std::size_t>(upper_ + 1) * columns);
+      substitute(k, right, columns);
+    }
   }
 
  private:
@@ -134,11 +137,9 @@ class Triangle {
 
   /// Row after row.
   void solve(double* out) const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < inner_ + tail_; ++i) largest = std::max(largest, std::abs(diagonal(i)));
-    constexpr double kSingular = 1e-13;
     for (std::size_t i = inner_ + tail_; i-- > 0;) {
-      if (!(std::abs(diagonal(i)) > kSingular * largest)) refuse();
+      breathe(width_ + tail_ + columns_);
+      if (diagonal(i) == 0.0) refuse();
       substitute(i, out);
     }
   }

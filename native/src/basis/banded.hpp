@@ -22,11 +22,11 @@ struct BandedRows {
 /// (Golub and Van Loan, §4.3.5), with rows exchanged only where a pivot is small. Matrices of B-spline functions need
 /// none (de Boor and Pinkus 1977).
 /// @param right    B, row after row, `columns` numbers each; X is written to it
-/// @throws InvalidShape if the matrix is singular: "the conditions do not determine …"
+/// @throws InvalidShape if a pivot is zero; a matrix that is nearly singular leaves X to rounding.
 void solve_banded(const BandedRows& matrix, std::span<double> right, std::size_t columns);
 
 /// The same where columns repeat after count(), and the diagonal may be anywhere: rotations (Givens), as Dierckx (1993,
-/// §4.1.2) has them for periodic splines. The rows are in the order of their first columns.
+/// §4.1.2) has them for periodic splines. Linear in time where rows are in the order of their first columns.
 void solve_cyclic(const BandedRows& matrix, std::span<double> right, std::size_t columns);
 
 }  // namespace splinecore

@@ -114,6 +114,7 @@ Plane plane_of(std::span<const glm::dvec3> points, double tolerance) {
 }
 
 std::optional<Plane> plane_of_control_points(std::span<const glm::dvec4> points) {
+  if (std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w == 0.0; })) return std::nullopt;
   const Spanning s = spanning(points);
   const double sine = length_of(accurate_cross(s.a.direction, s.b.direction));
   if (!(sine > 32.0 * kEpsilon + s.a.rounding + s.b.rounding)) return std::nullopt;

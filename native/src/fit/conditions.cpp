@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
@@ -30,6 +32,18 @@ void require_parameters(std::span<const double> parameters, std::size_t count) {
     throw InvalidShape("parameters" + index_text(i) + " = " + text_of(parameters[i]) + " is not above parameters" +
                        index_text(i - 1) + " = " + text_of(parameters[i - 1]));
   }
+  if (!std::isfinite(parameters.back() - parameters.front())) {
+    throw InvalidShape("parameters from " + text_of(parameters.front()) + " to " + text_of(parameters.back()) +
+                       " overflow: their distance is not a finite number");
+  }
+}
+
+/// A natural spline is the one that bends least among all curves of its smoothness: fewer points leave it open.
+void require_points_for_natural_ends(const InterpolationOptions& options, std::size_t count) {
+  const int least = (options.degree + 1) / 2;
+  if (options.ends != FitEnds::natural || count >= static_cast<std::size_t>(least)) return;
+  throw InvalidShape("natural ends of degree " + std::to_string(options.degree) + " need at least " +
+                     std::to_string(least) + " points, not " + std::to_string(count));
 }
 
 /// Derivatives at the ends are for open curves, and for ends that are not asked for something else.
@@ -110,6 +124,7 @@ std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::sp
   require_finite(points, "points");
   require_parameters(parameters, points.size() + (is_closed(options) ? 1 : 0));
   require_ends(options);
+  require_points_for_natural_ends(options, points.size());
   require_tangents(options, points.size());
   std::vector<Condition> all;
   all.reserve(points.size() + options.tangents.size() + 2 * static_cast<std::size_t>(options.degree));
@@ -139,6 +154,7 @@ std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::sp
 namespace {
 
 double average(std::span<const double> values) {
+  breathe(4 * values.size());
   // Of differences, so that equal ones give themselves.
   double sum = 0.0;
   for (const double value : values) sum += (value - values[0]) / static_cast<double>(values.size());
@@ -171,6 +187,18 @@ std::vector<double> open_knots(std::span<const Condition> conditions, std::span<
   }
   knots.insert(knots.end(), degree + 1, parameters.back());
   return knots;
+}
+
+/// @throws InvalidShape if the parameters return after another period than that of the knots.
+void require_period(const KnotVector& knots, std::span<const double> parameters) {
+  if (!knots.periodic()) return;
+  const double period = knots.domain().length();
+  const double around = parameters.back() - parameters.front();
+  const double size = std::max({std::abs(knots.domain().start), std::abs(knots.domain().end),
+                                std::abs(parameters.front()), std::abs(parameters.back())});
+  if (std::abs(around - period) <= 4.0 * std::numeric_limits<double>::epsilon() * size) return;
+  throw InvalidShape("parameters return after " + text_of(around) + ", but one period of the knots is " +
+                     text_of(period));
 }
 
 std::vector<double> closed_knots(std::span<const Condition> conditions, std::span<const double> parameters,
@@ -210,6 +238,7 @@ KnotVector knots_for(std::span<const Condition> conditions, std::span<const doub
                        std::to_string(given.count()) + " control points; " + std::to_string(conditions.size()) +
                        " conditions are given");
   }
+  require_period(given, parameters);
   return given;
 }
 

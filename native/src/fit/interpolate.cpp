@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/quotient.hpp"
 #include "basis/banded.hpp"
 #include "basis/blossom.hpp"
 #include "conditions.hpp"
@@ -56,7 +57,9 @@ System system_of(const KnotVector& knots, std::span<const Condition> conditions)
       breathe(4 * width * width);
       blossom_weights(near.unrolled().data() + system.rows.first[i], knots.degree(), arguments, row.data());
     } else {
-      derivatives.move_to(u, side);
+      if (i == 0 || conditions[i - 1].order == 0 || conditions[i - 1].point != condition.point) {
+        derivatives.move_to(u, side);
+      }
       system.rows.first[i] = derivatives.first();
       std::ranges::copy(derivatives.weights(condition.order), row.begin());
     }
@@ -80,6 +83,9 @@ std::vector<glm::dvec4> solved(const KnotVector& knots, const System& system) {
   for (std::size_t i = 0; i < count; ++i) {
     const double* const row = right.data() + 3 * i;
     points[i] = {row[0], row[1], row[2], 1.0};
+    if (!is_finite(glm::dvec3(points[i]))) {
+      throw InvalidShape("the control points of the curve are too large for numbers");
+    }
   }
   return points;
 }
@@ -90,6 +96,7 @@ double largest_distance(const NurbsCurve& curve, const BandedRows& rows, std::sp
   double largest = 0.0;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     if (conditions[i].order > 0) continue;
+    breathe(4 * rows.width);
     const auto row = rows.row(i);
     glm::dvec3 left = conditions[i].value;
     std::size_t at = static_cast<std::size_t>(rows.first[i]) % points.size();
@@ -102,6 +109,19 @@ double largest_distance(const NurbsCurve& curve, const BandedRows& rows, std::sp
   return largest;
 }
 
+/// A system that hardly decides the points leaves them to rounding.
+void require_passing(double error, std::span<const Condition> conditions) {
+  constexpr double kRounding = 1e-6;
+  double largest = 0.0;
+  for (const Condition& condition : conditions) {
+    if (condition.order > 0) continue;
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(condition.value[axis]));
+  }
+  if (error <= kRounding * largest) return;
+  throw InvalidShape("rounding leaves the curve " + text_of(error) +
+                     " from its points: the conditions hardly determine it, or its degree is too high for them");
+}
+
 }  // namespace
 
 Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::span<const double> parameters,
@@ -111,6 +131,7 @@ Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::s
   const System system = system_of(knots, conditions);
   NurbsCurve curve = NurbsCurve::make(knots, solved(knots, system));
   const double error = largest_distance(curve, system.rows, conditions);
+  require_passing(error, conditions);
   return {std::move(curve), error};
 }
 

@@ -35,7 +35,7 @@ Plane plane_across(const glm::dvec3& origin, const glm::dvec3& normal);
 Plane plane_of(std::span<const glm::dvec3> points, double tolerance);
 
 /// The plane of three points given as (x, y, z, w), w = 0 for a direction: the xy plane itself
-/// where every z is 0. Nothing where they span none: they lie on a line, up to rounding.
+/// where every z is 0. Nothing where they span none: they lie on a line, up to rounding, or all are directions.
 std::optional<Plane> plane_of_control_points(std::span<const glm::dvec4> points);
 
 /// The plane's coordinates of a point and of a direction.
