@@ -19,15 +19,12 @@ from shapes import add, enter
 from support import part, splinecore as sc
 
 handlers, live, native, shape = (part(name) for name in ('ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape'))
-positions_of = part('bridge.mesh_layers').positions_of
 
 COUNT = 32
 #: Faces in a span of ours, and Blender's resolution, for as many vertices: a hundred thousand and a million.
 SIZES = ((11, 10), (35, 32))
 #: Vertices of the adaptive mesh that is moved, about.
 ADAPTIVE = 389_000
-#: Steps of a drag before it is timed.
-_WARM = 3
 
 
 def once(action):
@@ -111,10 +108,10 @@ def by_tolerance(count):
 
 
 class Timed:
-    """The add-on's handler, or another in its place, with what it took at each call."""
+    """The add-on's handler, with what it took at each call."""
 
-    def __init__(self, handler=handlers.updated):
-        self.handler, self.times = handler, []
+    def __init__(self):
+        self.times = []
 
     def __enter__(self):
         self.chain = bpy.app.handlers.depsgraph_update_post
@@ -122,14 +119,14 @@ class Timed:
         return self.times
 
     def _call(self, *arguments):
-        self.times.append(once(lambda: self.handler(*arguments)))
+        self.times.append(once(lambda: handlers.updated(*arguments)))
 
     def __exit__(self, *_):
         self.chain[self.chain.index(self._call)] = handlers.updated
 
 
-def steps_of(held, count, handler=handlers.updated):
-    """(what a handler takes, what a whole step takes) where one point of a net is dragged."""
+def steps_of(held, count):
+    """(what the handler takes, what a whole step takes) where one point of a net is dragged."""
     mesh = bmesh.from_edit_mesh(held.data)
     mesh.verts.ensure_lookup_table()
 
@@ -137,34 +134,20 @@ def steps_of(held, count, handler=handlers.updated):
         mesh.verts[500 % len(mesh.verts)].co.z += 0.001
         bmesh.update_edit_mesh(held.data, loop_triangles=False, destructive=False)
         bpy.context.view_layer.update()
-    with Timed(handler) as shares:
-        steps = [once(whole) for _ in range(_WARM + count)]
-    return [(statistics.median(times[_WARM:]), min(times[_WARM:])) for times in (shares, steps)]
-
-
-def bare(held, data):
-    """A handler of nothing but the calls of Blender that no add-on can do without: the points of the net are read, as many
-    as the mesh has are written, and Blender is told."""
-    points, positions = np.empty(3 * len(held.data.vertices), np.float32), np.empty(3 * len(data.vertices), np.float32)
-    items, field = positions_of(data)
-    items.foreach_get(field, positions)
-
-    def handler(*_):
-        held.update_from_editmode()
-        held.data.vertices.foreach_get('co', points)
-        items, field = positions_of(data)
-        items.foreach_set(field, positions)
-        data.update()
-    return handler
+    for _ in range(3):
+        whole()
+    with Timed() as handler:
+        steps = [once(whole) for _ in range(count)]
+    return [(statistics.median(times), min(times)) for times in (handler, steps)]
 
 
 def drag(set_fineness, count=40):
-    """(vertices, what the handler takes, what a whole step takes, what bare() takes, what the end of the gesture takes)."""
+    """(vertices, what the handler takes, what a whole step takes, what the end of the gesture takes)."""
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     ob = add(patch())
     set_fineness(ob.data)
     held = enter()
-    found = *steps_of(held, count), steps_of(held, count, bare(held, ob.data))[0]
+    found = steps_of(held, count)
     settled = once(lambda: live.settle(ob.data))
     bpy.ops.splinewright.leave_net()
     return len(ob.data.vertices), *found, settled
@@ -191,22 +174,22 @@ def drags():
     """One point of a net of COUNT x COUNT is dragged: ours, and Blender's own surface beside it."""
     print(f"\none point of {COUNT} x {COUNT} is dragged, bicubic; medians (and least), milliseconds; "
           f"Blender {bpy.app.version_string}\n")
-    print("| faces | vertices | our share | of which Blender's bare calls | a whole step | Blender's surface | its vertices | ratio of steps "
+    print("| faces | vertices | our share | a whole step | Blender's surface | its vertices | ratio of steps "
           "| ratio to our share | the end of the gesture |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for faces, set_fineness, resolution in ((f"{ours} in a span", by_count(ours), theirs) for ours, theirs in SIZES):
         row(faces, drag(set_fineness), rival(resolution))
     row("adaptive", drag(by_tolerance(ADAPTIVE)), None)
 
 
 def row(faces, ours, theirs):
-    vertices, share, whole, blenders, settled = ours
+    vertices, share, whole, settled = ours
     beside = ("", "", "", "")
     if theirs is not None:
         count, step = theirs
         ratios = f"{step[0] / whole[0]:.1f}x", f"{step[0] / share[0]:.0f}x"
         beside = f"{step[0]:.1f} ({step[1]:.1f})", f"{count}", *ratios
-    ours = f"{share[0]:.2f} ({share[1]:.2f}) | {blenders[0]:.2f} ({blenders[1]:.2f}) | {whole[0]:.1f} ({whole[1]:.1f})"
+    ours = f"{share[0]:.2f} ({share[1]:.2f}) | {whole[0]:.1f} ({whole[1]:.1f})"
     print(f"| {faces} | {vertices} | {ours} | {' | '.join(beside)} | {settled:.0f} |", flush=True)
 
 

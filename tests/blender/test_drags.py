@@ -1,8 +1,5 @@
 """While points are dragged: the mesh has the bits of one made anew, no faces are built, others are left alone."""
 
-from contextlib import contextmanager
-
-import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -10,9 +7,9 @@ import pytest
 from shapes import VALUES, add, enter, leave, move, require_exact, select
 from support import part, splinecore as sc, vertices
 
-cage, fineness, live, net_object, recipes, shape, store, versions = (part(name) for name in (
-    'bridge.net.cage', 'bridge.fineness', 'bridge.net.live', 'bridge.net.net_object', 'bridge.recipes', 'bridge.shape',
-    'bridge.store', 'bridge.versions'))
+fineness, live, net_object, recipes, shape, store, versions = (part(name) for name in (
+    'bridge.fineness', 'bridge.net.live', 'bridge.net.net_object', 'bridge.recipes', 'bridge.shape', 'bridge.store',
+    'bridge.versions'))
 
 
 @pytest.mark.parametrize('name', ('nurbs patch', 'teapot', 'mixed set', 'ferguson', 'patch with a point at infinity'))
@@ -71,51 +68,6 @@ def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
     live.settle(ob.data)
     assert not calls
     leave()
-
-
-@pytest.mark.parametrize('name', ('nurbs patch', 'teapot', 'mixed set'))
-def test_the_end_of_a_drag_compares_no_faces_that_it_knows_and_leaves_what_it_would_find(name, monkeypatch):
-    ob = add(VALUES[name]())
-    held = enter()
-    select(held, 4)
-    move(0, 0, 0.1)
-    move(0, 0, 0.1)
-    for owner, asked in ((part('bridge.write_mesh'), '_has_faces'), (part('bridge.mesh_attributes'), 'lies_as')):
-        monkeypatch.setattr(owner, asked, None)
-    live.settle(ob.data)
-    monkeypatch.undo()
-    assert not store.is_draft(ob.data) and store.read_stamp(ob.data) == part('bridge.stamp').of(ob.data)
-    tessellation = live.session(held.data).faces
-    assert part('bridge.write_mesh')._has_faces(ob.data, tessellation)
-    assert part('bridge.mesh_attributes').lies_as(ob.data, tessellation)
-    require_exact(ob)
-    move(0, 0, 0.1)
-    ob.data.vertices[3].co.z += 1       # by hand
-    monkeypatch.setattr(live.session(held.data), '_next_check', 0)
-    with pytest.raises(Exception, match="changed by hand"):
-        live.settle(ob.data)
-    leave()
-
-
-@pytest.mark.parametrize('many', (1, 10 ** 9))
-def test_the_end_of_a_drag_of_many_vertices_shows_how_far_it_is(many, monkeypatch):
-    ob = add(VALUES['teapot']())
-    held = enter()
-    select(held, 4)
-    move(0, 0, 0.1)
-    shown = []
-
-    @contextmanager
-    def noted(context, total):
-        shown.append(total)
-        yield shown.append
-    editing = part('ui.editing')
-    monkeypatch.setattr(editing, '_MANY', many)
-    monkeypatch.setattr(editing.progress, 'shown', noted)
-    editing.settle()
-    assert not store.is_draft(ob.data) and shown == ([2, 1, 2] if many == 1 else [])
-    leave()
-    require_exact(ob)
 
 
 def test_sides_that_come_apart_show_it_at_that_move_and_are_one_again_when_they_meet(monkeypatch):
@@ -227,20 +179,3 @@ def test_a_shape_by_tolerance_is_not_read_for_faces_that_it_would_not_keep(monke
     ob.data.splinewright.mode = 'TOLERANCE'
     monkeypatch.setattr(store, 'read', None)
     assert shape.faces_of(ob.data) is None
-
-
-def test_a_net_in_edit_mode_is_read_alike_from_its_copy_and_from_itself():
-    add(VALUES['teapot']())
-    held = enter()
-    net, edited = live.session(held.data).net, bmesh.from_edit_mesh(held.data)
-    edited.verts.ensure_lookup_table()
-    for step in range(3):
-        edited.verts[7 + step].co = (1 / 3, step, -9)
-        edited.verts[20][edited.verts.layers.float['weight']] = 2.5 + step
-        if step == 2:
-            edited.verts.remove(edited.verts[300])
-        there, itself = cage.present(held, net), cage.present(held.data, net)
-        for name in ('positions', 'weights', 'links'):
-            assert np.array_equal(getattr(there, name)(), getattr(itself, name)())
-        assert np.array_equal(there.numbers, itself.numbers) and there.weights()[20] == 2.5 + step
-    leave()

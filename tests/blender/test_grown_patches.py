@@ -306,7 +306,7 @@ def test_a_called_off_drag_of_a_border_leads_back_at_once():
     held().data.vertices.foreach_get('co', places)
     move(0, 0, 1)
     assert value() != before
-    edited = part('bridge.net.cage')._Vertices(held().data)
+    edited = part('bridge.net.cage')._Vertices(held())
     edited.set_positions(places.reshape(-1, 3))
     edited.tell()
     bpy.context.view_layer.update()

@@ -210,16 +210,3 @@ def test_the_panel_text_of_every_kind_tells_degree_counts_and_knots():
     assert lines(definition(sc.HermiteCurve(np.eye(3), np.eye(3))))[:2] == [("Kind", "Hermite curve"), ("Degree", "3")]
     assert lines(definition([sc.BezierCurve(np.eye(3))] * 2)) == [
         ("Kind", "2 Bezier curves"), ("Degrees", "2"), ("Points", "6 in the pool")]
-
-
-@pytest.mark.parametrize('before', ([1.0, 2.0, 3.0], [1.0, 2.0], [1.0] * 4000, [1, 2, 3], "text", 5.0, {'a': 1}, None))
-def test_an_array_takes_the_place_of_whatever_was_there(before):
-    mesh, array = bpy.data.meshes.new("mesh"), np.array([0.1, -0.0, 1 / 3])
-    if before is not None:
-        mesh['kept'] = before
-    store.assign(mesh, 'kept', array)
-    assert mesh['kept'].typecode == 'd' and np.array(mesh['kept']).tobytes() == array.tobytes()
-    store.assign(mesh, 'kept', array[:2])
-    assert mesh['kept'].to_list() == [0.1, -0.0]
-    store.assign(mesh, 'kept', "text")
-    assert mesh['kept'] == "text"

@@ -41,9 +41,8 @@ def lies_as(mesh, tessellation):
 
 def _parameters(tessellation):
     sizes = np.diff(np.append(tessellation.face_starts, len(tessellation.corner_vertices)))
-    values = np.empty((len(tessellation.corner_vertices), 3), np.float32)
-    values[:, :2], values[:, 2] = tessellation.corner_uvs, np.repeat(tessellation.face_patches, sizes)
-    return values
+    values = np.column_stack([tessellation.corner_uvs, np.repeat(tessellation.face_patches, sizes)])
+    return np.ascontiguousarray(values, np.float32)
 
 
 @contextlib.contextmanager

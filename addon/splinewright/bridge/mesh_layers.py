@@ -121,13 +121,6 @@ def read(data, field, width, dtype):
     return flat.reshape(-1, width)
 
 
-def positions_of(mesh):
-    """The items that hold where the vertices of a mesh lie, and the name of their field: an attribute where Blender has one,
-    which it reads and writes a hundred times as fast."""
-    attribute = mesh.attributes.get('position')
-    return (mesh.vertices, 'co') if attribute is None else (attribute.data, 'vector')
-
-
 def column(mesh, collection, field, attribute, dtype):
     """(n,) of a field, whose attribute is where this Blender has it; None where no element has that."""
     if not versions.marks_are_attributes:
@@ -137,9 +130,8 @@ def column(mesh, collection, field, attribute, dtype):
 
 
 def corner_vertices(mesh):
-    """(c,) the vertex of each corner; of a mesh in Edit Mode as it was before, where Blender shows no attribute of it."""
-    found = column(mesh, 'loops', 'vertex_index', '.corner_vert', np.int32)
-    return read(mesh.loops, 'vertex_index', 1, np.int32)[:, 0] if found is None else found
+    """(c,) the vertex of each corner."""
+    return column(mesh, 'loops', 'vertex_index', '.corner_vert', np.int32)
 
 
 def corner_edges(mesh):

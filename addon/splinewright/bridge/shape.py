@@ -5,13 +5,12 @@ from typing import Callable, NamedTuple
 import bpy
 import numpy as np
 
-from ..core import checksum
 from ..core import definition as definitions
 from ..core.failures import Refusal
 from ..core.handles import fitting
 from ..core.library import sc
-from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, mesh_layers, point_keys, problems, recipes, settings,
-               stamp, store, write_curve, write_mesh)
+from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, point_keys, problems, recipes, settings, stamp, store,
+               write_curve, write_mesh)
 from .file_state import key, state
 
 
@@ -113,7 +112,7 @@ def carry_out(plan, progress=no_progress):
 def rewrite(data, progress=no_progress, faces=None):
     """Evaluate the stored definition again, after its settings changed. Raises and returns as set_definition() does.
 
-    faces: the Tessellation whose faces it is known to have, as long as nobody touched it, and is to keep if it fits.
+    faces: the Tessellation that it is to have, where that is known and fits.
     """
     require_untouched(data)
     return restore(data, progress, faces)
@@ -133,11 +132,7 @@ def restore(data, progress=no_progress, faces=None):
 
 def _finish(data, picture, progress):
     picture.write()
-    if picture.has_faces:
-        found = stamp.moved(store.read_stamp(data), checksum.of(picture.points.ravel()))
-    else:
-        found = stamp.of(data)
-    store.write_final(data, found)
+    store.write_final(data, stamp.of(data))
     progress(2)
     problems.tell(data, problems.SETTING, "")
     state.touched[key(data)] = False
@@ -155,8 +150,6 @@ def detach(data):
     held.write(data, ())
     handles.write(data, ())
     curve_layers.set_number(data, 0)
-    if isinstance(data, bpy.types.Mesh):
-        mesh_layers.have_normals_back(data)
 
 
 def is_touched(data):
@@ -179,7 +172,6 @@ class Picture(NamedTuple):
     points: np.ndarray                  # (n, 3) float32, all of them
     write: Callable                     # puts it into the data-block
     tessellation: object = None         # the splinecore Tessellation of patches
-    has_faces: bool = False             # whether the data-block is known to have its faces
 
 
 def evaluated(data, definition, around=None, faces=None):
@@ -200,10 +192,9 @@ def evaluated(data, definition, around=None, faces=None):
     is_known = faces is not None and faces.fits(patch_set)
     tessellation = faces if is_known else fineness.tessellated(data, patch_set)
     positions, normals = tessellation.evaluate(patch_set)
-    positions = _single(positions)
+    _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.of(data).sharp_angle)
-    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp, is_known),
-                   tessellation, is_known)
+    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp), tessellation)
 
 
 def faces_of(data):
@@ -229,7 +220,9 @@ def lines_of(data, curve, around=None):
 def points_of(data):
     """(n, 3) float64: the points that the data-block holds."""
     if isinstance(data, bpy.types.Mesh):
-        return mesh_layers.read(*mesh_layers.positions_of(data), 3, np.float32).astype(np.float64)
+        flat = np.empty(3 * len(data.vertices), np.float32)
+        data.vertices.foreach_get('co', flat)
+        return flat.reshape(-1, 3).astype(np.float64)
     found = [np.empty((0, 3))]
     for spline in data.splines:
         flat = np.empty(4 * len(spline.points), np.float32)
@@ -241,7 +234,7 @@ def points_of(data):
 def _single(points):
     """The points as Blender holds them, in float32. Raises InvalidShape if one is too far away."""
     with np.errstate(over='ignore'):
-        points = np.ascontiguousarray(points, np.float32)
+        points = points.astype(np.float32)
     if not np.isfinite(points).all():
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
     return points

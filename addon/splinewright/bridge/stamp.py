@@ -6,7 +6,6 @@ import bpy
 import numpy as np
 
 from ..core import checksum
-from . import mesh_layers
 
 
 def of(data):
@@ -37,8 +36,13 @@ def moved(before, total):
 
 
 def _of_mesh(mesh):
-    positions = mesh_layers.read(*mesh_layers.positions_of(mesh), 3, np.float32).ravel()
-    corners = mesh_layers.corner_vertices(mesh)
+    positions = np.empty(3 * len(mesh.vertices), np.float32)
+    if 'position' in mesh.attributes:
+        mesh.attributes['position'].data.foreach_get('vector', positions)
+    else:
+        mesh.vertices.foreach_get('co', positions)
+    corners = np.empty(len(mesh.loops), np.int32)
+    mesh.loops.foreach_get('vertex_index', corners)
     return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners)]
 
 

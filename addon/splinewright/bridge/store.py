@@ -42,15 +42,9 @@ def has_definition(data):
 def assign(owner, key, value):
     """owner[key] = value for ID properties. Blender 4.3 and 5.2 overrun memory when an array is
     assigned over one of another length, so what was there goes first."""
-    if key in owner.keys() and not _are_alike(owner[key], value):
+    if key in owner.keys():
         del owner[key]
     owner[key] = value
-
-
-def _are_alike(there, value):
-    """Whether both are float64 arrays of one length: the numbers are written into what is there."""
-    return (getattr(there, 'typecode', None) == 'd' and getattr(value, 'dtype', None) == np.float64
-            and len(there) == len(value))
 
 
 def write(data, definition):

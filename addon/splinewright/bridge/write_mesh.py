@@ -10,13 +10,12 @@ import numpy as np
 from . import mesh_attributes, mesh_edges, mesh_layers, mesh_looks, mesh_sharp, versions
 
 
-def write(mesh, tessellation, positions, normals, sharp, has_faces=False):
+def write(mesh, tessellation, positions, normals, sharp):
     """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
     sharp edges (k, 2). Where the faces are the same as before only positions and normals change.
-    What a user put on them stays, or is carried over to the new ones. has_faces: known to have these very faces."""
+    What a user put on them stays, or is carried over to the new ones."""
     active = mesh_layers.active_attribute(mesh)
-    is_same = has_faces or _has_faces(mesh, tessellation) and mesh_attributes.lies_as(mesh, tessellation)
-    if is_same and len(mesh.uv_layers):
+    if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
         flags = mesh_sharp.marked(mesh)
@@ -74,8 +73,11 @@ def _has_faces(mesh, tessellation):
 
 
 def _write_positions(mesh, positions):
-    data, field = mesh_layers.positions_of(mesh)
-    data.foreach_set(field, np.ascontiguousarray(positions, np.float32).ravel())
+    flat = np.ascontiguousarray(positions, np.float32).ravel()
+    if 'position' in mesh.attributes:
+        mesh.attributes['position'].data.foreach_set('vector', flat)
+    else:
+        mesh.vertices.foreach_set('co', flat)
 
 
 def _replace_faces(mesh, tessellation, positions):

@@ -3,7 +3,7 @@
 import numpy as np
 
 #: Pairs of numbers in a block, of which the sum is kept.
-_BLOCK = 16384
+_BLOCK = 4096
 
 
 def of(numbers):

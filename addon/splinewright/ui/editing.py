@@ -9,11 +9,6 @@ from ..bridge import point_keys, problems, recipes, remaking, shape, store
 from ..bridge.file_state import block_of, ended_operators, key, state
 from ..bridge.net import free_net, live, net_object, selection
 from ..core.failures import FAILURES, Refusal, sentence, told
-from . import progress
-
-
-#: Shapes of so many vertices take more than a moment to be settled.
-_MANY = 200_000
 
 
 def why_not(ob):
@@ -300,11 +295,7 @@ def settle():
 def _settle(owner):
     """Whatever goes wrong is kept in words: other shapes are to get theirs, too."""
     try:
-        if store.is_draft(owner.data) and len(getattr(owner.data, 'vertices', ())) >= _MANY:
-            with progress.shown(bpy.context, shape.STEPS) as step:
-                live.settle(owner.data, step)
-        else:
-            live.settle(owner.data)
+        live.settle(owner.data)
     except Exception as error:
         problems.tell(owner.data, problems.SETTING, told(error))
 

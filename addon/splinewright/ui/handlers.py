@@ -162,9 +162,8 @@ def _follow_nets(changed):
         if ob.mode == 'EDIT':
             state.kept.discard(key(ob))
             if ob.data in changed:
-                data = live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY)
-                written.add(data)
-                is_draft = is_draft or data is None and live.is_draft(ob)
+                written.add(live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY))
+                is_draft = is_draft or live.is_draft(ob)
                 if live.note(ob):
                     _soon(editing.hand_over, 0.0)
                 if live.is_waiting(ob):

@@ -10,7 +10,7 @@ from ...core.net import strays
 from ...core.net.cage import Cage
 from ...core.net.grown import STRAY, copy_of
 from ...core.net.reading import ChangedNet, Present
-from .. import mesh_edges, mesh_layers
+from .. import mesh_edges
 
 WEIGHT = "weight"
 NUMBER = "splinewright_vertex"
@@ -50,18 +50,8 @@ def _without_sides(edges, faces):
 
 def present(ob, net):
     """The Present vertices of a net's object or Mesh, in Edit Mode or not. Raises ChangedNet."""
-    if isinstance(ob, bpy.types.Mesh) or not ob.data.is_editmode:
-        vertices = _Vertices(ob if isinstance(ob, bpy.types.Mesh) else ob.data)
-        return Present(_numbers(vertices, net), vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
-    vertices = _Vertices(_copy(ob))
-    positions, weights = vertices.positions(), vertices.values('FLOAT', WEIGHT)      # now: the copy goes with the next
-    return Present(_numbers(vertices, net), lambda: positions, lambda: weights, _Vertices(ob.data).links)
-
-
-def _copy(ob):
-    """What an object in Edit Mode shows as a Mesh of its own, which is read many times as fast."""
-    ob.update_from_editmode()
-    return ob.to_mesh()
+    vertices = _Vertices(ob)
+    return Present(_numbers(vertices, net), vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
 
 
 def _numbers(vertices, net):
@@ -148,9 +138,10 @@ def mend(mesh, faces, parted):
 class _Vertices:
     """The vertices of a Mesh, from where they are now: Edit Mode has its own."""
 
-    def __init__(self, mesh):
-        self._mesh = mesh
-        self._edited = bmesh.from_edit_mesh(mesh) if mesh.is_editmode else None
+    def __init__(self, block):
+        """block: the Mesh, or the object that has it, which is faster in Edit Mode."""
+        self._ob, self._mesh = (None, block) if isinstance(block, bpy.types.Mesh) else (block, block.data)
+        self._edited = bmesh.from_edit_mesh(self._mesh) if self._mesh.is_editmode else None
 
     def values(self, kind, name):
         """(m,) of an attribute, or None where there is none of that kind."""
@@ -185,9 +176,13 @@ class _Vertices:
         return attribute if attribute and attribute.domain == 'POINT' and attribute.data_type == kind else None
 
     def positions(self):
-        if self._edited is not None:
+        if self._edited is not None and self._ob is None:
             return np.array([vertex.co[:] for vertex in self._edited.verts], np.float32).reshape(-1, 3)
-        return mesh_layers.read(*mesh_layers.positions_of(self._mesh), 3, np.float32)
+        if self._edited is not None:
+            self._ob.update_from_editmode()
+        flat = np.empty(3 * len(self._mesh.vertices), np.float32)
+        self._mesh.vertices.foreach_get('co', flat)
+        return flat.reshape(-1, 3)
 
     def set_positions(self, positions):
         if self._edited is None:

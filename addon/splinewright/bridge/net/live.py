@@ -70,15 +70,9 @@ class Session:
 
     def take(self, exact, slots):
         """Take these for the numbers of the vertices, and for their slots among what Blender holds, -1 for none."""
-        self.state, self.slots, self._points = exact, slots, None
-
-    @property
-    def points(self):
-        """(n, 3) float32: where the vertices of the net are, for what is drawn."""
-        if self._points is None:
-            with np.errstate(over='ignore'):
-                self._points = self.state.positions.astype(np.float32)
-        return self._points
+        self.state, self.slots = exact, slots
+        with np.errstate(over='ignore'):
+            self.points = exact.positions.astype(np.float32)    # for the overlay
 
     def require_alone(self, data, pool):
         """Raises Refusal where others changed the shape since its net last wrote it."""
@@ -396,15 +390,12 @@ def is_draft(ob):
     return owner is not None and store.is_draft(owner.data)
 
 
-def settle(data, progress=shape.no_progress):
-    """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for.
-
-    progress: as of shape.rewrite().
-    """
+def settle(data):
+    """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
     if store.is_draft(data):
         current = state.sessions.get(net_object.editor(data))
         current = current if isinstance(current, Session) else None
-        faces = shape.rewrite(data, progress, current.final_faces(data) if current else None)
+        faces = shape.rewrite(data, faces=current.final_faces(data) if current else None)
         if current is not None:
             current.wrote(data, faces)
 
