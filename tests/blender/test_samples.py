@@ -108,7 +108,7 @@ def test_solids_are_recipes_whose_radius_is_within_what_the_picture_says():
               np.hypot(points['Torus'][..., 2], across['Torus'] - 0.85) / 0.36 - 1,
               across['Cone'] + (points['Cone'][..., 2] + 0.95) / 1.9 - 1)
     assert max(np.abs(error).max() for error in errors) <= 2e-15
-    for name, end in (('Sphere', "3e-16"), ('Torus', "2e-15"), ('Cylinder', "4e-16"), ('Cone', "4e-16")):
+    for name, end in (('Sphere', "3e-16"), ('Torus', "2e-15"), ('Cylinder', "4e-16"), ('Cone', "3e-16")):
         captions = [ob.data.body for ob in bpy.data.objects if ob.type == 'FONT' and ob.location.x == pytest.approx(
             bpy.data.objects[name].location.x)]
         assert f"radius to {end}" in captions and name.lower() in captions
