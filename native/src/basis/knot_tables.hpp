@@ -13,7 +13,6 @@
 #include "span_finder.hpp"
 #include "span_tables.hpp"
 #include "splinecore/basis/knot_vector.hpp"
-#include "splinecore/basis/knot_vector.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {

@@ -5,20 +5,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include "kronrod_node.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// A node of (0, 1/2], its share in Kronrod's rule and that in Gauss's.
-struct Node {
-  double at;
-  double kronrod;
-  double gauss;
-};
-
-constexpr std::array<Node, 16> kNodes{{
+constexpr std::array<KronrodNode, 16> kNodes{{
     {0.00099885065330146985741, 0.0026887399364616744939, 0.0},
     {0.0060037409897572857552, 0.0075039736646580612692, 0.015376620998058634177},
     {0.016130462160430432871, 0.012730423663357660093, 0.0},
@@ -47,7 +41,7 @@ struct Shares {
 constexpr Shares kShares = [] {
   Shares shares;
   for (std::size_t i = 0; i < kCount; ++i) {
-    const Node& node = kNodes[i < kNodes.size() ? i : kCount - 1 - i];
+    const KronrodNode& node = kNodes[i < kNodes.size() ? i : kCount - 1 - i];
     if (i == kNodes.size()) continue;
     shares.kronrod[i] = node.kronrod;
     shares.differences[i] = node.kronrod - node.gauss;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "kernels/kernels.hpp"
+#include "kronrod_node.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -13,14 +14,7 @@ namespace splinecore {
 
 namespace {
 
-/// A node of (0, 1/2], its share in Kronrod's rule and that in Gauss's.
-struct Node {
-  double at;
-  double kronrod;
-  double gauss;
-};
-
-constexpr std::array<Node, 11> kNodes{{
+constexpr std::array<KronrodNode, 11> kNodes{{
     {0.0021714184870959596322, 0.005847319433685937139, 0.0},
     {0.013046735741414139961, 0.016279081153982363739, 0.033335672154344068797},
     {0.034921254322145886999, 0.027377948287175998016, 0.0},
@@ -50,7 +44,7 @@ constexpr Rule kRule = [] {
   Rule rule;
   for (std::size_t i = 0; i < kCount - kEnds; ++i) {
     const bool is_low = i < kNodes.size();
-    const Node& node = kNodes[is_low ? i : kCount - kEnds - 1 - i];
+    const KronrodNode& node = kNodes[is_low ? i : kCount - kEnds - 1 - i];
     rule.at[kEnds + i] = is_low ? node.at : 1.0 - node.at;
     rule.rest[kEnds + i] = is_low ? 1.0 - node.at : node.at;
     rule.shares[kEnds + i] = node.kronrod;

@@ -1,7 +1,5 @@
 #include "pole.hpp"
 
-#include <array>
-
 #include "base/given_points.hpp"
 #include "lines.hpp"
 #include "settled.hpp"
