@@ -31,6 +31,27 @@ def test_a_result_changed_by_hand_is_noticed_and_never_overwritten(name):
     assert np.array_equal(shown(ob), changed) and not list(editing.nets())
 
 
+def test_corners_that_go_from_one_face_to_its_neighbour_are_noticed():
+    mesh = add(VALUES['nurbs patch'](), "shape").data
+    starts, totals = (np.empty(len(mesh.polygons), np.int32) for _ in range(2))
+    mesh.polygons.foreach_get('loop_start', starts)
+    mesh.polygons.foreach_get('loop_total', totals)
+    assert totals[0] == totals[1] == 4
+    starts[1], totals[:2] = 3, (3, 5)
+    mesh.polygons.foreach_set('loop_start', starts)
+    if bpy.app.version < (4, 1):
+        mesh.polygons.foreach_set('loop_total', totals)
+    assert shape.is_touched(mesh)
+
+
+def test_a_stamp_of_an_older_file_that_lacks_where_faces_start_is_of_what_it_counts():
+    mesh = add(VALUES['nurbs patch'](), "shape").data
+    store.write_stamp(mesh, store.read_stamp(mesh)[:5])
+    assert not shape.is_touched(mesh) and shape.faces_of(mesh) is not None
+    mesh.vertices[0].co.x += 1.0
+    assert shape.is_touched(mesh)
+
+
 @pytest.mark.parametrize('name', KINDS)
 def test_restore_brings_the_definition_back_and_undo_the_changes(name):
     value = VALUES[name]()

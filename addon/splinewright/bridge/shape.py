@@ -155,7 +155,7 @@ def detach(data):
 def is_touched(data):
     """Whether the geometry is not what was written: edited by hand, joined, remeshed, moved by Apply Transform."""
     known = store.read_stamp(data) if store.has_definition(data) else None
-    return known is not None and known != stamp.of(data)
+    return known is not None and not stamp.agree(known, stamp.of(data))
 
 
 def seems_touched(data):

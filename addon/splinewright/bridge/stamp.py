@@ -13,17 +13,27 @@ def of(data):
     return _of_curve(data) if isinstance(data, bpy.types.Curve) else _of_mesh(data)
 
 
+def agree(a, b):
+    """Whether two stamps are of the same geometry."""
+    return _comparable(a, b) and all(x == y for x, y in zip(a, b))
+
+
 def same_topology(a, b):
     """Whether two stamps are of geometry that differs in positions only."""
     positions = 2 if len(a) == 3 else 3
-    return len(a) == len(b) and all(x == y for i, (x, y) in enumerate(zip(a, b)) if i != positions)
+    return _comparable(a, b) and all(x == y for i, (x, y) in enumerate(zip(a, b)) if i != positions)
+
+
+def _comparable(a, b):
+    """Whether they are of one kind of data-block. Where faces start was not counted in older files."""
+    return len(a) == len(b) or sorted((len(a), len(b))) == [5, 6]
 
 
 def is_of_faces(stamp, tessellation):
     """Whether a Mesh's stamp is of the faces of a splinecore Tessellation."""
-    corners = tessellation.corner_vertices
-    return len(stamp) == 5 and (stamp[0], stamp[2], stamp[4]) == (
-        tessellation.vertex_count, len(tessellation.face_starts), zlib.crc32(corners))
+    starts, corners = tessellation.face_starts, tessellation.corner_vertices
+    known = [tessellation.vertex_count, None, len(starts), None, zlib.crc32(corners), zlib.crc32(starts)]
+    return _comparable(stamp, known) and all(x == y for x, y in zip(stamp, known) if y is not None)
 
 
 def moved(before, total):
@@ -31,8 +41,7 @@ def moved(before, total):
 
     total: core.checksum.of() the positions.
     """
-    vertices, edges, faces, _, corners = before
-    return [vertices, edges, faces, total, corners]
+    return [*before[:3], total, *before[4:]]
 
 
 def _of_mesh(mesh):
@@ -43,7 +52,10 @@ def _of_mesh(mesh):
         mesh.vertices.foreach_get('co', positions)
     corners = np.empty(len(mesh.loops), np.int32)
     mesh.loops.foreach_get('vertex_index', corners)
-    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners)]
+    starts = np.empty(len(mesh.polygons), np.int32)
+    mesh.polygons.foreach_get('loop_start', starts)
+    return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners),
+            zlib.crc32(starts)]
 
 
 def _of_curve(curve):
