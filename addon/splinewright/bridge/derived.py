@@ -10,8 +10,10 @@ from .native import read_native
 
 
 def result(recipe, values, sources, owner, depsgraph, frames=()):
-    """What a recipe makes from objects, in the space of the object `owner`; frames as of recipes.Stored. Raises Refusal
-    or an error of the library."""
+    """What a recipe makes from objects, in the space of the object `owner`, or of the world where it is None; frames as of
+    recipes.Stored. Raises Refusal or an error of the library."""
+    if recipe.has_places:
+        return recipe.make(np.array([matrix_in(frame, owner, depsgraph)[:3, 3] for frame in frames]), **values)
     inputs = [definition_of(source, depsgraph) for source in sources]
     if not recipe.is_beside:
         inputs = [_moved(definition, source, owner, depsgraph) for definition, source in zip(inputs, sources)]
@@ -26,7 +28,8 @@ def _moved(definition, source, owner, depsgraph):
 
 
 def matrix_in(ob, owner, depsgraph):
-    """(4, 4): from the space of one object to that of another. Raises Refusal where that has no room for it."""
+    """(4, 4): from the space of one object to that of another, or of the world for None. Raises Refusal where that has no
+    room for it."""
     space, own = (np.array(_matrix(one, depsgraph), dtype=np.float64) for one in (owner, ob))
     if not abs(np.linalg.det(space[:3, :3])) > 0.0:
         raise Refusal(f"{owner.name} has a scale of 0: it cannot show what it follows")
@@ -62,4 +65,4 @@ def definition_of(source, depsgraph):
 
 
 def _matrix(ob, depsgraph):
-    return ob.evaluated_get(depsgraph).matrix_world
+    return ob.evaluated_get(depsgraph).matrix_world if ob is not None else np.eye(4)

@@ -40,15 +40,18 @@ def _is_live(data):
 
 
 def new_object(recipe, values, sources, resolution, depsgraph, frames=()):
-    """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies.
+    """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies, or at the
+    origin where places alone count.
 
     frames: as of recipes.Stored. Raises Refusal or an error of the library if it cannot be result.
     """
-    result = derived.result(recipe, values, sources, sources[0], depsgraph, frames)
-    name = f"{sources[0].name} {recipe.label if recipe.parameters else 'Exact'}"
-    data = shape.new_data(name, definitions.to_value(result.definition), resolution)
+    first = next(iter(sources), None)
+    result = derived.result(recipe, values, sources, first, depsgraph, frames)
+    made = recipe.label if recipe.parameters else "Exact"
+    data = shape.new_data(f"{first.name} {made}" if first else made, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
-    ob.matrix_world = sources[0].matrix_world
+    if first:
+        ob.matrix_world = first.matrix_world
     _write(data, recipe, values, sources, result.error, frames)
     return ob
 

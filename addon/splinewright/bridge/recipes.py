@@ -5,6 +5,7 @@ read() is the one door: what it gives is valid, and anything else that may be st
 """
 
 import contextlib
+import itertools
 import math
 from typing import NamedTuple
 
@@ -22,7 +23,7 @@ KEY = "splinewright_recipe"
 VERSION = 2
 #: Keys of the pointers to the objects that a shape is made from, and of whether each was a shape then.
 _INPUTS = (('input', 'shape'), ('input_2', 'shape_2'))
-#: Key of the pointer to an object of which the place and axes alone count.
+#: Key of the pointer to an object of which the place and axes alone count; of several the keys are numbered from 1.
 _FRAME = 'frame'
 #: The property that a driver is on which reads the inputs, and its data path.
 _WATCHED = "watched"
@@ -37,7 +38,7 @@ class Stored(NamedTuple):
     points: np.ndarray                  # (n, 3) float64; none where it has inputs
     sources: tuple                      # objects that it is made from, None for one that was deleted
     were_shapes: tuple                  # of each: whether it was a shape when it was chosen
-    frames: tuple                       # the object of which the place and axes alone count, None for a deleted one; or ()
+    frames: tuple                       # objects of which the place and axes alone count, None for a deleted one
     error: float                        # how far what it made may lie from what it should be
 
 
@@ -51,7 +52,7 @@ def has(data):
 
 def follows(data):
     """Whether the shape is made from other objects, as far as can be told without reading the recipe."""
-    return has(data) and store.is_group(data[KEY]) and _INPUTS[0][0] in data[KEY].keys()
+    return has(data) and store.is_group(data[KEY]) and not {_INPUTS[0][0], _numbered(0)}.isdisjoint(data[KEY].keys())
 
 
 def pointers(data):
@@ -61,7 +62,17 @@ def pointers(data):
 
 def frames(data):
     """The objects whose place and axes alone count, as pointers()."""
-    return _pointed(data, [_FRAME])
+    return _pointed(data, _frame_keys(data[KEY])) if store.is_group(data[KEY]) else []
+
+
+def _numbered(index):
+    return f"{_FRAME}_{index + 1}"
+
+
+def _frame_keys(group):
+    """Of the objects whose place and axes alone count, in their order."""
+    numbered = list(itertools.takewhile(group.keys().__contains__, map(_numbered, itertools.count())))
+    return numbered or [_FRAME]
 
 
 def _pointed(data, keys):
@@ -149,7 +160,7 @@ def _points(group, recipe):
 
 
 def _sources(group, recipe):
-    if bool(recipe.inputs) != (_INPUTS[0][0] in group.keys()):
+    if bool(recipe.inputs) != (_INPUTS[0][0] in group.keys()) or recipe.has_places and _numbered(0) not in group.keys():
         raise ValueError("it has other inputs than its kind")
     sources = tuple(group.get(pointer) for pointer, _ in _INPUTS[:len(recipe.inputs)])
     if not all(source is None or isinstance(source, bpy.types.Object) for source in sources):
@@ -158,12 +169,15 @@ def _sources(group, recipe):
 
 
 def _frames(group, recipe):
-    if _FRAME not in group.keys():
+    keys = _frame_keys(group)
+    if keys == [_FRAME] and _FRAME not in group.keys():
         return ()
-    frame = group[_FRAME]
-    if not recipe.frame or frame is not None and not isinstance(frame, bpy.types.Object):
+    found = tuple(group.get(pointer) for pointer in keys)
+    if not all(frame is None or isinstance(frame, bpy.types.Object) for frame in found):
         raise ValueError("what gives its place is no object")
-    return (frame,)
+    if recipe.has_places != (keys != [_FRAME]) or not (recipe.frame or recipe.has_places):
+        raise ValueError("it has other objects than its kind")
+    return found
 
 
 def has_points(data):
@@ -223,10 +237,9 @@ def write_derived(data, recipe, values, sources, error, frames=()):
     group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error)}
     for (pointer, flag), source in zip(_INPUTS, sources):
         group.update({pointer: source, flag: store.has_definition(source.data)})
-    for frame in frames:
-        group[_FRAME] = frame
+    group.update(zip(map(_numbered, itertools.count()) if recipe.has_places else (_FRAME,), frames))
     store.assign(data, KEY, group)
-    properties.show(data, recipe, values, frames)
+    _show(data, recipe, values, frames)
     watch(data)
 
 
@@ -262,4 +275,8 @@ def show(data):
     with contextlib.suppress(store.UnreadableDefinition):
         stored = read(data)
         if stored:
-            properties.show(data, stored.recipe, stored.values, stored.frames)
+            _show(data, stored.recipe, stored.values, stored.frames)
+
+
+def _show(data, recipe, values, frames):
+    properties.show(data, recipe, values, frames if recipe.frame else ())

@@ -9,7 +9,7 @@ from . import curve_tools, editing, kinds, patch_tools, tools
 _FIRST_CURVES = (('line', 'IPO_LINEAR'), ('bezier_curve', 'CURVE_BEZCURVE'), ('bezier_chain', 'CURVE_PATH'),
                  ('nurbs_curve', 'CURVE_NCURVE'), ('circle', 'MESH_CIRCLE'), ('arc', 'SPHERECURVE'))
 #: Conics come before it, splines and formulas from it on.
-_FIRST_SPLINE = 'catmull_rom'
+_FIRST_SPLINE = 'interpolating'
 _ICONS = {'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
           'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE', 'plane': 'MESH_PLANE', 'cylinder': 'MESH_CYLINDER',
           'cone': 'MESH_CONE', 'sphere': 'MESH_UVSPHERE', 'torus': 'MESH_TORUS', 'surface_formula': 'FILE_TEXT'}
@@ -67,6 +67,12 @@ def _draw_surface_add(self, context):
     self.layout.menu(SPLINEWRIGHT_MT_surface_add.bl_idname, icon='SURFACE_DATA')
 
 
+def _draw_vertices(self, context):
+    if not editing.nets_in_edit_mode(context):
+        self.layout.separator()
+        self.layout.operator("splinewright.curve_through_points", text="Splinewright: Curve Through Points")
+
+
 def _draw_import(self, context):
     self.layout.operator("splinewright.import_bpt", text="Bezier Patches (.bpt)")
     self.layout.operator("splinewright.import_json", text="Splinewright Exact Curves and Patches (.json)")
@@ -102,7 +108,8 @@ _ENTRIES = (
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
-    tuple((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW),
+    (('curve_through_points', kinds.ALL),
+     *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW)),
     (('join', kinds.SHAPES), ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
     (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))
 _ENTRY_ICONS = {'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_piece': 'EYEDROPPER',
@@ -208,6 +215,7 @@ _PLACES = (
     ("VIEW3D_MT_object_context_menu", _draw_object_context),
     ("VIEW3D_MT_object_apply", _draw_apply),
     ("VIEW3D_MT_object_convert", _draw_convert),
+    ("VIEW3D_MT_edit_mesh_vertices", _draw_vertices),
     ("VIEW3D_MT_editor_menus", _draw_net_header),
     ("TOPBAR_MT_file_import", _draw_import),
     ("TOPBAR_MT_file_export", _draw_export),

@@ -96,13 +96,13 @@ def _draw_recipe(layout, data):
 
 def _draw_following(layout, data):
     try:
-        sources = recipes.read_inputs(data)
+        sources, frames = recipes.read_inputs(data), recipes.frames(data)
         recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
     except store.UnreadableDefinition as error:
         texts.draw_problem(layout, str(error))
         layout.operator("splinewright.make_editable")
         return
-    names = " and ".join(source.name for source in sources if source)
+    names = " and ".join(source.name for source in sources if source) or (f"{len(frames)} objects" if frames else "")
     texts.draw_note(layout, f"Follows {names or 'nothing any more'}", icon='LINKED')
     problem = follow.problem(data)
     if problem:

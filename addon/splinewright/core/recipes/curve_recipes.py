@@ -17,6 +17,11 @@ _ENDS = Parameter("ends", "Ends", "The direction at an open end", "parabola", ch
     ("natural", "Natural", "Without curvature")))
 _CLOSED = Parameter("closed", "Closed", "Go back to the first point", False)
 _TENSION = Parameter("tension", "Tension", "0 is Catmull-Rom; 1 makes corners at all points", 0.0, -5.0, 5.0)
+_DEGREE = Parameter("degree", "Degree", "Of the pieces between knots; of few points it is lower", 3, 1, 9)
+_KNOTS = Parameter("knots", "Knots", "Where an open curve has its knots", "averaged", choices=(
+    ("averaged", "Averaged", "Averages of the points' parameters: safe with any spacing"),
+    ("not_a_knot", "Not a Knot", "At the points, but for those next to the ends"),
+    ("natural", "Natural", "At the points; straight at both ends: odd degrees")))
 _WAVE = ((-1, 0, 0), (-0.5, 0.5, 0), (0, -0.3, 0), (0.5, 0.5, 0), (1, 0, 0))
 
 
@@ -37,6 +42,12 @@ def _kochanek_bartels(points, tension, continuity, bias, parametrisation, closed
 _MOST_MISSED = 1e-3
 
 
+def _interpolating(points, degree, parametrisation, knots, closed):
+    most = degree if knots == 'natural' and not closed else len(points) - 1
+    curve, missed = sc.fit.interpolate(points, min(degree, most), parametrisation, ends=knots, closed=closed)
+    return Result(curve, _if_seen(missed, points))
+
+
 def _polynomial(points, parametrisation, spline):
     parameters = _spacing(points, parametrisation)
     curve = sc.build.polynomial_through(points, parameters)
@@ -45,7 +56,7 @@ def _polynomial(points, parametrisation, spline):
         raise Refusal(f"{len(points)} points are too many for one polynomial: in double precision it would miss them "
                          f"by {decimals.text_of(missed, 2)}")
     beside = [sc.build.catmull_rom(points, parameters)] if spline else []
-    return Result([curve, *beside] if beside else curve, missed if missed > _SEEN * np.abs(points).max() else 0.0)
+    return Result([curve, *beside] if beside else curve, _if_seen(missed, points))
 
 
 def _osculating(points, derivatives):
@@ -59,6 +70,10 @@ def _osculating(points, derivatives):
 
 #: An error below this part of the size is rounding.
 _SEEN = 1e-12
+
+
+def _if_seen(missed, points):
+    return missed if missed > _SEEN * np.abs(points).max() else 0.0
 
 
 def _spacing(points, parametrisation):
@@ -125,7 +140,15 @@ def constants_of(text):
     return found
 
 
+THROUGH_OBJECTS = Recipe(
+    "through_objects", "Curve Through Objects", "An interpolating spline through the origins of objects; it follows them",
+    (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, resolution=16, has_places=True)
+
 RECIPES = (
+    Recipe("interpolating", "Interpolating Spline",
+           "The B-spline curve of a degree through points, smooth as that degree allows: uniform, chordal or centripetal",
+           (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, _WAVE, True, 16),
+    THROUGH_OBJECTS,
     Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbours",
            (_PARAMETERS, _TENSION, _CLOSED, _ENDS), _catmull_rom, _WAVE, True, 16),
     Recipe("kochanek_bartels", "Kochanek-Bartels Spline", "A Catmull-Rom spline with tension, continuity and bias",

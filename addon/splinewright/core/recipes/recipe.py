@@ -40,8 +40,9 @@ class Recipe:
     label: str
     description: str
     parameters: tuple                   # of Parameter
-    make: Callable                      # (points or inputs, **parameters) -> Result; raises Refusal or an error of the library
-    points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters say all
+    make: Callable                      # (points, places or inputs, **parameters) -> Result; raises Refusal or an error of
+                                        # the library
+    points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters or objects say all
     has_any_count: bool = False         # of points
     resolution: int = 32
     is_surface: bool = False            # it makes patches
@@ -52,6 +53,7 @@ class Recipe:
     is_beside: bool = False             # what it makes is put beside its first input, not over it
     frame: str = ""                     # what an object is called that may be chosen for its place and axes alone:
                                         # make() takes their matrix (4, 4) in the space of the shape, or None, as `frame`
+    has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one
 
     @property

@@ -6,7 +6,8 @@ RECIPES = {recipe.kind: recipe
            for recipe in (*conic_recipes.RECIPES, *curve_recipes.RECIPES, *surface_recipes.PRIMITIVES,
                           *surface_recipes.FROM_CURVES, *input_recipes.RECIPES)}
 #: Those that start from nothing, and those that are made from other objects.
-STARTING = tuple(recipe for recipe in RECIPES.values() if not recipe.inputs)
+STARTING = tuple(recipe for recipe in RECIPES.values() if not (recipe.inputs or recipe.has_places))
 DERIVED = tuple(recipe for recipe in RECIPES.values() if recipe.inputs)
 FOLLOW = RECIPES['follow']
+THROUGH_OBJECTS = curve_recipes.THROUGH_OBJECTS
 FROM_CURVES = surface_recipes.FROM_CURVES

@@ -38,14 +38,14 @@ class SPLINEWRIGHT_OT_edit_source(bpy.types.Operator):
         return True
 
     def invoke(self, context, event):
-        if self.source or len(_sources(context.object)) == 1:
+        if self.source or len(_sources(context.object)) == 1 or _places(context.object):
             return self.execute(context)
         context.window_manager.popup_menu(_draw_choice, title=_title(context.object), icon='QUESTION')
         return {'CANCELLED'}
 
     def execute(self, context):
         try:
-            _edit(context, _chosen(context, self.source))
+            _edit_source(context, self.source)
         except FAILURES as error:
             return reports.failed(self, error)
         return {'FINISHED'}
@@ -53,6 +53,12 @@ class SPLINEWRIGHT_OT_edit_source(bpy.types.Operator):
 
 def _sources(ob):
     return recipes.pointers(ob.data) if recipes.follows(ob.data) else []
+
+
+def _places(ob):
+    """The objects in this view layer that a shape goes through."""
+    found = recipes.frames(ob.data) if recipes.follows(ob.data) and not _sources(ob) else []
+    return [place for place in found if bpy.context.view_layer.objects.get(place.name) == place and place.visible_get()]
 
 
 def _title(ob):
@@ -66,6 +72,15 @@ def _draw_choice(menu, context):
     if not _sources(context.object):
         texts.draw_note(layout, "Change them in the sidebar, or end that and edit its points", 60)
     layout.operator("splinewright.make_editable")
+
+
+def _edit_source(context, name=""):
+    """Into the points of what the active shape is made from, or to the objects that it goes through. Raises Refusal."""
+    places = _places(context.object)
+    if places:
+        _select(context, *places)
+    else:
+        _edit(context, _chosen(context, name))
 
 
 def _chosen(context, name):
@@ -99,11 +114,12 @@ def _edit(context, ob):
     bpy.ops.object.mode_set(mode='EDIT')
 
 
-def _select(context, ob):
+def _select(context, *obs):
     for other in context.selected_objects:
         other.select_set(False)
-    ob.select_set(True)
-    context.view_layer.objects.active = ob
+    for ob in obs:
+        ob.select_set(True)
+    context.view_layer.objects.active = obs[0]
 
 
 class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
@@ -133,7 +149,7 @@ class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
             elif self.how == 'RESTORE':
                 shape.restore(ob.data)
             elif _shape_without_net(ob):
-                _edit(context, _chosen(context, ""))
+                _edit_source(context)
             else:
                 editing.enter(context, ob)
         except FAILURES as error:
