@@ -23,6 +23,8 @@ MENDED |= {f"patch_{name}" for name in MENDED}
 #: They open a dialog, work on the view, or are told by the panel what is meant.
 NOT_RUN = {'pick_piece', 'insert_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt',
            'hold_seam', 'release_seam', 'hold_joint', 'release_joint'}
+#: It leads to another object, and there is nothing to change then.
+LEADS_AWAY = {'edit_source'}
 
 
 def made(name):
@@ -104,6 +106,25 @@ def test_what_would_be_refused_is_grey(state):
         if is_refused(name) != (name in grey) and not ((name in MENDED or (state, name) in TOLD_LATE) and name not in grey):
             wrong.append((name, "grey" if name in grey else "not grey"))
     assert len(names) > 5 and not wrong
+
+
+def has_settings(name):
+    settings = getattr(bpy.ops.splinewright, name).get_rna_type().properties
+    return 'REGISTER' in getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}").bl_options and any(
+        not (setting.is_hidden or setting.identifier == 'rna_type') for setting in settings)
+
+
+@pytest.mark.parametrize('state', STATES)
+def test_after_an_operator_its_settings_can_be_changed(state):
+    """Blender asks poll() of what came of it before the panel at the lower left takes that back."""
+    begun(state)
+    names, grey = offered()
+    without = []
+    for name in sorted(names - grey - NOT_RUN - LEADS_AWAY):
+        begun(state)
+        if has_settings(name) and not is_refused(name) and not getattr(bpy.ops.splinewright, name).poll():
+            without.append(name)
+    assert not without, without
 
 
 @pytest.mark.parametrize('state', STATES)

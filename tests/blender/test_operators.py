@@ -5,6 +5,7 @@ import ctypes
 import bpy
 import pytest
 
+import patches
 from curves import run, value_of
 from shapes import activate, add, op
 from support import part
@@ -83,3 +84,18 @@ def test_the_object_that_was_followed_last_is_forgotten():
     activate(second)
     op(bpy.ops.splinewright.follow_object)
     assert part('bridge.recipes').read_inputs(bpy.context.object.data) == [second] != [first]
+
+
+@pytest.mark.parametrize('name, make', (
+    ('add_revolve', lambda: (add(value_of('cubic')),)), ('add_extrude', lambda: (add(value_of('cubic')),)),
+    ('add_ruled', lambda: (add(value_of('cubic')), add(value_of('nurbs'), "other"))),
+    ('extract_boundary', lambda: (add(patches.value_of('bicubic')),))))
+def test_what_it_made_lets_its_settings_be_changed_and_is_no_ground_to_do_it_again(name, make):
+    run_it = getattr(bpy.ops.splinewright, name)
+    activate(*make())
+    assert op(run_it) == {'FINISHED'} and run_it.poll()
+    with pytest.raises(RuntimeError, match="Select"):
+        op(run_it)
+    bpy.ops.object.select_all(action='DESELECT')
+    bpy.context.view_layer.objects.active = None
+    assert not run_it.poll()

@@ -1,7 +1,7 @@
 """What all Add operators have in common."""
 
 import bpy
-from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
+from bpy.props import FloatProperty, FloatVectorProperty, IntProperty, StringProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge import shape
@@ -38,6 +38,24 @@ def add_in_front(context, ob, sources):
         source.select_set(False)
     ob.select_set(True)
     context.view_layer.objects.active = ob
+
+
+class Repeatable:
+    """Operators whose poll() would fail on what they made. Blender asks it before the panel of the last operator takes that
+    back, and shows no panel where it fails."""
+
+    made: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+
+    @classmethod
+    def has_made(cls, context):
+        """Whether the active object is what the last operator made, and that was this one."""
+        last, ob = context.active_operator, context.object
+        return last is not None and last.bl_idname == cls.__name__ and ob is not None and last.properties.made == ob.name
+
+    def finished(self, context, said):
+        """reports.finished() when what was made is active."""
+        self.made = context.object.name
+        return reports.finished(self, said)
 
 
 class AddShape(AddObjectHelper):

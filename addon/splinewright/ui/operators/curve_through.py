@@ -13,13 +13,14 @@ from ...core.failures import FAILURES, Refusal
 from ...core.recipes.table import RECIPES, THROUGH_OBJECTS
 from .. import editing, recipe_props
 from . import new_shapes, reports
-from .adding import add_in_front, require_place, resolution_property
+from .adding import Repeatable, add_in_front, require_place, resolution_property
 
 _SPLINE = RECIPES['interpolating']
+_FEW = "Select two objects or more"
 _MORE = {'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the first point; loops of edges always do"}}
 
 
-class SPLINEWRIGHT_OT_curve_through_points(bpy.types.Operator):
+class SPLINEWRIGHT_OT_curve_through_points(Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.curve_through_points"
     bl_label = "Add Curve Through Points"
     bl_description = ("Add a spline through the selected vertices of a mesh in Edit Mode, along its edges or in the order in "
@@ -34,11 +35,13 @@ class SPLINEWRIGHT_OT_curve_through_points(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
+        if context.mode == 'OBJECT' and cls.has_made(context):
+            return True
         if context.mode not in ('OBJECT', 'EDIT_MESH') or editing.nets_in_edit_mode(context):
             cls.poll_message_set("Select objects in Object Mode, or vertices in the Edit Mode of a mesh that is no net")
             return False
         if context.mode == 'OBJECT' and len(context.selected_objects) < 2:
-            cls.poll_message_set("Select two objects or more")
+            cls.poll_message_set(_FEW)
             return False
         return True
 
@@ -51,13 +54,15 @@ class SPLINEWRIGHT_OT_curve_through_points(bpy.types.Operator):
             return reports.failed(self, error)
         for ob in new:
             add_in_front(context, ob, context.selected_objects if ob == new[0] else [])
-        return reports.finished(self, reports.Said(warnings=self._lowered(new)))
+        return self.finished(context, reports.Said(warnings=self._lowered(new)))
 
     def _lowered(self, new):
         degree = min(ob.data.splinewright.value.degree for ob in new)
         return (f"the degree is {degree}: there are no points for more",) if degree < self.degree else ()
 
     def _through_objects(self, context):
+        if len(context.selected_objects) < 2:
+            raise Refusal(_FEW)
         places = sorted(context.selected_objects, key=lambda ob: _in_numbers(ob.name))
         values, depsgraph = recipe_props.typed(_SPLINE, self), context.evaluated_depsgraph_get()
         if self.live:

@@ -6,18 +6,18 @@ from bpy.props import EnumProperty
 from ...bridge import extracting
 from ...core import patch_curves
 from . import reports
-from .adding import can_add
+from .adding import Repeatable, can_add
 from .patch_verbs import AtParameters, OnPatches, direction_property
 
 
-class _Extract(OnPatches):
+class _Extract(Repeatable, OnPatches):
     """Adds a curve shape for every selected patch shape, in its place."""
 
     works_on_nets = False
 
     @classmethod
     def poll(cls, context):
-        return can_add(cls, context) and super().poll(context)
+        return can_add(cls, context) and (cls.has_made(context) or super().poll(context))
 
     def chosen(self, context):
         """Also of objects that share data: their curves lie in different places."""
@@ -25,6 +25,8 @@ class _Extract(OnPatches):
 
     def execute(self, context):
         sources = context.selected_objects
+        if not any(map(self.fits, sources)):
+            return reports.cancelled(self, self.needs)
         self.added = []
         result = super().execute(context)
         if self.added:
@@ -33,6 +35,7 @@ class _Extract(OnPatches):
             for ob in self.added:
                 ob.select_set(True)
             context.view_layer.objects.active = self.added[-1]
+            self.made = self.added[-1].name
         return result
 
     def add(self, context, source, name, curves, axes):

@@ -13,7 +13,7 @@ from ...core.recipes.surface_recipes import suggested_axis
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import hand, recipe_props
 from . import new_shapes, reports
-from .adding import add_in_front, can_add, resolution_property
+from .adding import Repeatable, add_in_front, can_add, resolution_property
 from .pick_piece import draw_number
 
 #: Kinds of recipes that are called by what they do.
@@ -22,7 +22,7 @@ _VERBS = ('revolve', 'extrude')
 _MORE = {'piece': {'options': {'SKIP_SAVE'}}}
 
 
-class _FromObjects:
+class _FromObjects(Repeatable):
     """`recipe` is what it makes, from the selected objects, the active one first."""
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
@@ -32,12 +32,19 @@ class _FromObjects:
     def poll(cls, context):
         if not can_add(cls, context):
             return False
+        if cls.has_made(context):
+            return True
+        reason = cls._lacking(_sources(context))
+        if reason:
+            cls.poll_message_set(reason)
+        return not reason
+
+    @classmethod
+    def _lacking(cls, sources):
+        """What is to be selected in place of these objects, or ""."""
         wanted = cls.recipe.inputs
-        sources = _sources(context)
-        if len(sources) != len(wanted) or any(ob.type != 'CURVE' for ob in sources):
-            cls.poll_message_set(f"Select {' and '.join(wanted)}")
-            return False
-        return True
+        fits = len(sources) == len(wanted) and all(ob.type == 'CURVE' for ob in sources)
+        return "" if fits else f"Select {' and '.join(wanted)}"
 
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
@@ -46,6 +53,8 @@ class _FromObjects:
 
     def execute(self, context):
         sources, recipe = _sources(context), self.recipe
+        if self._lacking(sources):
+            return reports.cancelled(self, self._lacking(sources))
         hand.forget_asked()
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
             hand.note(self, 'piece', sources[0])
@@ -63,7 +72,7 @@ class _FromObjects:
         if recipe.is_beside:
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)
-        return {'FINISHED'}
+        return self.finished(context, reports.Said())
 
     def _frames(self, context):
         """The object of which the place and axes count, if there is to be one, in a tuple. Raises Refusal."""
