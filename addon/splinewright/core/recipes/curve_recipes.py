@@ -142,12 +142,12 @@ def constants_of(text):
 
 THROUGH_OBJECTS = Recipe(
     "through_objects", "Curve Through Objects", "An interpolating spline through the origins of objects; it follows them",
-    (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, resolution=16, has_places=True)
+    (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, resolution=24, has_places=True)
 
 RECIPES = (
     Recipe("interpolating", "Interpolating Spline",
            "The B-spline curve of a degree through points, smooth as that degree allows: uniform, chordal or centripetal",
-           (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, _WAVE, True, 16),
+           (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, _WAVE, True, 24),
     THROUGH_OBJECTS,
     Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbours",
            (_PARAMETERS, _TENSION, _CLOSED, _ENDS), _catmull_rom, _WAVE, True, 16),
