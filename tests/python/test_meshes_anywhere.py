@@ -14,18 +14,20 @@ ADAPTIVE = lambda patch_set: sc.Tessellation.adaptive(patch_set, tolerance=1e-6)
 BY_COUNT = lambda patch_set: sc.Tessellation(patch_set, 1)
 
 
-def stair(gap, degree_v=1):
+def stair(gap, degree_v=1, start=0.0):
     """Along u it runs flat, rises by 7 within a span as short as `gap`, and comes down again."""
     profile = np.array([(0, 0, 0), (1, 0, 0), (1, 0, 7), (2, 0, 0)], dtype=float)
     net = profile[:, None] + np.linspace((0, 0, 0), (0, 1, 0), degree_v + 1)
-    knots = [0, 0, 1, 1 + gap, 2, 2]
+    knots = [start, start, start + 1, start + 1 + gap, start + 2, start + 2]
     return sc.NurbsPatch((1, degree_v), (knots, [0] * (degree_v + 1) + [1] * (degree_v + 1)), net)
 
 
 @pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT))
-@pytest.mark.parametrize('gap', (1e-6, 2e-10, 1e-13))
+@pytest.mark.parametrize('gap', (1e-6, 2e-10, 1e-13, *(ulps * np.spacing(1.0) for ulps in range(1, 10))))
 def test_a_span_however_short_keeps_its_corners(make, gap):
-    for patch in (stair(gap), stair(gap).swapped(), stair(gap, degree_v=2)):
+    far = gap * np.spacing(2.0**10) / np.spacing(1.0)
+    for patch in (stair(gap), stair(gap).swapped(), stair(gap).reversed('u'), stair(gap, degree_v=2),
+                  stair(far, start=2.0**10), stair(far, start=-2.0**10)):
         mesh = make(set_of(patch))
         positions, _ = mesh.evaluate(set_of(patch))
         for x, z in ((0, 0), (1, 0), (1, 7), (2, 0)):
@@ -35,14 +37,32 @@ def test_a_span_however_short_keeps_its_corners(make, gap):
 
 
 @pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT))
-def test_patches_side_by_side_keep_their_short_spans_together(make):
-    one = stair(2e-10)
-    beside = sc.NurbsPatch(one.degree, one.knots, one.points + (0, 1, 0))
+@pytest.mark.parametrize('gap', (2e-10, *(ulps * np.spacing(1.0) for ulps in range(1, 10))))
+@pytest.mark.parametrize('turn', (lambda patch: patch, lambda patch: patch.reversed('u').reversed('v'),
+                                  lambda patch: patch.swapped().reversed('v')))
+def test_patches_side_by_side_keep_their_short_spans_together(make, gap, turn):
+    one = stair(gap)
+    beside = turn(sc.NurbsPatch(one.degree, one.knots, one.points + (0, 1, 0)))
     mesh = make(set_of(one, beside))
     alone = make(set_of(one))
     assert set_of(one, beside).edge_counts()['shared'] == 1
     assert len(mesh.face_starts) == 2 * len(alone.face_starts)
     assert mesh.vertex_count < 2 * alone.vertex_count
+
+
+def test_several_knots_one_rounding_apart_keep_all_corners():
+    profile = [(0, 0, 0), (1, 0, 0), (1, 0, 7), (3, 0, 7), (3, 0, 2), (4, 0, 0)]
+    net = np.array(profile, float)[:, None] + [(0, 0, 0), (0, 1, 0)]
+    steps = 1 + np.spacing(1.0) * np.arange(4)
+    for inner in (steps, steps / 3):            # a third of them has fewer numbers between
+        for ends in ((0, 1.5), (inner[0], 1.5), (0, inner[-1])):
+            knots = np.array([ends[0], *inner, ends[1]])
+            knots = knots[(knots > ends[0]) & (knots < ends[1])]
+            rows = net[:len(knots) + 2]
+            patch = sc.NurbsPatch((1, 1), ([ends[0]] * 2 + [*knots] + [ends[1]] * 2, [0, 0, 1, 1]), rows)
+            positions, _ = ADAPTIVE(set_of(patch)).evaluate(set_of(patch))
+            away = np.linalg.norm(positions[:, None] - rows.reshape(-1, 3), axis=2).min(axis=0)
+            assert away.max() < 1e-6
 
 
 @pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT))

@@ -63,7 +63,7 @@ AdaptiveBuilder::AdaptiveBuilder(const PatchSet& set, const Fineness& fineness, 
 std::int32_t AdaptiveBuilder::side_vertex(std::size_t panel, int side, const Spot& spot) {
   const int edge = panel_of(panel).sides[side].edge;
   const Place place = is_along_v(side) ? spot.v : spot.u;
-  const std::size_t number = edge < 0 ? 0 : fitted_.on_edge(edge, fitted_.scaled(panel, side, place));
+  const std::size_t number = edge < 0 ? 0 : fitted_.on_edge(edge, fitted_.edge_place(panel, side, place));
   std::int32_t& vertex = side_vertices_.at(panel, side, number);
   if (vertex < 0) vertex = writer_.add_vertex(sample_at(panel, spot, fitted_.grid(panel).whole()));
   return vertex;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 
 #include "base/parallel.hpp"
@@ -33,6 +34,14 @@ std::vector<Place> spans_between(Place from, Place to) {
 
 std::pair<Place, Place> range_along(const MeshCell& whole, int side) {
   return is_along_v(side) ? std::pair{whole.v0, whole.v1} : std::pair{whole.u0, whole.u1};
+}
+
+/// The number of the nearest of growing places, of equal ones the first.
+std::size_t nearest(const std::vector<double>& places, double t) {
+  const auto next = std::ranges::lower_bound(places, t);
+  if (next == places.begin()) return 0;
+  const bool is_next = next != places.end() && *next - t <= t - next[-1];
+  return (is_next ? next : std::ranges::lower_bound(places, next[-1])) - places.begin();
 }
 
 }  // namespace
@@ -97,6 +106,20 @@ double FittedPanels::scaled(std::size_t panel, int side, Place place) const {
   return panel_of(panel).sides[side].reversed ? 1.0 - t : t;
 }
 
+/// Goes back along the edge over the slivers that end at a place.
+EdgePlace FittedPanels::edge_place(std::size_t panel, int side, Place place) const {
+  const std::vector<MeshSpan>& along = spans(panel, is_along_v(side) ? Axis::v : Axis::u);
+  const auto [from, to] = range_along(grids_[panel].whole(), side);
+  const bool is_reversed = panel_of(panel).sides[side].reversed;
+  const auto span_before = [&] { return (is_reversed ? place : place - 1) / kSpan; };
+  int slivers = 0;
+  while (place != (is_reversed ? to : from) && along[span_before()].is_sliver) {
+    if (place % kSpan == 0) ++slivers;
+    place = (span_before() + (is_reversed ? 1 : 0)) * kSpan;
+  }
+  return {scaled(panel, side, place), slivers};
+}
+
 Place FittedPanels::place_on(std::size_t panel, int side, double t) const {
   const std::vector<MeshSpan>& along = spans(panel, is_along_v(side) ? Axis::v : Axis::u);
   const auto [from, to] = range_along(grids_[panel].whole(), side);
@@ -130,23 +153,39 @@ bool FittedPanels::is_one_place(std::size_t edge, double a, double b) const {
   });
 }
 
-/// The places of all sides of each edge.
-void FittedPanels::collect(std::vector<std::vector<double>>& edges) const {
-  for (std::size_t panel = 0; panel < panels_.size(); ++panel) {
-    for (int side = 0; side < 4; ++side) {
-      const int edge = panel_of(panel).sides[side].edge;
-      if (edge < 0) continue;
-      if (edges.size() <= static_cast<std::size_t>(edge)) edges.resize(edge + 1);
-      for (const Place place : places_on(panel, side)) edges[edge].push_back(scaled(panel, side, place));
+/// The places of all sides of an edge.
+std::vector<double> FittedPanels::collect(std::size_t edge) const {
+  std::vector<double> places;
+  bool has_slivers = false;
+  for (const auto& [panel, side] : edge_sides_[edge]) {
+    for (const Place place : places_on(panel, side)) {
+      const auto [t, slivers] = edge_place(panel, side, place);
+      places.push_back(t);
+      has_slivers |= slivers > 0;
     }
   }
-  for (std::vector<double>& places : edges) {
-    std::ranges::sort(places);
-    const auto edge = static_cast<std::size_t>(&places - edges.data());
-    const auto same = [&](double a, double b) { return is_one_place(edge, a, b); };
-    places.erase(std::unique(places.begin(), places.end(), same), places.end());
-    places.back() = 1.0;
+  std::ranges::sort(places);
+  const auto same = [&](double a, double b) { return is_one_place(edge, a, b); };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
+  places.back() = 1.0;
+  return has_slivers ? with_slivers(edge, places) : places;
+}
+
+/// The places of an edge, each as often as all its sides tell ends of slivers apart there.
+std::vector<double> FittedPanels::with_slivers(std::size_t edge, const std::vector<double>& places) const {
+  std::vector<int> on_all(places.size(), std::numeric_limits<int>::max());
+  for (const auto& [panel, side] : edge_sides_[edge]) {
+    std::vector<int> own(places.size(), 0);
+    for (const Place place : places_on(panel, side)) {
+      const auto [t, slivers] = edge_place(panel, side, place);
+      int& most = own[nearest(places, t)];
+      most = std::max(most, slivers);
+    }
+    std::ranges::transform(on_all, own, on_all.begin(), [](int a, int b) { return std::min(a, b); });
   }
+  std::vector<double> found;
+  for (std::size_t i = 0; i < places.size(); ++i) found.insert(found.end(), on_all[i] + 1, places[i]);
+  return found;
 }
 
 /// Gives every side all places of its edge; whether one was new.
@@ -159,7 +198,7 @@ bool FittedPanels::spread(const std::vector<std::vector<double>>& edges) {
       const auto own = places_on(panel, side);
       if (own.size() == edges[edge].size()) continue;
       std::vector<double> known;
-      for (const Place place : own) known.push_back(scaled(panel, side, place));
+      for (const Place place : own) known.push_back(edge_place(panel, side, place).t);
       std::ranges::sort(known);
       for (const double t : edges[edge]) {
         auto next = std::ranges::lower_bound(known, t - kOnePlace);
@@ -182,19 +221,18 @@ void FittedPanels::fit() {
   }
   for (bool again = true; again;) {
     for (CellGrid& grid : grids_) grid.balance();
-    std::vector<std::vector<double>> edges;
-    collect(edges);
+    std::vector<std::vector<double>> edges(edge_sides_.size());
+    for (std::size_t edge = 0; edge < edges.size(); ++edge) edges[edge] = collect(edge);
     again = spread(edges);
     edge_places_ = std::move(edges);
   }
 }
 
-std::size_t FittedPanels::on_edge(int edge, double t) const {
+std::size_t FittedPanels::on_edge(int edge, EdgePlace place) const {
   const std::vector<double>& places = edge_places_[edge];
-  const auto next = std::ranges::lower_bound(places, t);
-  if (next == places.end()) return places.size() - 1;
-  const auto i = static_cast<std::size_t>(next - places.begin());
-  return i > 0 && t - places[i - 1] < places[i] - t ? i - 1 : i;
+  const std::size_t number = nearest(places, place.t);
+  const std::size_t last = std::ranges::upper_bound(places, places[number]) - places.begin() - 1;
+  return std::min(number + static_cast<std::size_t>(place.slivers), last);
 }
 
 }  // namespace splinecore

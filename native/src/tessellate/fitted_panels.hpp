@@ -15,6 +15,12 @@ namespace splinecore {
 /// Whether a side of a panel runs along v.
 inline bool is_along_v(int side) { return side < 2; }
 
+/// A place on an edge, seen from one of its sides.
+struct EdgePlace {
+  double t;     ///< along the edge and scaled to [0, 1]; before slivers where some end there
+  int slivers;  ///< how many do, one behind the other
+};
+
 /// The cells of all panels, fitted to one another: sides that are one edge have vertices at the same places.
 class FittedPanels {
  public:
@@ -26,11 +32,10 @@ class FittedPanels {
     return spans_[panel_of(panel).patch][axis == Axis::u ? 0 : 1];
   }
 
-  /// A place on a side, along its edge and scaled to [0, 1].
-  double scaled(std::size_t panel, int side, Place place) const;
+  EdgePlace edge_place(std::size_t panel, int side, Place place) const;
 
   /// The number of the place of an edge that is nearest.
-  std::size_t on_edge(int edge, double t) const;
+  std::size_t on_edge(int edge, EdgePlace place) const;
 
   /// Of each edge: how many places with a vertex it has.
   std::vector<std::size_t> places_of_edges() const;
@@ -41,7 +46,9 @@ class FittedPanels {
   void fit();
   Place place_on(std::size_t panel, int side, double t) const;
   std::vector<Place> places_on(std::size_t panel, int side) const;
-  void collect(std::vector<std::vector<double>>& edges) const;
+  double scaled(std::size_t panel, int side, Place place) const;
+  std::vector<double> collect(std::size_t edge) const;
+  std::vector<double> with_slivers(std::size_t edge, const std::vector<double>& places) const;
   bool spread(const std::vector<std::vector<double>>& edges);
   bool is_one_place(std::size_t edge, double a, double b) const;
 
@@ -49,7 +56,7 @@ class FittedPanels {
   std::vector<std::array<std::vector<MeshSpan>, 2>> spans_;  // of each patch
   std::vector<CellGrid> grids_;  // of each panel
   std::vector<std::vector<std::pair<std::size_t, int>>> edge_sides_;  ///< of each edge: panels and their sides on it
-  /// Of each edge: scaled places with a vertex, growing from 0 to 1.
+  /// Of each edge: scaled places with a vertex, growing from 0 to 1; once more for each end of a sliver there.
   std::vector<std::vector<double>> edge_places_;
 };
 

@@ -59,6 +59,7 @@ bool is_joint(const NurbsPatch& patch, Axis axis, int span, double tolerance) {
 
 std::vector<MeshSpan> mesh_spans(const NurbsPatch& patch, Axis axis) {
   constexpr double kShort = 1e-9;
+  constexpr double kSliver = 0x1p-49;
   const KnotVector& knots = patch.knot_vector(axis);
   const Interval domain = knots.domain();
   const double tolerance = rounding_of(patch);
@@ -67,6 +68,8 @@ std::vector<MeshSpan> mesh_spans(const NurbsPatch& patch, Axis axis) {
     const Interval range = knots.span_interval(i);
     if (range.length() > kShort * domain.length() || !is_joint(patch, axis, i, tolerance)) found.push_back({range, i});
   }
+  const double longest_sliver = kSliver * std::max(std::abs(domain.start), std::abs(domain.end));
+  for (MeshSpan& span : found) span.is_sliver = span.range.length() <= longest_sliver;
   for (std::size_t i = 1; i < found.size(); ++i) describe_joint(knots, found[i - 1].range.end, found[i]);
   if (found.empty()) found.push_back({domain, 0});
   found.front().range.start = domain.start;

@@ -17,6 +17,7 @@ struct MeshSpan {
   int number = 0;          ///< of KnotVector::spans()
   bool is_crease = false;  ///< at its start, where the first derivative may jump
   bool is_gap = false;     ///< at its start, where the patch itself may
+  bool is_sliver = false;  ///< so short that rounding of a parameter may reach across it
 };
 
 /// The spans of a direction, growing.
