@@ -1,4 +1,4 @@
-#include "splinecore/fit/interpolate.hpp"
+#include "splinecore/fit/interpolate_patch.hpp"
 
 #include <cmath>
 #include <string>
@@ -10,12 +10,21 @@
 
 namespace bindings {
 
+using splinecore::Axis;
 using splinecore::Closing;
+using splinecore::FitDirection;
 using splinecore::FitEnds;
 using splinecore::InterpolationOptions;
 using splinecore::InvalidShape;
+using splinecore::Parametrisation;
+using splinecore::PointGrid;
 
 namespace {
+
+FitEnds ends_of(const py::object& value) {
+  return chosen<FitEnds>(value, "ends", {{"averaged", FitEnds::averaged}, {"natural", FitEnds::natural},
+                                         {"not_a_knot", FitEnds::not_a_knot}});
+}
 
 /// Derivatives 1, 2, … at an end; one vector is the first.
 std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name) {
@@ -49,8 +58,7 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   InterpolationOptions options;
   options.degree = integer(degree, "degree");
   options.closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
-  options.ends = chosen<FitEnds>(ends, "ends", {{"averaged", FitEnds::averaged}, {"natural", FitEnds::natural},
-                                                {"not_a_knot", FitEnds::not_a_knot}});
+  options.ends = ends_of(ends);
   options.start = derivatives_of(start, "start");
   options.end = derivatives_of(end, "end");
   options.tangents = tangents_of(tangents, rows.size());
@@ -59,10 +67,48 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   return wrap(unlocked([&] { return splinecore::interpolate(rows, at, options); }));
 }
 
+/// One value stands for both directions.
+std::pair<py::object, py::object> both(const py::object& value, const char* name) {
+  const bool is_sequence = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::str>(value);
+  return is_sequence ? pair_argument(value, name) : std::pair(value, value);
+}
+
+std::vector<double> parameters_of(const PointGrid& grid, const py::object& parameters, Axis axis, Closing closing) {
+  if (!py::isinstance<py::str>(parameters)) return numbers(parameters, "parameters");
+  const Parametrisation kind = parametrisation_of(parameters, "parameters");
+  return unlocked([&] { return splinecore::parameters_of(grid, axis, kind, closing); });
+}
+
+AnyApproximation interpolate_patch(const py::object& points, const py::object& degrees, const py::object& parameters,
+                                   const py::object& knots, const py::object& ends, const py::object& closed,
+                                   const py::object& cancel) {
+  const Doubles given = real_array(points, "points");
+  const std::vector<glm::dvec3> rows = vectors(given, "points", 2);
+  const PointGrid grid{rows, static_cast<std::size_t>(given.shape(0)), static_cast<std::size_t>(given.shape(1))};
+  const auto degree = both(degrees, "degrees");
+  const auto at = both(parameters, "parameters");
+  const auto chain = both(knots, "knots");
+  const auto end = both(ends, "ends");
+  const auto closing = both(closed, "closed");
+  const auto direction = [&](auto part, Axis axis) {
+    FitDirection made;
+    made.degree = integer(degree.*part, "degrees");
+    made.closing = boolean(closing.*part, "closed") ? Closing::closed : Closing::open;
+    made.ends = ends_of(end.*part);
+    made.knots = optional_numbers(chain.*part, "knots");
+    made.parameters = parameters_of(grid, at.*part, axis, made.closing);
+    return made;
+  };
+  using Pair = std::pair<py::object, py::object>;
+  const FitDirection u = direction(&Pair::first, Axis::u);
+  const FitDirection v = direction(&Pair::second, Axis::v);
+  return wrap(unlocked([&] { return splinecore::interpolate(grid, u, v); }, cancel));
+}
+
 }  // namespace
 
 void bind_fit(py::module_& module) {
-  py::module_ fit = module.def_submodule("fit", "Curves through points.");
+  py::module_ fit = module.def_submodule("fit", "Curves and patches through points.");
   fit.def("interpolate", &interpolate, py::arg("points"), py::arg("degree") = 3, py::arg("parameters") = "chordal",
           py::arg("knots") = py::none(), py::arg("ends") = "averaged", py::arg("start") = py::none(),
           py::arg("end") = py::none(), py::arg("tangents") = py::none(), py::arg("closed") = false,
@@ -79,6 +125,20 @@ void bind_fit(py::module_& module) {
           "for each when knots are averaged.\n\n"
           "Raises InvalidShape with fewer points than the degree needs, where points coincide and their distance is the\n"
           "step of the parameter, and for knots that have too many points between them (Schoenberg and Whitney 1953).");
+  fit.def("interpolate_patch", &interpolate_patch, py::arg("points"), py::arg("degrees") = 3,
+          py::arg("parameters") = "chordal", py::arg("knots") = py::none(), py::arg("ends") = "averaged",
+          py::arg("closed") = false, py::kw_only(), py::arg("cancel") = py::none(),
+          "The polynomial NurbsPatch through a grid of points (nu, nv, 2 or 3), as an Approximation: its error is the\n"
+          "largest distance from a point that rounding left. In time linear in the points, by one banded system a\n"
+          "direction (The NURBS Book, §9.2.5). Lecture rows S17, S20.\n\n"
+          "Every other argument is one value for both directions or a pair, for u and v, of what interpolate() takes.\n"
+          "parameters: 'uniform', or 'centripetal' or 'chordal', whose shares are averaged over the rows that are not\n"
+          "a single point and end at their mean length (A9.3), or increasing numbers for each row, (nu,) and (nv,), and\n"
+          "where closed one more. knots, ends, closed: as of interpolate(); None chooses knots by ends.\n\n"
+          "cancel: a callable without arguments that ends the call by returning true.\n\n"
+          "Raises InvalidShape with fewer rows than the degree needs, where a coordinate is not finite, where all\n"
+          "points of two neighbouring rows coincide and their distance is the step of the parameter, and for knots that\n"
+          "have too many rows between them; the message names the direction or the point by both indices.");
 }
 
 }  // namespace bindings

@@ -12,13 +12,16 @@ std::vector<glm::dvec3> points_of(const py::object& points) {
   return vectors(real_array(points, "points"), "points", 1);
 }
 
+Parametrisation parametrisation_of(const py::object& value, const char* name) {
+  return chosen<Parametrisation>(value, name, {{"uniform", Parametrisation::uniform},
+                                               {"centripetal", Parametrisation::centripetal},
+                                               {"chordal", Parametrisation::chordal}});
+}
+
 std::vector<double> parameters_of(const std::vector<glm::dvec3>& points, const py::object& parametrisation,
                                   splinecore::Closing closing, const char* name) {
   if (py::isinstance<py::str>(parametrisation)) {
-    const auto kind = chosen<Parametrisation>(parametrisation, name, {{"uniform", Parametrisation::uniform},
-                                                                       {"centripetal", Parametrisation::centripetal},
-                                                                       {"chordal", Parametrisation::chordal}});
-    return splinecore::parameters_of(points, kind, closing);
+    return splinecore::parameters_of(points, parametrisation_of(parametrisation, name), closing);
   }
   std::vector<double> given = numbers(parametrisation, name);
   if (given.empty()) throw InvalidShape(std::string(name) + " has 0 values");

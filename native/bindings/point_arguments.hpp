@@ -14,6 +14,9 @@ namespace bindings {
 /// Points of two or three numbers, row after row.
 std::vector<glm::dvec3> points_of(const py::object& points);
 
+/// 'uniform', 'centripetal' or 'chordal'
+splinecore::Parametrisation parametrisation_of(const py::object& value, const char* name);
+
 /// A word, or the parameters themselves.
 /// @param name  of the argument
 std::vector<double> parameters_of(const std::vector<glm::dvec3>& points, const py::object& parametrisation,

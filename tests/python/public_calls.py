@@ -262,6 +262,8 @@ FUNCTIONS = {
     "build.kochanek_bartels": lambda at: build.kochanek_bartels(at.points, 0.1, 0.2, 0.3),
     "fit.interpolate": lambda at: [fit.interpolate(at.points, degree, 'uniform', closed=closed)
                                    for degree in (1, 2, 3) for closed in (False, True)],
+    "fit.interpolate_patch": lambda at: fit.interpolate_patch(np.stack([at.points, at.points[::-1]], 1), (2, 1), 'uniform',
+                                                              closed=(True, False)),
     "build.chain_from_polygon": lambda at: build.chain_from_polygon(at.points),
     "build.polygon_of_chain": lambda at: build.polygon_of_chain(build.chain_from_polygon(at.points)),
     "build.join_beziers": lambda at: build.join_beziers(at.bezier.split(0.25)),

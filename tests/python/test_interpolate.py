@@ -205,7 +205,7 @@ def test_closed_curves_with_very_uneven_steps(degree, least):
         try:
             curve, error = fit.interpolate(points, degree, u, closed=True)
         except sc.InvalidShape as refused:
-            assert degree > 2 and 'rounding leaves the curve' in str(refused)
+            assert degree > 2 and 'rounding leaves the shape' in str(refused)
         else:
             assert error < 1e-12 * np.abs(curve.points).max()
 
@@ -293,8 +293,8 @@ BAD = [
     (dict(tangents=np.ones((6, 2)), start=[1, 0]), 'given twice'),
     (dict(points=[[0, 0], [1, 0]], degree=5, ends='natural'), 'degree 5 need at least 3 points, not 2'),
     (dict(points=[[0, 0], [1, 0], [2, 1]], degree=7, ends='natural'), 'degree 7 need at least 4 points, not 3'),
-    (dict(points=RNG.normal(size=(300, 3)), degree=100), 'rounding leaves the curve'),
-    (dict(closed=True, degree=2, parameters=range(7), knots=range(7)), 'rounding leaves the curve|do not determine'),
+    (dict(points=RNG.normal(size=(300, 3)), degree=100), 'rounding leaves the shape'),
+    (dict(closed=True, degree=2, parameters=range(7), knots=range(7)), 'rounding leaves the shape|do not determine'),
     (dict(closed=True, parameters=[0, 1, 2, 3, 4, 5, 1000], knots=range(7)), 'return after 1000, .* knots is 6'),
     (dict(closed=True, parameters=np.linspace(-1, 1, 7) * 1.7e308, degree=2), 'overflow'),
     (dict(points=np.array([[1, 0], [-1, 1], [1, 1], [-1, 0], [1, 1]]) * 1.7e308, parameters=range(5)), 'too large'),

@@ -1,0 +1,134 @@
+#include "splinecore/fit/interpolate_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/distance.hpp"
+#include "grid.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "system.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr std::size_t kNoPoint = std::numeric_limits<std::size_t>::max();
+
+/// The system of one direction; all lines of points along it are right sides.
+struct Direction {
+  KnotVector knots;
+  BandedRows rows;
+  std::vector<std::size_t> points;  ///< of each row; of rows that ask for a derivative of zero none
+};
+
+InterpolationOptions options_of(const FitDirection& direction) {
+  InterpolationOptions options;
+  options.degree = direction.degree;
+  options.closing = direction.closing;
+  options.ends = direction.ends;
+  options.knots = direction.knots;
+  return options;
+}
+
+Direction direction_of(const FitDirection& given, std::size_t count, const char* axis) {
+  try {
+    const std::vector<glm::dvec3> places(count, glm::dvec3(0.0));
+    const InterpolationOptions options = options_of(given);
+    const std::vector<Condition> conditions = conditions_of(places, given.parameters, options);
+    KnotVector knots = knots_for(conditions, given.parameters, options);
+    BandedRows rows = system_of(knots, conditions).rows;
+    Direction made{std::move(knots), std::move(rows), {}};
+    for (const Condition& condition : conditions) made.points.push_back(condition.order == 0 ? condition.point : kNoPoint);
+    return made;
+  } catch (const InvalidShape& error) {
+    throw InvalidShape("along " + std::string(axis) + ": " + error.what());
+  }
+}
+
+/// The grid's rows as right sides along u: control points along u, for each point along v.
+std::vector<glm::dvec3> solved_along_u(const PointGrid& grid, const Direction& u) {
+  const std::size_t width = grid.count_v;
+  std::vector<glm::dvec3> values(u.points.size() * width, glm::dvec3(0.0));
+  for (std::size_t i = 0; i < u.points.size(); ++i) {
+    if (u.points[i] != kNoPoint) std::ranges::copy(grid.points.subspan(u.points[i] * width, width), &values[i * width]);
+  }
+  solve(u.knots, u.rows, {&values.front().x, 3 * values.size()}, 3 * width);
+  return values;
+}
+
+/// Calls take(i, j) for all of them, so that neither rows nor columns are far apart for long.
+template <class Take>
+void in_tiles(std::size_t count_i, std::size_t count_j, Take take) {
+  constexpr std::size_t kTile = 16;
+  for (std::size_t tile = 0; tile < count_i; tile += kTile) {
+    breathe(kTile * count_j);
+    for (std::size_t j = 0; j < count_j; ++j) {
+      for (std::size_t i = tile; i < std::min(tile + kTile, count_i); ++i) take(i, j);
+    }
+  }
+}
+
+std::vector<glm::dvec4> control_points(const PointGrid& grid, const Direction& u, const Direction& v) {
+  const std::size_t count_u = u.points.size();
+  const std::size_t count_v = v.points.size();
+  std::vector<glm::dvec3> values(count_u * count_v, glm::dvec3(0.0));
+  {
+    const std::vector<glm::dvec3> along_u = solved_along_u(grid, u);
+    in_tiles(count_u, count_v, [&](std::size_t i, std::size_t j) {
+      if (v.points[j] != kNoPoint) values[j * count_u + i] = along_u[i * grid.count_v + v.points[j]];
+    });
+  }
+  solve(v.knots, v.rows, {&values.front().x, 3 * values.size()}, 3 * count_u);
+  std::vector<glm::dvec4> points(values.size());
+  in_tiles(count_u, count_v, [&](std::size_t i, std::size_t j) {
+    require_control_point(values[j * count_u + i]);
+    points[i * count_v + j] = {values[j * count_u + i], 1.0};
+  });
+  return points;
+}
+
+/// Of the patch from its points: its rows where it passes those of the grid, then their points.
+double largest_distance(const NurbsPatch& patch, const PointGrid& grid, const Direction& u, const Direction& v) {
+  const std::size_t count_u = u.points.size();
+  const std::size_t count_v = v.points.size();
+  std::vector<glm::dvec3> line(count_v);
+  double largest = 0.0;
+  for (std::size_t a = 0; a < count_u; ++a) {
+    if (u.points[a] == kNoPoint) continue;
+    breathe(4 * (u.rows.width + v.rows.width) * count_v);
+    std::ranges::fill(line, glm::dvec3(0.0));
+    for (std::size_t k = 0; k < u.rows.width; ++k) {
+      const glm::dvec4* const row = &patch.points()[(u.rows.first[a] + k) % count_u * count_v];
+      const double weight = u.rows.row(a)[k];
+      for (std::size_t j = 0; j < count_v; ++j) line[j] += weight * glm::dvec3(row[j]);
+    }
+    for (std::size_t b = 0; b < count_v; ++b) {
+      if (v.points[b] == kNoPoint) continue;
+      glm::dvec3 point(0.0);
+      std::size_t j = static_cast<std::size_t>(v.rows.first[b]) % count_v;
+      for (const double weight : v.rows.row(b)) {
+        point += weight * line[j];
+        if (++j == count_v) j = 0;
+      }
+      largest = std::max(largest, distance_of(point, grid.points[u.points[a] * grid.count_v + v.points[b]]));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> interpolate(const PointGrid& grid, const FitDirection& u, const FitDirection& v) {
+  require_grid(grid);
+  const Direction along_u = direction_of(u, grid.count_u, "u");
+  const Direction along_v = direction_of(v, grid.count_v, "v");
+  NurbsPatch patch = NurbsPatch::make(along_u.knots, along_v.knots, control_points(grid, along_u, along_v));
+  const double error = largest_distance(patch, grid, along_u, along_v);
+  require_passing(error, largest_coordinate(grid.points));
+  return {std::move(patch), error};
+}
+
+}  // namespace splinecore

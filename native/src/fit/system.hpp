@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "basis/banded.hpp"
+#include "conditions.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// Rows of functions for the conditions, and their right sides. Rows of derivatives are divided by their largest number.
+struct System {
+  BandedRows rows;
+  std::vector<double> right;  ///< three numbers each
+};
+
+/// @throws InvalidShape if a point has no control point of its own (Schoenberg and Whitney 1953).
+System system_of(const KnotVector& knots, std::span<const Condition> conditions);
+
+/// Writes the solution over the right side, `columns` numbers a row. @throws InvalidShape if there is none.
+void solve(const KnotVector& knots, const BandedRows& rows, std::span<double> right, std::size_t columns);
+
+/// A system that hardly decides the points leaves them to rounding.
+/// @throws InvalidShape if the error is large beside the largest coordinate of a point.
+void require_passing(double error, double largest);
+
+double largest_coordinate(std::span<const glm::dvec3> points);
+
+/// @throws InvalidShape if a coordinate is no number any more.
+void require_control_point(const glm::dvec3& point);
+
+}  // namespace splinecore
+#pragma GCC visibility pop
