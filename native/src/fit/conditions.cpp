@@ -113,8 +113,8 @@ void add_end(std::vector<Condition>& all, double parameter, std::size_t point, s
 
 }  // namespace
 
-std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::span<const double> parameters,
-                                     const InterpolationOptions& options) {
+void require_interpolation(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                           const InterpolationOptions& options) {
   require_degree(options.degree);
   const std::size_t least = is_closed(options) ? 3 : 2;
   if (points.size() < least) {
@@ -126,6 +126,10 @@ std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::sp
   require_ends(options);
   require_points_for_natural_ends(options, points.size());
   require_tangents(options, points.size());
+}
+
+std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                     const InterpolationOptions& options) {
   std::vector<Condition> all;
   all.reserve(points.size() + options.tangents.size() + 2 * static_cast<std::size_t>(options.degree));
   const std::size_t last = points.size() - 1;
@@ -153,21 +157,28 @@ std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::sp
 
 namespace {
 
-double average(std::span<const double> values) {
-  breathe(4 * values.size());
-  // Of differences, so that equal ones give themselves.
-  double sum = 0.0;
-  for (const double value : values) sum += (value - values[0]) / static_cast<double>(values.size());
-  return values[0] + sum;
+/// Of `width` neighbours each, by differences, so that equal ones give themselves.
+std::vector<double> averages(std::span<const double> values, std::size_t width) {
+  if (values.size() < width) return {};
+  const std::size_t count = values.size() - width + 1;
+  breathe(4 * width * count);
+  const double share = 1.0 / static_cast<double>(width);
+  std::vector<double> found(values.begin(), values.begin() + static_cast<long>(count));
+  for (std::size_t k = 1; k < width; ++k) {
+    for (std::size_t i = 0; i < count; ++i) found[i] += (values[i + k] - values[i]) * share;
+  }
+  return found;
 }
 
 double between(double a, double b) { return a + 0.5 * (b - a); }
 
-std::vector<double> open_knots(std::span<const Condition> conditions, std::span<const double> parameters,
+std::vector<double> open_knots(std::span<const double> sites, std::span<const double> parameters,
                                const InterpolationOptions& options) {
   const auto degree = static_cast<std::size_t>(options.degree);
   const std::size_t half = (degree - 1) / 2;
-  std::vector<double> knots(degree + 1, parameters.front());
+  std::vector<double> knots;
+  knots.reserve(sites.size() + degree + 1);
+  knots.assign(degree + 1, parameters.front());
   const bool is_clamped = degree % 2 == 1 && options.tangents.empty() && options.start.size() == half &&
                           options.end.size() == half && half > 0;
   if (options.ends == FitEnds::natural || is_clamped) {
@@ -179,11 +190,8 @@ std::vector<double> open_knots(std::span<const Condition> conditions, std::span<
       knots.push_back(degree % 2 == 1 ? parameters[at + 1] : between(parameters[at], parameters[at + 1]));
     }
   } else {
-    std::vector<double> sites;
-    for (const Condition& condition : conditions) sites.push_back(condition.parameter);
-    for (std::size_t i = 1; i + degree < sites.size(); ++i) {
-      knots.push_back(average(std::span(sites).subspan(i, degree)));
-    }
+    const std::vector<double> inner = averages(sites.subspan(1, sites.size() - 2), degree);
+    knots.insert(knots.end(), inner.begin(), inner.end());
   }
   knots.insert(knots.end(), degree + 1, parameters.back());
   return knots;
@@ -201,41 +209,43 @@ void require_period(const KnotVector& knots, std::span<const double> parameters)
                      text_of(period));
 }
 
-std::vector<double> closed_knots(std::span<const Condition> conditions, std::span<const double> parameters,
+std::vector<double> closed_knots(std::span<const double> sites, std::span<const double> parameters,
                                  const InterpolationOptions& options) {
   if (options.tangents.empty() && options.degree % 2 == 1) return {parameters.begin(), parameters.end()};
-  const auto count = static_cast<long>(conditions.size());
+  const auto count = static_cast<long>(sites.size());
   const double period = parameters.back() - parameters.front();
-  const auto site = [&](long i) {
+  const long width = options.tangents.empty() ? 2 : options.degree;
+  std::vector<double> around;
+  for (long i = -(width / 2); i < count + width - width / 2 - 1; ++i) {
     const long in_period = (i % count + count) % count;
     const auto turns = static_cast<double>((i - in_period) / count);
-    return conditions[static_cast<std::size_t>(in_period)].parameter + turns * period;
-  };
-  const bool is_simple = options.tangents.empty();
-  const long width = is_simple ? 2 : options.degree;
-  std::vector<double> knots;
-  for (long i = 0; i < count; ++i) {
-    std::vector<double> sites;
-    for (long k = 0; k < width; ++k) sites.push_back(site(i - width / 2 + k));
-    knots.push_back(average(sites));
+    around.push_back(sites[static_cast<std::size_t>(in_period)] + turns * period);
   }
+  std::vector<double> knots = averages(around, static_cast<std::size_t>(width));
   knots.push_back(knots.front() + period);
   return knots;
 }
 
 }  // namespace
 
-KnotVector knots_for(std::span<const Condition> conditions, std::span<const double> parameters,
+std::vector<double> sites_of(std::span<const Condition> conditions) {
+  std::vector<double> sites;
+  sites.reserve(conditions.size());
+  for (const Condition& condition : conditions) sites.push_back(condition.parameter);
+  return sites;
+}
+
+KnotVector knots_for(std::span<const double> sites, std::span<const double> parameters,
                      const InterpolationOptions& options) {
   const bool closed = is_closed(options);
   if (options.knots.empty()) {
-    return KnotVector::make(options.degree, closed ? closed_knots(conditions, parameters, options)
-                                                   : open_knots(conditions, parameters, options), closed);
+    return KnotVector::make(options.degree, closed ? closed_knots(sites, parameters, options)
+                                                   : open_knots(sites, parameters, options), closed);
   }
   KnotVector given = KnotVector::make(options.degree, options.knots, closed);
-  if (static_cast<std::size_t>(given.count()) != conditions.size()) {
+  if (static_cast<std::size_t>(given.count()) != sites.size()) {
     throw InvalidShape("knots has " + std::to_string(options.knots.size()) + " values, for " +
-                       std::to_string(given.count()) + " control points; " + std::to_string(conditions.size()) +
+                       std::to_string(given.count()) + " control points; " + std::to_string(sites.size()) +
                        " conditions are given");
   }
   require_period(given, parameters);

@@ -18,15 +18,21 @@ struct Condition {
   std::size_t point;  ///< that it belongs to
 };
 
+/// @throws InvalidShape as interpolate() does where points, parameters or options cannot be.
+void require_interpolation(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                           const InterpolationOptions& options);
+
 /// All conditions in the order of their parameters, so that each can decide about a control point of its own.
-/// @throws InvalidShape as interpolate() does.
+/// @throws InvalidShape if they are fewer than the degree needs.
 std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                      const InterpolationOptions& options);
 
-/// The knots for them: those given, or chosen.
+/// The knots for conditions at these sites, that is parameters, in order: those given, or chosen.
 /// @throws InvalidShape if the knots given are as many as other points need.
-KnotVector knots_for(std::span<const Condition> conditions, std::span<const double> parameters,
+KnotVector knots_for(std::span<const double> sites, std::span<const double> parameters,
                      const InterpolationOptions& options);
+
+std::vector<double> sites_of(std::span<const Condition> conditions);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

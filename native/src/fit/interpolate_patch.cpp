@@ -37,8 +37,9 @@ Direction direction_of(const FitDirection& given, std::size_t count, const char*
   try {
     const std::vector<glm::dvec3> places(count, glm::dvec3(0.0));
     const InterpolationOptions options = options_of(given);
+    require_interpolation(places, given.parameters, options);
     const std::vector<Condition> conditions = conditions_of(places, given.parameters, options);
-    KnotVector knots = knots_for(conditions, given.parameters, options);
+    KnotVector knots = knots_for(sites_of(conditions), given.parameters, options);
     BandedRows rows = system_of(knots, conditions).rows;
     Direction made{std::move(knots), std::move(rows), {}};
     for (const Condition& condition : conditions) made.points.push_back(condition.order == 0 ? condition.point : kNoPoint);
