@@ -78,7 +78,7 @@ std::vector<EndRow> end_rows(const double* knot, double u, const glm::dvec3& poi
 /// Open curves whose conditions lie near the knots of their control points: nearly all. Where several derivatives of
 /// order above 1 follow none, or lie inside, rows may have to be exchanged, which general systems do.
 std::optional<Approximation<NurbsCurve>> near_curve(std::span<const glm::dvec3> points, std::span<const double> parameters,
-                                                    const InterpolationOptions& options) {
+                                                    const InterpolationOptions& options, double largest) {
   const auto degree = static_cast<std::size_t>(options.degree);
   const std::size_t zeros = count_of_zeros(options);
   if (options.closing == Closing::closed || !options.tangents.empty() || zeros > 1 || points.size() <= degree) return {};
@@ -98,7 +98,7 @@ std::optional<Approximation<NurbsCurve>> near_curve(std::span<const glm::dvec3> 
   const std::size_t inner = points.size() - 2;
   NearPoints system{options.degree, chain, parameters.subspan(1, inner), points.subspan(1, inner),
                     end_rows(&chain[degree], parameters.front(), points.front(), options.start, options),
-                    end_rows(&chain[count - 1], parameters.back(), points.back(), options.end, options)};
+                    end_rows(&chain[count - 1], parameters.back(), points.back(), options.end, options), largest};
   std::ranges::reverse(system.end);
   std::optional<NearSolution> found = solve_near(system);
   if (!found) return {};
@@ -123,7 +123,7 @@ Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::s
   require_interpolation(points, parameters, options);
   constexpr double kAccurate = 1e-13;
   const double largest = largest_coordinate(points);
-  if (auto near = near_curve(points, parameters, options); near && near->error <= kAccurate * largest) return *std::move(near);
+  if (auto near = near_curve(points, parameters, options, largest); near && near->error <= kAccurate * largest) return *std::move(near);
   Approximation<NurbsCurve> curve = general_curve(points, parameters, options);
   require_passing(curve.error, largest);
   return curve;

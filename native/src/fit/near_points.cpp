@@ -132,7 +132,7 @@ class NearSystem {
 
   double largest_distance() const {
     // Squares stay in the range of numbers beside those of the largest coordinate.
-    const double largest = largest_coordinate(given_.points);
+    const double largest = given_.largest;
     const double scale = largest > 0.0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
     double square = 0.0;
     bool are_numbers = true;

@@ -25,6 +25,7 @@ struct NearPoints {
   std::span<const glm::dvec3> points;
   std::vector<EndRow> start;
   std::vector<EndRow> end;
+  double largest;  ///< coordinate of a point
 };
 
 struct NearSolution {

@@ -51,14 +51,19 @@ class PointRows {
     return later;
   }
 
-  /// Writes kWidth numbers, from column i - kReach on.
+  /// Writes kWidth numbers, from column i - kReach on. Where they begin is decided by products, for branches would be
+  /// as good as random.
   /// @returns whether the parameter lies where it should
   bool write(long i, double u, double* row) const {
-    std::array<double, kDegree + 1> found;
-    const int later = functions(i, u, found.data());
-    std::fill_n(row, kWidth, 0.0);
-    std::ranges::copy(found, row + later);
-    return knots_[i + 1] <= u && u < knots_[i + kDegree];
+    functions(i, u, row);
+    for (int j = kDegree + 1; j < kWidth; ++j) row[j] = 0.0;
+    const double* const near = knots_ + i;
+    for (int k = 2; k < kDegree; ++k) {
+      const double later = u >= near[k] ? 1.0 : 0.0;
+      for (int j = kDegree + k - 1; j > 0; --j) row[j] = later * row[j - 1] + (1.0 - later) * row[j];
+      row[0] *= 1.0 - later;
+    }
+    return near[1] <= u && u < near[kDegree];
   }
 
  private:

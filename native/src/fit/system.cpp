@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <string>
 
 #include "base/quotient.hpp"
@@ -80,11 +81,9 @@ void require_passing(double error, double largest) {
 }
 
 double largest_coordinate(std::span<const glm::dvec3> points) {
-  double largest = 0.0;
-  for (const glm::dvec3& p : points) {
-    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis]));
-  }
-  return largest;
+  glm::dvec3 largest(0.0);
+  for (const glm::dvec3& p : points) largest = glm::max(largest, glm::abs(p));
+  return std::max({largest.x, largest.y, largest.z});
 }
 
 void require_control_point(const glm::dvec3& point) {
