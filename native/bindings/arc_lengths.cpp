@@ -1,0 +1,92 @@
+#include <cmath>
+
+#include "arrays.hpp"
+#include "class_of.hpp"
+#include "curve_methods.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "splinecore/curve/power_curve.hpp"
+#include "splinecore/measure/arc_length.hpp"
+
+namespace bindings {
+
+using splinecore::BezierCurve;
+using splinecore::HermiteCurve;
+using splinecore::InvalidShape;
+using splinecore::NurbsCurve;
+using splinecore::PowerCurve;
+
+namespace {
+
+py::array_t<double> parameter_at_length(const NurbsCurve& curve, const py::object& s, const py::object& tolerance,
+                                        const py::object& cancel) {
+  const Doubles lengths = real_array(s, "s");
+  const double most = real(tolerance, "tolerance");
+  for (py::ssize_t i = 0; i < lengths.size(); ++i) {
+    if (std::isfinite(lengths.data()[i])) continue;
+    throw InvalidShape("s" + place_text(lengths, i) + " = " + splinecore::text_of(lengths.data()[i]) +
+                       " is not finite");
+  }
+  const std::span given(lengths.data(), static_cast<std::size_t>(lengths.size()));
+  const auto found = unlocked([&] { return splinecore::parameters_at_lengths(curve, given, most); }, cancel);
+  py::array_t<double> out(Shape(lengths.shape(), lengths.shape() + lengths.ndim()));
+  std::ranges::copy(found, out.mutable_data());
+  return out;
+}
+
+py::array_t<double> divide(const NurbsCurve& curve, const py::object& count, const py::object& tolerance,
+                           const py::object& cancel) {
+  const int parts = integer(count, "count");
+  const double most = real(tolerance, "tolerance");
+  const auto found = unlocked([&] { return splinecore::divide(curve, parts, most); }, cancel);
+  return new_numbers(std::span(found));
+}
+
+py::array_t<double> divide_by_length(const NurbsCurve& curve, const py::object& step, const py::object& tolerance,
+                                     const py::object& cancel) {
+  const double length = real(step, "step");
+  const double most = real(tolerance, "tolerance");
+  const auto found = unlocked([&] { return splinecore::divide_by_length(curve, length, most); }, cancel);
+  return new_numbers(std::span(found));
+}
+
+template <class Curve>
+void bind_curve(py::class_<Curve> cls) {
+  cls.def("parameter_at_length", [](const Curve& self, const py::object& s, const py::object& tolerance,
+                                    const py::object& cancel) {
+            return parameter_at_length(form(self), s, tolerance, cancel);
+          },
+          py::arg("s"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
+          py::arg("cancel") = py::none(),
+          "The parameters to which the curve has the lengths s from the start of its domain: (...,) -> (...,).\n\n"
+          "The length up to a parameter is off by at most the tolerance times that of the curve. One pass for all\n"
+          "lengths, then Newton's iteration, which never leaves its bracket. A periodic curve goes on: there s may be\n"
+          "any numbers. Where the curve stands still it is the first parameter. InvalidShape names a length below 0\n"
+          "or above that of the curve; and as length(). cancel is a callable that ends a long call by returning True.\n"
+          "Row S15.");
+  cls.def("divide", [](const Curve& self, const py::object& count, const py::object& tolerance,
+                       const py::object& cancel) { return divide(form(self), count, tolerance, cancel); },
+          py::arg("count"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
+          py::arg("cancel") = py::none(),
+          "The parameters of parts of equal length: (count + 1,) with both ends; (count,) where the curve closes.\n\n"
+          "As parameter_at_length(). InvalidShape unless 1 <= count <= 2^22, or if the curve has no length. Row S15.");
+  cls.def("divide_by_length", [](const Curve& self, const py::object& step, const py::object& tolerance,
+                                 const py::object& cancel) {
+            return divide_by_length(form(self), step, tolerance, cancel);
+          },
+          py::arg("step"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
+          py::arg("cancel") = py::none(),
+          "The parameters at 0, step, 2 step, … up to the curve's length: (n,). Where it closes the end is left out.\n\n"
+          "As parameter_at_length(). InvalidShape unless step > 0, or if those are more than 2^22. Row S15.");
+}
+
+}  // namespace
+
+void bind_arc_lengths(py::module_& module) {
+  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
+  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
+  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
+  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+}
+
+}  // namespace bindings
