@@ -89,8 +89,8 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
   require_inside(curve.knot_vector(), at, from, "u");
   py::array_t<double> out(with_more(Shape(at.shape(), at.shape() + at.ndim()), {3, 3}));
   const auto count = static_cast<std::size_t>(at.size());
-  static_assert(sizeof(splinecore::FrenetFrame) == 9 * sizeof(double));
-  auto* first = reinterpret_cast<splinecore::FrenetFrame*>(out.mutable_data());
+  static_assert(sizeof(splinecore::MovingFrame) == 9 * sizeof(double));
+  auto* first = reinterpret_cast<splinecore::MovingFrame*>(out.mutable_data());
   unlocked([&] { splinecore::frenet_frames(curve, {at.data(), count}, {first, count}, from); });
   return out;
 }

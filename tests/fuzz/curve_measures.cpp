@@ -93,7 +93,7 @@ constexpr CurveStep kMeasures[] = {
       const Side from = side(bytes);
       attempt([&] { curvature(curve, u, out, from); });
       attempt([&] { torsion(curve, u, out, from); });
-      std::vector<FrenetFrame> frames(u.size());
+      std::vector<MovingFrame> frames(u.size());
       frenet_frames(curve, u, frames, from);
     },
     [](Bytes& bytes, NurbsCurve& curve) {

@@ -25,8 +25,8 @@ double torsion_at(const NurbsCurve& curve, double u, Side side = Side::right) {
   return value;
 }
 
-FrenetFrame frame_at(const NurbsCurve& curve, double u, Side side = Side::right) {
-  FrenetFrame frame;
+MovingFrame frame_at(const NurbsCurve& curve, double u, Side side = Side::right) {
+  MovingFrame frame;
   frenet_frames(curve, {&u, 1}, {&frame, 1}, side);
   return frame;
 }
@@ -53,7 +53,7 @@ TEST(CurveFrame, ACircleHasTheCurvatureOfItsRadiusAndNoTorsion) {
     for (const double u : random_parameters(random, curve.domain(), 50)) {
       EXPECT_NEAR(curvature_at(curve, u), 4.0, 4e-13);
       EXPECT_NEAR(torsion_at(curve, u), 0.0, 1e-12);
-      const FrenetFrame frame = frame_at(curve, u);
+      const MovingFrame frame = frame_at(curve, u);
       EXPECT_LE(largest(frame.binormal - glm::normalize(glm::dvec3(1, -1, 2))), 1e-14);
       EXPECT_LE(largest(point_at(curve, u) + 0.25 * frame.normal - glm::dvec3(1, 2, 3)), 1e-14);
     }
@@ -85,7 +85,7 @@ TEST(CurveFrame, AtCuspsTheCurvatureIsItsLimit) {
   EXPECT_EQ(curvature_at(polynomial({{{0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {}}}), 0.0), inf);
   EXPECT_NEAR(curvature_at(polynomial({{{0, 0, 1, 0, 0}, {0, 0, 0, 0, 1}, {}}}), 0.0), 2.0, 1e-13);
   EXPECT_EQ(curvature_at(polynomial({{{0, 0, 1, 0, 0}, {0, 0, 1, 0, 0}, {}}}), 0.0), 0.0);
-  const FrenetFrame frame = frame_at(polynomial({{{0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {}}}), 0.0);
+  const MovingFrame frame = frame_at(polynomial({{{0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {}}}), 0.0);
   EXPECT_LE(largest(frame.tangent - glm::dvec3(1, 0, 0)), 1e-14);
   EXPECT_LE(largest(frame.normal - glm::dvec3(0, 1, 0)), 1e-14);
 }
@@ -111,14 +111,14 @@ TEST(CurveFrame, FramesAreOrthonormalAndTurnWithTheCurve) {
   for (int i = 0; i < 100; ++i) {
     const NurbsCurve curve = random_curve(random, {integer(random, 3, 6), 2, Ends::clamped, Weights::positive});
     const double u = real(random, curve.domain().start, curve.domain().end);
-    const FrenetFrame frame = frame_at(curve, u);
+    const MovingFrame frame = frame_at(curve, u);
     EXPECT_LE(largest(glm::cross(frame.tangent, frame.normal) - frame.binormal), 1e-14);
     EXPECT_NEAR(glm::length(frame.normal), 1.0, 1e-14);
     const NurbsCurve moved = transformed(curve, turn);
     const double size = std::abs(curvature_at(curve, u)) + 1e-3;
     EXPECT_NEAR(3.0 * curvature_at(moved, u), curvature_at(curve, u), 1e-8 * size);
     EXPECT_NEAR(3.0 * torsion_at(moved, u), torsion_at(curve, u), 1e-6 * (1.0 + std::abs(torsion_at(curve, u))));
-    const FrenetFrame there = frame_at(moved, u);
+    const MovingFrame there = frame_at(moved, u);
     EXPECT_LE(largest(there.tangent - glm::dvec3(turn * glm::dvec4(frame.tangent, 0)) / 3.0), 1e-9);
   }
 }

@@ -58,6 +58,8 @@ CURVE = {
     "curvature": lambda one, at: one.curvature(inside(one.domain)),
     "torsion": lambda one, at: one.torsion(inside(one.domain)),
     "frenet_frame": lambda one, at: one.frenet_frame(inside(one.domain)),
+    "frames": lambda one, at: [one.frames(inside(one.domain)), one.frames(one.domain[0], start=(1, 2, 3)),
+                               one.frames(one.domain[0], "frenet")],
 }
 DRAGGED = {
     "dragged": lambda one, at: [one.dragged(middle(one.domain), xyz(at, 0.5)),

@@ -6,8 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "base/placement.hpp"
-#include "curve/rescale.hpp"
+#include "near_curve.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {
@@ -127,8 +126,8 @@ double torsion_of(const Local& local) {
   return limit(volumes[order].value / square, order - 2 * leading.b);
 }
 
-FrenetFrame frame_of(const Local& local, bool is_arriving) {
-  FrenetFrame frame{glm::dvec3(kNan), glm::dvec3(kNan), glm::dvec3(kNan)};
+MovingFrame frame_of(const Local& local, bool is_arriving) {
+  MovingFrame frame{glm::dvec3(kNan), glm::dvec3(kNan), glm::dvec3(kNan)};
   const Leading leading(local);
   if (leading.stands_still()) return frame;
   const auto sign = [&](int order) { return is_arriving && order % 2 == 1 ? -1.0 : 1.0; };
@@ -140,23 +139,17 @@ FrenetFrame frame_of(const Local& local, bool is_arriving) {
   return frame;
 }
 
-/// Calls visit(i, local, whether the curve arrives at u) for the curve in its place, its weights and parameters
-/// brought near 1: they change no curvature, and their powers would leave the range of numbers.
+/// Calls visit(i, local, whether the curve arrives at u) for the curve near the origin.
 template <class Visit>
 Placement for_each_local(const NurbsCurve& curve, std::span<const double> parameters, Side side, Visit visit) {
-  const Placement placement = placement_of(curve.points());
-  const Scales scales = scales_of(curve);
-  NurbsCurve near = placed(curve, placement);
-  if (scales.weights != 0 || scales.parameters != 0) {
-    near = divided(near, {.coordinates = 0, .weights = scales.weights, .parameters = scales.parameters});
-  }
-  const KnotVector& knots = near.knot_vector();
+  const NearCurve near = near_origin(curve);
+  const KnotVector& knots = near.curve.knot_vector();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const double u = std::scalbn(curve.knot_vector().admit(parameters[i], side, i), -scales.parameters);
+    const double u = std::scalbn(curve.knot_vector().admit(parameters[i], side, i), -near.parameters);
     const bool is_arriving = knots.span_interval(knots.span_of(u, side)).end == u;
-    visit(i, local_at(near, u, side), is_arriving);
+    visit(i, local_at(near.curve, u, side), is_arriving);
   }
-  return placement;
+  return near.placement;
 }
 
 /// One curvature, measured with the curve in its place, for each parameter.
@@ -180,7 +173,7 @@ void torsion(const NurbsCurve& curve, std::span<const double> parameters, std::s
   bends(curve, parameters, out, side, &torsion_of, "torsion");
 }
 
-void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<FrenetFrame> out, Side side) {
+void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<MovingFrame> out, Side side) {
   for_each_local(curve, parameters, side,
                  [&](std::size_t i, const Local& local, bool is_arriving) { out[i] = frame_of(local, is_arriving); });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/one_sign.hpp"
 #include "basis/bernstein_net.hpp"
 #include "patch/bezier_piece.hpp"
 #include "splinecore/base/errors.hpp"
@@ -46,10 +47,9 @@ void require_sign(const WeightPiece& piece, double sign, int depth) {
   }
 }
 
-bool has_weights_of_one_sign(const NurbsPatch& patch) {
-  const auto points = patch.homogeneous_points();
-  return std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w > 0.0; }) ||
-         std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w < 0.0; });
+template <class Shape>
+bool has_weights_of_one_sign(const Shape& shape) {
+  return has_one_sign(shape.homogeneous_points(), &glm::dvec4::w);
 }
 
 }  // namespace
@@ -65,6 +65,17 @@ void require_finite_points(const NurbsPatch& patch) {
                               knots_v.span_interval(j)};
       require_sign(piece, piece.net.values.front() < 0.0 ? -1.0 : 1.0, kDepth);
     }
+  }
+}
+
+void require_finite_points(const NurbsCurve& curve, const Interval& range) {
+  if (has_weights_of_one_sign(curve)) return;
+  for (const Interval& piece : pieces(curve)) {
+    const double start = std::max(piece.start, range.start);
+    const double end = std::min(piece.end, range.end);
+    if (start > end) continue;
+    if (start == piece.start && is_at_infinity(curve, start, Side::right)) throw PointAtInfinity(start);
+    if (end == piece.end && is_at_infinity(curve, end, Side::left)) throw PointAtInfinity(end);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "finite_weights.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -14,24 +15,6 @@
 namespace splinecore {
 
 namespace {
-
-bool has_weights_of_one_sign(const NurbsCurve& curve) {
-  const auto points = curve.homogeneous_points();
-  return std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w > 0.0; }) ||
-         std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w < 0.0; });
-}
-
-/// @throws PointAtInfinity with a parameter of the range where the weight is zero.
-void require_finite_points(const NurbsCurve& curve, const Interval& range) {
-  if (has_weights_of_one_sign(curve)) return;
-  for (const Interval& piece : pieces(curve)) {
-    const double start = std::max(piece.start, range.start);
-    const double end = std::min(piece.end, range.end);
-    if (start > end) continue;
-    if (start == piece.start && is_at_infinity(curve, start, Side::right)) throw PointAtInfinity(start);
-    if (end == piece.end && is_at_infinity(curve, end, Side::left)) throw PointAtInfinity(end);
-  }
-}
 
 /// Where u lies in an interval, as a part of it; halves, because its length may overflow.
 double part_of(double u, const Interval& interval) {

@@ -22,16 +22,16 @@ void curvature(const NurbsCurve& curve, std::span<const double> parameters, std:
 void torsion(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
              Side side = Side::right);
 
-/// Frenet's moving frame: three unit vectors, binormal = tangent x normal.
-struct FrenetFrame {
+/// Three unit vectors, binormal = tangent x normal.
+struct MovingFrame {
   glm::dvec3 tangent;
   glm::dvec3 normal;
   glm::dvec3 binormal;
 };
 
-/// The frame at each parameter, also as a limit. Normal and binormal are NaN where the curve is straight, and all
+/// Frenet's frame at each parameter, also as a limit. Normal and binormal are NaN where the curve is straight, and all
 /// three where it stands still. At a cusp the tangent is that of the way on; with the side left, of the way in.
-void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<FrenetFrame> out,
+void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<MovingFrame> out,
                    Side side = Side::right);
 
 }  // namespace splinecore

@@ -1,0 +1,97 @@
+#include <cmath>
+
+#include "arrays.hpp"
+#include "class_of.hpp"
+#include "curve_methods.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+#include "rooms.hpp"
+#include "splinecore/curve/power_curve.hpp"
+#include "splinecore/measure/moving_frame.hpp"
+
+namespace bindings {
+
+using splinecore::BezierCurve;
+using splinecore::CarriedFrame;
+using splinecore::HermiteCurve;
+using splinecore::InvalidShape;
+using splinecore::MovingFrame;
+using splinecore::NurbsCurve;
+using splinecore::PowerCurve;
+using splinecore::Side;
+
+namespace {
+
+enum class Kind { frenet, rotation_minimising };
+
+void require_frenet(std::span<const MovingFrame> frames, const Doubles& at) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!std::isnan(frames[i].binormal.x)) continue;
+    const auto flat = static_cast<py::ssize_t>(i);
+    throw InvalidShape("the curve is straight or stands still at u" + place_text(at, flat) + " = " +
+                       splinecore::text_of(at.data()[i]) + ": it has no Frenet frame there");
+  }
+}
+
+py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const py::object& kind,
+                           const py::object& start, const py::object& closed, const py::object& side,
+                           const py::object& cancel) {
+  const Doubles at = real_array(u, "u");
+  const Side from = side_of(side, "side");
+  const Kind chosen_kind = chosen<Kind>(
+      kind, "kind", {{"frenet", Kind::frenet}, {"rotation_minimising", Kind::rotation_minimising}});
+  CarriedFrame how;
+  if (!start.is_none()) how.start = vector_of(start, "start");
+  how.is_closed = boolean(closed, "closed");
+  if (chosen_kind == Kind::frenet && (how.start || how.is_closed)) {
+    throw InvalidShape("Frenet frames have no start and are closed of themselves: kind = 'rotation_minimising' takes "
+                       "start and closed");
+  }
+  require_inside(curve.knot_vector(), at, from, "u");
+  Shape shape(at.shape(), at.shape() + at.ndim());
+  shape.insert(shape.end(), {3, 3});
+  py::array_t<double> out(shape);
+  static_assert(sizeof(MovingFrame) == 9 * sizeof(double));
+  const std::span parameters(at.data(), static_cast<std::size_t>(at.size()));
+  const std::span found(reinterpret_cast<MovingFrame*>(out.mutable_data()), parameters.size());
+  unlocked([&] {
+    if (chosen_kind == Kind::frenet) {
+      splinecore::frenet_frames(curve, parameters, found, from);
+    } else {
+      splinecore::rotation_minimising_frames(curve, parameters, found, how, from);
+    }
+  }, cancel);
+  if (chosen_kind == Kind::frenet) require_frenet(found, at);
+  return out;
+}
+
+template <class Curve>
+void bind_curve(py::class_<Curve> cls) {
+  cls.def("frames", [](const Curve& self, const py::object& u, const py::object& kind, const py::object& start,
+                       const py::object& closed, const py::object& side, const py::object& cancel) {
+            return frames(form(self), u, kind, start, closed, side, cancel);
+          },
+          py::arg("u"), py::arg("kind") = "rotation_minimising", py::kw_only(), py::arg("start") = py::none(),
+          py::arg("closed") = false, py::arg("side") = "right", py::arg("cancel") = py::none(),
+          "Unit tangent, normal and binormal = tangent x normal at parameters: (...,) -> (..., 3, 3), one a row.\n\n"
+          "'rotation_minimising' frames turn about the tangent no more than they must, from the start of the domain\n"
+          "on, whatever other parameters are asked for, to about 1e-9: double reflection (Wang, Jüttler, Zheng and\n"
+          "Liu 2008) in steps that the curve alone decides. Straight parts keep the frame; at a corner it turns as\n"
+          "little as it can. start (3,) is where the normal points at the start of the domain, as far as it is at\n"
+          "right angles to the curve; without it it is Frenet's there. closed=True takes back what the frame of a\n"
+          "closed curve has turned by at the end, evenly by length.\n"
+          "'frenet' frames are those of frenet_frame(): InvalidShape where the curve is straight or stands still,\n"
+          "which has none. Also InvalidShape if the curve is a point, or is to be closed and does not close\n"
+          "smoothly; PointAtInfinity. Row S15.");
+}
+
+}  // namespace
+
+void bind_frames(py::module_& module) {
+  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
+  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
+  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
+  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+}
+
+}  // namespace bindings

@@ -1,0 +1,271 @@
+#include "splinecore/measure/moving_frame.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "finite_weights.hpp"
+#include "near_curve.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/measure/arc_length.hpp"
+#include "splinecore/measure/continuity.hpp"
+#include "splinecore/measure/length.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Vector = glm::dvec3;
+
+/// What of a vector is at right angles to a unit one.
+Vector across(const Vector& v, const Vector& tangent) { return v - glm::dot(v, tangent) * tangent; }
+
+Vector reflected(const Vector& v, const Vector& mirror) {
+  return v - (2.0 * glm::dot(v, mirror) / glm::dot(mirror, mirror)) * mirror;
+}
+
+/// A unit vector at right angles to a unit tangent, turned about it.
+Vector turned(const Vector& normal, const Vector& tangent, double angle) {
+  return std::cos(angle) * normal + std::sin(angle) * glm::cross(tangent, normal);
+}
+
+/// The angle about the tangent from one vector at right angles to it to another.
+double angle_from(const Vector& a, const Vector& b, const Vector& tangent) {
+  return std::atan2(glm::dot(glm::cross(a, b), tangent), glm::dot(a, b));
+}
+
+/// By the least turn that takes one tangent to the other; where that is no plane's, as at a cusp, the normal stays.
+Vector bent(const Vector& normal, const Vector& from, const Vector& to) {
+  constexpr double kReversed = 0x1p-20;
+  const Vector middle = from + to;
+  const Vector moved = glm::length(middle) > kReversed ? reflected(normal, middle) : normal;
+  return glm::normalize(across(moved, to));
+}
+
+/// A place of the curve.
+struct Place {
+  double u;
+  Vector point;
+  Vector tangent;
+};
+
+/// A normal that is carried along one span after the other.
+class Carrier {
+ public:
+  Carrier(const NurbsCurve& curve, const std::optional<Vector>& start)
+      : curve_(curve), short_(0x1p-30 * extent(curve.points())), step_(0x1p-40 * extent(curve.points())) {
+    const int spans = static_cast<int>(curve.knot_vector().spans().size());
+    for (int span = 0; span < spans && !is_number(tangent_); ++span) {
+      tangent_ = tangent_at(curve.knot_vector().span_interval(span).start, Side::right, span);
+    }
+    if (!is_number(tangent_)) throw InvalidShape("the curve is a point: it has no tangent");
+    normal_ = start ? given_normal(*start) : own_normal();
+  }
+
+  /// Carries the normal along a span; parameters of it, in order, are handed on with their frames.
+  template <class Take>
+  void pass(int span, std::span<const double> parameters, Take take) {
+    const Interval range = curve_.knot_vector().span_interval(span);
+    Place from = place_at(range.start, span);
+    normal_ = bent(normal_, tangent_, from.tangent);
+    tangent_ = from.tangent;
+    std::size_t next = 0;
+    for (Steps at = 0; at < kAllSteps;) {
+      const Place to = take_step(from, at, range, span);
+      // The end of the span is its own, as that of a corner is.
+      for (; next < parameters.size() && (parameters[next] < to.u || to.u == range.end); ++next) {
+        const Place place = place_at(parameters[next], span);
+        take(next, frame_of(place.tangent, carried(normal_, from, place, span).first));
+      }
+      normal_ = carried(normal_, from, to, span).first;
+      tangent_ = to.tangent;
+      from = to;
+    }
+  }
+
+  MovingFrame frame() const { return frame_of(tangent_, normal_); }
+
+ private:
+  /// The smallest that a span is cut into.
+  using Steps = std::int64_t;
+  static constexpr int kDeepest = 40;
+  static constexpr Steps kAllSteps = Steps{1} << kDeepest;
+
+  static bool is_number(const Vector& v) { return std::isfinite(v.x); }
+
+  static MovingFrame frame_of(const Vector& tangent, const Vector& normal) {
+    return {tangent, normal, glm::cross(tangent, normal)};
+  }
+
+  Side side_in(double u, int span) const {
+    return u == curve_.knot_vector().span_interval(span).end ? Side::left : Side::right;
+  }
+
+  Vector tangent_at(double u, Side side, int span, Vector* point = nullptr) const {
+    breathe(256);
+    std::array<Vector, 2> values;
+    derivatives(curve_, {&u, 1}, 1, std::span(&values[0].x, 6), {.side = side});
+    if (point) *point = values[0];
+    const double speed = glm::length(values[1]);
+    if (speed * curve_.knot_vector().span_interval(span).length() > short_) return values[1] / speed;
+    MovingFrame limit;
+    frenet_frames(curve_, {&u, 1}, {&limit, 1}, side);
+    return limit.tangent;
+  }
+
+  /// Where the curve stands still the tangent is that of the way in.
+  Place place_at(double u, int span) const {
+    Place place{u, Vector(0.0), Vector(0.0)};
+    place.tangent = tangent_at(u, side_in(u, span), span, &place.point);
+    if (!is_number(place.tangent)) place.tangent = tangent_;
+    return place;
+  }
+
+  Vector given_normal(const Vector& start) const {
+    constexpr double kParallel = 0x1p-30;
+    const double size = std::max({std::abs(start.x), std::abs(start.y), std::abs(start.z)});
+    const Vector normal = size > 0.0 ? across(start / size, tangent_) : Vector(0.0);
+    if (!(glm::length(normal) > kParallel)) {
+      throw InvalidShape("start has no part at right angles to the tangent of the curve's start");
+    }
+    return glm::normalize(across(glm::normalize(normal), tangent_));
+  }
+
+  Vector own_normal() const {
+    const double start = curve_.domain().start;
+    MovingFrame frenet;
+    frenet_frames(curve_, {&start, 1}, {&frenet, 1});
+    if (is_number(frenet.normal)) return frenet.normal;
+    int least = 0;
+    for (int axis = 1; axis < 3; ++axis) {
+      if (std::abs(tangent_[axis]) < std::abs(tangent_[least])) least = axis;
+    }
+    Vector axis(0.0);
+    axis[least] = 1.0;
+    return glm::normalize(across(axis, tangent_));
+  }
+
+  /// One double reflection.
+  Vector step(const Vector& normal, const Place& from, const Place& to) const {
+    const Vector chord = to.point - from.point;
+    if (!(glm::length(chord) > step_)) return bent(normal, from.tangent, to.tangent);
+    const Vector mirrored = reflected(normal, chord);
+    const Vector mirror = to.tangent - reflected(from.tangent, chord);
+    const Vector moved = glm::dot(mirror, mirror) > 0.0 ? reflected(mirrored, mirror) : mirrored;
+    return glm::normalize(across(moved, to.tangent));
+  }
+
+  /// The normal carried from one place to another, and whether one step is so good that two halves change little.
+  std::pair<Vector, bool> carried(const Vector& normal, const Place& from, const Place& to, int span) const {
+    constexpr double kEnough = 1e-10;
+    constexpr double kStraight = 0.9;
+    const double u = from.u + 0.5 * (to.u - from.u);
+    if (!(u > from.u && u < to.u)) return {step(normal, from, to), true};
+    const Place middle = place_at(u, span);
+    const Vector whole = step(normal, from, to);
+    const Vector halves = step(step(normal, from, middle), middle, to);
+    const double change = angle_from(whole, halves, to.tangent);
+    const bool is_straight = glm::dot(from.tangent, middle.tangent) > kStraight &&
+                             glm::dot(middle.tangent, to.tangent) > kStraight;
+    // The error of a step grows with the fifth power of its length.
+    return {is_straight ? turned(halves, to.tangent, change / 15.0) : halves,
+            is_straight && std::abs(change) <= kEnough};
+  }
+
+  /// Goes on by one step: spans are halved, at least so often that no symmetry hides anything, and at most to where a
+  /// cusp is.
+  Place take_step(const Place& from, Steps& at, const Interval& range, int span) const {
+    const int most = at == 0 ? kDeepest : std::countr_zero(static_cast<std::uint64_t>(at));
+    for (int size = std::min(most, kDeepest - least_depth());; --size) {
+      const Steps end = at + (Steps{1} << size);
+      const double part = static_cast<double>(end) / static_cast<double>(kAllSteps);
+      const Place to = place_at(std::lerp(range.start, range.end, part), span);
+      if (size > 0 && !carried(normal_, from, to, span).second) continue;
+      at = end;
+      return to;
+    }
+  }
+
+  int least_depth() const { return 2 + std::ilogb(static_cast<double>(curve_.degree())); }
+
+  const NurbsCurve& curve_;
+  double short_;  ///< a speed by the span below which derivatives of higher order tell the direction
+  double step_;   ///< a chord that is no longer has no direction
+  Vector tangent_{std::numeric_limits<double>::quiet_NaN()};
+  Vector normal_{0.0};
+};
+
+/// A frame that is asked for.
+struct Query {
+  int span;
+  double u;
+  std::size_t index;
+};
+
+std::vector<Query> queries_of(const NearCurve& near, const KnotVector& knots, std::span<const double> parameters,
+                              Side side) {
+  std::vector<Query> queries;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double u = std::scalbn(knots.admit(parameters[i], side, i), -near.parameters);
+    queries.push_back({near.curve.knot_vector().span_of(u, side), u, i});
+  }
+  std::ranges::sort(queries, {}, [](const Query& q) { return std::tuple(q.span, q.u, q.index); });
+  return queries;
+}
+
+void require_smooth_end(const NurbsCurve& curve, const MovingFrame& start, const MovingFrame& end) {
+  if (!is_closed(curve)) throw InvalidShape("the curve is not closed: its frames cannot be");
+  if (glm::length(start.tangent - end.tangent) <= kContinuityTolerance) return;
+  throw InvalidShape("the curve has a corner where it closes: its frames cannot be closed");
+}
+
+/// Takes back, evenly by length, what the frame has turned by at the end.
+void close_frames(const NurbsCurve& curve, std::span<const double> parameters, Side side, double angle,
+                  std::span<MovingFrame> out) {
+  const std::vector<double> lengths = lengths_at_parameters(curve, parameters);
+  const double end = curve.domain().end;
+  const double whole = length(curve, curve.domain(), kPlaceTolerance).value;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const bool is_end = curve.knot_vector().admit(parameters[i], side, i) == end;
+    MovingFrame& frame = out[i];
+    frame.normal = turned(frame.normal, frame.tangent, angle * (is_end ? 1.0 : lengths[i] / whole));
+    frame.binormal = glm::cross(frame.tangent, frame.normal);
+  }
+}
+
+}  // namespace
+
+void rotation_minimising_frames(const NurbsCurve& curve, std::span<const double> parameters,
+                                std::span<MovingFrame> out, const CarriedFrame& how, Side side) {
+  require_finite_points(curve, curve.domain());
+  const NearCurve near = near_origin(curve);
+  const std::vector<Query> queries = queries_of(near, curve.knot_vector(), parameters, side);
+  Carrier carrier(near.curve, how.start);
+  MovingFrame first{};
+  const int spans = static_cast<int>(near.curve.knot_vector().spans().size());
+  auto next = queries.begin();
+  std::vector<double> at;
+  for (int span = 0; span < spans && (how.is_closed || next != queries.end()); ++span) {
+    const auto end = std::find_if(next, queries.end(), [&](const Query& q) { return q.span != span; });
+    at.clear();
+    std::transform(next, end, std::back_inserter(at), [](const Query& q) { return q.u; });
+    if (span == 0) first = carrier.frame();
+    carrier.pass(span, at, [&](std::size_t i, const MovingFrame& frame) { out[next[i].index] = frame; });
+    next = end;
+  }
+  if (!how.is_closed) return;
+  const MovingFrame last = carrier.frame();
+  require_smooth_end(curve, first, last);
+  close_frames(curve, parameters, side, angle_from(last.normal, first.normal, first.tangent), out);
+}
+
+}  // namespace splinecore
