@@ -56,7 +56,11 @@ CURVE = {
     "divide": lambda one, at: one.divide(3, tolerance=1e-3),
     "divide_by_length": lambda one, at: one.divide_by_length(at.size, tolerance=1e-3),
     "curvature": lambda one, at: one.curvature(inside(one.domain)),
+    "signed_curvature": lambda one, at: one.signed_curvature(inside(one.domain), (0, 0, 1)),
     "torsion": lambda one, at: one.torsion(inside(one.domain)),
+    "inflections": lambda one, at: one.inflections((0, 1, 2)),
+    "extrema": lambda one, at: one.extrema((0, 1, 2)),
+    "bounding_box": lambda one, at: one.bounding_box(),
     "frenet_frame": lambda one, at: one.frenet_frame(inside(one.domain)),
     "frames": lambda one, at: [one.frames(inside(one.domain)), one.frames(one.domain[0], start=(1, 2, 3)),
                                one.frames(one.domain[0], "frenet")],
@@ -141,6 +145,7 @@ PATCH = {
     "fundamental_forms": lambda one, at: one.fundamental_forms(*pairs_of(one)),
     "curvatures": lambda one, at: one.curvatures(*pairs_of(one)),
     "area": lambda one, at: one.area(tolerance=1e-2),
+    "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
     "isocurve": lambda one, at: [one.isocurve(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
     "boundary": lambda one, at: [one.boundary(side) for side in SIDES],
     "continuity_to": lambda one, at: one.continuity_to("v_end", one, "v_start"),
@@ -187,6 +192,7 @@ PATCH_SET = {
     "__len__": lambda one, at: len(one),
     "__getitem__": lambda one, at: one[0],
     "area": lambda one, at: one.area(tolerance=1e-2),
+    "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
     "volume": lambda one, at: one.volume(tolerance=1e-1),
 }
 TESSELLATION = {

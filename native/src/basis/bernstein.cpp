@@ -8,8 +8,8 @@ namespace splinecore {
 
 namespace {
 
-/// The last row of the table: that of products of two polynomials. C(510, 255) is about 1e152.
-constexpr int kLastRow = 2 * kMaxDegree;
+/// The last row of the table: that of products of three polynomials. C(765, 382) is about 1e229.
+constexpr int kLastRow = 3 * kMaxDegree;
 
 /// Pascal's triangle, row after row.
 const double* binomial_row(int n) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "near_curve.hpp"
+#include "unit_direction.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {
@@ -104,14 +105,16 @@ struct Leading {
   const glm::dvec3& binormal() const { return binormals[b].value; }
 };
 
-double curvature_of(const Local& local) {
+/// The curvature; `size_of_bend` is the length of C' x C'', or a part of it.
+template <class SizeOfBend>
+double curvature_of(const Local& local, SizeOfBend size_of_bend) {
   const Leading leading(local);
   if (leading.stands_still()) return kNan;
   const double speed = glm::length(local.first[leading.a].value);
   // Where the curve moves at all the plain formula holds, down to the smallest curvature.
-  if (leading.a == 0) return glm::length(leading.binormals[0].value) / (speed * speed * speed);
+  if (leading.a == 0) return size_of_bend(leading.binormals[0].value) / (speed * speed * speed);
   if (leading.is_straight()) return 0.0;
-  return limit(glm::length(leading.binormal()) / (speed * speed * speed), leading.b - 3 * leading.a);
+  return limit(size_of_bend(leading.binormal()) / (speed * speed * speed), leading.b - 3 * leading.a);
 }
 
 double torsion_of(const Local& local) {
@@ -153,8 +156,9 @@ Placement for_each_local(const NurbsCurve& curve, std::span<const double> parame
 }
 
 /// One curvature, measured with the curve in its place, for each parameter.
+template <class Measure>
 void bends(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side,
-           double (*measure)(const Local&), const char* name) {
+           const char* name, Measure measure) {
   const Placement placement = for_each_local(
       curve, parameters, side, [&](std::size_t i, const Local& local, bool) { out[i] = measure(local); });
   for (double& value : out) {
@@ -166,11 +170,21 @@ void bends(const NurbsCurve& curve, std::span<const double> parameters, std::spa
 }  // namespace
 
 void curvature(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side) {
-  bends(curve, parameters, out, side, &curvature_of, "curvature");
+  bends(curve, parameters, out, side, "curvature", [](const Local& local) {
+    return curvature_of(local, [](const glm::dvec3& bend) { return glm::length(bend); });
+  });
+}
+
+void signed_curvature(const NurbsCurve& curve, std::span<const double> parameters, const glm::dvec3& normal,
+                      std::span<double> out, Side side) {
+  const glm::dvec3 way = unit_direction(normal, "normal");
+  bends(curve, parameters, out, side, "curvature", [&](const Local& local) {
+    return curvature_of(local, [&](const glm::dvec3& bend) { return glm::dot(bend, way); });
+  });
 }
 
 void torsion(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side) {
-  bends(curve, parameters, out, side, &torsion_of, "torsion");
+  bends(curve, parameters, out, side, "torsion", &torsion_of);
 }
 
 void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<MovingFrame> out, Side side) {

@@ -7,7 +7,7 @@ namespace splinecore {
 /// Degrees above this are refused: C(255, 127) and its neighbours are far from overflow.
 inline constexpr int kMaxDegree = 255;
 
-/// C(n, k) for 0 <= k <= n <= 2 kMaxDegree; exact while it fits 53 bits.
+/// C(n, k) for 0 <= k <= n <= 3 kMaxDegree; exact while it fits 53 bits.
 /// @throws std::out_of_range for others.
 double binomial(int n, int k);
 

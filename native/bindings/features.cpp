@@ -1,0 +1,123 @@
+#include "arrays.hpp"
+#include "class_of.hpp"
+#include "curve_methods.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "splinecore/curve/power_curve.hpp"
+#include "splinecore/measure/bounding_box.hpp"
+#include "splinecore/measure/curve_frame.hpp"
+#include "splinecore/measure/features.hpp"
+
+namespace bindings {
+
+using splinecore::BezierCurve;
+using splinecore::BezierPatch;
+using splinecore::Box;
+using splinecore::HermiteCurve;
+using splinecore::HermitePatch;
+using splinecore::NurbsCurve;
+using splinecore::NurbsPatch;
+using splinecore::PatchSet;
+using splinecore::PowerCurve;
+
+namespace {
+
+/// The argument, or the normal of the curve's plane for None.
+glm::dvec3 normal_of(const NurbsCurve& curve, const py::object& normal, const char* name) {
+  if (!normal.is_none()) return vector_of(normal, name);
+  return unlocked([&] { return splinecore::plane_normal(curve); });
+}
+
+py::array_t<double> signed_curvature(const NurbsCurve& curve, const py::object& u, const py::object& normal,
+                                     const py::object& side) {
+  const Doubles at = real_array(u, "u");
+  const splinecore::Side from = side_of(side, "side");
+  require_inside(curve.knot_vector(), at, from, "u");
+  const glm::dvec3 across = normal_of(curve, normal, "normal");
+  py::array_t<double> out(Shape(at.shape(), at.shape() + at.ndim()));
+  const auto count = static_cast<std::size_t>(at.size());
+  double* const numbers = out.mutable_data();
+  unlocked([&] { splinecore::signed_curvature(curve, {at.data(), count}, across, {numbers, count}, from); });
+  return out;
+}
+
+py::array_t<double> inflections(const NurbsCurve& curve, const py::object& direction) {
+  const glm::dvec3 view = normal_of(curve, direction, "direction");
+  const auto found = unlocked([&] { return splinecore::inflections(curve, view); });
+  return new_numbers(std::span(found));
+}
+
+py::array_t<double> extrema(const NurbsCurve& curve, const py::object& direction) {
+  const glm::dvec3 way = vector_of(direction, "direction");
+  const auto found = unlocked([&] { return splinecore::extrema(curve, way); });
+  return new_numbers(std::span(found));
+}
+
+py::array_t<double> rows_of(const Box& box) {
+  py::array_t<double> out(Shape{2, 3});
+  for (int axis = 0; axis < 3; ++axis) {
+    out.mutable_at(0, axis) = box.low[axis];
+    out.mutable_at(1, axis) = box.high[axis];
+  }
+  return out;
+}
+
+template <class Curve>
+void bind_curve(py::class_<Curve> cls) {
+  cls.def("signed_curvature", [](const Curve& self, const py::object& u, const py::object& normal,
+                                 const py::object& side) { return signed_curvature(form(self), u, normal, side); },
+          py::arg("u"), py::arg("normal") = py::none(), py::kw_only(), py::arg("side") = "right",
+          "(C' x C'') · normal / |C'|³ at parameters (...,) -> (...,): positive where the curve bends to its left.\n\n"
+          "normal (3,) is that of its plane, by default towards +z; InvalidShape if the curve lies in none. Of a curve\n"
+          "that is not in a plane at right angles to the normal it is the part of the curvature about the normal.\n"
+          "Limits, inf and nan as those of curvature(). Row S15.");
+  cls.def("inflections", [](const Curve& self, const py::object& direction) {
+            return inflections(form(self), direction);
+          }, py::arg("direction") = py::none(),
+          "The parameters (n,), in order, where the curve begins to bend to the other side.\n\n"
+          "Seen against a direction (3,), by default the normal of its plane: InvalidShape if it lies in none. All\n"
+          "roots of the numerator of the signed curvature on every span that change its sign; of a straight part\n"
+          "between two bends it is the middle. A corner is none, and no change at infinity. Row S15.");
+  cls.def("extrema", [](const Curve& self, const py::object& direction) { return extrema(form(self), direction); },
+          py::arg("direction"),
+          "The parameters (n,), in order, where the curve is at rest along a direction (3,) or turns about.\n\n"
+          "All roots of the derivative along it, both ends of a part at right angles to it, corners where it changes\n"
+          "sign, and the ends of the curve and of its pieces. InvalidShape if the direction is zero; PointAtInfinity\n"
+          "if the curve runs to infinity. Row S15.");
+  cls.def("bounding_box", [](const Curve& self) {
+            return rows_of(unlocked([&] { return splinecore::bounding_box(form(self)); }));
+          },
+          "The smallest box along the axes that the curve lies in: (2, 3), its lowest and its highest corner.\n\n"
+          "Not that of the control points: right to a few roundings of the largest coordinate, with any weights.\n"
+          "PointAtInfinity if the curve runs to infinity. Row S15.");
+}
+
+template <class Shaped, class Form>
+void bind_box(py::class_<Shaped> cls, Form form_of) {
+  cls.def("bounding_box", [form_of](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
+            const double most = real(tolerance, "tolerance");
+            return rows_of(unlocked([&] { return splinecore::bounding_box(form_of(self), most); }, cancel));
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kBoxTolerance, py::arg("cancel") = py::none(),
+          "The smallest box along the axes that it lies in: (2, 3), its lowest and its highest corner.\n\n"
+          "Not that of the control points: too small by at most the tolerance times the largest coordinate, with any\n"
+          "weights. Branch and bound on Bernstein pieces; borders are solved as curves. InvalidShape if the tolerance\n"
+          "is not positive, PointAtInfinity if it runs to infinity, ToleranceNotReached where it takes too many\n"
+          "pieces. Row S20.");
+}
+
+}  // namespace
+
+void bind_features(py::module_& module) {
+  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
+  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
+  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
+  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+  const auto same = [](const auto& shape) -> const auto& { return shape; };
+  const auto nurbs = [](const auto& patch) -> const NurbsPatch& { return patch.nurbs(); };
+  bind_box(class_of<NurbsPatch>(module, "NurbsPatch"), same);
+  bind_box(class_of<BezierPatch>(module, "BezierPatch"), nurbs);
+  bind_box(class_of<HermitePatch>(module, "HermitePatch"), nurbs);
+  bind_box(class_of<PatchSet>(module, "PatchSet"), same);
+}
+
+}  // namespace bindings
