@@ -108,7 +108,8 @@ def _chains(mesh):
     bm.verts.index_update()
     places = {vertex.index: vertex.co.copy() for vertex in bm.verts if vertex.select}
     edges = [[vertex.index for vertex in edge.verts] for edge in bm.edges if edge.select]
-    history = [chosen.index for chosen in bm.select_history if isinstance(chosen, bmesh.types.BMVert)]
+    chosen = map(bm.select_history.__getitem__, range(len(bm.select_history)))      # Python 3.13 does not iterate over it
+    history = [one.index for one in chosen if isinstance(one, bmesh.types.BMVert)]
     chains = vertex_order.in_order(places, edges, history) if places else []
     return [([places[vertex] for vertex in chain], closed) for chain, closed in chains]
 
