@@ -120,6 +120,7 @@ void bind_ends(py::class_<NurbsPatch>& cls) {
             return unlocked([&] { return splinecore::unclamped(self, direction); });
           }, py::arg("axis"),
           "The same patch on knots of an axis that go on outside the domain; a periodic axis is unrolled.\n"
+          "InvalidShape where weights at an end are so different that rounding would move the patch.\n"
           "The NURBS Book, A12.1; row S20.");
   cls.def("to_periodic", [](const NurbsPatch& self, const py::object& axis, const py::object& tolerance) {
             const Axis direction = axis_of(axis);

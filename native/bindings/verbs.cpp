@@ -77,6 +77,7 @@ void bind_end_verbs(py::class_<NurbsCurve>& cls) {
           "The same curve with both ends in its outer control points; a periodic one is cut at its seam.\nRow S15.");
   cls.def("unclamped", [](const NurbsCurve& self) { return unlocked([&] { return splinecore::unclamped(self); }); },
           "The same curve on knots that go on outside the domain; a periodic one is unrolled.\n"
+          "InvalidShape where weights at an end are so different that rounding would move the curve.\n"
           "The NURBS Book, A12.1; row S15.");
   cls.def("to_periodic", [](const NurbsCurve& self, const py::object& tolerance) {
             const auto most = tolerance_of(tolerance);

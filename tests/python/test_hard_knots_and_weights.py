@@ -85,6 +85,42 @@ def test_a_point_that_is_all_but_a_copy_is_no_copy():
     assert unclamped.to_bezier()[0].points[0, 0] == pytest.approx(1000 / 1001, rel=1e-12)
 
 
+def rounded_distance(curve, other):
+    """How far apart two curves are at parameters near the ends and between, as a part of their size."""
+    start, end = curve.domain
+    near = (end - start) * 2.0 ** -np.arange(1.0, 80)
+    u = np.concatenate([[start, end], start + near, end - near])
+    sides = [np.abs(curve.evaluate(u, side=side) - other.evaluate(u, side=side)).max() for side in ("left", "right")]
+    return max(sides) / np.abs(curve.points).max()
+
+
+def test_unclamping_keeps_the_curve_or_says_that_it_cannot():
+    line = lambda weights: sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 1), (3, 0)], weights)
+    for weights in ((1, 1e20, 1), (1e20, 1, 1e-20), (-1, -1e20, -1)):
+        with pytest.raises(sc.InvalidShape, match="weights are so different"):
+            line(weights).unclamped()
+    random, refused, kept = RNG(6), 0, 0
+    for spread in (*range(1, 9), 12, 16):
+        for degree in (1, 2, 3, 5, 9):
+            points, weights = random.normal(size=(degree + 3, 3)), 10.0 ** random.uniform(-spread, spread, degree + 3)
+            knots = np.r_[[0.0] * (degree + 1), 0.3, 0.5, [1.0] * (degree + 1)]
+            curve = sc.NurbsCurve(degree, knots, points, weights)
+            patch = sc.NurbsPatch((degree, 1), (knots, [0, 0, 1, 1]), np.stack([points, points + (0, 0, 1)], 1),
+                                  np.stack([weights, weights], 1))
+            for unclamped, of in ((curve.unclamped, lambda c: c), (lambda: patch.unclamped("u"),
+                                                                   lambda p: p.isocurve("v", 0.0))):
+                try:
+                    after = of(unclamped())
+                except sc.InvalidShape:
+                    refused += 1
+                else:
+                    kept += 1
+                    assert rounded_distance(curve, after) <= 1e-8
+    assert kept >= 20 and refused >= 20
+    for weights in ((1, 1000, 1), (1, 1, 1e20), (-1, -1, -1), (1e-150, 1e-151, 1e-150)):
+        assert rounded_distance(line(weights), line(weights).unclamped()) <= 1e-12
+
+
 VERBS = {
     "insert_knot": lambda c: c.insert_knot(0.3, 2), "refine": lambda c: c.refine([0.1, 0.6, 0.6]),
     "split": lambda c: c.split(0.4), "elevate": lambda c: c.elevate(2), "to_bezier": lambda c: c.to_bezier(),

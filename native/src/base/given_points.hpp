@@ -30,5 +30,10 @@ GivenPoints as_given_from(const Shape& shape, std::span<const glm::dvec4> homoge
   return as_given_from(shape.points(), shape.rational(), shape.weight_exponent(), homogeneous_points);
 }
 
+/// @param before, after  homogeneous, up to one factor
+/// @throws InvalidShape if a point that was made anew is not what it was: weights are so different that it was lost in the
+///         rounding of the others.
+void require_same(std::span<const glm::dvec4> before, std::span<const glm::dvec4> after);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include "base/given_points.hpp"
 #include "basis/periodic_knots.hpp"
 #include "basis/selection.hpp"
+#include "rescale.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/distance.hpp"
@@ -112,7 +113,12 @@ NurbsCurve unclamped(const NurbsCurve& curve) {
   unclamp_end(p, outer_step(p, old.span_interval(last).length()), knots, points);
   GivenPoints given = as_given_from(whole, points);
   for (int i = p - 1; i <= static_cast<int>(points.size()) - p; ++i) given.made[i] = given.old[i];
-  return NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(given.made));
+  const NurbsCurve found = NurbsCurve::make(KnotVector::make(p, std::move(knots)), std::move(given.made));
+  if (whole.rational()) {
+    const Scales scales = scales_of(found);
+    require_same(divided(whole, scales).homogeneous_points(), clamped(divided(found, scales)).homogeneous_points());
+  }
+  return found;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/given_points.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -27,7 +28,11 @@ NurbsPatch clamped(const NurbsPatch& patch, Axis axis) {
 }
 
 NurbsPatch unclamped(const NurbsPatch& patch, Axis axis) {
-  return along(patch, axis, [](const NurbsCurve& line) { return unclamped(line); });
+  const NurbsPatch found = along(patch, axis, [](const NurbsCurve& line) { return unclamped(line); });
+  if (patch.rational() && !patch.knot_vector(axis).periodic()) {
+    require_same(clamped(patch, axis).homogeneous_points(), clamped(found, axis).homogeneous_points());
+  }
+  return found;
 }
 
 namespace {

@@ -17,6 +17,7 @@ NurbsCurve clamped(const NurbsCurve& curve);
 /// The same curve on knots that go on outside the domain, so that it touches no end point (The NURBS Book,
 /// A12.1; by blossoms): in steps of the span beside it, above degree 3 of (3 / degree)^2 of it, which keeps the
 /// points near the curve. A periodic curve is unrolled.
+/// @throws InvalidShape if weights at an end are so different that rounding would move the curve.
 NurbsCurve unclamped(const NurbsCurve& curve);
 
 /// The closed curve as a periodic one, as smooth at its seam as it is.

@@ -16,6 +16,7 @@ NurbsPatch clamped(const NurbsPatch& patch, Axis axis);
 
 /// The same patch on knots of one direction that go on outside the domain, as wide as the spans beside it (The
 /// NURBS Book, A12.1). A periodic direction is unrolled.
+/// @throws InvalidShape if weights at an end are so different that rounding would move the patch.
 NurbsPatch unclamped(const NurbsPatch& patch, Axis axis);
 
 /// The patch that is closed in one direction as a periodic one, as smooth at its seam as it is.
