@@ -167,6 +167,8 @@ def ring():
     (lambda: ring().length(8), "start = 8 is above 7, the end of the domain: an end is wanted, too"),
     (lambda: ring().length(end=-1), "end = -1 is below 0, the start of the domain: a start is wanted, too"),
     (lambda: ring().length(9, 8), "start = 9 is above end = 8"),
+    (lambda: ring().length(8, 0), "start = 8 is above end = 0"),
+    (lambda: turns(1).length(0, 8), "end = 8 is outside the domain [0, 4]"),
     (lambda: ring().length(math.inf), "start = inf"),
     (lambda: ring().length(end=-math.inf), "end = -inf"),
     (lambda: ring().length(math.nan), "start = nan"),
@@ -179,6 +181,17 @@ def test_the_argument_that_was_given_is_blamed(call, message):
     with pytest.raises(sc.InvalidShape) as caught:
         call()
     assert str(caught.value).startswith(message)
+
+
+def test_a_length_round_a_ring_counts_every_turn():
+    curve = ring()
+    whole = curve.length()
+    part = curve.length(0, 1)
+    assert near(curve.length(0, 8), whole + part) and near(curve.length(0, 7), whole) and curve.length(7, 7) == 0
+    assert near(curve.length(0, 29), 4 * whole + part) and near(curve.length(-14, 7), 3 * whole)
+    over_the_seam = curve.length(6, 8)
+    assert near(over_the_seam, curve.length(6, 7) + part) and near(curve.length(-1, 15), 2 * whole + over_the_seam)
+    assert near(curve.length(0.5, 0.5 + 7e6), 1e6 * whole)
 
 
 MANY = """
