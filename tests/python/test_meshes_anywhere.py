@@ -159,11 +159,30 @@ def test_a_large_patch_among_many_small_ones_does_not_make_them_all_neighbours()
 
 
 @pytest.mark.parametrize('resolution', (1, 8))
-def test_the_check_of_faces_finds_one_that_is_turned_over(resolution):
+def test_the_check_of_faces_finds_every_one_that_is_turned_over(resolution):
     """Also where normals turn by a quarter on a face, as on a sphere of few faces."""
     patch_set = set_of(sphere())
     mesh = mesh_checks.mesh_of(patch_set, sc.Tessellation(patch_set, resolution))
     assert (mesh_checks.turning(mesh).max() > np.radians(60)) == (resolution == 1)
-    mesh_checks.check_faces(mesh)
+    mesh_checks.check_faces(mesh, patch_set)
+    ends = np.append(mesh.starts[1:], len(mesh.vertex))
+    for face in (3, 0, len(mesh.starts) // 2, len(mesh.starts) - 1):
+        vertex, corners = mesh.vertex.copy(), slice(mesh.starts[face], ends[face])
+        vertex[corners] = vertex[corners][::-1]
+        with pytest.raises(AssertionError, match="turned from the surface"):
+            mesh_checks.check_faces(mesh._replace(vertex=vertex), patch_set)
+
+
+def test_the_check_of_faces_finds_one_turned_over_that_the_mean_of_its_corners_excuses():
+    """A strip that turns by more than a half on one face: its normals at the corners nearly cancel."""
+    points = [(0, 0, 0), (0, 0, 4), (3, 0, 4), (3, 0, -1)]
+    patch = sc.BezierPatch([[(x, y, z) for y in (0, 1)] for x, _, z in points])
+    patch_set = set_of(patch)
+    mesh = mesh_checks.mesh_of(patch_set, sc.Tessellation(patch_set, 1))
+    mesh_checks.check_faces(mesh, patch_set)
+    assert np.abs(mesh_checks.corner_normals(mesh) * mesh.normal).sum(axis=1).max() < 0.4
     with pytest.raises(AssertionError, match="turned from the surface"):
-        mesh_checks.check_faces(mesh._replace(normal=np.where(mesh.face[:, None] == 3, -mesh.normal, mesh.normal)))
+        mesh_checks.check_faces(mesh._replace(vertex=mesh.vertex[::-1]), patch_set)
+    low = mesh._replace(normal=np.where(mesh.uv[:, :1] == 1, -mesh.normal, mesh.normal))
+    with pytest.raises(AssertionError, match="turned from the surface"):
+        mesh_checks.check_faces(low._replace(vertex=mesh.vertex[::-1]), patch_set)

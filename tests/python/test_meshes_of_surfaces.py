@@ -148,7 +148,7 @@ def test_the_checks_see_what_is_broken(change):
     patch_set, mesh = broken(change)
     with pytest.raises(AssertionError):
         mesh_checks.check_borders(mesh, mesh_checks.sides_of(patch_set, 1.25))
-        mesh_checks.check_faces(mesh)
+        mesh_checks.check_faces(mesh, patch_set)
 
 
 def test_the_checks_see_a_vertex_inside_an_edge():
