@@ -34,6 +34,7 @@ std::vector<glm::dvec4> turned(const std::vector<glm::dvec3>& profile) {
 
 TEST(PatchNormals, OfRandomPatchesAreUnitVectorsAlongTheCrossProduct) {
   Random random(110);
+  int curves = 0;
   for (int round = 0; round < 200; ++round) {
     const NurbsPatch patch = random_patch(random, Weights::positive);
     const double u = random_parameters(random, patch.knot_vector(Axis::u).domain(), 1)[0];
@@ -41,11 +42,18 @@ TEST(PatchNormals, OfRandomPatchesAreUnitVectorsAlongTheCrossProduct) {
     glm::dvec3 values[4];
     derivatives(patch, {&u, 1}, {&v, 1}, 1, {&values[0].x, 12});
     const glm::dvec3 expected = glm::cross(values[2], values[1]);
-    // A single point around a period makes a curve, not a surface.
-    if (glm::length(expected) < 1e-6) continue;
-    EXPECT_LE(largest(normal_at(patch, u, v) - glm::normalize(expected)), 1e-7) << round;
+    if (patch.count(Axis::u) == 1 || patch.count(Axis::v) == 1) {
+      // A single point around a period makes a curve, not a surface.
+      EXPECT_TRUE(std::isnan(normal_at(patch, u, v).x)) << round;
+      ++curves;
+      continue;
+    }
+    // What rounding may have made of the product.
+    const double noise = 1e-11 * glm::length(values[2]) * glm::length(values[1]) / glm::length(expected);
+    EXPECT_LE(largest(normal_at(patch, u, v) - glm::normalize(expected)), noise) << round;
     EXPECT_NEAR(glm::length(normal_at(patch, u, v)), 1.0, 1e-14);
   }
+  EXPECT_LE(curves, 10);
 }
 
 TEST(PatchNormals, OfASphereOctantPointToItsCentreAlsoAtThePole) {
