@@ -1,11 +1,13 @@
 #include "splinecore/basis/samples.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "axis_places.hpp"
 #include "blossom.hpp"
 #include "span_tables.hpp"
 #include "splinecore/base/pause.hpp"
+#include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
 
@@ -15,12 +17,15 @@ constexpr int kTables = 2;
 
 /// The weights of derivatives that no table has. *start is the knot at which the span begins.
 void write_high_orders(const double* start, int degree, int order, double u, std::size_t width, double* weights) {
+  if (order <= kTables) return;
+  std::array<double, kMaxDegree> arguments;
+  std::fill_n(arguments.begin(), degree, u);
   for (int k = kTables + 1; k <= order; ++k) {
     double* const row = weights + k * width;
     std::fill_n(row, width, 0.0);
     if (k > degree) continue;
-    const std::vector<double> arguments(degree - k, u);
-    blossom_weights(start - (degree - k), degree - k, arguments, row);
+    const std::span<const double> some = std::span(arguments).first(degree - k);
+    blossom_weights(start - (degree - k), degree - k, some, row);
     differentiate(start, degree - k, {row, static_cast<std::size_t>(degree) + 1});
   }
 }

@@ -49,8 +49,16 @@ void GridColumns::fill(const Samples& v, int order, double scale) {
   const std::size_t degree_and_one = v.weights(0).size();
   const std::size_t lanes = kernels().lanes;
   columns_ = v.size();
+  const auto end_of_block = [&](std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < v.size() && end < begin + lanes && v.first(end) == v.first(begin)) ++end;
+    return end;
+  };
+  std::size_t count = 0;
+  for (std::size_t begin = 0; begin < v.size(); begin = end_of_block(begin)) ++count;
+  blocks_.reserve(count);
   for (std::size_t begin = 0, end = 0; begin < v.size(); begin = end) {
-    for (end = begin + 1; end < v.size() && end < begin + lanes && v.first(end) == v.first(begin);) ++end;
+    end = end_of_block(begin);
     blocks_.push_back({{}, static_cast<std::size_t>(v.first(begin)), static_cast<int>(end - begin), nullptr, nullptr});
   }
   const std::size_t numbers = blocks_.size() * lanes * degree_and_one * (static_cast<std::size_t>(order) + 1);
@@ -76,14 +84,17 @@ void GridColumns::fill(const Samples& v, int order, double scale) {
 /// Finds which points are needed, and where each block has its first among them. @param of_block  points that it needs
 void GridColumns::number_points(std::size_t of_block) {
   std::vector<std::size_t> firsts;
+  firsts.reserve(blocks_.size());
   for (const GridBlock& block : blocks_) firsts.push_back(block.first);
   std::ranges::sort(firsts);
+  ranges_.reserve(firsts.size());
   for (const std::size_t first : firsts) {
     const bool goes_on = !ranges_.empty() && first <= ranges_.back().first + ranges_.back().count;
     if (!goes_on) ranges_.push_back({first, 0});
     ranges_.back().count = std::max(ranges_.back().count, first + of_block - ranges_.back().first);
   }
   std::vector<std::size_t> before;
+  before.reserve(ranges_.size());
   for (const GridRange& range : ranges_) {
     before.push_back(width_);
     width_ += range.count;

@@ -1,0 +1,189 @@
+// How often evaluation into memory of the caller allocates, on one thread and with all tables made. Every operator new of
+// the process is counted, those of the library with it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <vector>
+
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/patch/evaluate_set.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t whole = (size + alignment - 1) / alignment * alignment;
+  if (void* found = std::aligned_alloc(alignment, whole > 0 ? whole : alignment)) return found;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new[](std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t at) { return counted(size, static_cast<std::size_t>(at)); }
+void* operator new[](std::size_t size, std::align_val_t at) { return counted(size, static_cast<std::size_t>(at)); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace splinecore {
+namespace {
+
+/// Of one call, once all tables are made.
+long allocations_of(const std::function<void()>& call) {
+  call();
+  const long before = allocations;
+  call();
+  return allocations - before;
+}
+
+/// All over a domain, in order or not.
+std::vector<double> parameters(const Interval& domain, std::size_t count, bool is_sorted) {
+  std::vector<double> found(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t place = is_sorted ? i : (i * 7919) % count;
+    const double part = static_cast<double>(place) / static_cast<double>(count - 1);
+    found[i] = std::min(domain.start + domain.length() * part, domain.end);
+  }
+  return found;
+}
+
+std::vector<glm::dvec4> wavy_points(int count, bool is_rational) {
+  std::vector<glm::dvec4> points;
+  for (int i = 0; i < count; ++i) points.emplace_back(i, i % 3, i % 5, is_rational ? 1.0 + 0.5 * (i % 2) : 1.0);
+  return points;
+}
+
+std::vector<NurbsCurve> curves() {
+  std::vector<NurbsCurve> found;
+  for (const bool is_rational : {false, true}) {
+    for (const int degree : {1, 3, 9}) {
+      found.push_back(NurbsCurve::make(KnotVector::clamped(degree, 20), wavy_points(20, is_rational)));
+      found.push_back(NurbsCurve::make(KnotVector::uniform(degree, 20), wavy_points(20, is_rational)));
+      found.push_back(NurbsCurve::make(KnotVector::periodic_uniform(degree, 20), wavy_points(20, is_rational)));
+    }
+  }
+  return found;
+}
+
+/// Nets of 12 x 12 points, every second with a pole.
+std::vector<NurbsPatch> patches() {
+  std::vector<NurbsPatch> found;
+  for (const bool is_rational : {false, true}) {
+    for (const int degree : {1, 3, 5}) {
+      for (const KnotVector& u : {KnotVector::clamped(degree, 12), KnotVector::periodic_uniform(degree, 12)}) {
+        std::vector<glm::dvec4> net = wavy_points(144, is_rational);
+        for (int i = 0; i < 144; ++i) net[i] = {i / 12, i % 12, (i * i) % 7, net[i].w};
+        found.push_back(NurbsPatch::make(u, KnotVector::clamped(degree, 12), net));
+        for (int i = 0; i < 12; ++i) net[12 * i] = {0, 0, 0, net[12 * i].w};
+        found.push_back(NurbsPatch::make(u, KnotVector::clamped(degree, 12), net));
+      }
+    }
+  }
+  return found;
+}
+
+template <class Real>
+void expect_none_of_curves() {
+  for (const NurbsCurve& curve : curves()) {
+    for (const bool is_sorted : {true, false}) {
+      for (const std::size_t count : {2, 100, 20'000}) {
+        const std::vector<double> u = parameters(curve.domain(), count, is_sorted);
+        std::vector<Real> out(3 * count);
+        EXPECT_EQ(allocations_of([&] { evaluate(curve, u, std::span<Real>(out), {.threads = 1}); }), 0);
+      }
+    }
+  }
+}
+
+TEST(Allocations, OfPointsOfCurvesThereAreNone) {
+  expect_none_of_curves<double>();
+  expect_none_of_curves<float>();
+}
+
+TEST(Allocations, OfCurvesThereAreNoneForTwoDerivativesAndThreeACallForMore) {
+  for (const NurbsCurve& curve : curves()) {
+    for (int order = 1; order <= 5; ++order) {
+      for (const std::size_t count : {2, 5'000}) {
+        const std::vector<double> u = parameters(curve.domain(), count, false);
+        std::vector<double> out(3 * count * (order + 1));
+        const long found = allocations_of([&] { derivatives(curve, u, order, out, {.threads = 1}); });
+        EXPECT_EQ(found, order <= 2 ? 0 : 3) << curve.degree() << ", order " << order;
+      }
+    }
+  }
+}
+
+TEST(Allocations, OfPairsOnPatchesThereAreNoneForPointsFiveForDerivativesAndAFewForNormalsWithPoles) {
+  constexpr PatchOptions kOne{.threads = 1};
+  for (const NurbsPatch& patch : patches()) {
+    std::vector<long> of_normals;
+    for (const std::size_t count : {2, 64, 5'000}) {
+      const std::vector<double> u = parameters(patch.knot_vector(Axis::u).domain(), count, false);
+      const std::vector<double> v = parameters(patch.knot_vector(Axis::v).domain(), count, true);
+      std::vector<double> out(3 * 16 * count), normals(3 * count);
+      std::vector<float> single(3 * count);
+      const std::span<double> points = std::span(out).first(3 * count);
+      EXPECT_EQ(allocations_of([&] { evaluate(patch, u, v, points, kOne); }), 0);
+      EXPECT_EQ(allocations_of([&] { evaluate(patch, u, v, std::span(single), kOne); }), 0);
+      for (int order = 1; order <= 3; ++order) {
+        const std::span<double> jets = std::span(out).first(3 * count * (order + 1) * (order + 1));
+        EXPECT_EQ(allocations_of([&] { derivatives(patch, u, v, order, jets, kOne); }), 5) << order;
+      }
+      of_normals.push_back(allocations_of([&] { evaluate_with_normals(patch, u, v, points, normals, kOne); }));
+    }
+    EXPECT_LE(of_normals.back(), 20);
+    EXPECT_EQ(of_normals, std::vector(3, of_normals.front()));
+  }
+}
+
+/// Grids of several sizes allocate no more often: for points, and with normals.
+template <class Real, class Shape>
+void expect_as_often_for_every_grid(const Shape& shape, const NurbsPatch& on, std::size_t patches, long points,
+                                    long normals) {
+  constexpr PatchOptions kOne{.threads = 1};
+  for (const std::size_t rows : {20, 200}) {
+    for (const std::size_t columns : {20, 200}) {
+      const std::vector<double> u = parameters(on.knot_vector(Axis::u).domain(), rows, true);
+      const std::vector<double> v = parameters(on.knot_vector(Axis::v).domain(), columns, true);
+      std::vector<Real> out(3 * patches * rows * columns), to_normals(out.size());
+      EXPECT_LE(allocations_of([&] { evaluate_grid(shape, u, v, std::span<Real>(out), kOne); }), points);
+      const auto with_normals = [&] {
+        evaluate_grid_with_normals(shape, u, v, std::span<Real>(out), std::span<Real>(to_normals), kOne);
+      };
+      EXPECT_LE(allocations_of(with_normals), normals);
+    }
+  }
+}
+
+TEST(Allocations, OfAGridAreTenAndWithNormalsTwelveOrAtPolesTwentyNine) {
+  bool has_pole = false;
+  for (const NurbsPatch& patch : patches()) {
+    expect_as_often_for_every_grid<double>(patch, patch, 1, 10, has_pole ? 29 : 12);
+    expect_as_often_for_every_grid<float>(patch, patch, 1, 10, has_pole ? 29 : 12);
+    has_pole = !has_pole;
+  }
+}
+
+TEST(Allocations, OfASetAreNineAndOneForEachPatchAndWithNormalsSixteenAndThirteen) {
+  for (const NurbsPatch& patch : patches()) {
+    for (const std::size_t count : {1, 5, 20}) {
+      const PatchSet set = PatchSet::of(std::vector<AnyPatch>(count, patch), false);
+      const auto more = static_cast<long>(count);
+      expect_as_often_for_every_grid<double>(set, patch, count, 9 + more, 16 + 13 * more);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace splinecore
