@@ -54,6 +54,19 @@ void curve_points() {
   counted_work([&] { evaluate(curve, parameters, std::span(out)); });
 }
 
+/// A grid of which one side has many more parameters than the other.
+void long_grid(int rows, int columns) {
+  const splinecore::NurbsPatch patch = sheet(6);
+  const std::vector<double> u = even_parameters(rows);
+  const std::vector<double> v = even_parameters(columns);
+  std::vector<double> out(3 * u.size() * v.size());
+  counted_work([&] { evaluate_grid(patch, u, v, std::span(out)); });
+}
+
+void wide_grid() { long_grid(30, 4000); }
+
+void tall_grid() { long_grid(4000, 30); }
+
 void grid_points() {
   const splinecore::NurbsPatch patch = sheet(32);
   const std::vector<double> line = even_parameters(128);
@@ -100,10 +113,11 @@ void adaptive_mesh() {
 int main(int argc, char** argv) {
   const std::map<std::string, void (*)()> workloads = {
       {"curve points", curve_points}, {"grid points", grid_points}, {"normals", normals},
-      {"adaptive mesh", adaptive_mesh}};
+      {"adaptive mesh", adaptive_mesh}, {"wide grid", wide_grid}, {"tall grid", tall_grid}};
   const auto found = argc == 2 ? workloads.find(argv[1]) : workloads.end();
   if (found == workloads.end()) {
-    std::fprintf(stderr, "usage: counted 'curve points' | 'grid points' | 'normals' | 'adaptive mesh'\n");
+    std::fprintf(stderr, "usage: counted WORKLOAD, one of:\n");
+    for (const auto& [name, _] : workloads) std::fprintf(stderr, "  '%s'\n", name.c_str());
     return 2;
   }
   found->second();

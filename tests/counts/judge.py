@@ -16,10 +16,12 @@ import sys
 from pathlib import Path
 
 COUNTS = Path(__file__).with_name("counts.json")
-WORKLOADS = ("curve points", "grid points", "normals", "adaptive mesh")
+WORKLOADS = ("curve points", "grid points", "normals", "adaptive mesh", "wide grid", "tall grid")
 KERNELS = ("baseline", "x86-64-v3")
 #: Above this the library has become slower; below it the committed figures would no longer notice that it does again.
 MOST, LEAST = 1.05, 0.8
+#: A grid with its sides exchanged costs at most this many times as much: each row has its sums of control points.
+TURNED, TURNED_MOST = ("wide grid", "tall grid"), 1.5
 SKIPPED = 77
 
 
@@ -52,9 +54,17 @@ def verdict(name, count, committed):
     return None
 
 
+def unlike(name, found):
+    """What is wrong where a grid lying down does not cost what it costs standing."""
+    low, high = sorted(found.get(workload, 1) for workload in TURNED)
+    return f"{name}: {' and '.join(TURNED)} cost {low:,} and {high:,} instructions" if high > TURNED_MOST * low else None
+
+
 def troubles(counts, committed):
-    return [trouble for kernels, found in counts.items() for workload, count in found.items()
-            if (trouble := verdict(f"{workload}, {kernels}", count, committed.get(kernels, {}).get(workload)))]
+    said = [unlike(kernels, found) for kernels, found in counts.items()]
+    said += [verdict(f"{workload}, {kernels}", count, committed.get(kernels, {}).get(workload))
+             for kernels, found in counts.items() for workload, count in found.items()]
+    return [trouble for trouble in said if trouble]
 
 
 def arguments():

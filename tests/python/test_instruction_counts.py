@@ -24,6 +24,13 @@ def test_a_workload_without_a_figure_is_a_trouble():
     assert judge.troubles({"baseline": {"W": 5}}, {}) == ["W, baseline: 5 instructions, and no figure is committed"]
 
 
+def test_a_grid_that_costs_more_lying_down_than_standing_is_a_trouble():
+    committed = {"baseline": {"wide grid": 1_000, "tall grid": 1_500}}
+    assert judge.troubles(committed, committed) == []
+    dearer = {"baseline": {"wide grid": 1_000, "tall grid": 1_501}}
+    assert judge.troubles(dearer, dearer) == ["baseline: wide grid and tall grid cost 1,000 and 1,501 instructions"]
+
+
 def test_every_workload_has_figures_and_a_program():
     known = json.loads((COUNTS / "counts.json").read_text())
     assert known
