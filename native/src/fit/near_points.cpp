@@ -9,7 +9,7 @@
 #include "base/quotient.hpp"
 #include "basis/band_sweep.hpp"
 #include "basis/banded.hpp"
-#include "point_rows.hpp"
+#include "kernels/kernels.hpp"
 #include "splinecore/base/pause.hpp"
 #include "system.hpp"
 
@@ -17,12 +17,51 @@ namespace splinecore {
 
 namespace {
 
+/// So many rows of one after the other, and which they are.
+template <int kDegree>
+class RowBlock {
+ public:
+  static constexpr int kReach = kDegree - 1;
+  static constexpr int kWidth = 2 * kReach + 1;
+  static constexpr long kFewest = 4;
+
+  /// Rows first … end - 1, kNearRows at most; where they are few those before them, too.
+  /// @returns whether their parameters lie near the knots of their control points
+  bool write(const NearPoints& system, long first, long end) {
+    breathe(4 * kWidth * kNearRows);
+    begin_ = std::min(first, end - kFewest);
+    // What lies before the first knot or behind the last is read and not taken.
+    const auto count = static_cast<long>(system.knots.size());
+    const auto number = static_cast<long>(knots_.size());
+    const long from = begin_ - kDegree;
+    if (from >= 0 && from + number <= count) {
+      std::copy_n(system.knots.begin() + from, number, knots_.begin());
+    } else {
+      for (long k = 0; k < number; ++k) knots_[k] = system.knots[std::clamp(from + k, 0L, count - 1)];
+    }
+    const double* const parameters = system.parameters.data() + begin_ - static_cast<long>(system.start.size());
+    return kernels().near_rows[kDegree - 2](knots_.data() + kDegree, parameters,
+                                            static_cast<std::size_t>(end - begin_), rows_.data());
+  }
+
+  std::array<double, kWidth> row(long i) const {
+    std::array<double, kWidth> row;
+    for (int k = 0; k < kWidth; ++k) row[k] = rows_[k * kNearRows + static_cast<std::size_t>(i - begin_)];
+    return row;
+  }
+
+ private:
+  long begin_ = 0;
+  std::array<double, kNearRows + 3 * kDegree> knots_;
+  std::array<double, kNearRows * kWidth> rows_;
+};
+
 /// The work of one degree: rows 0 … middle_ - 1 are swept forward, the others backward.
 template <int kDegree>
 class NearSystem {
-  static constexpr int kReach = PointRows<kDegree>::kReach;
-  static constexpr int kWidth = PointRows<kDegree>::kWidth;
-  static constexpr long kBlock = PointRows<kDegree>::kBlock;
+  static constexpr int kReach = RowBlock<kDegree>::kReach;
+  static constexpr int kWidth = RowBlock<kDegree>::kWidth;
+  static constexpr long kBlock = kNearRows;
 
  public:
   explicit NearSystem(const NearPoints& given)
@@ -33,7 +72,8 @@ class NearSystem {
         points_(static_cast<std::size_t>(count_)) {}
 
   std::optional<NearSolution> solution() {
-    if (middle_ < kReach || count_ - middle_ < kReach) return {};
+    const bool is_long = outer_ - inner_ >= std::max<long>(RowBlock<kDegree>::kFewest, 2 * kWidth);
+    if (!is_long) return {};
     if (!sweep() || !meet()) return {};
     substitute();
     const double error = largest_distance();
@@ -50,23 +90,20 @@ class NearSystem {
     for (long i = count_ - 1; i >= outer_; --i) {
       take_end(backward, i, given_.end[static_cast<std::size_t>(i - outer_)], count_ - 1 - kDegree);
     }
-    PointRows<kDegree> early(given_.knots.data(), count_);
-    PointRows<kDegree> late(given_.knots.data(), count_);
+    RowBlock<kDegree> early;
+    RowBlock<kDegree> late;
     bool fit = true;
-    const long steps = middle_ - inner_;
-    for (long block = 0; block < steps; block += kBlock) {
-      breathe(8 * kBlock * kWidth * kReach);
-      early.prepare(inner_ + block);
-      late.prepare(outer_ - block - kBlock);
-      const long end = std::min(block + kBlock, steps);
-      for (long step = block; step < end; ++step) {
-        fit &= take_point(forward, early, inner_ + step);
-        fit &= take_point(backward, late, outer_ - 1 - step);
+    for (long block = 0; block < outer_ - middle_; block += kBlock) {
+      const long first = inner_ + block;
+      const long end = std::max(std::min(first + kBlock, middle_), first);
+      const long last = outer_ - 1 - block;
+      const long begin = std::max(last + 1 - kBlock, middle_);
+      if (first < end) fit &= early.write(given_, first, end);
+      fit &= late.write(given_, begin, last + 1);
+      for (long step = 0; step <= last - begin; ++step) {
+        if (first + step < end) take_point(forward, early, first + step);
+        take_point(backward, late, last - step);
       }
-    }
-    if (outer_ - middle_ > steps) {
-      late.prepare(middle_);
-      fit &= take_point(backward, late, middle_);
     }
     return fit;
   }
@@ -79,12 +116,10 @@ class NearSystem {
   }
 
   template <class Sweep>
-  bool take_point(Sweep& sweep, const PointRows<kDegree>& rows, long i) {
-    std::array<double, kWidth> row;
-    const auto point = static_cast<std::size_t>(i - inner_);
-    const bool fits = rows.write(i, given_.parameters[point], row.data());
-    sweep.take(row.data(), given_.points[point], factors(i), points_[static_cast<std::size_t>(i)]);
-    return fits;
+  void take_point(Sweep& sweep, const RowBlock<kDegree>& rows, long i) {
+    const std::array<double, kWidth> row = rows.row(i);
+    sweep.take(row.data(), given_.points[static_cast<std::size_t>(i - inner_)], factors(i),
+               points_[static_cast<std::size_t>(i)]);
   }
 
   double* factors(long i) { return factors_.get() + i * kReach; }
@@ -130,35 +165,53 @@ class NearSystem {
     point[0] = {value, 1.0};
   }
 
+  glm::dvec3 point_at(const double* functions, long first, long number) const {
+    const glm::dvec4* const points = points_.data() + first;
+    glm::dvec3 point(0.0);
+    for (long j = 0; j < number; ++j) point += functions[j] * glm::dvec3(points[j]);
+    return point;
+  }
+
+  glm::dvec3 point_of(const std::array<double, kWidth>& row, long i) const {
+    const glm::dvec4* const points = points_.data() + (i - kReach);
+    glm::dvec3 point = row[0] * glm::dvec3(points[0]);
+    for (int j = 1; j < kWidth; ++j) point += row[j] * glm::dvec3(points[j]);
+    return point;
+  }
+
+  /// Of a row that reaches over an end, where it is zero.
+  glm::dvec3 point_near_end(const std::array<double, kWidth>& row, long i) const {
+    const long first = std::max(i - kReach, 0L);
+    const long last = std::min<long>(i + kReach, count_ - 1);
+    return point_at(row.data() + (first - i + kReach), first, last + 1 - first);
+  }
+
   double largest_distance() const {
     // Squares stay in the range of numbers beside those of the largest coordinate.
     const double largest = given_.largest;
     const double scale = largest > 0.0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
     double square = 0.0;
     bool are_numbers = true;
-    const auto take = [&](const double* functions, int number, long first, const glm::dvec3& wanted) {
-      glm::dvec3 left = wanted;
-      for (int j = 0; j < number; ++j) left -= functions[j] * glm::dvec3(points_[static_cast<std::size_t>(first + j)]);
-      left *= scale;
+    const auto compare = [&](const glm::dvec3& point, const glm::dvec3& wanted) {
+      const glm::dvec3 left = scale * (point - wanted);
       const double found = left.x * left.x + left.y * left.y + left.z * left.z;
       are_numbers &= found < std::numeric_limits<double>::infinity();
       square = std::max(square, found);
     };
     for (const EndRow& row : given_.start) {
-      if (row.order == 0) take(row.functions.data(), kDegree + 1, 0, row.value);
+      if (row.order == 0) compare(point_at(row.functions.data(), 0, kDegree + 1), row.value);
     }
     for (const EndRow& row : given_.end) {
-      if (row.order == 0) take(row.functions.data(), kDegree + 1, count_ - 1 - kDegree, row.value);
+      if (row.order == 0) compare(point_at(row.functions.data(), count_ - 1 - kDegree, kDegree + 1), row.value);
     }
-    PointRows<kDegree> rows(given_.knots.data(), count_);
+    RowBlock<kDegree> rows;
     for (long block = inner_; block < outer_; block += kBlock) {
-      breathe(4 * kBlock * kWidth);
-      rows.prepare(block);
-      for (long i = block; i < std::min(block + kBlock, outer_); ++i) {
-        const auto point = static_cast<std::size_t>(i - inner_);
-        std::array<double, kDegree + 1> functions;
-        const int later = rows.functions(i, given_.parameters[point], functions.data());
-        take(functions.data(), kDegree + 1, i - kReach + later, given_.points[point]);
+      const long end = std::min(block + kBlock, outer_);
+      rows.write(given_, block, end);
+      for (long i = block; i < end; ++i) {
+        const std::array<double, kWidth> row = rows.row(i);
+        const bool is_whole = i >= kReach && i + kReach < count_;
+        compare(is_whole ? point_of(row, i) : point_near_end(row, i), given_.points[static_cast<std::size_t>(i - inner_)]);
       }
     }
     return are_numbers ? std::sqrt(square) / scale : std::numeric_limits<double>::infinity();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <string>
 
 #include "base/quotient.hpp"
@@ -82,7 +81,9 @@ void require_passing(double error, double largest) {
 
 double largest_coordinate(std::span<const glm::dvec3> points) {
   glm::dvec3 largest(0.0);
-  for (const glm::dvec3& p : points) largest = glm::max(largest, glm::abs(p));
+  for (const glm::dvec3& p : points) {
+    for (int axis = 0; axis < 3; ++axis) largest[axis] = std::max(largest[axis], std::abs(p[axis]));
+  }
   return std::max({largest.x, largest.y, largest.z});
 }
 

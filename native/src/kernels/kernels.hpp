@@ -183,6 +183,9 @@ struct SurfaceSums {
 inline constexpr int kNotFinite = 1;   ///< a point that is no number: all are written
 inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made: NaN is written
 
+/// How many rows lie side by side.
+inline constexpr std::size_t kNearRows = 64;
+
 struct Kernels {
   const char* name;
   std::size_t lanes;  ///< 4 or 8
@@ -236,6 +239,13 @@ struct Kernels {
   /// And unit normals.
   int (*pair_normals)(const GridForm&, const NormalForm&, const PairPlace* pairs, std::size_t count, double* out,
                       double* normals);
+
+  /// Of degree 2 + index: `count` rows of functions at parameters, from 4 to kNearRows of them, of which the one of row i
+  /// lies from knot i + 1 on and before knot i + degree. Each has 2 degree - 1 numbers, from column i - degree + 1 on,
+  /// kNearRows apart: all first ones, then all second ones.
+  /// @param near  knot 0, with degree - 2 before it and count + 2 degree - 2 behind it
+  /// @returns whether all parameters lie so
+  bool (*near_rows[8])(const double* near, const double* parameters, std::size_t count, double* out);
 };
 
 /// The kernels for this machine, or those that the environment variable SPLINECORE_KERNELS names, if it can run them.

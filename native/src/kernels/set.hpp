@@ -23,6 +23,7 @@ namespace {
 #include "lengths.hpp"
 #include "functions.hpp"
 #include "patches.hpp"
+#include "near_rows.hpp"
 
 }  // namespace
 
@@ -34,7 +35,8 @@ const Kernels SPLINECORE_SET{
     speed_sums, surface_sums,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
-    pair_sums, pair_points, pair_slopes, pair_normals};
+    pair_sums, pair_points, pair_slopes, pair_normals,
+    {near_rows<2>, near_rows<3>, near_rows<4>, near_rows<5>, near_rows<6>, near_rows<7>, near_rows<8>, near_rows<9>}};
 
 }  // namespace splinecore
 #pragma GCC visibility pop
