@@ -40,6 +40,12 @@ BOUNDS = {
     "W6 elevate": Bound(30, 3, 72, "3 new points a span, each a sum of 4 points and its 4 coefficients, 10 operations; "
                         "72 bytes"),
     "W6 Beziers": Bound(12, 3, 96, "3 new points a span, each 2 steps of de Boor of 2 operations; 96 bytes"),
+    **{f"W7 curve {count}": Bound(40, 1.75, 104, "12 FMA of length 1 for a row of functions and its three steps, in lanes of 4; "
+                                  "elimination of 2 columns and 3 right sides, substitution, distance 37; 7 divisions; "
+                                  "points read, parameters, knots, factors, points written: 104 bytes")
+       for count in ("1e3", "1e4", "1e5")},
+    "W7 surface": Bound(15, 0, 136, "2 × (2 + 2 columns and a product) in lanes of 4, distance 4; grid, two nets and the "
+                        "points: 136 bytes"),
     "W10": Bound(11, 0.5, 48, "24 FMA for S, Su, Sv, 18 for cross product and length, in lanes of 4, 0.5 for rows; "
                  "48 bytes"),
     "W11": Bound(61 * 31 * 5, 61 * 31 / 2, 0, "61 spans, 31 nodes of Kronrod's rule each: 15 FMA for the speed, its "

@@ -176,6 +176,9 @@ def references():
         "W6 refine": lambda: new_points(long_knots, long_points, refined_knots(long_knots, data["inserted"]), 3, 7),
         "W6 elevate": lambda: new_points(long_knots, long_points, repeated(long_knots, lambda n: n + 2), 5, 7),
         "W6 Beziers": lambda: new_points(long_knots, long_points, repeated(long_knots, lambda n: 0 * n + 4), 3, 7),
+        **{f"W7 curve {name}": lambda count=count: exactly(data[f"coil{count}"][::7])
+           for name, count in (("1e3", 1000), ("1e4", 10_000), ("1e5", 100_000))},
+        "W7 surface": lambda: exactly(data["sheet300"].reshape(-1, 3)[::7]),
         "W10": lambda: teapot_rows(data["teapot"], data["patch_grid"]),
         "W11": lambda: np.array([[Fraction(float(arc_length(knots, points)))]]),
     }

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import splinecore as sc
+from splinecore import fit
 
 import workloads
 
@@ -152,6 +153,23 @@ def beziers(run):
     verb(run, "bezier_points", 997, shape.bezier_points, lambda made: made[..., :3].reshape(-1, 3))
 
 
+def interpolated_curve(run, count):
+    """What is kept is the curve at the parameters of its points."""
+    rows = run.input(f"coil{count}", -1, 3)
+    run.time("interpolate", count, lambda: fit.interpolate(rows))
+    steps = np.linalg.norm(np.diff(rows, axis=0), axis=1)
+    curve = fit.interpolate(rows).value
+    parameters = np.clip(np.concatenate([[0.0], np.cumsum(steps)]), *curve.domain)
+    run.keep("interpolate", curve.evaluate(parameters), 7)
+
+
+def interpolated_surface(run):
+    rows, line = run.input("sheet300", 300, 300, 3), run.input("line300")
+    run.time("interpolate_patch", rows.size // 3, lambda: fit.interpolate_patch(rows, parameters=(line, line)))
+    patch = fit.interpolate_patch(rows, parameters=(line, line)).value
+    run.keep("interpolate_patch", patch.evaluate_grid(line, line).reshape(-1, 3), 7)
+
+
 def many_patches(run):
     patches, line = teapot(run), run.input("patch_grid")
     n, count = len(line), len(patches)
@@ -199,6 +217,10 @@ RUNS = {
     "W6 refine": refine,
     "W6 elevate": elevate,
     "W6 Beziers": beziers,
+    "W7 curve 1e3": lambda run: interpolated_curve(run, 1000),
+    "W7 curve 1e4": lambda run: interpolated_curve(run, 10_000),
+    "W7 curve 1e5": lambda run: interpolated_curve(run, 100_000),
+    "W7 surface": interpolated_surface,
     "W10": many_patches,
     "W11": length,
     "adaptive": adaptive,

@@ -29,7 +29,9 @@ def arguments():
     parser.add_argument("workloads", nargs="*", metavar="WORKLOAD", help=", ".join(workloads.WORKLOADS))
     parser.add_argument("--rounds", type=int, default=3)
     given = parser.parse_intermixed_args()
-    unknown = set(given.workloads) - set(workloads.WORKLOADS)
+    kinds = {name.split()[0] for name in workloads.WORKLOADS}
+    unknown = set(given.workloads) - set(workloads.WORKLOADS) - kinds
+    given.workloads = [name for name in workloads.WORKLOADS if {name, name.split()[0]} & set(given.workloads)]
     if unknown:
         parser.error(f"no workload {', '.join(sorted(unknown))}; there are {', '.join(workloads.WORKLOADS)}")
     if given.rounds < 1:

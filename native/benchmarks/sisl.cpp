@@ -2,6 +2,7 @@
 #include <sisl.h>
 
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 
@@ -170,6 +171,64 @@ void verb(const Run& run, const std::string& call, std::size_t items, const Verb
   run.keep(call, static_cast<std::size_t>(result->in), 3, [&](std::size_t i) { return result->ecoef + 3 * i; }, 7);
 }
 
+struct Free {
+  void operator()(double* numbers) const { free(numbers); }
+};
+
+void interpolated_curve(const Run& run, int count) {
+  Numbers points = run.input("coil" + std::to_string(count));
+  std::vector<int> kinds(static_cast<std::size_t>(count), 1);
+  Curve result;
+  std::unique_ptr<double, Free> parameters;
+  run.time("s1356", static_cast<std::size_t>(count), [&] {
+    SISLCurve* made = nullptr;
+    double* found = nullptr;
+    double end = 0;
+    int number = 0;
+    int status = 0;
+    s1356(points.data(), count, 3, kinds.data(), 0, 0, 1, 4, 0.0, &end, &made, &found, &number, &status);
+    require(status);
+    result.reset(made);
+    parameters.reset(found);
+  });
+  std::array<double, 3> row{};
+  run.keep("s1356", static_cast<std::size_t>(count), 3, [&](std::size_t i) {
+    int left = 0;
+    int status = 0;
+    s1221(result.get(), 0, parameters.get()[i], &left, row.data(), &status);
+    return row.data();
+  }, 7);
+}
+
+/// SISL runs along u fastest.
+void interpolated_surface(const Run& run) {
+  const Numbers rows = run.input("sheet300");
+  Numbers line = run.input("line300");
+  const auto n = static_cast<int>(line.size());
+  Numbers points;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) points.insert(points.end(), &rows[3 * (i * n + j)], &rows[3 * (i * n + j)] + 3);
+  }
+  Surface result;
+  run.time("s1537", line.size() * line.size(), [&] {
+    SISLSurf* made = nullptr;
+    int status = 0;
+    s1537(points.data(), n, n, 3, line.data(), line.data(), 0, 0, 0, 0, 4, 4, 1, 1, &made, &status);
+    require(status);
+    result.reset(made);
+  });
+  std::array<double, 3> row{};
+  std::array<double, 3> normal{};
+  run.keep("s1537", line.size() * line.size(), 3, [&](std::size_t i) {
+    std::array<double, 2> at = {line[i / line.size()], line[i % line.size()]};
+    int left_u = 0;
+    int left_v = 0;
+    int status = 0;
+    s1421(result.get(), 0, at.data(), &left_u, &left_v, row.data(), normal.data(), &status);
+    return row.data();
+  }, 7);
+}
+
 void many_patches(const Run& run) {
   const std::vector<Surface> patches = teapot(run);
   Numbers line = run.input("patch_grid");
@@ -230,6 +289,10 @@ const benchmarks::Workloads kWorkloads = {
      [](const Run& run) {
        verb(run, "s1730", 997, [](SISLCurve* curve, SISLCurve** made, int* status) { s1730(curve, made, status); });
      }},
+    {"W7 curve 1e3", [](const Run& run) { interpolated_curve(run, 1000); }},
+    {"W7 curve 1e4", [](const Run& run) { interpolated_curve(run, 10000); }},
+    {"W7 curve 1e5", [](const Run& run) { interpolated_curve(run, 100000); }},
+    {"W7 surface", interpolated_surface},
     {"W10", many_patches},
     {"W11", length},
 };

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
-             "W6 refine", "W6 elevate", "W6 Beziers", "W10", "W11", "adaptive")
+             "W6 refine", "W6 elevate", "W6 Beziers", "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface", "W10", "W11", "adaptive")
 PARAMETERS = 1_000_000
 GRID = 1000
 PATCH_GRID = 64
@@ -36,6 +36,12 @@ def helix(count, seed):
     noise = 0.1 * (random(seed, 3 * count).reshape(count, 3) - 0.5)
     points = np.stack([np.cos(12 * t), np.sin(12 * t), 2 * t], 1) + noise
     return np.column_stack([points, 0.5 + 1.5 * random(seed + 1, count)])
+
+
+def coil(count, seed):
+    """Points of a helix at uneven places: (count, 3)."""
+    t = (np.arange(count) + 0.5 * random(seed, count)) / count
+    return np.stack([np.cos(40 * t), np.sin(40 * t), 4 * t], 1)
 
 
 def sheet(count):
@@ -69,6 +75,8 @@ def inputs():
         "grid": np.linspace(0, 1, GRID), "pairs": random(9, 2 * PARAMETERS).reshape(-1, 2),
         "bezier11.points": bezier(11, 10), "bezier25.points": bezier(25, 11),
         "long.knots": uneven_knots(12, 1000), "long.points": helix(1000, 13), "inserted": np.sort(random(15, 1000)),
+        **{f"coil{count}": coil(count, 16) for count in (1000, 10_000, 100_000)},
+        "sheet300": sheet(300)[..., :3], "line300": np.linspace(0, 1, 300),
         "teapot": teapot(), "patch_grid": np.linspace(0, 1, PATCH_GRID),
     }
 
