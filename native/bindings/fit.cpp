@@ -54,7 +54,8 @@ std::vector<splinecore::PointTangent> tangents_of(const py::object& value, std::
 AnyApproximation interpolate(const py::object& points, const py::object& degree, const py::object& parameters,
                              const py::object& knots, const py::object& ends, const py::object& start,
                              const py::object& end, const py::object& tangents, const py::object& closed) {
-  const std::vector<glm::dvec3> rows = points_of(points);
+  const GivenPoints given(points, "points", 1);
+  const std::span<const glm::dvec3> rows = given.points();
   InterpolationOptions options;
   options.degree = integer(degree, "degree");
   options.closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
@@ -82,9 +83,8 @@ std::vector<double> parameters_of(const PointGrid& grid, const py::object& param
 AnyApproximation interpolate_patch(const py::object& points, const py::object& degrees, const py::object& parameters,
                                    const py::object& knots, const py::object& ends, const py::object& closed,
                                    const py::object& cancel) {
-  const Doubles given = real_array(points, "points");
-  const std::vector<glm::dvec3> rows = vectors(given, "points", 2);
-  const PointGrid grid{rows, static_cast<std::size_t>(given.shape(0)), static_cast<std::size_t>(given.shape(1))};
+  const GivenPoints given(points, "points", 2);
+  const PointGrid grid{given.points(), given.count(0), given.count(1)};
   const auto degree = both(degrees, "degrees");
   const auto at = both(parameters, "parameters");
   const auto chain = both(knots, "knots");

@@ -12,13 +12,23 @@ std::vector<glm::dvec3> points_of(const py::object& points) {
   return vectors(real_array(points, "points"), "points", 1);
 }
 
+GivenPoints::GivenPoints(const py::object& value, const char* name, int dimensions) : array_(real_array(value, name)) {
+  static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
+  if (array_.ndim() == dimensions + 1 && array_.shape(dimensions) == 3) {
+    points_ = {reinterpret_cast<const glm::dvec3*>(array_.data()), static_cast<std::size_t>(array_.size() / 3)};
+    return;
+  }
+  copies_ = vectors(array_, name, dimensions);
+  points_ = copies_;
+}
+
 Parametrisation parametrisation_of(const py::object& value, const char* name) {
   return chosen<Parametrisation>(value, name, {{"uniform", Parametrisation::uniform},
                                                {"centripetal", Parametrisation::centripetal},
                                                {"chordal", Parametrisation::chordal}});
 }
 
-std::vector<double> parameters_of(const std::vector<glm::dvec3>& points, const py::object& parametrisation,
+std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::object& parametrisation,
                                   splinecore::Closing closing, const char* name) {
   if (py::isinstance<py::str>(parametrisation)) {
     return splinecore::parameters_of(points, parametrisation_of(parametrisation, name), closing);

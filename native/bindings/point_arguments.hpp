@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,27 @@ namespace bindings {
 /// Points of two or three numbers, row after row.
 std::vector<glm::dvec3> points_of(const py::object& points);
 
+/// Points of two or three numbers; three are read where they lie.
+class GivenPoints {
+ public:
+  /// @param dimensions  1 for a row of points, 2 for a net
+  GivenPoints(const py::object& value, const char* name, int dimensions);
+
+  std::span<const glm::dvec3> points() const noexcept { return points_; }
+  std::size_t count(int dimension) const { return static_cast<std::size_t>(array_.shape(dimension)); }
+
+ private:
+  Doubles array_;
+  std::vector<glm::dvec3> copies_;
+  std::span<const glm::dvec3> points_;
+};
+
 /// 'uniform', 'centripetal' or 'chordal'
 splinecore::Parametrisation parametrisation_of(const py::object& value, const char* name);
 
 /// A word, or the parameters themselves.
 /// @param name  of the argument
-std::vector<double> parameters_of(const std::vector<glm::dvec3>& points, const py::object& parametrisation,
+std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::object& parametrisation,
                                   splinecore::Closing closing, const char* name);
 
 /// The value that a word stands for. @throws py::type_error if it is no text, InvalidShape if not one of them.

@@ -60,34 +60,30 @@ std::vector<glm::dvec3> solved_along_u(const PointGrid& grid, const Direction& u
   return values;
 }
 
-/// Calls take(i, j) for all of them, so that neither rows nor columns are far apart for long.
-template <class Take>
-void in_tiles(std::size_t count_i, std::size_t count_j, Take take) {
-  constexpr std::size_t kTile = 16;
-  for (std::size_t tile = 0; tile < count_i; tile += kTile) {
-    breathe(kTile * count_j);
-    for (std::size_t j = 0; j < count_j; ++j) {
-      for (std::size_t i = tile; i < std::min(tile + kTile, count_i); ++i) take(i, j);
-    }
-  }
-}
-
+/// Solves along v for some columns of points along u at a time, which lie side by side meanwhile and stay near.
 std::vector<glm::dvec4> control_points(const PointGrid& grid, const Direction& u, const Direction& v) {
+  const std::vector<glm::dvec3> along_u = solved_along_u(grid, u);
   const std::size_t count_u = u.points.size();
   const std::size_t count_v = v.points.size();
-  std::vector<glm::dvec3> values(count_u * count_v, glm::dvec3(0.0));
-  {
-    const std::vector<glm::dvec3> along_u = solved_along_u(grid, u);
-    in_tiles(count_u, count_v, [&](std::size_t i, std::size_t j) {
-      if (v.points[j] != kNoPoint) values[j * count_u + i] = along_u[i * grid.count_v + v.points[j]];
-    });
+  constexpr std::size_t kTogether = 64;
+  std::vector<glm::dvec4> points(count_u * count_v);
+  std::vector<glm::dvec3> values(count_v * std::min(count_u, kTogether));
+  for (std::size_t first = 0; first < count_u; first += kTogether) {
+    const std::size_t number = std::min(kTogether, count_u - first);
+    for (std::size_t i = 0; i < number; ++i) {
+      for (std::size_t j = 0; j < count_v; ++j) {
+        const std::size_t from = v.points[j];
+        values[j * number + i] = from == kNoPoint ? glm::dvec3(0.0) : along_u[(first + i) * grid.count_v + from];
+      }
+    }
+    solve(v.knots, v.rows, {&values.front().x, 3 * count_v * number}, 3 * number);
+    for (std::size_t i = 0; i < number; ++i) {
+      for (std::size_t j = 0; j < count_v; ++j) {
+        require_control_point(values[j * number + i]);
+        points[(first + i) * count_v + j] = {values[j * number + i], 1.0};
+      }
+    }
   }
-  solve(v.knots, v.rows, {&values.front().x, 3 * values.size()}, 3 * count_u);
-  std::vector<glm::dvec4> points(values.size());
-  in_tiles(count_u, count_v, [&](std::size_t i, std::size_t j) {
-    require_control_point(values[j * count_u + i]);
-    points[i * count_v + j] = {values[j * count_u + i], 1.0};
-  });
   return points;
 }
 
