@@ -23,7 +23,7 @@ NATIVE_ARROWS = {
     'formula': {'base'},
     'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
-    'fit': {'base', 'basis', 'curve', 'patch', 'build'},
+    'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }
 # A room of the add-on may import itself and these.

@@ -100,7 +100,7 @@ double largest_distance(const NurbsPatch& patch, const PointGrid& grid, const Di
     for (std::size_t k = 0; k < u.rows.width; ++k) {
       const glm::dvec4* const row = &patch.points()[(u.rows.first[a] + k) % count_u * count_v];
       const double weight = u.rows.row(a)[k];
-      for (std::size_t j = 0; j < count_v; ++j) line[j] += weight * glm::dvec3(row[j]);
+      for (std::size_t j = 0; j < count_v && weight != 0.0; ++j) line[j] += weight * glm::dvec3(row[j]);
     }
     for (std::size_t b = 0; b < count_v; ++b) {
       if (v.points[b] == kNoPoint) continue;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
+#include "base/quotient.hpp"
 #include "basis/banded.hpp"
 #include "conditions.hpp"
 
@@ -27,8 +29,13 @@ void require_passing(double error, double largest);
 
 double largest_coordinate(std::span<const glm::dvec3> points);
 
+[[noreturn]] void refuse_control_point();
+
 /// @throws InvalidShape if a coordinate is no number any more.
-void require_control_point(const glm::dvec3& point);
+inline void require_control_point(const glm::dvec3& point) {
+  const bool is_surely = std::abs(point.x) + std::abs(point.y) + std::abs(point.z) < 1e300;
+  if (!is_surely && !is_finite(point)) refuse_control_point();
+}
 
 }  // namespace splinecore
 #pragma GCC visibility pop
