@@ -47,7 +47,7 @@ TEST(Interpolate, GivenKnotsThatLieElsewhereAreSolvedAsWell) {
   for (int i = 0; i < 30; ++i) parameters.push_back(i);
   InterpolationOptions options;
   options.knots.assign(4, 0.0);
-  for (int i = 0; i < 26; ++i) options.knots.push_back(i < 13 ? 0.7 + i : 28.3 - (25 - i));
+  for (int i = 0; i < 26; ++i) options.knots.push_back(0.5 + 1.12 * i);
   options.knots.insert(options.knots.end(), 4, 29.0);
   EXPECT_LT(interpolate(points, parameters, options).error, 1e-11);
 }
@@ -70,8 +70,13 @@ TEST(InterpolatePatch, PassesThroughItsGrid) {
   }
   const PointGrid grid{points, 12, 10};
   for (int degree = 1; degree <= 9; ++degree) {
-    FitDirection u{parameters_of(grid, Axis::u, Parametrisation::chordal), degree};
-    FitDirection v{parameters_of(grid, Axis::v, Parametrisation::uniform, Closing::closed), 10 - degree, Closing::closed};
+    FitDirection u;
+    u.parameters = parameters_of(grid, Axis::u, Parametrisation::chordal);
+    u.degree = degree;
+    FitDirection v;
+    v.closing = Closing::closed;
+    v.parameters = parameters_of(grid, Axis::v, Parametrisation::uniform, v.closing);
+    v.degree = 10 - degree;
     const auto [patch, error] = interpolate(grid, u, v);
     EXPECT_EQ(patch.points().size(), points.size());
     EXPECT_LT(error, 1e-9) << degree;
@@ -82,7 +87,11 @@ TEST(InterpolatePatch, RefusesGridsThatAreNone) {
   const std::vector<glm::dvec3> points = helix(12);
   EXPECT_THROW(parameters_of({points, 5, 3}, Axis::u, Parametrisation::uniform), InvalidShape);
   EXPECT_THROW(parameters_of({points, 0, 0}, Axis::u, Parametrisation::chordal), InvalidShape);
-  EXPECT_THROW(interpolate({points, 4, 3}, FitDirection{{0, 1, 2, 3}, 3}, FitDirection{{0, 1, 2}, 3}), InvalidShape);
+  FitDirection u;
+  u.parameters = {0, 1, 2, 3};
+  FitDirection v;
+  v.parameters = {0, 1, 2};
+  EXPECT_THROW(interpolate({points, 4, 3}, u, v), InvalidShape);
 }
 
 }  // namespace splinecore
