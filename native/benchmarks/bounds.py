@@ -40,7 +40,7 @@ BOUNDS = {
     "W6 elevate": Bound(30, 3, 72, "3 new points a span, each a sum of 4 points and its 4 coefficients, 10 operations; "
                         "72 bytes"),
     "W6 Beziers": Bound(12, 3, 96, "3 new points a span, each 2 steps of de Boor of 2 operations; 96 bytes"),
-    **{f"W7 curve {count}": Bound(40, 1.75, 104, "12 FMA of length 1 for a row of functions and its three steps, in lanes of 4; "
+    **{f"W7 curve {count}": Bound(40, 1.75, 104, "a row of functions in lanes of 4, 3; "
                                   "elimination of 2 columns and 3 right sides, substitution, distance 37; 7 divisions; "
                                   "points read, parameters, knots, factors, points written: 104 bytes")
        for count in ("1e3", "1e4", "1e5")},

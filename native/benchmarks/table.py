@@ -143,7 +143,8 @@ WHAT = {
     "W5 degree 11": "a Bezier curve of degree 11", "W5 degree 25": "of degree 25",
     "W6 refine": "1000 knots into a cubic of 1000 points, a knot", "W6 elevate": "its degree from 3 to 5, a point",
     "W6 Beziers": "its Bezier pieces, a piece", "W7 curve 1e3": "a cubic through 1000 points, chord length, a point",
-    "W7 curve 1e4": "through 10,000", "W7 curve 1e5": "through 100,000", "W7 surface": "a bicubic through 300 × 300 points", "W10": "32 patches of 64 × 64 points with normals",
+    "W7 curve 1e4": "through 10,000", "W7 curve 1e5": "through 100,000",
+    "W7 surface": "a bicubic through 300 × 300 points", "W10": "32 patches of 64 × 64 points with normals",
     "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3",
 }
 

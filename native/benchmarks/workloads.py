@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 
 WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
-             "W6 refine", "W6 elevate", "W6 Beziers", "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface", "W10", "W11", "adaptive")
+             "W6 refine", "W6 elevate", "W6 Beziers", 
+             "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface", "W10", "W11", "adaptive")
 PARAMETERS = 1_000_000
 GRID = 1000
 PATCH_GRID = 64

@@ -62,8 +62,8 @@ EndRow end_row(const double* knot, int degree, double u, int order, const glm::d
   return row;
 }
 
-std::vector<EndRow> end_rows(const double* knot, double u, const glm::dvec3& point, std::span<const glm::dvec3> derivatives,
-                             const InterpolationOptions& options) {
+std::vector<EndRow> end_rows(const double* knot, double u, const glm::dvec3& point,
+                             std::span<const glm::dvec3> derivatives, const InterpolationOptions& options) {
   const int degree = options.degree;
   std::vector<EndRow> rows{end_row(knot, degree, u, 0, point)};
   for (const glm::dvec3& derivative : derivatives) {
@@ -77,11 +77,12 @@ std::vector<EndRow> end_rows(const double* knot, double u, const glm::dvec3& poi
 
 /// Open curves whose conditions lie near the knots of their control points: nearly all. Where several derivatives of
 /// order above 1 follow none, or lie inside, rows may have to be exchanged, which general systems do.
-std::optional<Approximation<NurbsCurve>> near_curve(std::span<const glm::dvec3> points, std::span<const double> parameters,
-                                                    const InterpolationOptions& options, double largest) {
+std::optional<Approximation<NurbsCurve>> near_curve(std::span<const glm::dvec3> points,
+                                                    std::span<const double> parameters, const InterpolationOptions& options, double largest) {
   const auto degree = static_cast<std::size_t>(options.degree);
   const std::size_t zeros = count_of_zeros(options);
-  if (options.closing == Closing::closed || !options.tangents.empty() || zeros > 1 || points.size() <= degree) return {};
+  const bool is_plain = options.closing == Closing::open && options.tangents.empty() && zeros <= 1;
+  if (!is_plain || points.size() <= degree) return {};
   std::vector<double> repeated;
   std::span<const double> sites = parameters;
   if (!options.start.empty() || !options.end.empty() || zeros > 0) {
@@ -123,7 +124,8 @@ Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::s
   require_interpolation(points, parameters, options);
   constexpr double kAccurate = 1e-13;
   const double largest = largest_coordinate(points);
-  if (auto near = near_curve(points, parameters, options, largest); near && near->error <= kAccurate * largest) return *std::move(near);
+  auto near = near_curve(points, parameters, options, largest);
+  if (near && near->error <= kAccurate * largest) return *std::move(near);
   Approximation<NurbsCurve> curve = general_curve(points, parameters, options);
   require_passing(curve.error, largest);
   return curve;

@@ -42,7 +42,9 @@ Direction direction_of(const FitDirection& given, std::size_t count, const char*
     KnotVector knots = knots_for(sites_of(conditions), given.parameters, options);
     BandedRows rows = system_of(knots, conditions).rows;
     Direction made{std::move(knots), std::move(rows), {}};
-    for (const Condition& condition : conditions) made.points.push_back(condition.order == 0 ? condition.point : kNoPoint);
+    for (const Condition& condition : conditions) {
+      made.points.push_back(condition.order == 0 ? condition.point : kNoPoint);
+    }
     return made;
   } catch (const InvalidShape& error) {
     throw InvalidShape("along " + std::string(axis) + ": " + error.what());

@@ -211,7 +211,8 @@ class NearSystem {
       for (long i = block; i < end; ++i) {
         const std::array<double, kWidth> row = rows.row(i);
         const bool is_whole = i >= kReach && i + kReach < count_;
-        compare(is_whole ? point_of(row, i) : point_near_end(row, i), given_.points[static_cast<std::size_t>(i - inner_)]);
+        const glm::dvec3& wanted = given_.points[static_cast<std::size_t>(i - inner_)];
+        compare(is_whole ? point_of(row, i) : point_near_end(row, i), wanted);
       }
     }
     return are_numbers ? std::sqrt(square) / scale : std::numeric_limits<double>::infinity();
