@@ -76,7 +76,7 @@ void bind_curve(py::class_<Curve> cls) {
           },
           py::arg("step"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
           py::arg("cancel") = py::none(),
-          "The parameters at 0, step, 2 step, … up to the curve's length: (n,). Where it closes the end is left out.\n\n"
+          "The parameters at 0, step, 2 step, … up to the curve's length: (n,). Where it closes its end is none.\n\n"
           "As parameter_at_length(). InvalidShape unless step > 0, or if those are more than 2^22. Row S15.");
 }
 

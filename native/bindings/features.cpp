@@ -68,8 +68,8 @@ void bind_curve(py::class_<Curve> cls) {
                                  const py::object& side) { return signed_curvature(form(self), u, normal, side); },
           py::arg("u"), py::arg("normal") = py::none(), py::kw_only(), py::arg("side") = "right",
           "(C' x C'') · normal / |C'|³ at parameters (...,) -> (...,): positive where the curve bends to its left.\n\n"
-          "normal (3,) is that of its plane, by default towards +z; InvalidShape if the curve lies in none. Of a curve\n"
-          "that is not in a plane at right angles to the normal it is the part of the curvature about the normal.\n"
+          "normal (3,) is that of its plane, by default towards +z; InvalidShape if it lies in none. Of a curve that\n"
+          "is not in a plane at right angles to the normal it is the part of the curvature about the normal.\n"
           "Limits, inf and nan as those of curvature(). Row S15.");
   cls.def("inflections", [](const Curve& self, const py::object& direction) {
             return inflections(form(self), direction);

@@ -41,7 +41,8 @@ def test_boxes_in_closed_form(size):
 def places(knots, domain, count):
     """All knots of a domain, just before them where there may be a gap, and so many places on every span."""
     ends = np.unique(np.r_[domain, np.clip(knots, *domain)])
-    return np.unique(np.r_[ends, np.nextafter(ends[1:], -np.inf), (ends[:-1, None] + np.diff(ends)[:, None] * np.linspace(0, 1, count)).ravel()])
+    inside = ends[:-1, None] + np.diff(ends)[:, None] * np.linspace(0, 1, count)
+    return np.unique(np.r_[ends, np.nextafter(ends[1:], -np.inf), inside.ravel()])
 
 
 def test_boxes_of_random_curves_are_those_of_dense_samples():

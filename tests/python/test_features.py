@@ -105,7 +105,7 @@ def test_extrema_in_closed_form():
     ring = shapes.circle().to_periodic()
     ring = getattr(ring, "value", ring)
     assert ring.extrema((0, 1, 0)) == pytest.approx([1, 3], abs=1e-15)
-    assert CUBIC.extrema((0, 1, 0)) == pytest.approx([-1, 0, 2], abs=2e-16)  # at rest there, though it does not turn about
+    assert CUBIC.extrema((0, 1, 0)) == pytest.approx([-1, 0, 2], abs=2e-16)  # at rest, though it goes on up
     roof = sc.NurbsCurve(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 2), (2, 3), (3, 0)])
     assert roof.extrema((0, 1, 0)).tolist() == [0, 2, 3]
     table = sc.NurbsCurve(1, [0, 0, 1, 2, 3, 3], [(0, 0), (1, 1), (2, 1), (3, 0)])

@@ -27,9 +27,9 @@ Interval hull_of(std::span<const glm::dvec2> points);
 /// @param line  Bernstein's (A, W), of which W is zero nowhere
 void take_line(Interval& range, std::span<const glm::dvec2> line);
 
-/// Widens the range until its end is no farther than `slack` below all of A / W. Returns by how much it may be too small:
-/// more than the slack where that takes too many pieces.
+/// Widens the range until its end is no farther than `slack` below all of A / W.
 /// @param net  of (A, W), of which W is zero nowhere
+/// @returns by how much it may be too small: more than the slack where less takes too many pieces
 double take_upper(Interval& range, BernsteinNet<glm::dvec2> net, double slack);
 
 }  // namespace splinecore

@@ -15,7 +15,8 @@ namespace splinecore {
 void curvature(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
                Side side = Side::right);
 
-/// Curvature with a sign, (C' x C'') · normal / |C'|³: positive where the curve bends to its left, seen against the normal.
+/// Curvature with a sign, (C' x C'') · normal / |C'|³: positive where the curve bends to its left, seen against the
+/// normal.
 /// Of a curve that lies in no plane at right angles to the normal it is the part of the curvature about the normal.
 /// Limits as those of curvature(). @throws also InvalidShape if the normal is zero or not finite.
 void signed_curvature(const NurbsCurve& curve, std::span<const double> parameters, const glm::dvec3& normal,
