@@ -38,6 +38,19 @@ def matrix(shift=0.0):
     return turn
 
 
+def closed(one, at):
+    """The curve, or where its ends are apart a line there and back of its class."""
+    if np.array_equal(*one.evaluate(np.array(one.domain))):
+        return one
+    there, back = xyz(at, 1), xyz(at, 0, 1)
+    if isinstance(one, sc.HermiteCurve):
+        return sc.HermiteCurve([there, back, there], [there, back, there])
+    if isinstance(one, sc.PowerCurve):
+        return sc.PowerCurve([there, back, -back])
+    line = sc.BezierCurve([there, back, there - back, there])
+    return line if isinstance(one, sc.BezierCurve) else line.to_nurbs()
+
+
 CURVE = {
     "evaluate": lambda one, at: [one.evaluate(inside(one.domain)), one.evaluate(inside(one.domain), side="left"),
                                  one.evaluate(inside(one.domain), dtype=np.float32) if at.fits_single else None],
@@ -61,6 +74,8 @@ CURVE = {
     "inflections": lambda one, at: one.inflections((0, 1, 2)),
     "extrema": lambda one, at: one.extrema((0, 1, 2)),
     "bounding_box": lambda one, at: one.bounding_box(),
+    "signed_area": lambda one, at: closed(one, at).signed_area(tolerance=1e-3),
+    "winding_number": lambda one, at: closed(one, at).winding_number(xyz(at, 0.1, 0.2)),
     "frenet_frame": lambda one, at: one.frenet_frame(inside(one.domain)),
     "frames": lambda one, at: [one.frames(inside(one.domain)), one.frames(one.domain[0], start=(1, 2, 3)),
                                one.frames(one.domain[0], "frenet")],

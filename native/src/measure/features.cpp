@@ -6,11 +6,9 @@
 #include <string>
 
 #include "base/one_sign.hpp"
-#include "basis/bernstein_roots.hpp"
-#include "curve/bezier_piece.hpp"
 #include "finite_weights.hpp"
-#include "near_curve.hpp"
 #include "numerators.hpp"
+#include "signs.hpp"
 #include "unit_direction.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/measure/continuity.hpp"
@@ -18,33 +16,6 @@
 namespace splinecore {
 
 namespace {
-
-/// A part of a span on which a polynomial has one sign.
-struct Run {
-  Interval part;
-  double sign;
-  bool comes_from_infinity = false;
-};
-
-/// The zeros of a polynomial and the signs between them; none if it is zero everywhere.
-struct Signs {
-  std::vector<Interval> zeros;
-  std::vector<Run> runs;
-
-  explicit Signs(const Numerator& numerator) : zeros(bernstein_zeros(numerator.coefficients, numerator.noise)) {
-    if (is_zero()) return;
-    double start = 0.0;
-    for (std::size_t i = 0; i <= zeros.size(); ++i) {
-      const double end = i < zeros.size() ? zeros[i].start : 1.0;
-      const Interval part{start, end};
-      const double value = start < end ? bernstein_value(numerator.coefficients, part.middle()) : 0.0;
-      if (std::abs(value) > 0.0) runs.push_back({part, std::copysign(1.0, value)});
-      start = end;
-    }
-  }
-
-  bool is_zero() const { return zeros.size() == 1 && zeros.front() == Interval{0.0, 1.0}; }
-};
 
 /// Where the weight of a piece is below zero the signs of its runs are turned, and they are cut where it is zero.
 std::vector<Run> runs_by_weight(const std::vector<Run>& runs, const std::vector<glm::dvec4>& piece) {
@@ -62,16 +33,6 @@ std::vector<Run> runs_by_weight(const std::vector<Run>& runs, const std::vector<
     }
   }
   return found;
-}
-
-double at(const Interval& span, double t) { return std::lerp(span.start, span.end, t); }
-
-/// Visits the spans of the curve, which is near the origin, with their parameters as they were given.
-template <class Visit>
-void for_each_span(const NurbsCurve& curve, Visit visit) {
-  const NearCurve near = near_origin(curve);
-  const int count = static_cast<int>(curve.knot_vector().spans().size());
-  for (int i = 0; i < count; ++i) visit(curve.knot_vector().span_interval(i), bezier_piece(near.curve, i).values);
 }
 
 /// Where signs change from run to run of all spans.
@@ -122,21 +83,6 @@ class Bends {
   std::vector<double> found_;
 };
 
-/// The coordinates of a piece seen against a direction.
-std::vector<glm::dvec3> seen(const std::vector<glm::dvec4>& piece, const glm::dvec3& direction) {
-  int least = 0;
-  for (int axis = 1; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) < std::abs(direction[least])) least = axis;
-  }
-  glm::dvec3 across(0.0);
-  across[least] = 1.0;
-  const glm::dvec3 x = glm::normalize(glm::cross(across, direction));
-  const glm::dvec3 y = glm::cross(direction, x);
-  std::vector<glm::dvec3> points;
-  for (const glm::dvec4& p : piece) points.emplace_back(glm::dot(glm::dvec3(p), x), glm::dot(glm::dvec3(p), y), p.w);
-  return points;
-}
-
 }  // namespace
 
 glm::dvec3 plane_normal(const NurbsCurve& curve) {
@@ -181,8 +127,9 @@ glm::dvec3 plane_normal(const NurbsCurve& curve) {
 std::vector<double> inflections(const NurbsCurve& curve, const glm::dvec3& direction) {
   const glm::dvec3 view = unit_direction(direction, "direction");
   Bends bends(curve);
-  for_each_span(curve, [&](const Interval& span, const std::vector<glm::dvec4>& piece) {
-    const Signs signs(bend_of(seen(piece, view)));
+  const View from(view);
+  for_each_span(near_origin(curve).curve, curve, [&](const Interval& span, const std::vector<glm::dvec4>& piece) {
+    const Signs signs(bend_of(from.seen(piece)));
     bends.add(span, has_one_sign(piece, &glm::dvec4::w) && piece.front().w > 0.0 ? signs.runs
                                                                               : runs_by_weight(signs.runs, piece));
   });
@@ -198,7 +145,7 @@ std::vector<double> extrema(const NurbsCurve& curve, const glm::dvec3& direction
   if (!curve.periodic()) found = {domain.start, domain.end};
   double first = 0.0;
   double last = 0.0;
-  for_each_span(curve, [&](const Interval& span, const std::vector<glm::dvec4>& piece) {
+  for_each_span(near_origin(curve).curve, curve, [&](const Interval& span, const std::vector<glm::dvec4>& piece) {
     std::vector<glm::dvec2> line;
     for (const glm::dvec4& p : piece) line.emplace_back(glm::dot(glm::dvec3(p), way), p.w);
     const Signs signs(slope_of(line));

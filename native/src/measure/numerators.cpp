@@ -110,6 +110,8 @@ Numerator slope_of(std::span<const glm::dvec2> line) {
   return wronskian(std::span<const glm::dvec2>(turned));
 }
 
+Numerator sweep_of(std::span<const glm::dvec2> points) { return wronskian(points); }
+
 Numerator bend_of(std::span<const glm::dvec3> points) {
   if (!is_plain(points)) return wronskian(points);
   std::vector<glm::dvec2> slopes;

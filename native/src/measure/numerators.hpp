@@ -23,5 +23,9 @@ Numerator slope_of(std::span<const glm::dvec2> line);
 /// @param points  Bernstein points (X, Y, W) of a degree above 0
 Numerator bend_of(std::span<const glm::dvec3> points);
 
+/// X Y' - X' Y: twice the area that the line from the origin sweeps, where W is 1; over W² it is that where it is not.
+/// @param points  Bernstein points (X, Y) of a degree above 0
+Numerator sweep_of(std::span<const glm::dvec2> points);
+
 }  // namespace splinecore
 #pragma GCC visibility pop
