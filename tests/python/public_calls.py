@@ -70,6 +70,7 @@ CURVE = {
     "divide_by_length": lambda one, at: one.divide_by_length(at.size, tolerance=1e-3),
     "curvature": lambda one, at: one.curvature(inside(one.domain)),
     "signed_curvature": lambda one, at: one.signed_curvature(inside(one.domain), (0, 0, 1)),
+    "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
     "torsion": lambda one, at: one.torsion(inside(one.domain)),
     "inflections": lambda one, at: one.inflections((0, 1, 2)),
     "extrema": lambda one, at: one.extrema((0, 1, 2)),
@@ -159,6 +160,7 @@ PATCH = {
     "to_nurbs": lambda one, at: one.to_nurbs(),
     "fundamental_forms": lambda one, at: one.fundamental_forms(*pairs_of(one)),
     "curvatures": lambda one, at: one.curvatures(*pairs_of(one)),
+    "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
     "area": lambda one, at: one.area(tolerance=1e-2),
     "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
     "isocurve": lambda one, at: [one.isocurve(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
@@ -266,6 +268,7 @@ METHODS = {
     "SeamContinuity": COPIES,
     "Curvatures": COPIES,
     "JoinedPatches": COPIES,
+    "Nearest": COPIES,
 }
 
 

@@ -22,6 +22,7 @@ NATIVE_ARROWS = {
     'tessellate': {'base', 'basis', 'curve', 'patch', 'convert'},
     'formula': {'base'},
     'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
+    'meet': {'base', 'basis', 'curve', 'patch'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build'},
     'exchange': {'base', 'basis', 'curve', 'patch'},

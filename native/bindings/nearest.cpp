@@ -1,0 +1,164 @@
+#include "splinecore/meet/nearest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "arrays.hpp"
+#include "class_of.hpp"
+#include "curve_methods.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "splinecore/curve/power_curve.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::BezierCurve;
+using splinecore::BezierPatch;
+using splinecore::HermiteCurve;
+using splinecore::HermitePatch;
+using splinecore::InvalidShape;
+using splinecore::NurbsCurve;
+using splinecore::NurbsPatch;
+using splinecore::PowerCurve;
+
+namespace {
+
+/// What Python sees of the nearest points to many.
+struct Nearest {
+  py::array_t<double> parameters;
+  py::array_t<double> points;
+  py::array_t<double> distances;
+};
+
+/// Points (..., 2 or 3).
+struct Places {
+  std::vector<glm::dvec3> points;
+  Shape shape;  ///< without the last dimension
+
+  explicit Places(const py::object& value) {
+    const Doubles given = real_array(value, "points");
+    const py::ssize_t columns = given.ndim() == 0 ? 0 : given.shape(given.ndim() - 1);
+    if (columns != 2 && columns != 3) {
+      throw InvalidShape("points has shape " + shape_text(given) + ", (..., 2) or (..., 3) is expected");
+    }
+    shape.assign(given.shape(), given.shape() + given.ndim() - 1);
+    points.reserve(static_cast<std::size_t>(given.size() / columns));
+    for (py::ssize_t i = 0; i < given.size(); ++i) {
+      if (std::isfinite(given.data()[i])) continue;
+      throw InvalidShape("points" + place_text(given, i) + " = " + splinecore::text_of(given.data()[i]) +
+                         " is not finite");
+    }
+    for (const double* row = given.data(); row != given.data() + given.size(); row += columns) {
+      points.emplace_back(row[0], row[1], columns == 3 ? row[2] : 0.0);
+    }
+  }
+};
+
+Shape with_column(Shape shape, py::ssize_t count) {
+  shape.push_back(count);
+  return shape;
+}
+
+Nearest arrays_for(const Shape& shape, const Shape& parameters) {
+  return {py::array_t<double>(parameters), py::array_t<double>(with_column(shape, 3)), py::array_t<double>(shape)};
+}
+
+Nearest nearest(const NurbsCurve& curve, const py::object& points, const py::object& threads,
+                const py::object& cancel) {
+  const Places places(points);
+  const int most = threads_of(threads);
+  std::vector<splinecore::NearestOnCurve> found(places.points.size());
+  unlocked([&] { splinecore::nearest(curve, places.points, found, most); }, cancel);
+  Nearest out = arrays_for(places.shape, places.shape);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    out.parameters.mutable_data()[i] = found[i].parameter;
+    std::copy_n(&found[i].point.x, 3, out.points.mutable_data() + 3 * i);
+    out.distances.mutable_data()[i] = found[i].distance;
+  }
+  return out;
+}
+
+Nearest nearest(const NurbsPatch& patch, const py::object& points, const py::object& threads,
+                const py::object& cancel) {
+  const Places places(points);
+  const int most = threads_of(threads);
+  std::vector<splinecore::NearestOnPatch> found(places.points.size());
+  unlocked([&] { splinecore::nearest(patch, places.points, found, most); }, cancel);
+  Nearest out = arrays_for(places.shape, with_column(places.shape, 2));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    out.parameters.mutable_data()[2 * i] = found[i].u;
+    out.parameters.mutable_data()[2 * i + 1] = found[i].v;
+    std::copy_n(&found[i].point.x, 3, out.points.mutable_data() + 3 * i);
+    out.distances.mutable_data()[i] = found[i].distance;
+  }
+  return out;
+}
+
+const NurbsPatch& patch_form(const NurbsPatch& patch) { return patch; }
+template <class Patch>
+const NurbsPatch& patch_form(const Patch& patch) {
+  return patch.nurbs();
+}
+
+template <class Curve>
+void bind_curve(py::class_<Curve> cls) {
+  cls.def("nearest", [](const Curve& self, const py::object& points, const py::object& threads,
+                        const py::object& cancel) {
+            return nearest(form(self), points, threads, cancel);
+          },
+          py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
+          "The nearest point of all the curve to each of points (..., 2 or 3), as a Nearest: ends, corners and gaps\n"
+          "included, never a minimum that is only local. Distances are right to a few roundings of the size of the\n"
+          "curve and of themselves.\n\n"
+          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of places\n"
+          "at one distance, up to rounding, it is the one with the smallest parameter, to 1e-6 of the domain; of a\n"
+          "periodic curve it lies in [start, end). Where the curve passes through infinity its finite part counts; at\n"
+          "a gap the point is that of the nearer side. A point has the same result in any batch, on any number of\n"
+          "threads. cancel is a callable that ends a long call by returning True. InvalidShape names a point that is\n"
+          "not finite.");
+}
+
+template <class Patch>
+void bind_patch(py::class_<Patch> cls) {
+  cls.def("nearest", [](const Patch& self, const py::object& points, const py::object& threads,
+                        const py::object& cancel) {
+            return nearest(patch_form(self), points, threads, cancel);
+          },
+          py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
+          "The nearest point of all the patch to each of points (..., 2 or 3), as a Nearest: borders, corners and\n"
+          "poles included, never a minimum that is only local. Distances are right to a few roundings of the size of\n"
+          "the patch and of themselves.\n\n"
+          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of places\n"
+          "at one distance, up to rounding, it is the one with the smallest u, then v, to 1e-6 of the domain; where\n"
+          "periodic in [start, end). Where the patch passes through infinity its finite part counts. A point has the\n"
+          "same result in any batch, on any number of threads. cancel is a callable that ends a long call by\n"
+          "returning True. InvalidShape names a point that is not finite.");
+}
+
+void bind_result(py::module_& module) {
+  py::class_<Nearest> cls(module, "Nearest", py::module_local(),
+                          "The nearest points of a shape to points (..., 3).\n\n"
+                          "parameters is (...,) on a curve and (..., 2), u and v, on a patch; points is (..., 3),\n"
+                          "distances (...,).");
+  seal(cls);
+  cls.def_readonly("parameters", &Nearest::parameters);
+  cls.def_readonly("points", &Nearest::points);
+  cls.def_readonly("distances", &Nearest::distances);
+  cls.def("__repr__", [](const Nearest& self) { return "Nearest(shape=" + shape_text(self.distances) + ")"; });
+}
+
+}  // namespace
+
+void bind_nearest(py::module_& module) {
+  bind_result(module);
+  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
+  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
+  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
+  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+  bind_patch(class_of<NurbsPatch>(module, "NurbsPatch"));
+  bind_patch(class_of<BezierPatch>(module, "BezierPatch"));
+  bind_patch(class_of<HermitePatch>(module, "HermitePatch"));
+}
+
+}  // namespace bindings

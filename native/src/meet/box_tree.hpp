@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// What lies between two corners, which may be infinitely far.
+struct Box {
+  glm::dvec3 low;
+  glm::dvec3 high;
+};
+
+/// Boxes in groups of eight, groups in groups of eight, up to one: flat arrays, coordinate by coordinate, so that the
+/// boxes of a group are looked at together. Neighbours in the order given share groups.
+class BoxTree {
+ public:
+  static constexpr std::size_t kGroup = 8;
+
+  /// Eight boxes by their middles and half their widths; those that are missing at the end of a level lie far away.
+  struct alignas(64) Group {
+    double middle[3][kGroup];
+    double half[3][kGroup];
+
+    /// The squares of the least distances that points of the boxes may have from a point, up to rounding.
+    void squared_distances(const glm::dvec3& from, std::array<double, kGroup>& out) const noexcept {
+      std::array<double, kGroup> sum{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const double at = from[axis];
+        for (std::size_t i = 0; i < kGroup; ++i) {
+          const double apart = std::abs(at - middle[axis][i]) - half[axis][i];
+          const double twice = apart + std::abs(apart);  // or zero
+          sum[i] += twice * twice;
+        }
+      }
+      for (std::size_t i = 0; i < kGroup; ++i) out[i] = 0.25 * sum[i];
+    }
+  };
+
+  explicit BoxTree(std::span<const Box> leaves);
+
+  /// Level 0 has the leaves; group i of a level is box i of the next. The last level is one group.
+  std::size_t levels() const noexcept { return levels_.size(); }
+  const Group& group(std::size_t level, std::size_t i) const noexcept { return levels_[level][i]; }
+
+  /// How many boxes are in all groups of a level.
+  std::size_t count(std::size_t level) const noexcept { return level == 0 ? leaves_ : levels_[level - 1].size(); }
+
+ private:
+  std::size_t leaves_;
+  std::vector<std::vector<Group>> levels_;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop

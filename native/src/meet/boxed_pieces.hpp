@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "basis/bernstein_net.hpp"
+#include "box_tree.hpp"
+#include "near_space.hpp"
+#include "piece_box.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A part of the Bernstein piece on a span, or on a pair of spans, that hardly bends.
+struct PiecePart {
+  std::array<Interval, 2> domain;  ///< the shape's parameters over the whole piece
+  std::array<Interval, 2> range;   ///< of the part, in [0, 1]
+  bool is_boxed;                   ///< or its weights have both signs
+  PieceBox box;
+};
+
+/// The Bernstein pieces of a curve or a patch in a space of their own, cut into parts, and the tree of their boxes.
+class BoxedPieces {
+ public:
+  explicit BoxedPieces(const NurbsCurve& curve);
+  explicit BoxedPieces(const NurbsPatch& patch);
+
+  const NearSpace& space() const noexcept { return space_; }
+  std::size_t rows() const noexcept { return rows_; }
+  std::size_t columns() const noexcept { return columns_; }
+
+  std::span<const PiecePart> parts() const noexcept { return parts_; }
+
+  /// The homogeneous control points of a part, row after row; of a curve one column.
+  const glm::dvec4* points(std::size_t part) const noexcept { return points_.data() + part * rows_ * columns_; }
+
+  /// Its leaves are the parts.
+  const BoxTree& tree() const noexcept { return tree_; }
+
+ private:
+  using Net = BernsteinNet<glm::dvec4>;
+
+  void cut(const Net& net, const std::array<Interval, 2>& domain, const std::array<Interval, 2>& range, int depth);
+
+  /// Neighbours on a patch come one after the other.
+  /// @param codes  of parts: they are sorted by these
+  void put_in_order(std::span<const std::uint64_t> codes);
+
+  NearSpace space_;
+  std::size_t rows_;
+  std::size_t columns_;
+  std::vector<PiecePart> parts_;
+  std::vector<glm::dvec4> points_;
+  std::vector<Box> boxes_;
+  BoxTree tree_;
+};
+
+/// The parameter of a shape at t in [0, 1] of one of its intervals.
+inline double parameter_at(const Interval& domain, double t) noexcept {
+  if (t == 0.0) return domain.start;
+  if (t == 1.0) return domain.end;
+  const double u = (1.0 - t) * domain.start + t * domain.end;
+  return u < domain.start ? domain.start : u > domain.end ? domain.end : u;
+}
+
+}  // namespace splinecore
+#pragma GCC visibility pop

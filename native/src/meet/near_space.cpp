@@ -1,0 +1,90 @@
+#include "near_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace splinecore {
+
+namespace {
+
+glm::dvec3 scaled(const glm::dvec3& p, int exponent) noexcept {
+  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+}
+
+PowerOfTwo power_of_two(int exponent) noexcept {
+  return {std::ldexp(1.0, exponent / 2), std::ldexp(1.0, exponent - exponent / 2)};
+}
+
+double largest_of(const glm::dvec3& p) noexcept { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
+/// Of a number that is not zero the exponent that brings it below 1.
+int exponent_of(double x) noexcept { return x > 0.0 ? std::ilogb(x) + 1 : 0; }
+
+}  // namespace
+
+NearSpace::NearSpace(std::span<const glm::dvec4> points) {
+  double largest = 0.0;
+  for (const glm::dvec4& p : points) {
+    if (p.w != 0.0) largest = std::max(largest, largest_of(glm::dvec3(p)));
+  }
+  outer_ = exponent_of(largest);
+  into_outer_ = power_of_two(-outer_);
+  out_of_outer_ = power_of_two(outer_);
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-low);
+  for (const glm::dvec4& p : points) {
+    if (p.w == 0.0) continue;
+    const glm::dvec3 near = into_outer_.times(glm::dvec3(p));
+    low = glm::min(low, near);
+    high = glm::max(high, near);
+  }
+  origin_ = 0.5 * low + 0.5 * high;
+  // What is smaller is rounding of the coordinates.
+  constexpr int kSmallest = -60;
+  inner_ = std::max(exponent_of(largest_of(0.5 * high - 0.5 * low)), kSmallest);
+  into_inner_ = power_of_two(-inner_);
+  out_of_inner_ = power_of_two(inner_);
+}
+
+NearPoint NearSpace::enter(const glm::dvec3& point) const noexcept {
+  constexpr double kFar = 0x1p27;
+  constexpr double kMostFar = 0x1p200;
+  const glm::dvec3 outer = into_outer_.times(point);
+  const bool is_inside = largest_of(outer) < kMostFar;  // else it may be no number
+  const glm::dvec3 reached =
+      is_inside ? outer : scaled(point, -exponent_of(largest_of(point))) * kMostFar;
+  const glm::dvec3 near = into_inner_.times(reached - origin_);
+  const double size = largest_of(near);
+  if (is_inside && size <= kFar) return {near, false};
+  return {scaled(near, -exponent_of(size)) * kFar, true};
+}
+
+glm::dvec3 NearSpace::leave(const glm::dvec3& near) const noexcept {
+  return out_of_outer_.times(out_of_inner_.times(near) + origin_);
+}
+
+std::vector<glm::dvec4> NearSpace::homogeneous(std::span<const glm::dvec4> given,
+                                               std::span<const glm::dvec4> homogeneous, std::size_t width,
+                                               std::size_t unrolled_width) const {
+  std::vector<glm::dvec4> points(homogeneous.size());
+  const std::size_t rows = given.size() / width;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double w = homogeneous[i].w;
+    const glm::dvec4& own = given[i / unrolled_width % rows * width + i % unrolled_width % width];
+    const glm::dvec3 near = w == 0.0 ? into_inner_.times(into_outer_.times(glm::dvec3(homogeneous[i])))
+                                     : w * into_inner_.times(into_outer_.times(glm::dvec3(own)) - origin_);
+    points[i] = glm::dvec4(near, w);
+  }
+  return points;
+}
+
+double distance_of(const glm::dvec3& a, const glm::dvec3& b) noexcept {
+  const glm::dvec3 half = 0.5 * a - 0.5 * b;
+  const int exponent = exponent_of(largest_of(half));
+  return std::ldexp(glm::length(scaled(half, -exponent)), exponent + 1);
+}
+
+}  // namespace splinecore

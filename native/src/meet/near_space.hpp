@@ -1,0 +1,59 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A power of two, in two factors, for it may be no number.
+struct PowerOfTwo {
+  double first = 1.0;
+  double second = 1.0;
+
+  glm::dvec3 times(const glm::dvec3& p) const noexcept { return p * first * second; }
+  double times(double x) const noexcept { return x * first * second; }
+};
+
+/// A point as the search sees it, and whether it was drawn nearer.
+struct NearPoint {
+  glm::dvec3 at;
+  bool moved;
+};
+
+/// Coordinates about the middle of a shape's finite control points in which these lie within about 1: no digit is lost
+/// far from the origin, and no square leaves the numbers.
+class NearSpace {
+ public:
+  explicit NearSpace(std::span<const glm::dvec4> points);
+
+  /// Of a point farther out than 2^27 one on the way to it: distances to the shape then differ, from each other, by
+  /// less than their rounding.
+  NearPoint enter(const glm::dvec3& point) const noexcept;
+  glm::dvec3 leave(const glm::dvec3& near) const noexcept;
+
+  /// A length out there.
+  double length(double near) const noexcept { return out_of_outer_.times(out_of_inner_.times(near)); }
+
+  /// Homogeneous points from those given and their homogeneous form, as a shape has both.
+  /// @param width  points of a row, and `unrolled_width` of one of the unrolled net; homogeneous points are unrolled
+  std::vector<glm::dvec4> homogeneous(std::span<const glm::dvec4> given, std::span<const glm::dvec4> homogeneous,
+                                      std::size_t width, std::size_t unrolled_width) const;
+
+ private:
+  glm::dvec3 origin_{0.0};
+  int outer_ = 0;  ///< coordinates are divided by 2^outer_, the origin is subtracted, and the rest divided by 2^inner_
+  int inner_ = 0;
+  PowerOfTwo into_outer_, into_inner_, out_of_outer_, out_of_inner_;
+};
+
+/// The distance between two points, though its square may be no number.
+double distance_of(const glm::dvec3& a, const glm::dvec3& b) noexcept;
+
+}  // namespace splinecore
+#pragma GCC visibility pop

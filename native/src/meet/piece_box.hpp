@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "basis/bernstein_net.hpp"
+#include "box_tree.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A box along a piece whose weights have one sign: the hull property has the piece in it.
+struct PieceBox {
+  glm::dvec3 centre{0.0};
+  std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+  glm::dvec3 half{0.0};
+
+  /// The square of a distance that no point of the box falls below.
+  double squared_distance(const glm::dvec3& from) const noexcept {
+    const glm::dvec3 offset = from - centre;
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double apart = std::abs(glm::dot(axes[k], offset)) - half[k];
+      if (apart > 0.0) sum += apart * apart;
+    }
+    return sum;
+  }
+};
+
+/// @param net  homogeneous, of weights of one sign; one column is a curve
+PieceBox piece_box(const BernsteinNet<glm::dvec4>& net);
+
+/// The box of the control points along the axes of coordinates; everywhere if their weights have both signs.
+Box box_of(const BernsteinNet<glm::dvec4>& net);
+
+}  // namespace splinecore
+#pragma GCC visibility pop
