@@ -46,6 +46,10 @@ BOUNDS = {
        for count in ("1e3", "1e4", "1e5")},
     "W7 surface": Bound(15, 0, 136, "2 × (2 + 2 columns and a product) in lanes of 4, distance 4; grid, two nets and the "
                         "points: 136 bytes"),
+    "W8 curve": Bound(100 + 3 * 30, 5, 40, "5 groups of 8 boxes of 20 operations each, 3 Newton steps of 30; "
+                      "40 bytes"),
+    "W8 patch": Bound(400 + 3 * 90 + 160, 5, 48, "20 groups of 8 boxes of 20 operations each, 3 Newton steps of 90, "
+                      "and 160 for the coefficients of the squared distance; 48 bytes"),
     "W10": Bound(11, 0.5, 48, "24 FMA for S, Su, Sv, 18 for cross product and length, in lanes of 4, 0.5 for rows; "
                  "48 bytes"),
     "W11": Bound(61 * 31 * 5, 61 * 31 / 2, 0, "61 spans, 31 nodes of Kronrod's rule each: 15 FMA for the speed, its "

@@ -179,9 +179,48 @@ def references():
         **{f"W7 curve {name}": lambda count=count: exactly(data[f"coil{count}"][::7])
            for name, count in (("1e3", 1000), ("1e4", 10_000), ("1e5", 100_000))},
         "W7 surface": lambda: exactly(data["sheet300"].reshape(-1, 3)[::7]),
+        "W8 curve": lambda: least_distances((knots,), points, data["near_curve"][::workloads.NEAREST_STEP]),
+        "W8 patch": lambda: least_distances(sheet[:2], sheet[2], data["near_surface"][::workloads.NEAREST_STEP]),
         "W10": lambda: teapot_rows(data["teapot"], data["patch_grid"]),
         "W11": lambda: np.array([[Fraction(float(arc_length(knots, points)))]]),
     }
+
+
+def functions(knots, u, degree=3):
+    """All B-spline functions at parameters, (count, functions), by their recursion."""
+    u = np.clip(np.atleast_1d(u), knots[degree], np.nextafter(knots[-degree - 1], knots[0]))
+    values = ((knots[:-1] <= u[:, None]) & (u[:, None] < knots[1:])).astype(float)
+    for p in range(1, degree + 1):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            rise = np.nan_to_num((u[:, None] - knots[:-p - 1]) / (knots[p:-1] - knots[:-p - 1]), posinf=0, neginf=0)
+            fall = np.nan_to_num((knots[p + 1:] - u[:, None]) / (knots[p + 1:] - knots[1:-p]), posinf=0, neginf=0)
+        values = rise * values[:, :-1] + fall * values[:, 1:]
+    return values
+
+
+def least_distances(knots, points, places):
+    """By dense samples in every direction and ever finer ones about the nearest: one number a row."""
+    homogeneous = np.concatenate([points[..., :3] * points[..., 3:], points[..., 3:]], -1)
+
+    def sampled(lines):
+        rows = homogeneous
+        for axis, line in enumerate(lines):
+            rows = np.moveaxis(np.tensordot(functions(knots[axis], line), rows, (1, axis)), 0, axis)
+        return rows[..., :3] / rows[..., 3:]
+
+    count = 20_001 if len(knots) == 1 else 601
+    lines = [np.linspace(0, 1, count)] * len(knots)
+    dense = sampled(lines)
+    rows = []
+    for place in places:
+        around, found, reach = lines, dense, 1 / (count - 1)
+        for _ in range(25):
+            squares = ((found - place) ** 2).sum(-1)
+            best = np.unravel_index(squares.argmin(), squares.shape)
+            around = [np.clip(line[i] + reach * np.linspace(-1, 1, 9), 0, 1) for line, i in zip(around, best)]
+            found, reach = sampled(around), reach / 3
+        rows.append([Fraction(float(np.sqrt(((found - place) ** 2).sum(-1).min())))])
+    return np.array(rows)
 
 
 def teapot_rows(nets, line):

@@ -4,12 +4,17 @@
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <GeomConvert_BSplineCurveToBezierCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <NCollection_Sequence.hxx>
+
+#include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -243,6 +248,40 @@ void to_beziers(const Run& run) {
   }, 7);
 }
 
+constexpr std::size_t kNearestStep = 37;
+
+/// The least distance from each point, by a projector that has been given the shape.
+template <class Projector, class Ends>
+void nearest(const Run& run, const std::string& call, const std::string& points, Projector& projector, Ends ends) {
+  const Numbers rows = run.input(points);
+  std::vector<double> out(rows.size() / 3);
+  run.time(call, out.size(), [&] {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const gp_Pnt at(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]);
+      projector.Perform(at);
+      out[i] = projector.NbPoints() > 0 ? std::min(projector.LowerDistance(), ends(at)) : ends(at);
+    }
+  });
+  run.keep(call, out.size(), 1, [&](std::size_t i) { return &out[i]; }, kNearestStep);
+}
+
+/// Ends are no projections: they are looked at besides.
+void nearest_on_curve(const Run& run) {
+  const Curve curve = cubic(run, "curve", true);
+  GeomAPI_ProjectPointOnCurve projector;
+  projector.Init(curve, 0.0, 1.0);
+  nearest(run, "GeomAPI_ProjectPointOnCurve", "near_curve", projector, [&](const gp_Pnt& at) {
+    return std::min(at.Distance(curve->StartPoint()), at.Distance(curve->EndPoint()));
+  });
+}
+
+/// Of feet on the border it finds none.
+void nearest_on_patch(const Run& run) {
+  GeomAPI_ProjectPointOnSurf projector;
+  projector.Init(bicubic(run), 0.0, 1.0, 0.0, 1.0);
+  nearest(run, "GeomAPI_ProjectPointOnSurf", "near_surface", projector, [](const gp_Pnt&) { return HUGE_VAL; });
+}
+
 void lengths(const Run& run) {
   const GeomAdaptor_Curve curve(cubic(run, "curve", true));
   double result = 0;
@@ -268,6 +307,8 @@ const benchmarks::Workloads kWorkloads = {
        verb(run, "IncreaseDegree", [](Geom_BSplineCurve& curve) { curve.IncreaseDegree(5); });
      }},
     {"W6 Beziers", to_beziers},
+    {"W8 curve", nearest_on_curve},
+    {"W8 patch", nearest_on_patch},
     {"W10", many_patches},
     {"W11", lengths},
     {"adaptive", benchmarks::mesh_teapot},

@@ -185,6 +185,14 @@ def many_patches(run):
         run.keep("a call a patch", np.concatenate([pair_rows(made) for made in each()]))
 
 
+def nearest(run, shape, name):
+    places = run.input(name, -1, 3)
+    run.time("nearest", len(places), lambda: shape.nearest(places, threads=1))
+    run.keep("nearest", shape.nearest(places).distances, workloads.NEAREST_STEP)
+    with on_all_cores():
+        run.time("all cores", len(places), lambda: shape.nearest(places), clock=time.perf_counter)
+
+
 def length(run):
     shape = curve(run)
     run.time("length", 1, lambda: shape.length(tolerance=1e-9))
@@ -221,6 +229,8 @@ RUNS = {
     "W7 curve 1e4": lambda run: interpolated_curve(run, 10_000),
     "W7 curve 1e5": lambda run: interpolated_curve(run, 100_000),
     "W7 surface": interpolated_surface,
+    "W8 curve": lambda run: nearest(run, curve(run), "near_curve"),
+    "W8 patch": lambda run: nearest(run, surface(run), "near_surface"),
     "W10": many_patches,
     "W11": length,
     "adaptive": adaptive,

@@ -9,10 +9,11 @@ from workloads import WORKLOADS
 
 MARKS = {"W1 sorted": 35, "W1 random": 18, "W2": 20, "W3 points": 13, "W3 normals": 22, "W4": 12, "W5 degree 11": 39,
          "W5 degree 25": 84, "W6 refine": 2, "W6 elevate": 4, "W6 Beziers": 2,
-         "W7 curve 1e3": 10, "W7 curve 1e4": 10, "W7 curve 1e5": 10, "W7 surface": 2, "W10": 12, "W11": 2}
+         "W7 curve 1e3": 10, "W7 curve 1e4": 10, "W7 curve 1e5": 10, "W7 surface": 2, "W8 curve": 60, "W8 patch": 60,
+         "W10": 12, "W11": 2}
 MARKS_BY_EARLIER = {"adaptive": 10}
 FASTER_OF_BOTH = ("W6 refine", "W6 elevate", "W6 Beziers")
-AGAINST_OCCT = ("W11", "adaptive")
+AGAINST_OCCT = ("W8 curve", "W8 patch", "W11", "adaptive")
 ACCURATE_LENGTH = 1e-9
 ALL_CORES = "splinecore, all cores"
 
@@ -144,7 +145,9 @@ WHAT = {
     "W6 refine": "1000 knots into a cubic of 1000 points, a knot", "W6 elevate": "its degree from 3 to 5, a point",
     "W6 Beziers": "its Bezier pieces, a piece", "W7 curve 1e3": "a cubic through 1000 points, chord length, a point",
     "W7 curve 1e4": "through 10,000", "W7 curve 1e5": "through 100,000",
-    "W7 surface": "a bicubic through 300 × 300 points", "W10": "32 patches of 64 × 64 points with normals",
+    "W7 surface": "a bicubic through 300 × 300 points",
+    "W8 curve": "the nearest point of a rational cubic curve, a query", "W8 patch": "of a rational bicubic surface",
+    "W10": "32 patches of 64 × 64 points with normals",
     "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3",
 }
 

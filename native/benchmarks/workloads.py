@@ -6,12 +6,13 @@ from pathlib import Path
 import numpy as np
 
 WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
-             "W6 refine", "W6 elevate", "W6 Beziers", 
-             "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface", "W10", "W11", "adaptive")
+             "W6 refine", "W6 elevate", "W6 Beziers", "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface",
+             "W8 curve", "W8 patch", "W10", "W11", "adaptive")
 PARAMETERS = 1_000_000
 GRID = 1000
 PATCH_GRID = 64
 SAMPLE_STEP = 2503
+NEAREST_STEP = 37
 TEAPOT = Path(__file__).parents[2] / "addon/splinewright/core/teapot.json"
 
 
@@ -66,6 +67,12 @@ def teapot():
     return np.array(data["points"])[np.array(data["patches"])].reshape(32, 4, 4, 3)
 
 
+def about(points, seed, count):
+    """Random points in the box of others, blown up by 20 % a side."""
+    low, high = points.min(0), points.max(0)
+    return low - 0.2 * (high - low) + 1.4 * (high - low) * random(seed, 3 * count).reshape(count, 3)
+
+
 def inputs():
     """Every array by its name."""
     scattered = random(4, PARAMETERS)
@@ -78,6 +85,8 @@ def inputs():
         "long.knots": uneven_knots(12, 1000), "long.points": helix(1000, 13), "inserted": np.sort(random(15, 1000)),
         **{f"coil{count}": coil(count, 16) for count in (1000, 10_000, 100_000)},
         "sheet300": sheet(300)[..., :3], "line300": np.linspace(0, 1, 300),
+        "near_curve": about(helix(64, 2)[:, :3], 18, 10_000),
+        "near_surface": about(sheet(32)[..., :3].reshape(-1, 3), 19, 1000),
         "teapot": teapot(), "patch_grid": np.linspace(0, 1, PATCH_GRID),
     }
 
