@@ -108,15 +108,15 @@ void bind_curve(py::class_<Curve> cls) {
             return nearest(form(self), points, threads, cancel);
           },
           py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
-          "The nearest point of all the curve to each of points (..., 2 or 3), as a Nearest: ends, corners and gaps\n"
-          "included, never a minimum that is only local. Distances are right to a few roundings of the size of the\n"
-          "curve and of themselves.\n\n"
-          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of places\n"
-          "at one distance, up to rounding, it is the one with the smallest parameter, to 1e-6 of the domain; of a\n"
-          "periodic curve it lies in [start, end). Where the curve passes through infinity its finite part counts; at\n"
-          "a gap the point is that of the nearer side. A point has the same result in any batch, on any number of\n"
-          "threads. cancel is a callable that ends a long call by returning True. InvalidShape names a point that is\n"
-          "not finite.");
+          "The nearest point of all the curve to each of points (..., 2 or 3), as a Nearest: ends, corners and\n"
+          "gaps included, never a minimum that is only local. Distances are right to a few roundings of the\n"
+          "size of the curve and of themselves.\n\n"
+          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of\n"
+          "places at one distance, up to rounding, it is the one with the smallest parameter, to 1e-6 of the\n"
+          "domain; of a periodic curve it lies in [start, end). Where the curve passes through infinity its\n"
+          "finite part counts; at a gap the point is that of the nearer side. A point has the same result in\n"
+          "any batch, on any number of threads. cancel is a callable that ends a long call by returning True.\n"
+          "InvalidShape names a point that is not finite.");
 }
 
 template <class Patch>
@@ -126,14 +126,14 @@ void bind_patch(py::class_<Patch> cls) {
             return nearest(patch_form(self), points, threads, cancel);
           },
           py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
-          "The nearest point of all the patch to each of points (..., 2 or 3), as a Nearest: borders, corners and\n"
-          "poles included, never a minimum that is only local. Distances are right to a few roundings of the size of\n"
-          "the patch and of themselves.\n\n"
-          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of places\n"
-          "at one distance, up to rounding, it is the one with the smallest u, then v, to 1e-6 of the domain; where\n"
-          "periodic in [start, end). Where the patch passes through infinity its finite part counts. A point has the\n"
-          "same result in any batch, on any number of threads. cancel is a callable that ends a long call by\n"
-          "returning True. InvalidShape names a point that is not finite.");
+          "The nearest point of all the patch to each of points (..., 2 or 3), as a Nearest: borders, corners\n"
+          "and poles included, never a minimum that is only local. Distances are right to a few roundings of\n"
+          "the size of the patch and of themselves.\n\n"
+          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of\n"
+          "places at one distance, up to rounding, it is the one with the smallest u, then v, to 1e-6 of the\n"
+          "domain; where periodic in [start, end). Where the patch passes through infinity its finite part\n"
+          "counts. A point has the same result in any batch, on any number of threads. cancel is a callable\n"
+          "that ends a long call by returning True. InvalidShape names a point that is not finite.");
 }
 
 void bind_result(py::module_& module) {

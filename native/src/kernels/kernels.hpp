@@ -179,6 +179,21 @@ struct SurfaceSums {
   double against;
 };
 
+/// Homogeneous control points of a Bernstein piece, row after row; a curve has one column.
+struct PieceNet {
+  int rows;
+  int columns;
+  const double* points;
+};
+
+/// Rows of control points filled up to `stride`, a multiple of four, and of sums that have `width` numbers.
+struct SquareForm {
+  int rows;
+  int columns;
+  std::size_t stride;
+  std::size_t width;  ///< columns + stride at least
+};
+
 /// Bits of what a kernel found.
 inline constexpr int kNotFinite = 1;   ///< a point that is no number: all are written
 inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made: NaN is written
@@ -214,6 +229,13 @@ struct Kernels {
   void (*speed_sums)(const SpeedRule&, const double* slopes, const double* weights, double* out);
 
   void (*surface_sums)(const SurfaceRule&, const SurfaceRow&, SurfaceSums* out);
+
+  /// Homogeneous derivatives by u: 0, 1, 2, and where there are columns by v, by u and v, twice by v; 4 numbers each.
+  void (*piece_slopes)(const PieceNet&, const double* at, double* out);
+
+  /// Adds to coefficients those of |N|² and W².
+  /// @param scaled  x, y, z and W of all control points times their binomials, coordinate by coordinate
+  void (*square_sums)(const SquareForm&, const double* scaled, double* squares, double* weights);
 
   /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
   void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);

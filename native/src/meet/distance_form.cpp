@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
+#include "kernels/kernels.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// Numbers that are multiplied together.
+/// Rows are filled up to so many numbers, which are computed together.
 constexpr std::size_t kLanes = 4;
-typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
 
 /// The least of second differences, and the largest size.
 struct Differences {
@@ -73,36 +72,40 @@ void DistanceForm::set(const glm::dvec4* net, const glm::dvec3& point) noexcept 
       to[3 * plane] = choice * h.w;
     }
   }
+  rows_ == 1 ? multiply_row() : multiply_rows();
+}
+
+void DistanceForm::multiply_row() noexcept {
+  const std::size_t count = 2 * columns_ - 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t first = k < columns_ ? 0 : k - columns_ + 1;
+    const double* const x = scaled_.data();
+    const double* const y = x + stride_;
+    const double* const z = y + stride_;
+    const double* const w = z + stride_;
+    double square = 0.0;
+    double weight = 0.0;
+    for (std::size_t j = first; 2 * j < k; ++j) {
+      square += x[j] * x[k - j] + y[j] * y[k - j] + z[j] * z[k - j];
+      weight += w[j] * w[k - j];
+    }
+    square *= 2.0;
+    weight *= 2.0;
+    if (k % 2 == 0) {
+      const std::size_t j = k / 2;
+      square += x[j] * x[j] + y[j] * y[j] + z[j] * z[j];
+      weight += w[j] * w[j];
+    }
+    squares_[k] = square * shares_[k];
+    weights_[k] = weight * shares_[k];
+  }
+}
+
+void DistanceForm::multiply_rows() noexcept {
   std::ranges::fill(squares_, 0.0);
   std::ranges::fill(weights_, 0.0);
-  for (std::size_t i = 0; i < rows_; ++i) {
-    for (std::size_t k = i; k < rows_; ++k) {
-      const double factor = i == k ? 1.0 : 2.0;
-      for (std::size_t j = 0; j < columns_; ++j) {
-        const double* const own = scaled_.data() + i * stride_ + j;
-        const double x = factor * own[0];
-        const double y = factor * own[plane];
-        const double z = factor * own[2 * plane];
-        const double w = factor * own[3 * plane];
-        double* const squares = squares_.data() + (i + k) * width_ + j;
-        double* const weights = weights_.data() + (i + k) * width_ + j;
-        for (std::size_t l = 0; l < stride_; l += kLanes) {
-          const double* const other = scaled_.data() + k * stride_ + l;
-          Lanes ox, oy, oz, ow, square, weight;
-          std::memcpy(&ox, other, sizeof ox);
-          std::memcpy(&oy, other + plane, sizeof oy);
-          std::memcpy(&oz, other + 2 * plane, sizeof oz);
-          std::memcpy(&ow, other + 3 * plane, sizeof ow);
-          std::memcpy(&square, squares + l, sizeof square);
-          std::memcpy(&weight, weights + l, sizeof weight);
-          square += x * ox + y * oy + z * oz;
-          weight += w * ow;
-          std::memcpy(squares + l, &square, sizeof square);
-          std::memcpy(weights + l, &weight, sizeof weight);
-        }
-      }
-    }
-  }
+  const SquareForm form{static_cast<int>(rows_), static_cast<int>(columns_), stride_, width_};
+  kernels().square_sums(form, scaled_.data(), squares_.data(), weights_.data());
   for (std::size_t i = 0; i < squares_.size(); ++i) {
     squares_[i] *= shares_[i];
     weights_[i] *= shares_[i];

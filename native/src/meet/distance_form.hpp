@@ -30,6 +30,8 @@ class DistanceForm {
  private:
   double rounding(double s) const noexcept;
   bool is_convex(double error) const noexcept;
+  void multiply_row() noexcept;
+  void multiply_rows() noexcept;
 
   std::size_t rows_;
   std::size_t columns_;

@@ -14,37 +14,6 @@ namespace {
 constexpr double kShortest = 0x1p-50;
 constexpr std::size_t kDeepest = 110;
 
-/// The quadratic Bernstein polynomials, or linear ones, by which the last points of de Casteljau's triangle become a
-/// value and its derivatives.
-struct LastSteps {
-  std::size_t count;
-  std::array<double, 3> value;
-  std::array<double, 3> first;
-  std::array<double, 3> second;
-};
-
-LastSteps last_steps(std::size_t order, double t) noexcept {
-  const double s = 1.0 - t;
-  const double degree = static_cast<double>(order) - 1.0;
-  if (order == 2) return {2, {s, t, 0.0}, {-1.0, 1.0, 0.0}, {}};
-  const double twice = degree * (degree - 1.0);
-  return {3, {s * s, 2.0 * s * t, t * t}, {-degree * s, degree * (s - t), degree * t}, {twice, -2.0 * twice, twice}};
-}
-
-/// De Casteljau's triangle as far as its last three points, which stay at the start of the line.
-void shorten(glm::dvec4* line, std::size_t order, double t) noexcept {
-  const double s = 1.0 - t;
-  for (std::size_t count = order; count > 3; --count) {
-    for (std::size_t i = 0; i + 1 < count; ++i) line[i] = s * line[i] + t * line[i + 1];
-  }
-}
-
-glm::dvec4 sum_of(const std::array<double, 3>& weights, const glm::dvec4* points, std::size_t count) noexcept {
-  glm::dvec4 sum = weights[0] * points[0] + weights[1] * points[1];
-  if (count == 3) sum += weights[2] * points[2];
-  return sum;
-}
-
 /// A derivative of a quotient from that of the numerator, less what the lower ones take away.
 glm::dvec3 quotient_slope(const glm::dvec4& h, const glm::dvec3& point, double inverse) noexcept {
   return (glm::dvec3(h) - h.w * point) * inverse;
@@ -141,8 +110,8 @@ bool is_longer_across(const glm::dvec4* net, std::size_t rows, std::size_t colum
 
 template <int kAxes>
 NearestSearch<kAxes>::NearestSearch(const BoxedPieces& pieces)
-    : pieces_(pieces), rows_(pieces.rows()), columns_(pieces.columns()), sums_(3 * rows_),
-      line_(std::max(rows_, columns_)), nets_(kDeepest + 2), form_(rows_, columns_) {
+    : pieces_(pieces), rows_(pieces.rows()), columns_(pieces.columns()), nets_(kDeepest + 2),
+      form_(rows_, columns_) {
   constexpr double kApart = 0x1p-20;
   std::array<Interval, 2> whole = pieces.parts().front().domain;
   for (const PiecePart& part : pieces.parts()) {
@@ -317,47 +286,22 @@ double NearestSearch<kAxes>::go_down(const PiecePart& part, const glm::dvec4* ne
 
 template <int kAxes>
 Slopes<kAxes> NearestSearch<kAxes>::slopes(const glm::dvec4* net, const Place& at) noexcept {
-  const LastSteps u = last_steps(rows_, at[0]);
+  std::array<glm::dvec4, kAxes == 1 ? 3 : 6> h;
+  kernels_.piece_slopes({static_cast<int>(rows_), static_cast<int>(columns_), &net->x}, at.data(), &h[0].x);
+  const double inverse = 1.0 / h[0].w;
+  const glm::dvec3 point = glm::dvec3(h[0]) * inverse;
   Slopes<kAxes> found;
+  found.offset = point - point_;
+  const glm::dvec3 u = quotient_slope(h[1], point, inverse);
+  const glm::dvec3 uu = quotient_slope(h[2], point, inverse) - (2.0 * h[1].w * inverse) * u;
   if constexpr (kAxes == 1) {
-    std::copy_n(net, rows_, line_.data());
-    shorten(line_.data(), rows_, at[0]);
-    const glm::dvec4 h = sum_of(u.value, line_.data(), u.count);
-    const glm::dvec4 along = sum_of(u.first, line_.data(), u.count);
-    const glm::dvec4 bend = sum_of(u.second, line_.data(), u.count);
-    const double inverse = 1.0 / h.w;
-    const glm::dvec3 point = glm::dvec3(h) * inverse;
-    found.offset = point - point_;
-    found.first[0] = quotient_slope(along, point, inverse);
-    found.second[0] = quotient_slope(bend, point, inverse) - (2.0 * along.w * inverse) * found.first[0];
+    found.first = {u};
+    found.second = {uu};
   } else {
-    const LastSteps v = last_steps(columns_, at[1]);
-    // Value and two derivatives along v of each row, then along u.
-    for (std::size_t i = 0; i < rows_; ++i) {
-      std::copy_n(net + i * columns_, columns_, line_.data());
-      shorten(line_.data(), columns_, at[1]);
-      sums_[i] = sum_of(v.value, line_.data(), v.count);
-      sums_[rows_ + i] = sum_of(v.first, line_.data(), v.count);
-      sums_[2 * rows_ + i] = sum_of(v.second, line_.data(), v.count);
-    }
-    for (int k = 0; k < 3; ++k) shorten(sums_.data() + k * rows_, rows_, at[0]);
-    const glm::dvec4* const values = sums_.data();
-    const glm::dvec4* const across = values + rows_;
-    const glm::dvec4 h = sum_of(u.value, values, u.count);
-    const glm::dvec4 h_u = sum_of(u.first, values, u.count);
-    const glm::dvec4 h_uu = sum_of(u.second, values, u.count);
-    const glm::dvec4 h_v = sum_of(u.value, across, u.count);
-    const glm::dvec4 h_uv = sum_of(u.first, across, u.count);
-    const glm::dvec4 h_vv = sum_of(u.value, across + rows_, u.count);
-    const double inverse = 1.0 / h.w;
-    const glm::dvec3 point = glm::dvec3(h) * inverse;
-    found.offset = point - point_;
-    const glm::dvec3 s_u = quotient_slope(h_u, point, inverse);
-    const glm::dvec3 s_v = quotient_slope(h_v, point, inverse);
-    found.first = {s_u, s_v};
-    found.second = {quotient_slope(h_uu, point, inverse) - (2.0 * h_u.w * inverse) * s_u,
-                    quotient_slope(h_vv, point, inverse) - (2.0 * h_v.w * inverse) * s_v,
-                    quotient_slope(h_uv, point, inverse) - inverse * (h_u.w * s_v + h_v.w * s_u)};
+    const glm::dvec3 v = quotient_slope(h[3], point, inverse);
+    found.first = {u, v};
+    found.second = {uu, quotient_slope(h[5], point, inverse) - (2.0 * h[3].w * inverse) * v,
+                    quotient_slope(h[4], point, inverse) - inverse * (h[1].w * v + h[3].w * u)};
   }
   return found;
 }

@@ -10,6 +10,7 @@
 
 #include "boxed_pieces.hpp"
 #include "distance_form.hpp"
+#include "kernels/kernels.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -82,8 +83,7 @@ class NearestSearch {
   double below_ = 0.0;  ///< squares of distances that are surely less, and
   double above_ = 0.0;  ///< surely more
   std::vector<Waiting> waiting_;
-  std::vector<glm::dvec4> sums_;  ///< of rows: de Casteljau's triangles
-  std::vector<glm::dvec4> line_;
+  const Kernels& kernels_ = kernels();
   std::vector<std::array<Net, 2>> nets_;  ///< for each depth of halving
   DistanceForm form_;
 };
