@@ -394,6 +394,7 @@ def others(at):
     flat = at.size * np.array([[(i, j, 0.0) for j in range(3)] for i in range(3)], dtype=float)
     yield lambda: sc.BezierPatch(flat).continuity_to("u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
     yield lambda: sc.BezierPatch(flat).curvatures(0.5, 0.5)
+    yield lambda: sc.BezierPatch(flat).nearest((0, 0, 0))
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
 
 
