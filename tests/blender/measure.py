@@ -25,6 +25,8 @@ COUNT = 32
 SIZES = ((11, 10), (35, 32))
 #: Vertices of the adaptive mesh that is moved, about.
 ADAPTIVE = 389_000
+#: Steps of a drag before it is timed.
+_WARM = 3
 
 
 def once(action):
@@ -108,10 +110,10 @@ def by_tolerance(count):
 
 
 class Timed:
-    """The add-on's handler, with what it took at each call."""
+    """A handler in the place of the add-on's, with what it took at each call."""
 
-    def __init__(self):
-        self.times = []
+    def __init__(self, handler):
+        self.handler, self.times = handler, []
 
     def __enter__(self):
         self.chain = bpy.app.handlers.depsgraph_update_post
@@ -119,14 +121,14 @@ class Timed:
         return self.times
 
     def _call(self, *arguments):
-        self.times.append(once(lambda: handlers.updated(*arguments)))
+        self.times.append(once(lambda: self.handler(*arguments)))
 
     def __exit__(self, *_):
         self.chain[self.chain.index(self._call)] = handlers.updated
 
 
-def steps_of(held, count):
-    """(what the handler takes, what a whole step takes) where one point of a net is dragged."""
+def steps_of(held, count, handler=handlers.updated):
+    """(what a handler takes, what a whole step takes) where one point of a net is dragged."""
     mesh = bmesh.from_edit_mesh(held.data)
     mesh.verts.ensure_lookup_table()
 
@@ -134,20 +136,38 @@ def steps_of(held, count):
         mesh.verts[500 % len(mesh.verts)].co.z += 0.001
         bmesh.update_edit_mesh(held.data, loop_triangles=False, destructive=False)
         bpy.context.view_layer.update()
-    for _ in range(3):
-        whole()
-    with Timed() as handler:
-        steps = [once(whole) for _ in range(count)]
-    return [(statistics.median(times), min(times)) for times in (handler, steps)]
+    with Timed(handler) as shares:
+        steps = [once(whole) for _ in range(_WARM + count)]
+    return [(statistics.median(times), min(times)) for times in (shares[_WARM:], steps[_WARM:])]
+
+
+def bare(held, data):
+    """A handler of nothing but the calls of Blender that no add-on can do without: the points of the net are read, those
+    that the mesh has are written to it again, and Blender is told."""
+    points, positions = np.empty(3 * len(held.data.vertices), np.float32), np.empty(3 * len(data.vertices), np.float32)
+
+    def items():
+        attribute = data.attributes.get('position')
+        return (data.vertices, 'co') if attribute is None else (attribute.data, 'vector')
+    vertices, field = items()
+    vertices.foreach_get(field, positions)
+
+    def handler(*_):
+        held.update_from_editmode()
+        held.data.vertices.foreach_get('co', points)
+        vertices, field = items()
+        vertices.foreach_set(field, positions)
+        data.update()
+    return handler
 
 
 def drag(set_fineness, count=40):
-    """(vertices, what the handler takes, what a whole step takes, what the end of the gesture takes)."""
+    """(vertices, what the handler takes, a whole step, bare(), the end of the gesture)."""
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     ob = add(patch())
     set_fineness(ob.data)
     held = enter()
-    found = steps_of(held, count)
+    found = *steps_of(held, count), steps_of(held, count, bare(held, ob.data))[0]
     settled = once(lambda: live.settle(ob.data))
     bpy.ops.splinewright.leave_net()
     return len(ob.data.vertices), *found, settled
@@ -174,22 +194,22 @@ def drags():
     """One point of a net of COUNT x COUNT is dragged: ours, and Blender's own surface beside it."""
     print(f"\none point of {COUNT} x {COUNT} is dragged, bicubic; medians (and least), milliseconds; "
           f"Blender {bpy.app.version_string}\n")
-    print("| faces | vertices | our share | a whole step | Blender's surface | its vertices | ratio of steps "
-          "| ratio to our share | the end of the gesture |")
-    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| faces | vertices | our share | Blender's calls in it | a whole step | Blender's surface | its vertices "
+          "| ratio of steps | ratio to our share | the end of the gesture |")
+    print(f"|{' --- |' * 10}")
     for faces, set_fineness, resolution in ((f"{ours} in a span", by_count(ours), theirs) for ours, theirs in SIZES):
         row(faces, drag(set_fineness), rival(resolution))
     row("adaptive", drag(by_tolerance(ADAPTIVE)), None)
 
 
 def row(faces, ours, theirs):
-    vertices, share, whole, settled = ours
+    vertices, share, whole, blenders, settled = ours
     beside = ("", "", "", "")
     if theirs is not None:
         count, step = theirs
         ratios = f"{step[0] / whole[0]:.1f}x", f"{step[0] / share[0]:.0f}x"
         beside = f"{step[0]:.1f} ({step[1]:.1f})", f"{count}", *ratios
-    ours = f"{share[0]:.2f} ({share[1]:.2f}) | {whole[0]:.1f} ({whole[1]:.1f})"
+    ours = f"{share[0]:.2f} ({share[1]:.2f}) | {blenders[0]:.2f} ({blenders[1]:.2f}) | {whole[0]:.1f} ({whole[1]:.1f})"
     print(f"| {faces} | {vertices} | {ours} | {' | '.join(beside)} | {settled:.0f} |", flush=True)
 
 
