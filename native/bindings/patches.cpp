@@ -86,7 +86,7 @@ void bind_common(py::class_<Patch>& cls) {
           py::arg("cancel") = py::none(),
           "(points, unit normals) of a grid, both (a, b, 3). Normals point along S_u x S_v; at a pole or a\n"
           "collapsed edge they are the limit from inside the domain, and NaN where there is none: where the patch\n"
-          "is a curve or a point. out is a pair of arrays.");
+          "is a curve or a point, or no wider than some roundings of its length. out is a pair of arrays.");
   cls.def("derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& order,
                             const py::object& side, const py::object& at_infinity, const py::object& out,
                             const py::object& threads, const py::object& cancel) {

@@ -247,6 +247,32 @@ TEST(PatchNormals, OfAThinStripFarAwayAreThoseThatItsPointsTell) {
   for (const double u : {0.0, 0.3, 1.0}) EXPECT_LE(largest(normal_at(strip, u, 0.7) - expected), 1e-12) << u;
 }
 
+TEST(PatchNormals, OfAStripAreRightOrNoneWhereItIsNoWiderThanRoundingOfItsLength) {
+  const double u = 0.3, v = 0.6;
+  const double cos = std::cos(0.7), sin = std::sin(0.7);
+  const auto turned_over = [&](const glm::dvec3& p) {
+    const glm::dvec3 rolled(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z);
+    return glm::dvec3(rolled.x * cos - rolled.z * sin, rolled.y, rolled.x * sin + rolled.z * cos);
+  };
+  int found = 0;
+  for (const double wide : {1e-2, 1e-6, 1e-10, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17, 1e-30, 1e-150, 1e-300}) {
+    // S = (u, wide v, wide u v), also turned, so that its width is the difference of large coordinates.
+    const std::array<glm::dvec3, 4> corners{{{0, 0, 0}, {0, wide, 0}, {1, 0, 0}, {1, wide, wide}}};
+    const glm::dvec3 expected = glm::normalize(glm::dvec3(-wide * v, -u, 1));
+    for (const bool is_turned : {false, true}) {
+      std::vector<glm::dvec4> net;
+      for (const glm::dvec3& p : corners) net.emplace_back(is_turned ? turned_over(p) : p, 1.0);
+      const glm::dvec3 normal = normal_at(bezier(1, 1, net), u, v);
+      const glm::dvec3 right = is_turned ? turned_over(expected) : expected;
+      EXPECT_EQ(std::isnan(normal.x), wide < 1e-16 || (std::isnan(normal.x) && wide < 1e-13)) << wide;
+      if (std::isnan(normal.x)) continue;
+      EXPECT_LE(largest(normal - right), is_turned ? 1e-15 / wide : 1e-14) << wide;
+      ++found;
+    }
+  }
+  EXPECT_GE(found, 10);
+}
+
 TEST(PatchNormals, FarAwayWithWildWeightsAreThoseNearTheOrigin) {
   // Moved by a power of two by which no point is rounded.
   Random random(117);
