@@ -14,16 +14,18 @@ from shapes import circle, random_points, torus, wavy_patch
 
 MANY = np.linspace(0, 4, 400_000)
 MORE = np.linspace(0, 4, 4_000_000)
+#: On one thread: on several the one that may be ended shares the work.
 CALLS = {
-    "curve.evaluate": lambda cancel: circle().evaluate(MORE, cancel=cancel),
-    "curve.derivatives": lambda cancel: circle().derivatives(MORE, 1, cancel=cancel),
-    "patch.evaluate": lambda cancel: torus().evaluate(MORE[::4], MORE[::4], cancel=cancel),
-    "patch.derivatives": lambda cancel: torus().derivatives(MANY, MANY, 1, cancel=cancel),
+    "curve.evaluate": lambda cancel: circle().evaluate(MORE, cancel=cancel, threads=1),
+    "curve.derivatives": lambda cancel: circle().derivatives(MORE, 1, cancel=cancel, threads=1),
+    "patch.evaluate": lambda cancel: torus().evaluate(MORE[::4], MORE[::4], cancel=cancel, threads=1),
+    "patch.derivatives": lambda cancel: torus().derivatives(MANY, MANY, 1, cancel=cancel, threads=1),
     "Tessellation.adaptive":
-        lambda cancel: sc.Tessellation.adaptive(sc.PatchSet.from_patches([torus()]), tolerance=1e-5, cancel=cancel),
-    "patch.evaluate_grid": lambda cancel: torus().evaluate_grid(MANY[::200], MANY[::200], cancel=cancel),
+        lambda cancel: sc.Tessellation.adaptive(sc.PatchSet.from_patches([torus()]), tolerance=1e-5, cancel=cancel,
+                                                threads=1),
+    "patch.evaluate_grid": lambda cancel: torus().evaluate_grid(MANY[::200], MANY[::200], cancel=cancel, threads=1),
     "patch.evaluate_grid_with_normals":
-        lambda cancel: torus().evaluate_grid_with_normals(MANY[::200], MANY[::200], cancel=cancel),
+        lambda cancel: torus().evaluate_grid_with_normals(MANY[::200], MANY[::200], cancel=cancel, threads=1),
 }
 
 

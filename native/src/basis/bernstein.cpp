@@ -8,20 +8,26 @@ namespace splinecore {
 
 namespace {
 
-/// The last row of the table: that of products of three polynomials. C(765, 382) is about 1e229.
-constexpr int kLastRow = 3 * kMaxDegree;
+/// The last row of the table: that of products of two polynomials, and of three. C(765, 382) is about 1e229.
+constexpr int kLastOfTwo = 2 * kMaxDegree;
+constexpr int kLastOfThree = 3 * kMaxDegree;
 
 /// Pascal's triangle, row after row.
+std::vector<double> triangle(int last) {
+  std::vector<double> rows((last + 1) * (last + 2) / 2, 1.0);
+  for (int i = 2, start = 3; i <= last; start += ++i) {
+    for (int k = 1; k < i; ++k) rows[start + k] = rows[start - i + k - 1] + rows[start - i + k];
+  }
+  return rows;
+}
+
 const double* binomial_row(int n) {
-  if (n < 0 || n > kLastRow) throw std::out_of_range("no row " + std::to_string(n) + " of binomials");
-  static const std::vector<double> triangle = [] {
-    std::vector<double> rows((kLastRow + 1) * (kLastRow + 2) / 2, 1.0);
-    for (int i = 2, start = 3; i <= kLastRow; start += ++i) {
-      for (int k = 1; k < i; ++k) rows[start + k] = rows[start - i + k - 1] + rows[start - i + k];
-    }
-    return rows;
-  }();
-  return triangle.data() + n * (n + 1) / 2;
+  if (n < 0 || n > kLastOfThree) throw std::out_of_range("no row " + std::to_string(n) + " of binomials");
+  const int before = n * (n + 1) / 2;
+  static const std::vector<double> of_two = triangle(kLastOfTwo);
+  if (n <= kLastOfTwo) return of_two.data() + before;
+  static const std::vector<double> of_three = triangle(kLastOfThree);
+  return of_three.data() + before;
 }
 
 }  // namespace
