@@ -82,7 +82,8 @@ void bind_curve(py::class_<Curve> cls) {
           "closed curve has turned by at the end, evenly by length.\n"
           "'frenet' frames are those of frenet_frame(): InvalidShape where the curve is straight or stands still,\n"
           "which has none. Also InvalidShape if the curve is a point, or is to be closed and does not close\n"
-          "smoothly; PointAtInfinity. Row S15.");
+          "smoothly; PointAtInfinity; ToleranceNotReached where a span turns so wildly that 2^17 halves of steps\n"
+          "are not enough. Row S15.");
 }
 
 }  // namespace

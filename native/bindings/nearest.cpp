@@ -132,7 +132,10 @@ void bind_patch(py::class_<Patch> cls) {
           "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of\n"
           "places at one distance, up to rounding, it is the one with the smallest u, then v, to 1e-6 of the\n"
           "domain; where periodic in [start, end). Where the patch passes through infinity its finite part\n"
-          "counts. A point has the same result in any batch, on any number of threads. cancel is a callable\n"
+          "counts. Where more than 2^14 parts may hold the point, as where a whole curve of places is as near\n"
+          "that is none of constant u or v, any of them is taken, and the distance is right to 1e-7 of the size\n"
+          "of the patch and of itself; after 2^18 parts it is refused. A point has the same result in any batch,\n"
+          "on any number of threads. cancel is a callable\n"
           "that ends a long call by returning True. InvalidShape names a point that is not finite.");
 }
 

@@ -95,6 +95,21 @@ def test_boxes_of_random_patches_are_those_of_dense_samples():
         assert np.abs(patch.swapped().bounding_box() - box).max() <= 2e-12 * size
 
 
+def test_far_away_no_digit_of_the_shape_is_lost():
+    rng = np.random.default_rng(9)
+    for degree in (2, 3, 9, 15):
+        knots = np.r_[[0.0] * (degree + 1), 1, 2, [3.0] * (degree + 1)]
+        points, weights = rng.integers(-64, 64, (degree + 3, 3)) / 64.0, 10.0 ** rng.uniform(-1, 1, degree + 3)
+        for far in (0.0, 2.0**40, -(2.0**44)):
+            curve = sc.NurbsCurve(degree, knots, points + far, weights)
+            near = sc.NurbsCurve(degree, knots, points, weights)
+            assert np.allclose(curve.bounding_box() - far, near.bounding_box(), rtol=0, atol=2e-16 * abs(far) + 1e-13)
+            patch = sc.NurbsPatch((degree, 1), (knots, [0, 0, 1, 1]), np.stack([points, points[::-1]], 1) + far)
+            home = patch.with_points(np.stack([points, points[::-1]], 1))
+            assert np.allclose(patch.bounding_box() - far, home.bounding_box(), rtol=0,
+                               atol=2e-12 * max(abs(far), 1.0))
+
+
 def test_a_summit_inside_is_found():
     """x² + y² has its least and -(x² + y²) its largest value at a place that no halving meets."""
     line = np.array([0.0, 0.0, 1.0])

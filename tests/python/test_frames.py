@@ -192,3 +192,13 @@ def test_bad_arguments_are_named(call, error, message):
     with pytest.raises(error) as caught:
         call()
     assert str(caught.value).startswith(message)
+
+
+def test_a_curve_that_turns_without_end_is_refused():
+    rng = np.random.default_rng(5)
+    for _ in range(4):
+        curve = sc.NurbsCurve(9, range(20), rng.normal(size=(10, 3)), 10.0 ** rng.uniform(-12, 12, 10))
+        try:
+            assert np.isfinite(curve.frames(curve.domain)).all()
+        except sc.ToleranceNotReached as error:
+            assert "carried" in str(error)

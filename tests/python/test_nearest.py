@@ -236,6 +236,33 @@ def test_of_equal_places_the_first():
     assert arch.nearest([(0, -5), (1e-6, -5)]).parameters.tolist() == [0, 1]
 
 
+def test_a_whole_curve_of_nearest_places_ends():
+    """Patches whose points lie on one line: it takes no end of halving to tell apart where they are as near."""
+    rng = np.random.default_rng(7)
+    direction = rng.normal(size=3)
+    for weights in (None, 10.0 ** rng.uniform(-1, 1, (5, 5))):
+        patch = sc.NurbsPatch((2, 2), ([0, 0, 0, 1, 2, 3, 3, 3],) * 2, rng.normal(size=(5, 5, 1)) * direction, weights)
+        places = np.r_[queries(rng, patch.points.reshape(-1, 3), 6), 0.3 * direction[None]]
+        found = patch.nearest(places)
+        least = least_of_patch(patch, places)
+        assert (found.distances <= least + 1e-7).all() and (found.distances >= least - 1e-6).all()
+        on_patch = patch.evaluate(found.parameters[:, 0], found.parameters[:, 1])
+        assert np.allclose(on_patch, found.points, atol=1e-9)
+
+
+def test_what_no_search_tells_is_refused():
+    """Points of a patch through infinity, 1e8 times its size away, lie along a curve: near it, it comes as near."""
+    rng = np.random.default_rng(3)
+    weights = rng.choice([-1, 1], (5, 6)) * 10.0 ** rng.uniform(-1, 1, (5, 6))
+    patch = sc.NurbsPatch((3, 4), ([0, 0, 0, 0, 1, 2, 2, 2, 2], [0, 0, 0, 0, 0, 1, 2, 2, 2, 2, 2]),
+                          rng.normal(size=(5, 6, 3)) + 1e8, weights)
+    for place in rng.normal(size=(1, 3)):
+        try:
+            assert np.isfinite(patch.nearest(place).distances)
+        except sc.InvalidShape as error:
+            assert "cannot be told" in str(error)
+
+
 def test_a_periodic_shape_has_one_seam():
     circle = sc.NurbsCurve(2, np.arange(7), [(np.cos(a), np.sin(a)) for a in np.arange(6) * np.pi / 3], periodic=True)
     seam = circle.evaluate(0.0)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "base/placement.hpp"
 #include "curve/bezier_piece.hpp"
 #include "finite_weights.hpp"
 #include "patch/bezier_piece.hpp"
@@ -18,24 +19,32 @@ namespace {
 
 using Ranges = std::array<Interval, 3>;
 
-/// A power of two near the largest coordinate: products of a few numbers stay in range then, to the digit.
-int exponent_of(std::span<const glm::dvec4> points) {
-  const double largest = largest_coordinate(points);
-  return largest > 0.0 ? std::ilogb(largest) : 0;
+/// That of placement_of(), but for axes along which points are not far from 0: there they stay, to the digit.
+Placement box_placement(std::span<const glm::dvec4> points) {
+  constexpr double kFar = 0x1p10;
+  Placement placement = placement_of(points);
+  for (int axis = 0; axis < 3; ++axis) {
+    double reach = 0.0;
+    for (const glm::dvec4& p : points) {
+      if (p.w != 0.0) reach = std::max(reach, std::abs(p[axis] - placement.origin[axis]));
+    }
+    if (std::abs(placement.origin[axis]) <= kFar * reach) placement.origin[axis] = 0.0;
+  }
+  return placement;
 }
 
-std::vector<glm::dvec2> coordinates(std::span<const glm::dvec4> points, int axis, int exponent) {
+std::vector<glm::dvec2> coordinates(std::span<const glm::dvec4> points, int axis) {
   std::vector<glm::dvec2> found;
   found.reserve(points.size());
-  for (const glm::dvec4& p : points) found.emplace_back(std::scalbn(p[axis], -exponent), p.w);
+  for (const glm::dvec4& p : points) found.emplace_back(p[axis], p.w);
   return found;
 }
 
-Box box_of(const Ranges& ranges, int exponent) {
+Box box_of(const Ranges& ranges, const Placement& placement) {
   Box box{};
   for (int axis = 0; axis < 3; ++axis) {
-    box.low[axis] = std::scalbn(ranges[axis].start, exponent);
-    box.high[axis] = std::scalbn(ranges[axis].end, exponent);
+    box.low[axis] = placement.origin[axis] + std::scalbn(ranges[axis].start, placement.exponent);
+    box.high[axis] = placement.origin[axis] + std::scalbn(ranges[axis].end, placement.exponent);
   }
   return box;
 }
@@ -46,8 +55,9 @@ Interval turned(const Interval& range) { return {-range.end, -range.start}; }
 /// All pieces of a patch, one axis at a time.
 class Pieces {
  public:
-  Pieces(const NurbsPatch& patch, double tolerance) : patch_(patch), exponent_(exponent_of(patch.points())) {
-    slack_ = std::max(tolerance * std::scalbn(largest_coordinate(patch.points()), -exponent_), 0x1p-49);
+  Pieces(const NurbsPatch& patch, double tolerance)
+      : placement_(box_placement(patch.points())), patch_(placed(patch, placement_)) {
+    slack_ = std::max(tolerance * std::scalbn(largest_coordinate(patch.points()), -placement_.exponent), 0x1p-49);
   }
 
   Box box() {
@@ -58,7 +68,7 @@ class Pieces {
       });
       for_each(axis, [&](BernsteinNet<glm::dvec2> net) { widen(range, std::move(net)); });
     }
-    return box_of(ranges_, exponent_);
+    return box_of(ranges_, placement_);
   }
 
  private:
@@ -69,7 +79,7 @@ class Pieces {
     for (int i = 0; i < spans_u; ++i) {
       for (int j = 0; j < spans_v; ++j) {
         const BernsteinNet<glm::dvec4> piece = bezier_piece(patch_, i, j);
-        visit(BernsteinNet<glm::dvec2>{piece.rows, piece.columns, coordinates(piece.values, axis, exponent_)});
+        visit(BernsteinNet<glm::dvec2>{piece.rows, piece.columns, coordinates(piece.values, axis)});
       }
     }
   }
@@ -81,12 +91,12 @@ class Pieces {
     missing = std::max(missing, take_upper(low, std::move(net), slack_));
     range = turned(low);
     if (missing <= slack_) return;
-    throw ToleranceNotReached("the box cannot be found", std::scalbn(slack_, exponent_),
-                              std::scalbn(missing, exponent_));
+    throw ToleranceNotReached("the box cannot be found", std::scalbn(slack_, placement_.exponent),
+                              std::scalbn(missing, placement_.exponent));
   }
 
-  const NurbsPatch& patch_;
-  int exponent_;
+  Placement placement_;
+  NurbsPatch patch_;
   double slack_;
   Ranges ranges_{kNothing, kNothing, kNothing};
 };
@@ -95,22 +105,23 @@ class Pieces {
 
 Box bounding_box(const NurbsCurve& curve) {
   require_finite_points(curve, curve.domain());
-  const int exponent = exponent_of(curve.points());
+  const Placement placement = box_placement(curve.points());
+  const NurbsCurve there = placed(curve, placement);
   const auto spans = static_cast<int>(curve.knot_vector().spans().size());
   Ranges ranges{kNothing, kNothing, kNothing};
   std::vector<glm::dvec4> piece(curve.degree() + 1);
-  const glm::dvec4* const points = curve.homogeneous_points().data();
+  const glm::dvec4* const points = there.homogeneous_points().data();
   for (int i = 0; i < spans; ++i) {
     write_bezier_piece(curve.knot_vector(), i, points, piece.data());
     for (const glm::dvec4& end : {piece.front(), piece.back()}) {
-      for (int axis = 0; axis < 3; ++axis) take(ranges[axis], std::scalbn(end[axis], -exponent) / end.w);
+      for (int axis = 0; axis < 3; ++axis) take(ranges[axis], end[axis] / end.w);
     }
   }
   for (int i = 0; i < spans; ++i) {
     write_bezier_piece(curve.knot_vector(), i, points, piece.data());
-    for (int axis = 0; axis < 3; ++axis) take_line(ranges[axis], coordinates(piece, axis, exponent));
+    for (int axis = 0; axis < 3; ++axis) take_line(ranges[axis], coordinates(piece, axis));
   }
-  return box_of(ranges, exponent);
+  return box_of(ranges, placement);
 }
 
 Box bounding_box(const NurbsPatch& patch, double tolerance) {

@@ -13,6 +13,7 @@
 
 #include "finite_weights.hpp"
 #include "near_curve.hpp"
+#include "splinecore/base/approximation.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -79,6 +80,7 @@ class Carrier {
     normal_ = bent(normal_, tangent_, from.tangent);
     tangent_ = from.tangent;
     std::size_t next = 0;
+    halvings_ = 0;
     for (Steps at = 0; at < kAllSteps;) {
       const Place to = take_step(from, at, range, span);
       // The end of the span is its own, as that of a corner is.
@@ -164,12 +166,13 @@ class Carrier {
     return glm::normalize(across(moved, to.tangent));
   }
 
-  /// The normal carried from one place to another, and whether one step is so good that two halves change little.
-  std::pair<Vector, bool> carried(const Vector& normal, const Place& from, const Place& to, int span) const {
-    constexpr double kEnough = 1e-10;
+  /// The normal carried from one place to another, and the angle by which two halves of the step change it: more than
+  /// any where the curve bends too much to tell.
+  std::pair<Vector, double> carried(const Vector& normal, const Place& from, const Place& to, int span) const {
     constexpr double kStraight = 0.9;
+    constexpr double kUnknown = 4.0;
     const double u = from.u + 0.5 * (to.u - from.u);
-    if (!(u > from.u && u < to.u)) return {step(normal, from, to), true};
+    if (!(u > from.u && u < to.u)) return {step(normal, from, to), 0.0};
     const Place middle = place_at(u, span);
     const Vector whole = step(normal, from, to);
     const Vector halves = step(step(normal, from, middle), middle, to);
@@ -178,18 +181,25 @@ class Carrier {
                              glm::dot(middle.tangent, to.tangent) > kStraight;
     // The error of a step grows with the fifth power of its length.
     return {is_straight ? turned(halves, to.tangent, change / 15.0) : halves,
-            is_straight && std::abs(change) <= kEnough};
+            is_straight ? std::abs(change) : kUnknown};
   }
 
   /// Goes on by one step: spans are halved, at least so often that no symmetry hides anything, and at most to where a
   /// cusp is.
-  Place take_step(const Place& from, Steps& at, const Interval& range, int span) const {
+  /// @throws ToleranceNotReached where a span takes too many.
+  Place take_step(const Place& from, Steps& at, const Interval& range, int span) {
+    constexpr double kEnough = 1e-10;
+    constexpr int kMostHalvings = 1 << 17;
     const int most = at == 0 ? kDeepest : std::countr_zero(static_cast<std::uint64_t>(at));
     for (int size = std::min(most, kDeepest - least_depth());; --size) {
       const Steps end = at + (Steps{1} << size);
       const double part = static_cast<double>(end) / static_cast<double>(kAllSteps);
       const Place to = place_at(std::lerp(range.start, range.end, part), span);
-      if (size > 0 && !carried(normal_, from, to, span).second) continue;
+      const double change = size > 0 ? carried(normal_, from, to, span).second : 0.0;
+      if (change > kEnough) {
+        if (++halvings_ < kMostHalvings) continue;
+        throw ToleranceNotReached("the frames cannot be carried along the curve", kEnough, change);
+      }
       at = end;
       return to;
     }
@@ -199,6 +209,7 @@ class Carrier {
 
   const NurbsCurve& curve_;
   double short_;  ///< a speed by the span below which derivatives of higher order tell the direction
+  int halvings_ = 0;  ///< of steps on the span
   double step_;   ///< a chord that is no longer has no direction
   Vector tangent_{std::numeric_limits<double>::quiet_NaN()};
   Vector normal_{0.0};

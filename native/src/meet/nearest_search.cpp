@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 
 namespace splinecore {
@@ -13,6 +14,10 @@ namespace {
 /// Halving ends where a parameter has no more digits.
 constexpr double kShortest = 0x1p-50;
 constexpr std::size_t kDeepest = 110;
+/// What rounding may do to a distance, by the size of the shape, which is 1, and of the distance.
+constexpr double kRounding = 0x1p-48;
+/// From so many parts on that were looked at for one point, the order of places and what is below rounding count less.
+constexpr std::size_t kMany = 1 << 14;
 
 /// A derivative of a quotient from that of the numerator, less what the lower ones take away.
 glm::dvec3 quotient_slope(const glm::dvec4& h, const glm::dvec3& point, double inverse) noexcept {
@@ -127,6 +132,8 @@ NearestPlace NearestSearch<kAxes>::nearest(const glm::dvec3& point) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   point_ = point;
   best_ = {};
+  looks_ = 0;
+  rounding_ = kRounding;
   least_ = below_ = above_ = kInfinity;
   waiting_.clear();
   push_group(pieces_.tree().levels() - 1, 0);
@@ -191,9 +198,34 @@ void NearestSearch<kAxes>::look_at(std::size_t number) {
 }
 
 template <int kAxes>
+void NearestSearch<kAxes>::set_limits() noexcept {
+  const double distance = std::sqrt(least_);
+  const double rounding = rounding_ * (1.0 + distance);
+  const double below = std::max(distance - rounding, 0.0);
+  below_ = below * below;
+  above_ = (distance + rounding) * (distance + rounding);
+}
+
+/// Many parts are looked at where places at the least distance are a curve: no end of halving tells them apart.
+template <int kAxes>
+void NearestSearch<kAxes>::count_look() {
+  constexpr std::size_t kMore = kMany / 4;
+  constexpr std::size_t kMost = 16 * kMany;
+  constexpr double kMostRounding = 0x1p-24;
+  if (++looks_ < kMany || looks_ % kMore != 0) return;
+  if (looks_ == kMost) {
+    throw InvalidShape("the nearest point cannot be told: more than 2^18 parts of the shape may hold it");
+  }
+  if (rounding_ >= kMostRounding) return;
+  rounding_ *= 16.0;
+  if (best_.found()) set_limits();
+}
+
+template <int kAxes>
 void NearestSearch<kAxes>::look_into(const PiecePart& part, const glm::dvec4* net, const Range& range, Place start,
                                      std::size_t depth) {
   breathe(4 * rows_ * rows_ * columns_ * columns_);
+  count_look();
   bool is_short = true;
   bool is_narrow = true;
   for (int a = 0; a < kAxes; ++a) {
@@ -204,7 +236,7 @@ void NearestSearch<kAxes>::look_into(const PiecePart& part, const glm::dvec4* ne
   form_.set(net, point_);
   if (best_.found()) {
     // An earlier place of a part as narrow as that is the same one.
-    const double limit = !is_narrow && may_hold(below_, part, range) ? above_ : below_;
+    const double limit = looks_ < kMany && !is_narrow && may_hold(below_, part, range) ? above_ : below_;
     if (limit == 0.0 || form_.is_farther(limit)) return;
   }
   const double least = go_down(part, net, range, start);
@@ -309,17 +341,11 @@ Slopes<kAxes> NearestSearch<kAxes>::slopes(const glm::dvec4* net, const Place& a
 template <int kAxes>
 void NearestSearch<kAxes>::offer(const PiecePart& part, const Range& range, const Place& at,
                                  const glm::dvec3& offset) noexcept {
-  // What rounding may do to a distance, by the size of the shape, which is 1, and of the distance.
-  constexpr double kRounding = 0x1p-48;
   const double squared = glm::dot(offset, offset);
   if (!(squared <= above_) || !(squared < std::numeric_limits<double>::infinity())) return;
   if (squared < least_) {
     least_ = squared;
-    const double distance = std::sqrt(squared);
-    const double rounding = kRounding * (1.0 + distance);
-    const double below = std::max(distance - rounding, 0.0);
-    below_ = below * below;
-    above_ = (distance + rounding) * (distance + rounding);
+    set_limits();
   }
   NearestPlace place{{}, squared, point_ + offset};
   for (int a = 0; a < kAxes; ++a) {

@@ -70,6 +70,9 @@ class NearestSearch {
   /// @returns the square of its distance if it is a minimum, or -1
   double go_down(const PiecePart& part, const glm::dvec4* net, const Range& range, Place& at);
 
+  void set_limits() noexcept;
+  /// @throws InvalidShape after too many.
+  void count_look();
   Slopes<kAxes> slopes(const glm::dvec4* net, const Place& at) noexcept;
   void offer(const PiecePart& part, const Range& range, const Place& at, const glm::dvec3& offset) noexcept;
 
@@ -79,6 +82,8 @@ class NearestSearch {
   std::array<double, 2> apart_{};  ///< parameters that are nearer to each other are one for the order of places
   glm::dvec3 point_{0.0};
   NearestPlace best_;
+  std::size_t looks_ = 0;
+  double rounding_ = 0.0;  ///< distances that differ by no more are one
   double least_ = 0.0;  ///< the square of the least distance that was found
   double below_ = 0.0;  ///< squares of distances that are surely less, and
   double above_ = 0.0;  ///< surely more

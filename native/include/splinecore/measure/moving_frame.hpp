@@ -25,7 +25,8 @@ struct CarriedFrame {
 /// depend on the curve alone; so does a frame, which is right to about 1e-9 for a curve that turns some hundred times.
 /// Straight parts keep the frame, at corners and gaps it turns as little as it can, at a cusp the normal stays.
 /// @throws InvalidShape for a parameter outside the domain, if the curve is a point, if the start is zero or along the
-///         tangent, or if it is to be closed and does not close smoothly; PointAtInfinity; and as
+///         tangent, or if it is to be closed and does not close smoothly; PointAtInfinity;
+///         ToleranceNotReached where a span turns so wildly that steps are halved more than 2^17 times; and as
 ///         lengths_at_parameters() where it is closed.
 void rotation_minimising_frames(const NurbsCurve& curve, std::span<const double> parameters,
                                 std::span<MovingFrame> out, const CarriedFrame& how = {}, Side side = Side::right);
