@@ -1,20 +1,15 @@
 #include <cmath>
 
 #include "arrays.hpp"
-#include "class_of.hpp"
-#include "curve_methods.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/curve/power_curve.hpp"
 #include "splinecore/measure/arc_length.hpp"
 
 namespace bindings {
 
-using splinecore::BezierCurve;
-using splinecore::HermiteCurve;
 using splinecore::InvalidShape;
 using splinecore::NurbsCurve;
-using splinecore::PowerCurve;
 
 namespace {
 
@@ -83,10 +78,7 @@ void bind_curve(py::class_<Curve> cls) {
 }  // namespace
 
 void bind_arc_lengths(py::module_& module) {
-  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
-  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
-  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
-  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+  for_curves(module, [](auto cls) { bind_curve(cls); });
 }
 
 }  // namespace bindings

@@ -1,19 +1,13 @@
 #pragma once
 
 #include "arrays.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/convert/to_hermite.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
 namespace bindings {
-
-/// The NURBS form of any kind of curve.
-inline const splinecore::NurbsCurve& form(const splinecore::NurbsCurve& curve) { return curve; }
-template <class Curve>
-const splinecore::NurbsCurve& form(const Curve& curve) {
-  return curve.nurbs();
-}
 
 py::array evaluate(const splinecore::NurbsCurve& curve, const py::object& u, const py::object& side,
                    const py::object& at_infinity, const py::object& dtype, const py::object& out,

@@ -1,24 +1,17 @@
 #include "arrays.hpp"
-#include "class_of.hpp"
-#include "curve_methods.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/curve/power_curve.hpp"
 #include "splinecore/measure/bounding_box.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 #include "splinecore/measure/features.hpp"
 
 namespace bindings {
 
-using splinecore::BezierCurve;
-using splinecore::BezierPatch;
 using splinecore::Box;
-using splinecore::HermiteCurve;
-using splinecore::HermitePatch;
 using splinecore::NurbsCurve;
 using splinecore::NurbsPatch;
 using splinecore::PatchSet;
-using splinecore::PowerCurve;
 
 namespace {
 
@@ -108,16 +101,11 @@ void bind_box(py::class_<Shaped> cls, Form form_of) {
 }  // namespace
 
 void bind_features(py::module_& module) {
-  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
-  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
-  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
-  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
-  const auto same = [](const auto& shape) -> const auto& { return shape; };
-  const auto nurbs = [](const auto& patch) -> const NurbsPatch& { return patch.nurbs(); };
-  bind_box(class_of<NurbsPatch>(module, "NurbsPatch"), same);
-  bind_box(class_of<BezierPatch>(module, "BezierPatch"), nurbs);
-  bind_box(class_of<HermitePatch>(module, "HermitePatch"), nurbs);
-  bind_box(class_of<PatchSet>(module, "PatchSet"), same);
+  for_curves(module, [](auto cls) { bind_curve(cls); });
+  for_patches(module, [](auto cls) {
+    bind_box(cls, [](const auto& patch) -> const NurbsPatch& { return patch_form(patch); });
+  });
+  bind_box(class_of<PatchSet>(module, "PatchSet"), [](const PatchSet& set) -> const PatchSet& { return set; });
 }
 
 }  // namespace bindings

@@ -1,23 +1,18 @@
 #include <cmath>
 
 #include "arrays.hpp"
-#include "class_of.hpp"
-#include "curve_methods.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
 #include "rooms.hpp"
-#include "splinecore/curve/power_curve.hpp"
 #include "splinecore/measure/moving_frame.hpp"
 
 namespace bindings {
 
-using splinecore::BezierCurve;
 using splinecore::CarriedFrame;
-using splinecore::HermiteCurve;
 using splinecore::InvalidShape;
 using splinecore::MovingFrame;
 using splinecore::NurbsCurve;
-using splinecore::PowerCurve;
 using splinecore::Side;
 
 namespace {
@@ -89,10 +84,7 @@ void bind_curve(py::class_<Curve> cls) {
 }  // namespace
 
 void bind_frames(py::module_& module) {
-  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
-  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
-  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
-  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+  for_curves(module, [](auto cls) { bind_curve(cls); });
 }
 
 }  // namespace bindings

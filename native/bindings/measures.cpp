@@ -2,11 +2,9 @@
 #include <optional>
 
 #include "arrays.hpp"
-#include "class_of.hpp"
-#include "curve_methods.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/curve/power_curve.hpp"
 #include "splinecore/measure/area.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 #include "splinecore/measure/length.hpp"
@@ -16,16 +14,11 @@
 namespace bindings {
 
 using splinecore::Axis;
-using splinecore::BezierCurve;
-using splinecore::BezierPatch;
-using splinecore::HermiteCurve;
-using splinecore::HermitePatch;
 using splinecore::InvalidShape;
 using splinecore::NurbsCurve;
 using splinecore::NurbsPatch;
 using splinecore::PatchOptions;
 using splinecore::PatchSet;
-using splinecore::PowerCurve;
 using splinecore::Side;
 
 namespace {
@@ -125,12 +118,6 @@ void bind_curve(py::class_<Curve> cls) {
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
           "Unit tangent, normal and binormal at parameters: (...,) -> (..., 3, 3), one a row.\n\n"
           "Limits where a derivative falls to zero. Normal and binormal are nan where the curve is straight. Row S15.");
-}
-
-const NurbsPatch& patch_form(const NurbsPatch& patch) { return patch; }
-template <class Patch>
-const NurbsPatch& patch_form(const Patch& patch) {
-  return patch.nurbs();
 }
 
 /// u and v broadcast against each other, in the domain of a patch.
@@ -259,13 +246,8 @@ void bind_result(py::module_& module) {
 
 void bind_measure(py::module_& module) {
   bind_result(module);
-  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
-  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
-  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
-  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
-  bind_patch(class_of<NurbsPatch>(module, "NurbsPatch"));
-  bind_patch(class_of<BezierPatch>(module, "BezierPatch"));
-  bind_patch(class_of<HermitePatch>(module, "HermitePatch"));
+  for_curves(module, [](auto cls) { bind_curve(cls); });
+  for_patches(module, [](auto cls) { bind_patch(cls); });
   bind_set(class_of<PatchSet>(module, "PatchSet"));
 }
 

@@ -4,23 +4,16 @@
 #include <cmath>
 
 #include "arrays.hpp"
-#include "class_of.hpp"
-#include "curve_methods.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/curve/power_curve.hpp"
 #include "values.hpp"
 
 namespace bindings {
 
-using splinecore::BezierCurve;
-using splinecore::BezierPatch;
-using splinecore::HermiteCurve;
-using splinecore::HermitePatch;
 using splinecore::InvalidShape;
 using splinecore::NurbsCurve;
 using splinecore::NurbsPatch;
-using splinecore::PowerCurve;
 
 namespace {
 
@@ -95,12 +88,6 @@ Nearest nearest(const NurbsPatch& patch, const py::object& points, const py::obj
   return out;
 }
 
-const NurbsPatch& patch_form(const NurbsPatch& patch) { return patch; }
-template <class Patch>
-const NurbsPatch& patch_form(const Patch& patch) {
-  return patch.nurbs();
-}
-
 template <class Curve>
 void bind_curve(py::class_<Curve> cls) {
   cls.def("nearest", [](const Curve& self, const py::object& points, const py::object& threads,
@@ -135,8 +122,8 @@ void bind_patch(py::class_<Patch> cls) {
           "counts. Where more than 2^14 parts may hold the point, as where a whole curve of places is as near\n"
           "that is none of constant u or v, any of them is taken, and the distance is right to 1e-7 of the size\n"
           "of the patch and of itself; after 2^18 parts it is refused. A point has the same result in any batch,\n"
-          "on any number of threads. cancel is a callable\n"
-          "that ends a long call by returning True. InvalidShape names a point that is not finite.");
+          "on any number of threads. cancel is a callable that ends a long call by returning True. InvalidShape\n"
+          "names a point that is not finite.");
 }
 
 void bind_result(py::module_& module) {
@@ -155,13 +142,8 @@ void bind_result(py::module_& module) {
 
 void bind_nearest(py::module_& module) {
   bind_result(module);
-  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
-  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
-  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
-  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
-  bind_patch(class_of<NurbsPatch>(module, "NurbsPatch"));
-  bind_patch(class_of<BezierPatch>(module, "BezierPatch"));
-  bind_patch(class_of<HermitePatch>(module, "HermitePatch"));
+  for_curves(module, [](auto cls) { bind_curve(cls); });
+  for_patches(module, [](auto cls) { bind_patch(cls); });
 }
 
 }  // namespace bindings

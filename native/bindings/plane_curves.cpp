@@ -1,17 +1,12 @@
 #include "arrays.hpp"
-#include "class_of.hpp"
-#include "curve_methods.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/curve/power_curve.hpp"
 #include "splinecore/measure/plane_curve.hpp"
 
 namespace bindings {
 
-using splinecore::BezierCurve;
-using splinecore::HermiteCurve;
 using splinecore::NurbsCurve;
-using splinecore::PowerCurve;
 
 namespace {
 
@@ -52,10 +47,7 @@ void bind_curve(py::class_<Curve> cls) {
 }  // namespace
 
 void bind_plane_curves(py::module_& module) {
-  bind_curve(class_of<NurbsCurve>(module, "NurbsCurve"));
-  bind_curve(class_of<BezierCurve>(module, "BezierCurve"));
-  bind_curve(class_of<HermiteCurve>(module, "HermiteCurve"));
-  bind_curve(class_of<PowerCurve>(module, "PowerCurve"));
+  for_curves(module, [](auto cls) { bind_curve(cls); });
 }
 
 }  // namespace bindings

@@ -34,6 +34,8 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
                 layout.separator()
             icon = _ICONS.get(recipe.kind, 'CURVE_DATA')
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
+        layout.separator()
+        layout.operator("splinewright.curve_through_points", text=tools.text_of("curve_through_points"), icon='SNAP_VERTEX')
 
 
 class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):

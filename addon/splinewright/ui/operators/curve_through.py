@@ -16,13 +16,14 @@ from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, require_place, resolution_property
 
 _SPLINE = RECIPES['interpolating']
+_NAME = "Curve Through Points"
 _FEW = "Select two objects or more"
 _MORE = {'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the first point; loops of edges always do"}}
 
 
 class SPLINEWRIGHT_OT_curve_through_points(Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.curve_through_points"
-    bl_label = "Add Curve Through Points"
+    bl_label = f"Add {_NAME}"
     bl_description = ("Add a spline through the selected vertices of a mesh in Edit Mode, along its edges or in the order in "
                       "which they were selected, or through the selected objects in the order of their names, which it follows")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
@@ -68,7 +69,7 @@ class SPLINEWRIGHT_OT_curve_through_points(Repeatable, bpy.types.Operator):
         if self.live:
             return [follow.new_object(THROUGH_OBJECTS, values, [], new_shapes.start(self), depsgraph, places)]
         points = [ob.matrix_world.translation for ob in places]
-        return [self._new_object(THROUGH_OBJECTS.label.replace("Objects", "Points"), values, points)]
+        return [self._new_object(_NAME, values, points)]
 
     def _through_vertices(self, context):
         """One curve for each chain of vertices. Leaves Edit Mode where nothing is refused."""

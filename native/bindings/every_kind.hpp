@@ -1,0 +1,45 @@
+#pragma once
+
+#include "class_of.hpp"
+#include "splinecore/curve/bezier_curve.hpp"
+#include "splinecore/curve/hermite_curve.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/curve/power_curve.hpp"
+#include "splinecore/patch/bezier_patch.hpp"
+#include "splinecore/patch/hermite_patch.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+namespace bindings {
+
+/// The NURBS form of any kind of curve.
+inline const splinecore::NurbsCurve& form(const splinecore::NurbsCurve& curve) { return curve; }
+template <class Curve>
+const splinecore::NurbsCurve& form(const Curve& curve) {
+  return curve.nurbs();
+}
+
+/// The NURBS form of any kind of patch.
+inline const splinecore::NurbsPatch& patch_form(const splinecore::NurbsPatch& patch) { return patch; }
+template <class Patch>
+const splinecore::NurbsPatch& patch_form(const Patch& patch) {
+  return patch.nurbs();
+}
+
+/// Gives the class of every kind of curve, bound before, more methods.
+template <class Bind>
+void for_curves(const pybind11::module_& module, Bind bind) {
+  bind(class_of<splinecore::NurbsCurve>(module, "NurbsCurve"));
+  bind(class_of<splinecore::BezierCurve>(module, "BezierCurve"));
+  bind(class_of<splinecore::HermiteCurve>(module, "HermiteCurve"));
+  bind(class_of<splinecore::PowerCurve>(module, "PowerCurve"));
+}
+
+/// The same of patches.
+template <class Bind>
+void for_patches(const pybind11::module_& module, Bind bind) {
+  bind(class_of<splinecore::NurbsPatch>(module, "NurbsPatch"));
+  bind(class_of<splinecore::BezierPatch>(module, "BezierPatch"));
+  bind(class_of<splinecore::HermitePatch>(module, "HermitePatch"));
+}
+
+}  // namespace bindings
