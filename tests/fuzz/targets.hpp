@@ -28,6 +28,9 @@ void definition(Input data);
 /// Points and numbers, and whatever makes shapes of them: build and conic.
 void build(Input data);
 
+/// A shape, or points that one goes through, and what is asked of it: nearest points, boxes, lengths, frames, features.
+void features(Input data);
+
 /// Runs a target, and ends it where it takes long: what is slow is no finding, and hides others.
 void run_for_a_while(void (*target)(Input data), Input data);
 
@@ -36,12 +39,13 @@ struct Target {
   void (*run)(Input data);
 };
 
-inline constexpr std::array<Target, 7> kTargets{{{"json", json},
+inline constexpr std::array<Target, 8> kTargets{{{"json", json},
                                                  {"formula", formula},
                                                  {"curve", curve},
                                                  {"patch", patch},
                                                  {"tessellation", tessellation},
                                                  {"definition", definition},
-                                                 {"build", build}}};
+                                                 {"build", build},
+                                                 {"features", features}}};
 
 }  // namespace splinecore::fuzz
