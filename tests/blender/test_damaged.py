@@ -61,7 +61,7 @@ def definition_damages(data):
 def recipe_damages(data):
     for value in VALUES:
         yield lambda ob, value=value: put(data, recipes.KEY, value, ob)
-    for name in ('version', 'kind', 'parameters', 'points', 'error', 'input', 'shape', 'input_2'):
+    for name in ('version', 'kind', 'parameters', 'points', 'error', 'input', 'shape', 'input_2', 'frame', 'frame_1', 'frame_3'):
         for value in VALUES:
             yield lambda ob, name=name, value=value: put(data[recipes.KEY], name, value, ob)
     for name in list(data[recipes.KEY]['parameters'].keys()):
@@ -145,6 +145,30 @@ def test_no_damaged_follower_stops_anything(witness, capfd):
     tried, said = try_all(ob, recipes.KEY, recipe_damages(ob.data), witness)
     assert tried > 200 and said > tried / 4
     assert "Traceback" not in capfd.readouterr().err
+
+
+def test_no_damaged_curve_through_objects_stops_anything(witness, capfd):
+    for ob in witness:
+        ob.select_set(False)
+    for place in ((0, 0, 0), (1, 1, 0), (2, 0, 1), (3, 1, 1), (4, 0, 0)):
+        bpy.ops.object.empty_add(location=place)
+    activate(*(ob for ob in bpy.context.scene.objects if ob.type == 'EMPTY'))
+    bpy.ops.splinewright.curve_through_points()
+    ob = bpy.context.object
+    tried, said = try_all(ob, recipes.KEY, recipe_damages(ob.data), witness)
+    assert tried > 200 and said > tried / 4
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_a_curve_through_objects_of_which_one_is_missing_in_the_file_says_so():
+    for place in ((0, 0, 0), (1, 1, 0), (2, 0, 1)):
+        bpy.ops.object.empty_add(location=place)
+    activate(*(ob for ob in bpy.context.scene.objects if ob.type == 'EMPTY'))
+    bpy.ops.splinewright.curve_through_points()
+    data = bpy.context.object.data
+    before = data.splinewright.value
+    del data[recipes.KEY]['frame_2']
+    assert "damaged" in drawn() and data.splinewright.value == before
 
 
 def test_a_scene_as_what_is_followed_is_a_sentence_and_make_editable_the_way_out(witness):

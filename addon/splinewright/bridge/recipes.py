@@ -24,7 +24,7 @@ VERSION = 2
 #: Keys of the pointers to the objects that a shape is made from, and of whether each was a shape then.
 _INPUTS = (('input', 'shape'), ('input_2', 'shape_2'))
 #: Key of the pointer to an object of which the place and axes alone count; of several the keys are numbered from 1.
-_FRAME = 'frame'
+_FRAME, _NUMBERED = 'frame', 'frame_'
 #: The property that a driver is on which reads the inputs, and its data path.
 _WATCHED = "watched"
 WATCHED = f'["{KEY}"]["{_WATCHED}"]'
@@ -66,13 +66,12 @@ def frames(data):
 
 
 def _numbered(index):
-    return f"{_FRAME}_{index + 1}"
+    return f"{_NUMBERED}{index + 1}"
 
 
 def _frame_keys(group):
     """Of the objects whose place and axes alone count, in their order."""
-    numbered = list(itertools.takewhile(group.keys().__contains__, map(_numbered, itertools.count())))
-    return numbered or [_FRAME]
+    return [name for name in group.keys() if name.startswith(_NUMBERED)] or [_FRAME]
 
 
 def _pointed(data, keys):
@@ -175,7 +174,8 @@ def _frames(group, recipe):
     found = tuple(group.get(pointer) for pointer in keys)
     if not all(frame is None or isinstance(frame, bpy.types.Object) for frame in found):
         raise ValueError("what gives its place is no object")
-    if recipe.has_places != (keys != [_FRAME]) or not (recipe.frame or recipe.has_places):
+    wanted = list(map(_numbered, range(len(keys)))) if recipe.has_places else [_FRAME]
+    if keys != wanted or not (recipe.frame or recipe.has_places):
         raise ValueError("it has other objects than its kind")
     return found
 

@@ -124,9 +124,14 @@ void require_within(std::span<const double> lengths, double whole, double tolera
   }
 }
 
-std::vector<double> places_around(const NurbsCurve& curve, std::span<const double> lengths, double tolerance) {
+double positive_length(const NurbsCurve& curve, double tolerance) {
   const double whole = length(curve, curve.domain(), tolerance).value;
   if (!(whole > 0.0)) throw InvalidShape("the curve has no length");
+  return whole;
+}
+
+std::vector<double> places_around(const NurbsCurve& curve, std::span<const double> lengths, double tolerance) {
+  const double whole = positive_length(curve, tolerance);
   std::vector<double> rests;
   std::vector<double> turns;
   for (const double s : lengths) {
@@ -153,12 +158,6 @@ std::vector<double> multiples(const NurbsCurve& curve, double step, int count, d
   std::vector<double> found(count);
   place_all(curve, lengths, tolerance, [&](std::size_t i, double u) { found[i] = u; });
   return found;
-}
-
-double positive_length(const NurbsCurve& curve, double tolerance) {
-  const double whole = length(curve, curve.domain(), tolerance).value;
-  if (!(whole > 0.0)) throw InvalidShape("the curve has no length");
-  return whole;
 }
 
 }  // namespace
