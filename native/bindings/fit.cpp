@@ -26,14 +26,6 @@ FitEnds ends_of(const py::object& value) {
                                          {"not_a_knot", FitEnds::not_a_knot}});
 }
 
-/// Derivatives 1, 2, … at an end; one vector is the first.
-std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name) {
-  if (value.is_none()) return {};
-  const Doubles given = real_array(value, name);
-  if (given.size() == 0) return {};
-  return vectors(given, name, given.ndim() == 1 ? 0 : 1);
-}
-
 /// Rows of NaN stand for none.
 std::vector<splinecore::PointTangent> tangents_of(const py::object& value, std::size_t count) {
   if (value.is_none()) return {};
@@ -66,12 +58,6 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   options.knots = optional_numbers(knots, "knots");
   const std::vector<double> at = parameters_of(rows, parameters, options.closing, "parameters");
   return wrap(unlocked([&] { return splinecore::interpolate(rows, at, options); }));
-}
-
-/// One value stands for both directions.
-std::pair<py::object, py::object> both(const py::object& value, const char* name) {
-  const bool is_sequence = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::str>(value);
-  return is_sequence ? pair_argument(value, name) : std::pair(value, value);
 }
 
 std::vector<double> parameters_of(const PointGrid& grid, const py::object& parameters, Axis axis, Closing closing) {

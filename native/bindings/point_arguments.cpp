@@ -38,4 +38,16 @@ std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::
   return splinecore::hermite_parameters(std::move(given), points.size() + (closing == Closing::closed ? 1 : 0), name);
 }
 
+std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name) {
+  if (value.is_none()) return {};
+  const Doubles given = real_array(value, name);
+  if (given.size() == 0) return {};
+  return vectors(given, name, given.ndim() == 1 ? 0 : 1);
+}
+
+std::pair<py::object, py::object> both(const py::object& value, const char* name) {
+  const bool is_sequence = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::str>(value);
+  return is_sequence ? pair_argument(value, name) : std::pair(value, value);
+}
+
 }  // namespace bindings

@@ -30,6 +30,12 @@ class GivenPoints {
   std::span<const glm::dvec3> points_;
 };
 
+/// Derivatives 1, 2, … at an end of a curve; one vector is the first, None none.
+std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name);
+
+/// One value stands for both directions of a patch.
+std::pair<py::object, py::object> both(const py::object& value, const char* name);
+
 /// 'uniform', 'centripetal' or 'chordal'
 splinecore::Parametrisation parametrisation_of(const py::object& value, const char* name);
 

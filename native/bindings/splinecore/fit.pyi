@@ -1,14 +1,16 @@
-"""Curves and patches through points (lecture rows S17, S20)."""
+"""Curves and patches through points and near them (lecture rows S17, S20)."""
 
 from collections.abc import Callable
 from typing import Literal, SupportsIndex, TypeAlias
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import Approximation, NurbsCurve, NurbsPatch
 
-__all__ = ["interpolate", "interpolate_patch"]
+__all__ = ["approximate", "interpolate", "interpolate_patch", "project"]
 
+_Floats: TypeAlias = NDArray[np.float64]
 _Parametrisation: TypeAlias = Literal["uniform", "centripetal", "chordal"]
 _Ends: TypeAlias = Literal["averaged", "not_a_knot", "natural"]
 
@@ -33,3 +35,29 @@ def interpolate_patch(
     *,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
+def approximate(
+    points: ArrayLike,
+    count: SupportsIndex | None = None,
+    degree: SupportsIndex = 3,
+    parameters: _Parametrisation | ArrayLike = "chordal",
+    *,
+    tolerance: float | None = None,
+    knots: ArrayLike | None = None,
+    weights: ArrayLike | None = None,
+    fixed_ends: bool = True,
+    start: ArrayLike | None = None,
+    end: ArrayLike | None = None,
+    closed: bool = False,
+    smoothing: float = 0.0,
+    corrections: SupportsIndex = 0,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsCurve]: ...
+def project(
+    function: Callable[[_Floats], ArrayLike],
+    knots: ArrayLike,
+    degree: SupportsIndex = 3,
+    *,
+    fixed_ends: bool = False,
+    closed: bool = False,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsCurve]: ...

@@ -26,16 +26,7 @@ void require_parameters(std::span<const double> parameters, std::size_t count) {
     throw InvalidShape("parameters has " + std::to_string(parameters.size()) + " values, " + std::to_string(count) +
                        " are needed");
   }
-  require_finite(parameters, "parameters");
-  for (std::size_t i = 1; i < parameters.size(); ++i) {
-    if (parameters[i] > parameters[i - 1]) continue;
-    throw InvalidShape("parameters" + index_text(i) + " = " + text_of(parameters[i]) + " is not above parameters" +
-                       index_text(i - 1) + " = " + text_of(parameters[i - 1]));
-  }
-  if (!std::isfinite(parameters.back() - parameters.front())) {
-    throw InvalidShape("parameters from " + text_of(parameters.front()) + " to " + text_of(parameters.back()) +
-                       " overflow: their distance is not a finite number");
-  }
+  require_increasing(parameters);
 }
 
 /// A natural spline is the one that bends least among all curves of its smoothness: fewer points leave it open.
@@ -112,6 +103,19 @@ void add_end(std::vector<Condition>& all, double parameter, std::size_t point, s
 }
 
 }  // namespace
+
+void require_increasing(std::span<const double> parameters) {
+  require_finite(parameters, "parameters");
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    if (parameters[i] > parameters[i - 1]) continue;
+    throw InvalidShape("parameters" + index_text(i) + " = " + text_of(parameters[i]) + " is not above parameters" +
+                       index_text(i - 1) + " = " + text_of(parameters[i - 1]));
+  }
+  if (!std::isfinite(parameters.back() - parameters.front())) {
+    throw InvalidShape("parameters from " + text_of(parameters.front()) + " to " + text_of(parameters.back()) +
+                       " overflow: their distance is not a finite number");
+  }
+}
 
 void require_interpolation(std::span<const glm::dvec3> points, std::span<const double> parameters,
                            const InterpolationOptions& options) {

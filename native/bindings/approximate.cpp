@@ -1,0 +1,209 @@
+#include "splinecore/fit/approximate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "approximation.hpp"
+#include "arguments.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+#include "rooms.hpp"
+#include "splinecore/fit/fair.hpp"
+#include "splinecore/fit/project.hpp"
+#include "splinecore/fit/rebuild.hpp"
+
+namespace bindings {
+
+using splinecore::ApproximationOptions;
+using splinecore::Closing;
+using splinecore::InvalidShape;
+using splinecore::KeptEnds;
+using splinecore::KnotVector;
+
+namespace {
+
+constexpr std::size_t kMostControlPoints = 100000;
+
+std::size_t count_of(const py::object& value, const char* name) {
+  const int count = integer(value, name);
+  if (count < 1) throw InvalidShape(std::string(name) + " = " + std::to_string(count) + " is not above 0");
+  return static_cast<std::size_t>(count);
+}
+
+/// A number above 0; None for none.
+std::optional<double> positive(const py::object& value, const char* name) {
+  if (value.is_none()) return {};
+  const double number = real(value, name);
+  if (number > 0.0 && std::isfinite(number)) return number;
+  throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not a positive number");
+}
+
+KeptEnds kept_ends_of(const py::object& value) {
+  return chosen<KeptEnds>(value, "ends", {{"points", KeptEnds::points}, {"tangents", KeptEnds::tangents}});
+}
+
+AnyApproximation approximate(const py::object& points, const py::object& count, const py::object& degree,
+                             const py::object& parameters, const py::object& tolerance, const py::object& knots,
+                             const py::object& weights, const py::object& fixed_ends, const py::object& start,
+                             const py::object& end, const py::object& closed, const py::object& smoothing,
+                             const py::object& corrections, const py::object& cancel) {
+  const GivenPoints given(points, "points", 1);
+  const std::span<const glm::dvec3> rows = given.points();
+  ApproximationOptions options;
+  options.weights = optional_numbers(weights, "weights");
+  options.fixed_ends = boolean(fixed_ends, "fixed_ends");
+  options.start = derivatives_of(start, "start");
+  options.end = derivatives_of(end, "end");
+  options.smoothing = real(smoothing, "smoothing");
+  options.corrections = integer(corrections, "corrections");
+  const int order = integer(degree, "degree");
+  const Closing closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
+  const std::vector<double> chain = optional_numbers(knots, "knots");
+  const std::optional<double> within = positive(tolerance, "tolerance");
+  const std::optional<std::size_t> number = count.is_none() ? std::nullopt : std::optional(count_of(count, "count"));
+  if (!knots.is_none() && (number || within)) throw InvalidShape("knots are given, and so neither count nor tolerance");
+  if (knots.is_none() && !number && !within) throw InvalidShape("count, knots or tolerance is needed");
+  const std::vector<double> at = parameters_of(rows, parameters, closing, "parameters");
+  return wrap(unlocked([&] {
+    if (within) {
+      const std::size_t most = number.value_or(rows.size() + options.start.size() + options.end.size());
+      return splinecore::approximate_within(rows, at, order, closing, *within, most, options);
+    }
+    if (number) return splinecore::approximate(rows, at, order, *number, closing, options);
+    return splinecore::approximate(rows, at, KnotVector::make(order, chain, closing == Closing::closed), options);
+  }, cancel));
+}
+
+/// Calls the function with an array (n,) and takes its points, (n, 2 or 3).
+splinecore::CurveFunction called(const py::object& function) {
+  if (PyCallable_Check(function.ptr()) == 0) {
+    throw py::type_error("function = " + std::string(py::repr(function)) + " is not callable");
+  }
+  return [&function](std::span<const double> parameters, std::span<glm::dvec3> points) {
+    const py::gil_scoped_acquire locked;
+    const py::array_t<double> at(static_cast<py::ssize_t>(parameters.size()), parameters.data());
+    const GivenPoints given(function(at), "the values of function", 1);
+    if (given.points().size() != points.size()) {
+      throw InvalidShape("function has " + std::to_string(given.points().size()) + " points for " +
+                         std::to_string(points.size()) + " parameters");
+    }
+    std::ranges::copy(given.points(), points.begin());
+  };
+}
+
+AnyApproximation project(const py::object& function, const py::object& knots, const py::object& degree,
+                         const py::object& fixed_ends, const py::object& closed, const py::object& cancel) {
+  const splinecore::CurveFunction wanted = called(function);
+  const std::vector<double> chain = numbers(knots, "knots");
+  const int order = integer(degree, "degree");
+  const bool is_fixed = boolean(fixed_ends, "fixed_ends");
+  const bool is_closed = boolean(closed, "closed");
+  return wrap(unlocked([&] {
+    const KnotVector on = KnotVector::make(order, chain, is_closed);
+    return splinecore::project(wanted, on, is_fixed);
+  }, cancel));
+}
+
+template <class Curve>
+AnyApproximation rebuild(const Curve& self, const py::object& count, const py::object& degree,
+                         const py::object& tolerance, const py::object& ends, const py::object& cancel) {
+  const splinecore::NurbsCurve& curve = form(self);
+  const int order = degree.is_none() ? curve.degree() : integer(degree, "degree");
+  const KeptEnds kept = kept_ends_of(ends);
+  const std::optional<double> within = positive(tolerance, "tolerance");
+  if (count.is_none() && !within) throw InvalidShape("count or tolerance is needed");
+  const std::size_t number = count.is_none() ? kMostControlPoints : count_of(count, "count");
+  return wrap(unlocked([&] {
+    return within ? splinecore::rebuild_within(curve, order, *within, number, kept)
+                  : splinecore::rebuild(curve, order, number, kept);
+  }, cancel));
+}
+
+template <class Curve>
+AnyApproximation fair(const Curve& self, const py::object& tolerance, const py::object& ends, const py::object& cancel) {
+  const double within = real(tolerance, "tolerance");
+  const KeptEnds kept = kept_ends_of(ends);
+  return wrap(unlocked([&] { return splinecore::fair(form(self), within, kept); }, cancel));
+}
+
+template <class Patch>
+AnyApproximation rebuild_patch(const Patch& self, const py::object& counts, const py::object& degrees,
+                               const py::object& cancel) {
+  const splinecore::NurbsPatch& patch = patch_form(self);
+  const auto number = both(counts, "counts");
+  splinecore::RebuiltDirection u{patch.knot_vector(splinecore::Axis::u).degree(), count_of(number.first, "counts")};
+  splinecore::RebuiltDirection v{patch.knot_vector(splinecore::Axis::v).degree(), count_of(number.second, "counts")};
+  if (!degrees.is_none()) {
+    const auto order = both(degrees, "degrees");
+    u.degree = integer(order.first, "degrees");
+    v.degree = integer(order.second, "degrees");
+  }
+  return wrap(unlocked([&] { return splinecore::rebuild(patch, u, v); }, cancel));
+}
+
+void bind_functions(py::module_& fit) {
+  fit.def("approximate", &approximate, py::arg("points"), py::arg("count") = py::none(), py::arg("degree") = 3,
+          py::arg("parameters") = "chordal", py::kw_only(), py::arg("tolerance") = py::none(),
+          py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("fixed_ends") = true,
+          py::arg("start") = py::none(), py::arg("end") = py::none(), py::arg("closed") = false,
+          py::arg("smoothing") = 0.0, py::arg("corrections") = 0, py::arg("cancel") = py::none(),
+          "The polynomial NurbsCurve near points (n, 2 or 3), as an Approximation: its error is the largest distance of\n"
+          "a point from the curve's point at its parameter, and so no less than from the curve. Least sum of squares, in\n"
+          "time linear in n (The NURBS Book, §9.4.1). Lecture row S17.\n\n"
+          "count: of control points, with knots by eq. 9.68, 9.69. knots: all of them, of a closed curve one period.\n"
+          "tolerance: knots are put where points are farther away, and taken away where they are not missed; count is\n"
+          "then the most control points. parameters: as of interpolate().\n\n"
+          "weights: (n,) positive, of the squares. fixed_ends: an open curve begins at the first point and ends at the\n"
+          "last; start, end: its derivatives 1, 2, … by the parameter there (k, 2 or 3), or the first (2 or 3,).\n"
+          "smoothing: weight of the integral of the squared second derivative beside the sum of squares (Reinsch 1967).\n"
+          "corrections: so often, while the error falls, parameters move towards the nearest points (Hoschek 1988).\n"
+          "cancel: a callable without arguments that ends the call by returning true.\n\n"
+          "Raises ToleranceNotReached, and InvalidShape where the points do not determine the curve.");
+  fit.def("project", &project, py::arg("function"), py::arg("knots"), py::arg("degree") = 3, py::kw_only(),
+          py::arg("fixed_ends") = false, py::arg("closed") = false, py::arg("cancel") = py::none(),
+          "The orthogonal projection of a function on the splines with these knots, as an Approximation of a NurbsCurve:\n"
+          "the integral of what is left times a basis function is zero. Lecture row S17.\n\n"
+          "function: takes parameters (m,) and gives points (m, 2 or 3); smooth between knots, for integrals are taken by\n"
+          "16 nodes of Gauss and Legendre on each span, or degree + 8. fixed_ends: the curve begins and ends where the\n"
+          "function does; the knots are clamped then. The error is the largest distance at the nodes and at 64 even\n"
+          "parameters of each span. cancel: a callable that ends the call by returning true.\n\n"
+          "Raises InvalidShape where a value is not finite, and for knots that belong to no curve.");
+}
+
+}  // namespace
+
+void bind_approximate(py::module_& module) {
+  py::module_ fit = module.attr("fit");
+  bind_functions(fit);
+  for_curves(module, []<class Curve>(py::class_<Curve> cls) {
+    cls.def("rebuild", &rebuild<Curve>, py::arg("count") = py::none(), py::arg("degree") = py::none(), py::kw_only(),
+            py::arg("tolerance") = py::none(), py::arg("ends") = "points", py::arg("cancel") = py::none(),
+            "The polynomial NurbsCurve with even knots over the same domain that is nearest in the integral of the\n"
+            "squared distance at equal parameters, as an Approximation: its error is the largest such distance, at most\n"
+            "1 % above the truth. Periodic if the curve is. Lecture row S17.\n\n"
+            "count: of control points; degree + 1 make one Bezier piece. tolerance: as few as come within it, count at\n"
+            "most. ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
+            "Raises ToleranceNotReached, and InvalidShape for counts below what the degree needs.");
+    cls.def("fair", &fair<Curve>, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
+            py::arg("cancel") = py::none(),
+            "A curve on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
+            "Approximation: its error is the largest distance at equal parameters, at most 1 % above the truth. Least\n"
+            "integral of the squared second derivative of the spline without weights (Reinsch 1967).\n\n"
+            "ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
+            "Raises InvalidShape unless the tolerance is positive and the degree is 2 at least.");
+  });
+  for_patches(module, []<class Patch>(py::class_<Patch> cls) {
+    cls.def("rebuild", &rebuild_patch<Patch>, py::arg("counts"), py::arg("degrees") = py::none(), py::kw_only(),
+            py::arg("cancel") = py::none(),
+            "The polynomial NurbsPatch with even knots over the same domain that is nearest first along u, then along v,\n"
+            "as an Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth.\n"
+            "Corners stay; periodic directions stay periodic. Lecture rows S17, S20.\n\n"
+            "counts: of control points, (u, v) or one for both. degrees: the same; None keeps them. cancel: ends the\n"
+            "call by returning true. Raises InvalidShape for counts below what the degree needs.");
+  });
+}
+
+}  // namespace bindings

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "splinecore/base/approximation.hpp"
+#include "splinecore/basis/knot_vector.hpp"
+#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace splinecore {
+
+struct ApproximationOptions {
+  std::vector<double> weights;    ///< of the squared distances, positive, one for each point; empty: 1 each
+  bool fixed_ends = true;         ///< an open curve begins at the first point and ends at the last
+  std::vector<glm::dvec3> start;  ///< derivatives 1, 2, … at a fixed end
+  std::vector<glm::dvec3> end;
+  double smoothing = 0.0;  ///< weight of the integral of the squared second derivative, beside the sum of squares
+  int corrections = 0;     ///< so often the parameters move to the nearest points, and the curve is made anew
+};
+
+/// Knots for a curve with so many control points: about as many parameters between each two (The NURBS Book, eq. 9.68,
+/// 9.69); of a closed curve, where parameters end with the return to the first point, periodic ones.
+/// @throws InvalidShape if the control points are fewer than the degree needs, or more than the points.
+KnotVector approximating_knots(std::span<const double> parameters, int degree, std::size_t count,
+                               Closing closing = Closing::open);
+
+/// The spline on these knots whose points at the parameters are nearest to the given points, in the sum of squares:
+/// linear in the number of points (The NURBS Book, §9.4.1; lecture row S17). With smoothing: a penalised spline
+/// (Reinsch 1967). Parameters are corrected by one step of Newton's method each (Hoschek 1988).
+/// @param parameters  one for each point, increasing, in the domain of the knots
+/// @returns the curve, and the largest distance of a point from the curve's point at its parameter
+/// @throws InvalidShape if points, parameters and options do not belong together, or do not determine the curve.
+Approximation<NurbsCurve> approximate(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                      const KnotVector& knots, const ApproximationOptions& options = {});
+
+/// The same on approximating_knots().
+Approximation<NurbsCurve> approximate(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                      int degree, std::size_t count, Closing closing = Closing::open,
+                                      const ApproximationOptions& options = {});
+
+/// The same with knots where they are needed: spans that are too far from a point are halved, then knots that are not
+/// missed are taken away.
+/// @param most  so many control points at most
+/// @throws ToleranceNotReached if they do not come within the tolerance; InvalidShape unless it is positive.
+Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                             int degree, Closing closing, double tolerance, std::size_t most,
+                                             const ApproximationOptions& options = {});
+
+}  // namespace splinecore

@@ -1,0 +1,69 @@
+#include "splinecore/fit/approximate.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "fitted_points.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/basis/bernstein.hpp"
+
+namespace splinecore {
+
+namespace {
+
+void require_count(int degree, std::size_t count, std::size_t points, Closing closing) {
+  if (degree < 1 || degree > kMaxDegree) {
+    throw InvalidShape("degree = " + std::to_string(degree) + " is outside [1, " + std::to_string(kMaxDegree) + "]");
+  }
+  const std::size_t least = closing == Closing::closed ? std::max<std::size_t>(degree, 3) : degree + 1;
+  if (count >= least && count <= points) return;
+  throw InvalidShape("count = " + std::to_string(count) + " control points are outside [" + std::to_string(least) +
+                     ", " + std::to_string(points) + "], from what degree " + std::to_string(degree) +
+                     " needs to the number of points");
+}
+
+}  // namespace
+
+KnotVector approximating_knots(std::span<const double> parameters, int degree, std::size_t count, Closing closing) {
+  const bool is_closed = closing == Closing::closed;
+  const std::size_t points = parameters.size() - (is_closed && !parameters.empty() ? 1 : 0);
+  require_count(degree, count, points, closing);
+  const std::size_t spans = is_closed ? count : count - static_cast<std::size_t>(degree);
+  const double step = static_cast<double>(points) / static_cast<double>(spans);
+  const std::size_t copies = is_closed ? 1 : static_cast<std::size_t>(degree) + 1;
+  std::vector<double> knots(copies, parameters.front());
+  for (std::size_t j = 1; j < spans; ++j) {
+    const double place = static_cast<double>(j) * step;
+    const auto i = std::min(static_cast<std::size_t>(place), points - 1);
+    const double share = place - static_cast<double>(i);
+    knots.push_back(parameters[i - 1] + share * (parameters[i] - parameters[i - 1]));
+  }
+  knots.insert(knots.end(), copies, parameters.back());
+  return KnotVector::make(degree, std::move(knots), is_closed);
+}
+
+namespace {
+
+Approximation<NurbsCurve> approximated(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                       const KnotVector& knots, const ApproximationOptions& options) {
+  std::vector<double> at(parameters.begin(), parameters.begin() + static_cast<long>(points.size()));
+  const FittedPoints made = fitted_points(points, at, knots, options);
+  return {made.curve(), made.error};
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> approximate(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                      const KnotVector& knots, const ApproximationOptions& options) {
+  require_approximation(points, parameters, knots.periodic() ? Closing::closed : Closing::open, options);
+  return approximated(points, parameters, knots, options);
+}
+
+Approximation<NurbsCurve> approximate(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                      int degree, std::size_t count, Closing closing,
+                                      const ApproximationOptions& options) {
+  require_approximation(points, parameters, closing, options);
+  return approximated(points, parameters, approximating_knots(parameters, degree, count, closing), options);
+}
+
+}  // namespace splinecore

@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "build/fit_options.hpp"
+#include "fitted_points.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/fit/interpolate.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Points and what is asked of the curve, on ever other knots.
+struct Task {
+  std::span<const glm::dvec3> points;
+  std::vector<double> parameters;  ///< of the points; corrected as knots change
+  const ApproximationOptions& options;
+  double tolerance;
+  std::size_t most;
+};
+
+bool is_within(const FittedPoints& fit, const Task& task) { return fit.error <= task.tolerance; }
+
+/// The distinct knots of the domain.
+std::vector<double> breaks_of(const KnotVector& knots) {
+  std::vector<double> breaks{knots.domain().start};
+  for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) breaks.push_back(knots.span_interval(i).end);
+  return breaks;
+}
+
+/// Simple knots at these places, clamped at the ends of an open curve.
+KnotVector on_breaks(const KnotVector& like, std::span<const double> breaks) {
+  const std::size_t copies = like.periodic() ? 0 : static_cast<std::size_t>(like.degree());
+  std::vector<double> knots(copies, breaks.front());
+  knots.insert(knots.end(), breaks.begin(), breaks.end());
+  knots.insert(knots.end(), copies, breaks.back());
+  return KnotVector::make(like.degree(), std::move(knots), like.periodic());
+}
+
+/// Where a span is halved: between the two of its points in the middle, if some are left on each side.
+std::optional<double> halving_place(const Task& task, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kFewest = 4;
+  if (end - begin < kFewest) return {};
+  const std::size_t i = begin + (end - begin) / 2;
+  const double place = task.parameters[i - 1] + 0.5 * (task.parameters[i] - task.parameters[i - 1]);
+  if (place > task.parameters[i - 1] && place < task.parameters[i]) return place;
+  return {};
+}
+
+/// Knots with the spans halved that have a point too far away: the worst ones, where there is no room for all.
+/// @returns nothing where none can be
+std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task) {
+  const std::vector<double> breaks = breaks_of(fit.knots);
+  std::vector<std::pair<double, double>> places;  // error and place
+  std::size_t i = 0;
+  for (std::size_t s = 0; s < fit.span_errors.size(); ++s) {
+    const std::size_t begin = i;
+    const bool is_last = s + 1 == fit.span_errors.size();
+    while (i < task.parameters.size() && (is_last || task.parameters[i] < breaks[s + 1])) ++i;
+    if (fit.span_errors[s] <= task.tolerance) continue;
+    if (const auto place = halving_place(task, begin, i)) places.emplace_back(fit.span_errors[s], *place);
+  }
+  const auto count = static_cast<std::size_t>(fit.knots.count());
+  if (places.empty() || count >= task.most) return {};
+  const std::size_t room = std::min(places.size(), task.most - count);
+  std::ranges::partial_sort(places, places.begin() + static_cast<long>(room), std::greater{});
+  std::vector<double> all = breaks;
+  for (std::size_t k = 0; k < room; ++k) all.push_back(places[k].second);
+  std::ranges::sort(all);
+  return on_breaks(fit.knots, all);
+}
+
+/// The curve on these knots, if they have a solution.
+std::optional<FittedPoints> fit_on(const KnotVector& knots, Task& task) {
+  try {
+    return fitted_points(task.points, task.parameters, knots, task.options);
+  } catch (const InvalidShape&) {
+    return {};
+  }
+}
+
+/// How much the highest derivative jumps at each inner knot, times the size of the spans beside it: what its removal
+/// would cost, or so.
+std::vector<double> jumps_of(const FittedPoints& fit) {
+  const int degree = fit.knots.degree();
+  const auto width = static_cast<std::size_t>(degree) + 1;
+  const std::size_t spans = fit.span_errors.size();
+  const std::size_t count = fit.controls.size();
+  std::vector<glm::dvec3> tops(spans);
+  for (std::size_t s = 0; s < spans; ++s) {
+    const SquareRows matrix = fit.knots.bezier_matrix(static_cast<int>(s));
+    const auto first = static_cast<std::size_t>(fit.knots.spans()[s]) - (width - 1);
+    std::vector<glm::dvec3> piece(width, glm::dvec3(0.0));
+    for (std::size_t j = 0; j < width; ++j) {
+      for (std::size_t a = 0; a < width; ++a) piece[j] += matrix[j][a] * fit.controls[(first + a) % count];
+    }
+    for (int k = 0; k < degree; ++k) {
+      for (std::size_t j = 0; j + 1 < width - static_cast<std::size_t>(k); ++j) piece[j] = piece[j + 1] - piece[j];
+    }
+    tops[s] = piece[0];
+  }
+  const std::vector<double> breaks = breaks_of(fit.knots);
+  std::vector<double> jumps;
+  for (std::size_t s = 0; s + 1 < spans; ++s) {
+    const double left = breaks[s + 1] - breaks[s];
+    const double right = breaks[s + 2] - breaks[s + 1];
+    const double whole = left + right;
+    jumps.push_back(glm::length(std::pow(whole / right, degree) * tops[s + 1] - std::pow(whole / left, degree) * tops[s]));
+  }
+  return jumps;
+}
+
+/// Knots without some `number` of the inner ones that jump least, no two of them neighbours.
+KnotVector coarser(const FittedPoints& fit, std::size_t number) {
+  const std::vector<double> jumps = jumps_of(fit);
+  std::vector<std::size_t> order(jumps.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return jumps[i]; });
+  std::vector<bool> is_out(jumps.size() + 2, false);  // by break
+  for (const std::size_t i : order) {
+    if (number == 0) break;
+    if (is_out[i] || is_out[i + 1] || (i + 2 < is_out.size() && is_out[i + 2])) continue;
+    is_out[i + 1] = true;
+    --number;
+  }
+  const std::vector<double> breaks = breaks_of(fit.knots);
+  std::vector<double> left;
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    if (!is_out[i]) left.push_back(breaks[i]);
+  }
+  return on_breaks(fit.knots, left);
+}
+
+/// Takes knots away as long as the curve stays within the tolerance: half of them at a time, then fewer.
+FittedPoints thinned(FittedPoints fit, Task& task) {
+  const std::size_t least = fit.knots.periodic() ? std::max(fit.knots.degree(), 3) : fit.knots.degree() + 1;
+  std::size_t number = fit.controls.size() / 2;
+  while (number > 0 && fit.controls.size() > least && fit.span_errors.size() > 1) {
+    number = std::min(number, fit.controls.size() - least);
+    const std::vector<double> before = task.parameters;
+    auto next = fit_on(coarser(fit, number), task);
+    if (next && next->controls.size() < fit.controls.size() && is_within(*next, task)) {
+      fit = *std::move(next);
+    } else {
+      task.parameters = before;
+      number /= 2;
+    }
+  }
+  return fit;
+}
+
+/// The curve through all points, which is within every tolerance that rounding leaves.
+std::optional<Approximation<NurbsCurve>> through_all(std::span<const glm::dvec3> points,
+                                                     std::span<const double> parameters, int degree, Closing closing,
+                                                     const ApproximationOptions& options) {
+  InterpolationOptions exact;
+  exact.degree = degree;
+  exact.closing = closing;
+  exact.start = options.start;
+  exact.end = options.end;
+  try {
+    return interpolate(points, parameters, exact);
+  } catch (const InvalidShape&) {
+    return {};
+  }
+}
+
+/// As few control points as the degree, and the ends with their derivatives, need.
+KnotVector coarsest(std::span<const double> parameters, int degree, Closing closing,
+                    const ApproximationOptions& options) {
+  const auto order = static_cast<std::size_t>(std::max(degree, 0)) + 1;
+  if (closing == Closing::closed) {
+    return approximating_knots(parameters, degree, std::max<std::size_t>(order - 1, 3), closing);
+  }
+  return approximating_knots(parameters, degree, std::max(order, 2 + options.start.size() + options.end.size()), closing);
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                             int degree, Closing closing, double tolerance, std::size_t most,
+                                             const ApproximationOptions& options) {
+  require_tolerance(tolerance);
+  require_approximation(points, parameters, closing, options);
+  Task task{points, {parameters.begin(), parameters.begin() + static_cast<long>(points.size())}, options, tolerance,
+            most};
+  FittedPoints fit = fitted_points(points, task.parameters, coarsest(parameters, degree, closing, options), options);
+  while (!is_within(fit, task)) {
+    const auto next = finer(fit, task);
+    if (!next) break;
+    auto made = fit_on(*next, task);
+    if (!made) break;
+    fit = *std::move(made);
+  }
+  if (is_within(fit, task)) {
+    fit = thinned(std::move(fit), task);
+    return {fit.curve(), fit.error};
+  }
+  if (most >= points.size() + options.start.size() + options.end.size() && options.smoothing == 0.0) {
+    const auto exact = through_all(points, parameters, degree, closing, options);
+    if (exact && exact->error <= tolerance) return *exact;
+  }
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(most) + " control points",
+                            tolerance, fit.error);
+}
+
+}  // namespace splinecore

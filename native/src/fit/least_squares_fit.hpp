@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "basis/banded.hpp"
+#include "splinecore/basis/knot_vector.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// The energy that is added to a sum of squares: factor times the integral of the squared derivative of this order.
+struct Energy {
+  double factor = 0.0;
+  int order = 2;
+};
+
+/// How many control points at each end of a plain curve stay as they are.
+struct Held {
+  std::size_t start = 0;
+  std::size_t end = 0;
+};
+
+/// Control points by least squares of values at parameters, for any number of columns at once, in time linear in the
+/// parameters (The NURBS Book, §9.4.1).
+///
+/// Sums of products are taken in Bernstein's form, span by span. The normal equations are solved for what is left
+/// (Björck 1996, §6.6.5: "corrected seminormal equations"), so that the result is as good as the functions allow.
+class LeastSquaresFit {
+ public:
+  /// @param parameters  in order, in the domain; they stay where they are as long as this
+  /// @param weights     of the squares, positive ones, or none for 1 each
+  LeastSquaresFit(KnotVector knots, std::span<const double> parameters, std::span<const double> weights,
+                  const Energy& energy, const Held& held);
+
+  /// Improves control points, `columns` numbers each, until rounding is left.
+  /// @throws InvalidShape if the values do not determine them.
+  void solve(std::span<const double> values, std::size_t columns, std::span<double> controls) const;
+
+  /// Distances of three columns from the curve at their parameters: the largest on each span. Those of the values are
+  /// written to `distances`, if there is one for each.
+  std::vector<double> largest_distances(std::span<const double> values, std::span<const double> controls,
+                                        std::span<double> distances = {}) const;
+
+  /// Parameters of span i: from ends()[i - 1], or 0, to ends()[i].
+  std::span<const std::size_t> ends() const noexcept { return ends_; }
+
+ private:
+  std::size_t width() const noexcept { return static_cast<std::size_t>(knots_.degree()) + 1; }
+  double weight(std::size_t i) const noexcept { return weights_.empty() ? 1.0 : weights_[i] * weight_scale_; }
+  double energy_of(std::size_t span) const;
+  void place();
+  void add_products();
+  void require_points() const;
+  BandedRows free_rows() const;
+  void residual_sums(std::span<const double> values, std::size_t columns, std::span<const double> controls,
+                     std::span<double> right) const;
+  void bezier_points(std::size_t span, std::span<const double> controls, std::size_t columns,
+                     std::span<double> out) const;
+
+  KnotVector knots_;
+  std::span<const double> parameters_;
+  std::span<const double> weights_;
+  double weight_scale_ = 1.0;
+  Energy energy_;
+  Held held_;
+  std::vector<double> bending_;    ///< of one piece over [0, 1]
+  std::vector<std::size_t> ends_;  ///< of each span the index behind its last parameter
+  std::vector<double> locals_;     ///< parameters within their spans, from 0 to 1
+  std::vector<double> products_;   ///< row i: of function i with itself and the next `degree` ones
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,79 @@
+#include "splinecore/fit/rebuild.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "build/fit_options.hpp"
+#include "fitted_points.hpp"
+#include "quadrature_nodes.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/curve/distance.hpp"
+#include "splinecore/curve/evaluate.hpp"
+
+namespace splinecore {
+
+namespace {
+
+std::vector<glm::dvec3> slope_at(const NurbsCurve& curve, double u, Side side) {
+  double values[6];
+  derivatives(curve, {&u, 1}, 1, values, {.side = side});
+  return {glm::dvec3(values[3], values[4], values[5])};
+}
+
+/// Nodes between two breaks that integrate a product of both shapes: exactly, where both are polynomial.
+int node_count(int degree, int other, bool is_rational) {
+  constexpr int kMoreForQuotients = 8;
+  return std::max(degree, other) + 1 + (is_rational ? kMoreForQuotients : 0);
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size_t count, KeptEnds ends) {
+  const bool is_open = !curve.periodic();
+  const KnotVector knots = even_knots(degree, count, curve.domain(), !is_open);
+  const auto breaks = breaks_of(curve.knot_vector(), knots);
+  QuadratureNodes nodes = quadrature_nodes(breaks, node_count(curve.degree(), degree, curve.rational()), is_open);
+  std::vector<glm::dvec3> points(nodes.parameters.size());
+  evaluate(curve, nodes.parameters, {&points.front().x, 3 * points.size()});
+  ApproximationOptions options;
+  options.weights = nodes.weights;
+  if (is_open && ends == KeptEnds::tangents && degree > 1) {
+    options.start = slope_at(curve, curve.domain().start, Side::right);
+    options.end = slope_at(curve, curve.domain().end, Side::left);
+  }
+  NurbsCurve made = fitted_points(points, nodes.parameters, knots, options).curve();
+  const double error = largest_distance(curve, made);
+  return {std::move(made), error};
+}
+
+Approximation<NurbsCurve> rebuild_within(const NurbsCurve& curve, int degree, double tolerance, std::size_t most,
+                                         KeptEnds ends) {
+  require_tolerance(tolerance);
+  const std::size_t held = ends == KeptEnds::tangents && degree > 1 && !curve.periodic() ? 4 : 2;
+  std::size_t low = std::max({static_cast<std::size_t>(std::max(degree, 0)) + 1, held, std::size_t{3}}) - 1;
+  std::size_t high = low + 1;
+  Approximation<NurbsCurve> best = rebuild(curve, degree, high, ends);
+  while (best.error > tolerance) {
+    if (high >= most) {
+      throw ToleranceNotReached("the curve cannot be rebuilt with " + std::to_string(most) + " control points",
+                                tolerance, best.error);
+    }
+    low = high;
+    high = std::min(most, 2 * high);
+    best = rebuild(curve, degree, high, ends);
+  }
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    auto made = rebuild(curve, degree, middle, ends);
+    if (made.error <= tolerance) {
+      high = middle;
+      best = std::move(made);
+    } else {
+      low = middle;
+    }
+  }
+  return best;
+}
+
+}  // namespace splinecore
