@@ -48,7 +48,10 @@ REFUSED = (
     ('reverse', {'piece': 2}, 'cubic', "1 piece, there is none of number 2"),
     ('reverse', {'piece': 5}, 'many curves', "4 pieces, there is none of number 5"),
     ('insert_knot', {'parameter': 0.3}, 'many curves', "piece 2: u = 0.3 is outside"),
-    ('lower_degree', {}, 'many curves', "piece 3: weights"))
+    ('lower_degree', {}, 'many curves', "piece 3: weights"),
+    ('rebuild', {'count': 3}, 'cubic', "count = 3 control points are fewer"),
+    ('rebuild', {'degree': 999}, 'cubic', "degree = 999"), ('rebuild', {}, 'hyperbola', "infinity"),
+    ('fair', {}, 'hyperbola', "infinity"))
 
 
 @pytest.mark.parametrize('name, settings, kind, word', REFUSED)

@@ -189,7 +189,12 @@ APPROXIMATING = (
     ('remove_knots', {'tolerance': 1.0}, 'three knots'), ('remove_knots', {'tolerance': 2.0}, 'hermite'),
     ('remove_knots', {'tolerance': 0.4}, 'periodic'), ('lower_degree', {}, 'nurbs'), ('lower_degree', {}, 'quintic'),
     ('lower_degree', {'times': 2}, 'quintic'), ('lower_degree', {}, 'hermite'), ('lower_degree', {}, 'periodic'),
-    ('make_periodic', {'tolerance': 0.001}, 'nearly closed'))
+    ('make_periodic', {'tolerance': 0.001}, 'nearly closed'),
+    ('rebuild', {'count': 6}, 'nurbs'), ('rebuild', {'count': 7, 'degree': 4, 'keep_tangents': True}, 'quintic'),
+    ('rebuild', {'by': 'TOLERANCE', 'tolerance': 0.03125}, 'hermite'), ('rebuild', {'count': 9}, 'periodic'),
+    ('rebuild', {'count': 5, 'degree': 4}, 'nurbs'), ('rebuild', {'count': 12}, 'semicircle'),
+    ('fair', {'tolerance': 0.0625}, 'nurbs'), ('fair', {'tolerance': 0.03125, 'keep_tangents': True}, 'three knots'),
+    ('fair', {'tolerance': 0.03125}, 'periodic'), ('fair', {'tolerance': 0.0625}, 'hermite'))
 
 
 @pytest.mark.parametrize('name, settings, kind', APPROXIMATING)
@@ -217,6 +222,15 @@ def test_what_was_added_goes_without_an_error(name, settings, kind, undoes, said
     after = ob.data.splinewright.value
     assert said_distance(said[1]) < 1e-12 and measured(before, after) < 1e-12
     assert len(after.points) == len(before.points)
+
+
+def test_what_is_rebuilt_and_faired_is_the_librarys():
+    before = value_of('nurbs')
+    ob = add(before)
+    run('rebuild', count=7, degree=4, keep_tangents=True)
+    assert ob.data.splinewright.value == before.rebuild(7, 4, ends='tangents').value
+    run('fair', tolerance=0.125)
+    assert ob.data.splinewright.value == before.rebuild(7, 4, ends='tangents').value.fair(0.125).value
 
 
 @pytest.mark.parametrize('kind, tolerance', (('semicircle', 1e-3), ('circle', 1e-6)))

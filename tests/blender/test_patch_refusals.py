@@ -52,6 +52,8 @@ REFUSED = (
     ('patch_swap', {'piece': 2}, 'bicubic', "1 piece, there is none of number 2"),
     ('patch_reverse', {'piece': 33}, 'teapot', "32 pieces, there is none of number 33"),
     ('patch_lower_degree', BOTH, 'mixed set', "piece 2: along v: times = 1"),
+    ('patch_rebuild', {'count_u': 3}, 'bicubic', "along u: count = 3"),
+    ('patch_rebuild', {'degree_v': 999}, 'bicubic', "along v: degree = 999"),
     ('patch_insert_knot', {'parameter_u': 0.4}, 'mixed set', "piece 1: u = 0.4 is outside"))
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from curves import run, said_distance
 from patches import DIRECTIONS, LETTERS, farthest, patches_of, size_of, value_of
-from shapes import activate, add, require_exact
+from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
 patch_verbs, pieces = part('ui.operators.patch_verbs'), part('ui.operators.pieces')
@@ -184,6 +184,32 @@ def test_the_error_said_is_the_error_made(name, settings, kind, direction, said)
     error = measured(before, ob.data.splinewright.value)
     assert error > 1e-6 and 0.94 * error < said_distance(said[0]) < 1.2 * error
     assert error <= settings.get('tolerance', np.inf)
+    require_exact(ob)
+
+
+@pytest.mark.parametrize('kind, settings', (
+    ('plain nurbs', {}), ('rational nurbs', {'count_u': 6, 'degree_u': 2}), ('both periodic', {'count_u': 5, 'count_v': 5}),
+    ('hermite patch', {'count_u': 4, 'count_v': 4})))
+def test_a_rebuilt_patch_is_the_librarys_and_its_error_is_said(kind, settings, said):
+    before = value_of(kind)
+    ob = add(before)
+    assert run('patch_rebuild', **settings) == {'FINISHED'}
+    after = ob.data.splinewright.value
+    counts = settings.get('count_u', 8), settings.get('count_v', 8)
+    assert after == before.rebuild(counts, (settings.get('degree_u', 3), 3)).value and after.points.shape[:2] == counts
+    error = measured(before, after)
+    assert error < 1e-12 or 0.9 * error < said_distance(said[0]) < 1.2 * error
+    require_exact(ob)
+
+
+def test_rebuilt_patches_that_shared_an_edge_share_it_still():
+    op(bpy.ops.splinewright.add_teapot)
+    ob = bpy.context.object
+    before = len({tuple(point) for patch in ob.data.splinewright.value.patches for point in patch.points.reshape(-1, 3)})
+    assert before < 32 * 16
+    run('patch_rebuild', count_u=5, count_v=5)
+    after = len({tuple(point) for patch in ob.data.splinewright.value.patches for point in patch.points.reshape(-1, 3)})
+    assert after < 32 * 25 - 100
     require_exact(ob)
 
 

@@ -13,6 +13,7 @@ def refused(definition):
     no_work = {
         'remove_knot': not has_knots, 'remove_knots': not has_knots,
         'lower_degree': all(max(describe.degrees(piece)) < 2 for piece in pieces),
+        'fair': all(max(describe.degrees(piece)) < 2 for piece in pieces),
         'clamp': types <= {'clamped'}, 'make_periodic': types == {'periodic'} and kinds == {'nurbs'},
         'unclamp': types == {'unclamped'} and kinds == {'nurbs'},
         'to_nurbs': kinds == {'nurbs'}, 'to_hermite': kinds == {'hermite'} or describe.is_rational(definition),

@@ -107,6 +107,14 @@ def swap():
     return lambda patch: [verbs.Part(patch.swapped(), places.Place(is_swapped=True))]
 
 
+def rebuild(counts, degrees):
+    """Numbers of control points and degrees along u and v."""
+    def verb(patch):
+        made = patch.to_nurbs().rebuild(counts, degrees)
+        return verbs.Near(verbs.Part(made.value, places.Place()), made.error)
+    return verb
+
+
 def to_bezier():
     """In rows along v."""
     def verb(patch):

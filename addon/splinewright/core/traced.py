@@ -24,7 +24,7 @@ class Traced:
         found = getattr(self.curve, name)
         if not callable(found):
             return found
-        return getattr(self, f"_{name}", lambda *arguments: self._of(found(*map(bare, arguments))))
+        return getattr(self, f"_{name}", lambda *arguments, **settings: self._of(found(*map(bare, arguments), **settings)))
 
     def __eq__(self, other):
         return self.curve == bare(other)

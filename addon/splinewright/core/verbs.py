@@ -163,6 +163,23 @@ def lower_degree(times, tolerance):
     return verb
 
 
+# Fit -----------------------------------------------------------------------------------------------
+
+
+def rebuild(count, degree, ends):
+    """With so many control points. ends: 'points' of an open curve stay, or 'tangents', too."""
+    return lambda curve: curve.to_nurbs().rebuild(count, degree, ends=ends)
+
+
+def rebuild_within(tolerance, degree, ends):
+    """With as few control points as come within the tolerance."""
+    return lambda curve: curve.to_nurbs().rebuild(None, degree, tolerance=tolerance, ends=ends)
+
+
+def fair(tolerance, ends):
+    return lambda curve: curve.to_nurbs().fair(tolerance, ends=ends)
+
+
 # Parts ---------------------------------------------------------------------------------------------
 
 

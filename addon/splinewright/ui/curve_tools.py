@@ -9,6 +9,7 @@ from .sub_panel import SubPanel
 _GROUPS = (
     ("Knots", ('insert_knot', 'remove_knot', 'remove_knots')),
     ("Degree", ('raise_degree', 'lower_degree')),
+    ("Fit", ('rebuild', 'fair')),
     ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'reverse')),
     ("Speed", ('reparametrise', 'standard_form')),
     ("Ends", ('clamp', 'unclamp', 'make_periodic')),

@@ -19,8 +19,11 @@ namespace {
 
 void require_curve(const NurbsCurve& curve) {
   if (curve.degree() < 2) throw InvalidShape("a curve of degree 1 has nothing to be faired: it is straight between knots");
-  for (const glm::dvec4& point : curve.points()) {
-    if (point.w == 0.0) throw InvalidShape("a curve with points at infinity cannot be faired");
+  const auto points = curve.points();
+  const bool is_positive = points.front().w > 0.0;
+  for (const glm::dvec4& point : points) {
+    if (is_positive ? point.w > 0.0 : point.w < 0.0) continue;
+    throw InvalidShape("weights of both signs, or zero: a curve that may run to infinity cannot be faired");
   }
 }
 

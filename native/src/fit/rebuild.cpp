@@ -44,6 +44,7 @@ Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size
   }
   NurbsCurve made = fitted_points(points, nodes.parameters, knots, options).curve();
   const double error = largest_distance(curve, made);
+  if (!std::isfinite(error)) throw InvalidShape("a curve that runs to infinity cannot be rebuilt");
   return {std::move(made), error};
 }
 

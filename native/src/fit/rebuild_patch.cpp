@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "least_squares_fit.hpp"
 #include "quadrature_nodes.hpp"
@@ -79,6 +81,7 @@ Approximation<NurbsPatch> rebuild(const NurbsPatch& patch, const RebuiltDirectio
   }
   NurbsPatch made = NurbsPatch::make(along_u.knots, along_v.knots, std::move(points));
   const double error = largest_distance(patch, made);
+  if (!std::isfinite(error)) throw InvalidShape("a patch that runs to infinity cannot be rebuilt");
   return {std::move(made), error};
 }
 

@@ -1,7 +1,7 @@
 """Verbs of curve shapes: knots, degree, parts, parameters, ends and kinds, in Object Mode."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatVectorProperty
+from bpy.props import BoolProperty, EnumProperty, FloatVectorProperty, IntProperty
 
 from ...bridge import replacing
 from ...core import parameters, verbs
@@ -109,6 +109,57 @@ class SPLINEWRIGHT_OT_lower_degree(pieces.WithinTolerance, OnCurves, bpy.types.O
 
     def verb(self):
         return verbs.lower_degree(self.times, self.allowed)
+
+
+class _Fitted(OnCurves):
+    """What of the ends stays."""
+
+    keep_tangents: BoolProperty(name="Keep End Tangents", description="Open curves keep their first derivatives at the ends")
+
+    @property
+    def ends(self):
+        return 'tangents' if self.keep_tangents else 'points'
+
+
+class SPLINEWRIGHT_OT_rebuild(_Fitted, bpy.types.Operator):
+    bl_idname = "splinewright.rebuild"
+    bl_label = "Rebuild"
+    bl_description = ("Take the nearest curve with so many points on even knots, and say how far it lies from the present "
+                      "one; degree + 1 points make one Bezier piece")
+    done, already = "Rebuilt {}", "its points and knots are these already"
+
+    by: EnumProperty(name="By", items=(
+        ('COUNT', "Points", "With so many control points"),
+        ('TOLERANCE', "Tolerance", "With as few control points as lie within the tolerance")))
+    count: IntProperty(name="Points", description="How many control points each curve gets", default=10, min=2,
+                       soft_max=200)
+    tolerance: tolerance_property("How far the curve may lie from the present one", 0.001, least=1e-12)
+    degree: IntProperty(name="Degree", description="Of the new curve", default=3, min=1, soft_max=9)
+
+    expanded = ('by',)
+
+    def settings(self):
+        return ['by', 'count' if self.by == 'COUNT' else 'tolerance', 'degree', 'keep_tangents']
+
+    def verb(self):
+        if self.by == 'COUNT':
+            return verbs.rebuild(self.count, self.degree, self.ends)
+        return verbs.rebuild_within(self.length, self.degree, self.ends)
+
+
+class SPLINEWRIGHT_OT_fair(_Fitted, bpy.types.Operator):
+    bl_idname = "splinewright.fair"
+    bl_label = "Fair"
+    bl_description = ("Move control points so that the curve bends as little as a tolerance allows; knots and weights stay")
+    done, already = "Faired {}", "no other curve within the tolerance bends less"
+
+    tolerance: tolerance_property("How far the curve may move", 0.01, least=1e-12)
+
+    def settings(self):
+        return ['tolerance', 'keep_tangents']
+
+    def verb(self):
+        return verbs.fair(self.length, self.ends)
 
 
 class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):
@@ -220,6 +271,7 @@ _PLAIN = tuple(pieces.plain(OnCurves, *row) for row in (
      "Made {} NURBS", "it is NURBS already", verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
-           SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split_curve,
+           SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_rebuild,
+           SPLINEWRIGHT_OT_fair, SPLINEWRIGHT_OT_split_curve,
            SPLINEWRIGHT_OT_reparametrise, SPLINEWRIGHT_OT_make_periodic, SPLINEWRIGHT_OT_project_curve,
            SPLINEWRIGHT_OT_to_hermite, *_PLAIN)

@@ -4,7 +4,7 @@ They are those of curves, done along u, along v, or along both, one after the ot
 """
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty
+from bpy.props import BoolProperty, EnumProperty, IntProperty
 
 from ...bridge import replacing, settings
 from ...core import parameters, patch_verbs, verbs
@@ -152,6 +152,24 @@ class SPLINEWRIGHT_OT_patch_lower_degree(_WithinTolerance, _Along, bpy.types.Ope
         return verbs.lower_degree(self.times, self.left(spent))
 
 
+class SPLINEWRIGHT_OT_patch_rebuild(OnPatches, bpy.types.Operator):
+    bl_idname = "splinewright.patch_rebuild"
+    bl_label = "Rebuild"
+    bl_description = ("Take the nearest patch with so many points on even knots, and say how far it lies from the present "
+                      "one; corners stay, and degree + 1 points make one span")
+    done, already = "Rebuilt {}", "its points and knots are these already"
+
+    count_u: IntProperty(name="Points U", description="How many control points each patch gets along u", default=8, min=2,
+                         soft_max=100)
+    count_v: IntProperty(name="V", description="How many control points each patch gets along v", default=8, min=2,
+                         soft_max=100)
+    degree_u: IntProperty(name="Degree U", description="Of the new patch along u", default=3, min=1, soft_max=9)
+    degree_v: IntProperty(name="V", description="Of the new patch along v", default=3, min=1, soft_max=9)
+
+    def verb(self):
+        return patch_verbs.rebuild((self.count_u, self.count_v), (self.degree_u, self.degree_v))
+
+
 class SPLINEWRIGHT_OT_patch_split(AtParameters, _Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_split"
     bl_label = "Split"
@@ -258,6 +276,7 @@ _PLAIN = tuple(pieces.plain(OnPatches, *row) for row in (
      "Made {} NURBS", "it is NURBS already", patch_verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_patch_insert_knot, SPLINEWRIGHT_OT_patch_remove_knot, SPLINEWRIGHT_OT_patch_remove_knots,
-           SPLINEWRIGHT_OT_patch_raise_degree, SPLINEWRIGHT_OT_patch_lower_degree, SPLINEWRIGHT_OT_patch_split,
+           SPLINEWRIGHT_OT_patch_raise_degree, SPLINEWRIGHT_OT_patch_lower_degree, SPLINEWRIGHT_OT_patch_rebuild,
+           SPLINEWRIGHT_OT_patch_split,
            SPLINEWRIGHT_OT_patch_reverse, SPLINEWRIGHT_OT_patch_swap, SPLINEWRIGHT_OT_patch_reparametrise,
            SPLINEWRIGHT_OT_patch_clamp, SPLINEWRIGHT_OT_patch_unclamp, SPLINEWRIGHT_OT_patch_make_periodic, *_PLAIN)
