@@ -8,6 +8,7 @@
 #include "splinecore/measure/area.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 #include "splinecore/measure/length.hpp"
+#include "splinecore/measure/moments.hpp"
 #include "splinecore/measure/patch_curvature.hpp"
 #include "values.hpp"
 
@@ -228,6 +229,39 @@ void bind_set(py::class_<PatchSet> cls) {
           "meet on equal points, a side of a pole or across a periodic direction is closed. Rows S19, S20.");
 }
 
+py::array_t<double> second_moments(const PatchSet& set, const py::object& about, const py::object& tolerance) {
+  std::optional<glm::dvec3> point;
+  if (!about.is_none()) point = vector_of(about, "about");
+  const double most = real(tolerance, "tolerance");
+  const auto found = unlocked([&] { return splinecore::second_moments(set, point, most).value; });
+  py::array_t<double> out(Shape{3, 3});
+  std::copy_n(&found[0].x, 9, out.mutable_data());
+  return out;
+}
+
+void bind_moments(py::class_<PatchSet> cls) {
+  cls.def("centroid", [](const PatchSet& self, const py::object& tolerance) {
+            const double most = real(tolerance, "tolerance");
+            const glm::dvec3 found = unlocked([&] { return splinecore::centroid(self, most).value; });
+            py::array_t<double> out(Shape{3});
+            std::copy_n(&found.x, 3, out.mutable_data());
+            return out;
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+          "The centroid of the solid that the patches enclose, (3,): off by at most the tolerance times half the\n"
+          "diagonal of the box of the points, or by rounding where that is more. By Gauss's theorem and adaptive\n"
+          "quadrature; normals that point inwards change nothing.\n\n"
+          "InvalidShape as volume(), and where the volume is none; PointAtInfinity; ToleranceNotReached.\n"
+          "Rows S19, S20.");
+  cls.def("second_moments", [](const PatchSet& self, const py::object& about, const py::object& tolerance) {
+            return second_moments(self, about, tolerance);
+          }, py::arg("about") = py::none(), py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+          "The integral of d d^T over the solid that the patches enclose, a symmetric (3, 3): d is the way from a\n"
+          "point (3,), by default from the centroid. The inertia tensor at density 1 is trace(m) * eye(3) - m.\n\n"
+          "Those about the centroid are off by at most the tolerance times their trace, or by rounding where that is\n"
+          "more. All are negative if the normals point inwards, as the volume is. InvalidShape as centroid(), and if\n"
+          "one is too large for a number; PointAtInfinity; ToleranceNotReached. Rows S19, S20.");
+}
+
 void bind_result(py::module_& module) {
   py::class_<Curvatures> cls(
       module, "Curvatures", py::module_local(),
@@ -249,6 +283,7 @@ void bind_measure(py::module_& module) {
   for_curves(module, [](auto cls) { bind_curve(cls); });
   for_patches(module, [](auto cls) { bind_patch(cls); });
   bind_set(class_of<PatchSet>(module, "PatchSet"));
+  bind_moments(class_of<PatchSet>(module, "PatchSet"));
 }
 
 }  // namespace bindings

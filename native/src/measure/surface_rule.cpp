@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "kernels/kernels.hpp"
-#include "kronrod_node.hpp"
+#include "kronrod_21.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -14,23 +14,9 @@ namespace splinecore {
 
 namespace {
 
-constexpr std::array<KronrodNode, 11> kNodes{{
-    {0.0021714184870959596322, 0.005847319433685937139, 0.0},
-    {0.013046735741414139961, 0.016279081153982363739, 0.033335672154344068797},
-    {0.034921254322145886999, 0.027377948287175998016, 0.0},
-    {0.067468316655507744634, 0.037519837405459976384, 0.074725674575290296573},
-    {0.10959113670679155147, 0.046562727291848802768, 0.0},
-    {0.16029521585048779688, 0.05469357940114882095, 0.109543181257991022},
-    {0.21862143266569765833, 0.061745988131032925539, 0.0},
-    {0.2833023029353764046, 0.067354608655736662964, 0.13463335965499817755},
-    {0.35280356864926990093, 0.071387969288530040399, 0.0},
-    {0.42556283050918439456, 0.073869552450669245687, 0.14776211235737643509},
-    {0.5, 0.074722777001458452832, 0.0},
-}};
-
 /// Both ends, where the rules see nothing, lie among the first nodes, and one twice to fill the lanes.
 constexpr std::size_t kEnds = 3;
-constexpr std::size_t kCount = kEnds + 2 * kNodes.size() - 1;
+constexpr std::size_t kCount = kEnds + 2 * kKronrod21.size() - 1;
 static_assert(kCount % 4 == 0);
 
 struct Rule {
@@ -43,8 +29,8 @@ struct Rule {
 constexpr Rule kRule = [] {
   Rule rule;
   for (std::size_t i = 0; i < kCount - kEnds; ++i) {
-    const bool is_low = i < kNodes.size();
-    const KronrodNode& node = kNodes[is_low ? i : kCount - kEnds - 1 - i];
+    const bool is_low = i < kKronrod21.size();
+    const KronrodNode& node = kKronrod21[is_low ? i : kCount - kEnds - 1 - i];
     rule.at[kEnds + i] = is_low ? node.at : 1.0 - node.at;
     rule.rest[kEnds + i] = is_low ? 1.0 - node.at : node.at;
     rule.shares[kEnds + i] = node.kronrod;
@@ -151,7 +137,7 @@ void SurfaceIntegral::sum_line(const BernsteinNet<glm::dvec4>& net, std::size_t 
 
 PieceIntegral SurfaceIntegral::operator()(const SurfacePiece& piece, Integrand integrand) {
   // As wide as what lies between an end and the nearest node: a fold there is seen by the ends alone.
-  constexpr double kUnseen = kNodes[0].at;
+  constexpr double kUnseen = kKronrod21[0].at;
   breathe(kCount * (8 * piece.net.values.size() + kCount * (12 * piece.net.columns + 60)));
   const SurfaceRule rule{.degree = piece.net.degree(Axis::v),
                          .nodes = kCount,
