@@ -169,7 +169,8 @@ class Adaptive {
       double excess = 0.0;
       for (int k = 0; k < kMoments; ++k) {
         const double error = sums.error(k);
-        if (error > std::max(kCaution * allowed[k], 2.0 * sums.rounding(k))) excess = std::max(excess, error / allowed[k]);
+        const bool is_wrong = error > std::max(kCaution * allowed[k], 2.0 * sums.rounding(k));
+        if (is_wrong) excess = std::max(excess, error / allowed[k]);
       }
       if (excess == 0.0 || cells_.size() > most || !refine(allowed)) return {sums, excess};
     }
