@@ -40,7 +40,7 @@ def test_what_a_recipe_adds_is_what_its_numbers_say_and_stays_so_in_a_file(kind,
 
 
 OTHER = {'conic': ('weight', 2.0), 'ellipse': ('form', 'halves'), 'foci': ('distance', 1.5), 'circle': ('radius', 3.0),
-         'arc': ('sweep', 3.0), 'catmull_rom': ('closed', True), 'interpolating': ('degree', 2), 'kochanek_bartels': ('bias', 0.5),
+         'arc': ('sweep', 3.0), 'catmull_rom': ('closed', True), 'interpolating': ('degree', 2), 'approximating': ('degree', 2), 'kochanek_bartels': ('bias', 0.5),
          'polynomial': ('parametrisation', 'uniform'), 'helix': ('turns', -2.0), 'formula': ('y', 't^2'),
          'equation': ('c', -4.0), 'osculating': ('derivatives', 2)}
 

@@ -70,3 +70,9 @@ def _arcs(curve, reach):
         return arcs
     period = curve.domain[1] - curve.domain[0]
     return sorted([*arcs, *((first - period, last - period) for first, last in arcs)])
+
+
+def without_repeats(points):
+    """(m, 3): points, (n, 3), but for those that are where the one before them is."""
+    points = np.asarray(points, dtype=np.float64)
+    return points[np.append(True, (np.diff(points, axis=0) != 0.0).any(axis=1))] if len(points) else points

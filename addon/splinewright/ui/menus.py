@@ -36,6 +36,7 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
         layout.separator()
         layout.operator("splinewright.curve_through_points", text=tools.text_of("curve_through_points"), icon='SNAP_VERTEX')
+        layout.operator("splinewright.fit_curve", text=tools.text_of("fit_curve"), icon='GREASEPENCIL')
 
 
 class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
@@ -73,6 +74,7 @@ def _draw_vertices(self, context):
     if not editing.nets_in_edit_mode(context):
         self.layout.separator()
         self.layout.operator("splinewright.curve_through_points", text="Splinewright: Curve Through Points")
+        self.layout.operator("splinewright.fit_curve", text="Splinewright: Fit Curve")
 
 
 def _draw_import(self, context):
@@ -110,7 +112,7 @@ _ENTRIES = (
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
-    (('curve_through_points', kinds.ALL),
+    (('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL),
      *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW)),
     (('join', kinds.SHAPES), ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
     (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))

@@ -48,6 +48,18 @@ def _interpolating(points, degree, parametrisation, knots, closed):
     return Result(curve, _if_seen(missed, points))
 
 
+#: So often parameters are moved towards the nearest points.
+_CORRECTIONS = 3
+
+
+def _approximating(points, by, tolerance, control_points, degree, parametrisation, closed):
+    degree = min(degree, len(points) - 1)
+    least, most = (max(degree, 3) if closed else degree + 1), len(points)
+    options = {'tolerance': tolerance} if by == 'tolerance' else {'count': min(max(control_points, least), most)}
+    return Result(*sc.fit.approximate(points, degree=degree, parameters=parametrisation, closed=closed,
+                                      corrections=_CORRECTIONS, **options))
+
+
 def _polynomial(points, parametrisation, spline):
     parameters = _spacing(points, parametrisation)
     curve = sc.build.polynomial_through(points, parameters)
@@ -149,6 +161,14 @@ RECIPES = (
            "The B-spline curve of a degree through points, smooth as that degree allows: uniform, chordal or centripetal",
            (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, _WAVE, True, 24),
     THROUGH_OBJECTS,
+    Recipe("approximating", "Approximating Spline",
+           "A clean B-spline curve near many points, by least squares: within a tolerance, or with so many control points",
+           (Parameter("by", "By", "What decides how many control points the curve has", "tolerance", choices=(
+               ("tolerance", "Tolerance", "As few as lie within the tolerance of all points"),
+               ("count", "Control Points", "So many"))),
+            Parameter("tolerance", "Tolerance", "How far points may lie from the curve", 0.05, 1e-9, unit='LENGTH'),
+            Parameter("control_points", "Control Points", "Of the curve; no more than there are points", 8, 2, 10_000),
+            _DEGREE, _PARAMETERS, _CLOSED), _approximating, _WAVE, True, 24),
     Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbours",
            (_PARAMETERS, _TENSION, _CLOSED, _ENDS), _catmull_rom, _WAVE, True, 16),
     Recipe("kochanek_bartels", "Kochanek-Bartels Spline", "A Catmull-Rom spline with tension, continuity and bias",

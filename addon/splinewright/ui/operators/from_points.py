@@ -1,0 +1,92 @@
+"""What operators have in common that make curves of points: vertices of a mesh in Edit Mode, and others of their own."""
+
+import bmesh
+import bpy
+import numpy as np
+
+from ...bridge import remaking
+from ...core import vertex_order
+from ...core.failures import FAILURES, Refusal
+from .. import editing, recipe_props
+from . import new_shapes, reports
+from .adding import Repeatable, add_in_front, require_place
+
+
+class CurvesFromPoints(Repeatable):
+    """Adds what curves() makes. `recipe` makes a curve of points, `shape_name` names it."""
+
+    recipe, shape_name = None, ""
+    needs = "Select objects in Object Mode, or vertices in the Edit Mode of a mesh that is no net"
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode == 'OBJECT' and cls.has_made(context):
+            return True
+        if context.mode not in ('OBJECT', 'EDIT_MESH') or editing.nets_in_edit_mode(context):
+            cls.poll_message_set(cls.needs)
+            return False
+        return context.mode == 'EDIT_MESH' or cls.can_take_objects(context)
+
+    @classmethod
+    def can_take_objects(cls, context):
+        """poll() in Object Mode."""
+        return True
+
+    def execute(self, context):
+        new_shapes.settle(self)
+        try:
+            require_place(context)
+            new = self.of_objects(context) if context.mode == 'OBJECT' else self._of_vertices(context)
+        except FAILURES as error:
+            return reports.failed(self, error)
+        for ob in new:
+            add_in_front(context, ob, context.selected_objects if ob == new[0] else [])
+        return self.finished(context, reports.Said(warnings=self.warnings(new)))
+
+    def of_objects(self, context):
+        """New objects, in Object Mode. Raises Refusal."""
+        raise NotImplementedError("of_objects: each operator says what it takes of objects")
+
+    def warnings(self, new):
+        return ()
+
+    def _of_vertices(self, context):
+        """One curve for each chain of vertices. Leaves Edit Mode where nothing is refused."""
+        found = [(ob, *chain) for ob in context.objects_in_mode_unique_data for chain in _chains(ob.data)]
+        if not found:
+            raise Refusal("no vertices are selected")
+        new = self.new_objects(found)
+        bpy.ops.object.mode_set(mode='OBJECT')
+        return new
+
+    def new_objects(self, found):
+        """One for each (source, points in its space, whether they close), in its place; none where one is refused."""
+        new = []
+        try:
+            for source, points, closed in found:
+                values = {**recipe_props.typed(self.recipe, self), 'closed': self.closed or closed}
+                new.append(self.new_object(f"{source.name} Curve" if source else self.shape_name, values, points))
+                if source:
+                    new[-1].matrix_world = source.matrix_world
+        except FAILURES:
+            bpy.data.batch_remove([ob.data for ob in new])
+            raise
+        return new
+
+    def new_object(self, name, values, points):
+        if len(points) < 2:
+            raise Refusal("one point is no curve: select more")
+        data = remaking.new_data(name, self.recipe, values, np.array(points, dtype=np.float64), new_shapes.start(self))
+        return bpy.data.objects.new(data.name, data)
+
+
+def _chains(mesh):
+    """[(points, whether they close)] of the selected vertices of a mesh in Edit Mode. Raises Refusal."""
+    bm = bmesh.from_edit_mesh(mesh)
+    bm.verts.index_update()
+    places = {vertex.index: vertex.co.copy() for vertex in bm.verts if vertex.select}
+    edges = [[vertex.index for vertex in edge.verts] for edge in bm.edges if edge.select]
+    chosen = map(bm.select_history.__getitem__, range(len(bm.select_history)))      # Python 3.13 does not iterate over it
+    history = [one.index for one in chosen if isinstance(one, bmesh.types.BMVert)]
+    chains = vertex_order.in_order(places, edges, history) if places else []
+    return [([places[vertex] for vertex in chain], closed) for chain, closed in chains]
