@@ -201,8 +201,11 @@ HERMITE_PATCH = {
     "__init__": lambda one, at: sc.HermitePatch(one.points, one.tangents_u, one.tangents_v, one.twists, one.parameters)}
 
 
-def lens(at):
-    """A patch and one beside it with the same sides, which enclose a volume where the degree is more than 1."""
+def solid(one, at):
+    """The set, or where it encloses nothing a patch and one beside it with the same sides, which do where the degree is
+    more than 1."""
+    if abs(one.volume(tolerance=1e-1)) > 1e-3 * at.size**3:
+        return one
     points = np.array(at.patch.points)
     points[1, 1] += at.size
     return sc.PatchSet.from_patches([at.patch, sc.BezierPatch(points, at.patch.weights).swapped()])
@@ -224,8 +227,8 @@ PATCH_SET = {
     "area": lambda one, at: one.area(tolerance=1e-2),
     "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
     "volume": lambda one, at: one.volume(tolerance=1e-1),
-    "centroid": lambda one, at: lens(at).centroid(tolerance=1e-1),
-    "second_moments": lambda one, at: lens(at).second_moments(tolerance=1e-1),
+    "centroid": lambda one, at: solid(one, at).centroid(tolerance=1e-1),
+    "second_moments": lambda one, at: solid(one, at).second_moments(tolerance=1e-1),
 }
 TESSELLATION = {
     "__init__": lambda one, at: sc.Tessellation(at.patch_set, 2),
