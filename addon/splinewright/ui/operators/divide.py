@@ -1,0 +1,156 @@
+"""Equal parts of a curve: points at their ends, or objects that stand there."""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
+from mathutils import Matrix
+
+from ...bridge import replacing, store
+from ...core import decimals, dividing, verbs
+from ...core.failures import FAILURES, Refusal
+from . import reports
+from .adding import Repeatable, can_add
+
+_MOST_OBJECTS = 10_000
+
+
+class SPLINEWRIGHT_OT_divide_equally(Repeatable, bpy.types.Operator):
+    bl_idname = "splinewright.divide_equally"
+    bl_label = "Divide Equally"
+    bl_description = ("Divide the active curve into parts of equal length: points at their ends, or objects that stand there, "
+                      "turned with the curve")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    by: EnumProperty(name="By", items=(
+        ('COUNT', "Parts", "Into so many parts"), ('LENGTH', "Length", "Into parts of one length, from the start on")))
+    count: IntProperty(name="Parts", description="How many equal parts each curve gets", default=10, min=1, soft_max=200,
+                       max=1_000_000)
+    length: FloatProperty(name="Length", description="Of a part, in the scene", default=1.0, min=1e-9, unit='LENGTH')
+    with_ends: BoolProperty(name="With Ends", description="Also at the ends of an open curve", default=True)
+    make: EnumProperty(name="Make", items=(
+        ('POINTS', "Points", "A mesh of points"), ('EMPTIES', "Empties", "Arrows that show where things would stand"),
+        ('COPIES', "Copies", "Copies of an object that share its data")))
+    source: StringProperty(name="Object", description="What is copied", options={'SKIP_SAVE'})
+    turned: EnumProperty(name="Turned", items=(
+        ('upright', "Upright", "With the curve, upper side up"),
+        ('minimal', "With the Curve", "With the curve, and about it no more than it must"),
+        ('frenet', "To the Bend", "Upper side to where the curve bends: Frenet's frames"),
+        ('not', "Not", "As the object is turned, or the world")))
+    along: EnumProperty(name="Ahead", items=(
+        ('X', "X", "The object's x axis goes along the curve"), ('Y', "Y", "Its y axis"), ('Z', "Z", "Its z axis")))
+
+    @classmethod
+    def poll(cls, context):
+        if not can_add(cls, context):
+            return False
+        if cls.has_made(context) or _is_curve(context.object):
+            return True
+        cls.poll_message_set("Make a curve shape active")
+        return False
+
+    def invoke(self, context, event):
+        """Another object that is selected beside the curve is what is copied."""
+        others = [ob for ob in context.selected_objects if ob != context.object]
+        if len(others) == 1 and not self.properties.is_property_set('source'):
+            self.source, self.make = others[0].name, 'COPIES'
+        return self.execute(context)
+
+    def execute(self, context):
+        ob = context.object
+        try:
+            if not _is_curve(ob):
+                raise Refusal("make a curve shape active")
+            places, parts = self._places(ob)
+            new = self._new_objects(context, ob, places)
+        except FAILURES as error:
+            return reports.failed(self, error, ob.name if ob else "")
+        for other in context.selected_objects:
+            other.select_set(False)
+        if self.make == 'POINTS':
+            context.collection.objects.link(new[0])
+        for each in new:
+            each.select_set(True)
+        context.view_layer.objects.active = new[0]
+        return self.finished(context, reports.Said(parts))
+
+    def _places(self, ob):
+        """((n, 4, 4) of all curves of the shape, in the world; a sentence about the parts)."""
+        lengths, places = [], []
+        for curve in verbs.curves_of(store.read(ob.data)):
+            curve = curve.to_nurbs().transformed(np.array(ob.matrix_world))
+            wanted = {'count': self.count} if self.by == 'COUNT' else {'length': decimals.typed(self.length)}
+            at = dividing.parameters(curve, with_ends=self.with_ends, **wanted)
+            turned = 'not' if self.make == 'POINTS' else self.turned
+            places.append(dividing.places(curve, at, turned, self.along))
+            lengths.append(curve.length(tolerance=1e-6) / self.count)
+        found = np.concatenate(places)
+        if not len(found):
+            raise Refusal("there is no place between the ends")
+        said = f"{len(found)} places" + (f", parts of {decimals.text_of(lengths[0], 4)}"
+                                         if self.by == 'COUNT' and len(lengths) == 1 else "")
+        return found, said
+
+    def _new_objects(self, context, ob, places):
+        name = f"{ob.name} Divided"
+        if self.make == 'POINTS':
+            return [_points(name, ob.matrix_world.translation, places[:, :3, 3])]
+        if len(places) > _MOST_OBJECTS:
+            raise Refusal(f"{len(places)} objects are too many: {_MOST_OBJECTS} are allowed")
+        source = None
+        if self.make == 'COPIES':
+            source = bpy.data.objects.get(self.source)
+            if source is None:
+                raise Refusal("choose the object that is copied")
+        collection = bpy.data.collections.new(name)
+        context.collection.children.link(collection)
+        return [_standing(source, name, collection, place, self.turned) for place in places]
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.row().prop(self, "by", expand=True)
+        layout.prop(self, "count" if self.by == 'COUNT' else "length")
+        layout.prop(self, "with_ends")
+        layout.row().prop(self, "make", expand=True)
+        if self.make == 'COPIES':
+            layout.prop_search(self, "source", context.scene, "objects")
+        if self.make != 'POINTS':
+            layout.prop(self, "turned")
+            if self.turned != 'not':
+                layout.row().prop(self, "along", expand=True)
+
+
+def _is_curve(ob):
+    return ob is not None and replacing.is_curve_shape(ob)
+
+
+def _points(name, origin, points):
+    """A mesh of points in the world, with its origin there."""
+    mesh = bpy.data.meshes.new(name)
+    mesh.vertices.add(len(points))
+    mesh.vertices.foreach_set('co', (points - np.array(origin)).astype(np.float32).ravel())
+    mesh.update()
+    ob = bpy.data.objects.new(name, mesh)
+    ob.location = origin
+    return ob
+
+
+def _standing(source, name, collection, place, turned):
+    """A copy of an object, or an empty, in its place."""
+    if source is None:
+        ob = bpy.data.objects.new(name, None)
+        ob.empty_display_type = 'ARROWS'
+        ob.empty_display_size = 0.25
+        own = Matrix()
+    else:
+        ob = source.copy()
+        ob.parent = None
+        ob.animation_data_clear()
+        _, rotation, scale = source.matrix_world.decompose()
+        own = Matrix.LocRotScale(None, rotation if turned == 'not' else None, scale)
+    collection.objects.link(ob)
+    ob.matrix_world = Matrix(place.tolist()) @ own
+    return ob
+
+
+CLASSES = (SPLINEWRIGHT_OT_divide_equally,)
