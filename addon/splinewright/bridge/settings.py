@@ -147,6 +147,12 @@ class Settings:
     show_numbers: BoolProperty(
         name="Show Numbers", description="Show the numbers of the pieces in the 3D view, which operators ask for",
         default=False, options=set())
+    measure_u: FloatProperty(
+        name="Place U", description="Where the shape is measured, as a part of the domain along u", default=0.5, min=0.0,
+        max=1.0, subtype='FACTOR', precision=4, options=set())
+    measure_v: FloatProperty(
+        name="Place V", description="Where the shape is measured, as a part of the domain along v", default=0.5, min=0.0,
+        max=1.0, subtype='FACTOR', precision=4, options=set())
     piece: IntProperty(
         name="Piece in Hand", description="The piece, counted from 1, with which operators begin that ask for one; "
         "0 for none", default=0, min=0, options=set())

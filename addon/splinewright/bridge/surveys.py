@@ -1,6 +1,6 @@
 """What is shown of shapes beside themselves, worked out when their definition changes and not at every redraw."""
 
-from ..core import aiming, continuity, landmarks, offers, seams, verbs
+from ..core import aiming, continuity, landmarks, measured, offers, seams, verbs
 from . import store
 from .file_state import remember, state
 
@@ -53,6 +53,16 @@ def samples_of(data):
 def refused(data):
     """Names of operators that have nothing to do with a definition. Raises store.UnreadableDefinition."""
     return _kept('refused', data, offers.refused)
+
+
+def moved_of(data, matrix):
+    """The core.measured.Moved of a definition under a matrix. Raises store.UnreadableDefinition and Refusal."""
+    return _kept(('moved', matrix.tobytes()), data, lambda definition: measured.moved(definition, matrix))
+
+
+def whole_of(data, matrix):
+    """The core.measured.Whole of it. Raises as moved_of() does."""
+    return _kept(('whole', matrix.tobytes()), data, lambda definition: measured.whole(moved_of(data, matrix)))
 
 
 def _survey(definition):

@@ -1,0 +1,78 @@
+"""What the active shape measures in the scene, and at a place of one of its curves or patches, in the sidebar."""
+
+import bpy
+import numpy as np
+
+from ..bridge import store, surveys
+from ..bridge.net import net_object
+from ..core import decimals, measured
+from ..core.failures import FAILURES, sentence
+from . import hand, texts
+from .sub_panel import SubPanel
+
+#: While a net is edited shapes of more points are measured when it is left.
+_MOST_WHILE_EDITED = 2000
+_DIGITS = 7
+
+
+class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_measure"
+    bl_label = "Measure"
+
+    @classmethod
+    def poll(cls, context):
+        return hand.shape_of(context.object) is not None
+
+    def draw(self, context):
+        ob = hand.shape_of(context.object)
+        try:
+            definition = store.read(ob.data)
+            if net_object.is_net(context.object) and len(definition.pool) > _MOST_WHILE_EDITED:
+                texts.draw_note(self.layout, "So many points are measured when the net is left")
+                return
+            matrix = np.array(ob.matrix_world)
+            _draw_whole(self.layout, surveys.whole_of(ob.data, matrix))
+            _draw_place(self.layout, ob.data, surveys.moved_of(ob.data, matrix).pieces)
+        except store.UnreadableDefinition:
+            return                      # the panel above says it
+        except FAILURES as error:
+            texts.draw_note(self.layout, sentence(error))
+
+
+def _draw_whole(layout, whole):
+    if whole.problem:
+        texts.draw_note(layout, whole.problem)
+        return
+    column = layout.column(align=True)
+    for name, number in (("Length", whole.length), ("Area", whole.area), ("Volume", whole.volume)):
+        if number is not None:
+            _draw_row(column, name, number)
+    if whole.box is not None:
+        _draw_row(column, "Size", whole.box[1] - whole.box[0])
+        _draw_row(column, "From", whole.box[0])
+        _draw_row(column, "To", whole.box[1])
+
+
+def _draw_place(layout, data, pieces):
+    chosen = data.splinewright
+    if len(pieces) > 1:
+        layout.prop(chosen, "piece")
+    piece = pieces[min(max(chosen.piece, 1), len(pieces)) - 1]
+    layout.prop(chosen, "measure_u", slider=True)
+    if isinstance(data, bpy.types.Mesh):
+        layout.prop(chosen, "measure_v", slider=True)
+    column = layout.column(align=True)
+    for name, value in measured.at_parameter(piece, (chosen.measure_u, chosen.measure_v)):
+        _draw_row(column, name, value)
+
+
+def _draw_row(column, name, value):
+    """A number beside its name, or three below one another."""
+    numbers = np.atleast_1d(value)
+    for i, number in enumerate(numbers):
+        row = column.split(factor=0.45)
+        row.label(text=f"{name} {'XYZ'[i]}" if len(numbers) > 1 else name)
+        row.label(text=decimals.text_of(float(number), _DIGITS))
+
+
+CLASSES = (SPLINEWRIGHT_PT_measure,)

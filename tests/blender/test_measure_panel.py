@@ -1,0 +1,92 @@
+"""The panel Measure says what shapes measure in the scene, against closed forms."""
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Matrix
+
+import curves
+import patches
+from layouts import drawn_by
+from shapes import add, enter
+from support import part, splinecore as sc
+
+measured, panel = part('core.measured'), part('ui.measure_panel').SPLINEWRIGHT_PT_measure
+
+
+def said():
+    """{label: number} of the panel."""
+    assert panel.poll(bpy.context)
+    texts = [text for text in drawn_by(panel, bpy.context).texts if text]
+    found = {}
+    for name, value in zip(texts, texts[1:]):
+        try:
+            found.setdefault(name, float(value))
+        except ValueError:
+            pass
+    return found
+
+
+def test_a_circle_under_a_scale_is_an_ellipse_in_the_scene():
+    ob = add(curves.value_of('circle'))
+    circle = curves.value_of('circle')
+    ob.matrix_world = Matrix.LocRotScale((5, 0, 0), None, (2, 2, 2))
+    bpy.context.view_layer.update()
+    now = said()
+    assert now["Length"] == pytest.approx(2 * circle.length(), rel=1e-6)
+    assert now["Curvature"] == pytest.approx(float(circle.curvature(circle.domain[0])) / 2, rel=1e-6)
+    assert now["Radius"] == pytest.approx(1 / now["Curvature"], rel=1e-6) and now["Torsion"] == pytest.approx(0, abs=1e-9)
+    assert now["Length to here"] == pytest.approx(now["Length"] / 2, rel=1e-6)
+    assert now["Size X"] == pytest.approx(now["Size Y"], rel=1e-6) and now["From X"] < now["To X"]
+
+
+def test_a_sphere_has_its_volume_and_an_open_surface_none():
+    bpy.ops.splinewright.add_sphere()
+    sphere = bpy.context.object
+    now = said()
+    radius = now["Size X"] / 2
+    assert now["Area"] == pytest.approx(4 * np.pi * radius**2, rel=1e-6)
+    assert now["Volume"] == pytest.approx(4 / 3 * np.pi * radius**3, rel=1e-6)
+    assert abs(now["Mean"]) == pytest.approx(1 / radius, rel=1e-6) and now["Gauss"] == pytest.approx(1 / radius**2, rel=1e-6)
+    sphere.scale = (1, 2, 3)
+    bpy.context.view_layer.update()
+    assert said()["Volume"] == pytest.approx(6 * now["Volume"], rel=1e-6)
+    add(patches.value_of('bicubic'))
+    now = said()
+    assert "Volume" not in now
+    assert now["Area"] == pytest.approx(patches.value_of('bicubic').area(tolerance=1e-9), rel=1e-6)
+
+
+def test_the_place_is_chosen_by_piece_and_parameter():
+    ob = add(curves.value_of('many curves'))
+    values = curves.value_of('many curves')
+    ob.data.splinewright.piece, ob.data.splinewright.measure_u = 2, 0.25
+    start, end = values[1].domain
+    point = values[1].evaluate(start + 0.25 * (end - start))
+    now = said()
+    assert [now[f"Point {axis}"] for axis in "XYZ"] == pytest.approx(list(point), rel=1e-6, abs=1e-6)
+
+
+def test_what_runs_to_infinity_is_told_and_what_is_flat():
+    ob = add(curves.value_of('hyperbola'))
+    assert drawn_by(panel, bpy.context).texts
+    ob.scale = (1, 1, 0)
+    bpy.context.view_layer.update()
+    assert "flatten" in " ".join(drawn_by(panel, bpy.context).texts)
+
+
+def test_measures_are_kept_until_the_shape_changes():
+    ob = add(curves.value_of('nurbs'))
+    surveys = part('bridge.surveys')
+    matrix = np.eye(4)
+    first = surveys.whole_of(ob.data, matrix)
+    assert surveys.whole_of(ob.data, matrix) is first
+    ob.data.splinewright.value = curves.value_of('cubic')
+    assert surveys.whole_of(ob.data, matrix) is not first
+    assert first.length == pytest.approx(curves.value_of('nurbs').length(), rel=1e-6)
+
+
+def test_while_a_net_is_edited_too():
+    ob = add(curves.value_of('nurbs'))
+    enter()
+    assert "Length" in said()
