@@ -89,5 +89,5 @@ def _on_patch(patch, fractions):
     _, normals = patch.evaluate_grid_with_normals([u], [v])
     bend = patch.curvatures(u, v)
     return [("u", u), ("v", v), ("Point", patch.evaluate(u, v)), ("Normal", normals[0, 0]),
-            ("Least", float(np.min(bend.principal))), ("Greatest", float(np.max(bend.principal))),
+            ("Curvature min", float(np.min(bend.principal))), ("Curvature max", float(np.max(bend.principal))),
             ("Mean", float(bend.mean)), ("Gauss", float(bend.gauss))]

@@ -13,6 +13,8 @@ from .sub_panel import SubPanel
 #: While a net is edited shapes of more points are measured when it is left.
 _MOST_WHILE_EDITED = 2000
 _DIGITS = 7
+#: A coordinate so far below the largest is none.
+_ROUNDING = 1e-12
 
 
 class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
@@ -69,8 +71,9 @@ def _draw_place(layout, data, pieces):
 def _draw_row(column, name, value):
     """A number beside its name, or three below one another."""
     numbers = np.atleast_1d(value)
+    numbers = np.where(np.abs(numbers) > _ROUNDING * np.abs(numbers).max(), numbers, 0.0)
     for i, number in enumerate(numbers):
-        row = column.split(factor=0.45)
+        row = column.split(factor=0.5)
         row.label(text=f"{name} {'XYZ'[i]}" if len(numbers) > 1 else name)
         row.label(text=decimals.text_of(float(number), _DIGITS))
 
