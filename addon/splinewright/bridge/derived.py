@@ -15,10 +15,12 @@ def result(recipe, values, sources, owner, depsgraph, frames=()):
     if recipe.has_places:
         return recipe.make(np.array([matrix_in(frame, owner, depsgraph)[:3, 3] for frame in frames]), **values)
     inputs = [definition_of(source, depsgraph) for source in sources]
+    space = None if recipe.is_measured else owner
     if not recipe.is_beside:
-        inputs = [_moved(definition, source, owner, depsgraph) for definition, source in zip(inputs, sources)]
+        inputs = [_moved(definition, source, space, depsgraph) for definition, source in zip(inputs, sources)]
     placed = {'frame': matrix_in(frame, owner, depsgraph) for frame in frames}
-    return recipe.make(inputs, **values, **placed)
+    made = recipe.make(inputs, **values, **placed)
+    return made._replace(value=_moved(made.definition, None, owner, depsgraph)) if recipe.is_measured else made
 
 
 def _moved(definition, source, owner, depsgraph):

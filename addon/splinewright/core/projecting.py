@@ -1,6 +1,10 @@
-"""Nearest points on the pieces of a shape."""
+"""Nearest points on the pieces of a shape, and the curves that they make."""
 
 import numpy as np
+
+from . import decimals, parameters
+from .failures import Refusal
+from .library import sc
 
 #: Points between two steps of a progress bar.
 PART = 20_000
@@ -18,3 +22,39 @@ def feet(pieces, points, told=lambda done: None):
             distances[part][is_nearer] = nearest.distances[is_nearer]
         told(min(first + PART, len(points)))
     return found, distances
+
+
+#: In each span of a curve so many of its points are brought to the surface at first, and so many in all at most.
+_FIRST, _MOST = 16, 40_000
+_DEGREE = 3
+
+
+def curve_on(pieces, curve, tolerance):
+    """(a curve of the nearest points of a curve, at equal parameters; the largest distance from them that was found).
+
+    It is fitted to ever more of them, until it is within the tolerance half-way between them, too. Raises Refusal where
+    that does not come: where nearest points jump.
+    """
+    curve, steps, error = curve.to_nurbs(), _FIRST, np.inf
+    ends = np.concatenate([curve.domain[:1], parameters.inner_knots(curve), curve.domain[1:]])
+    while steps * len(ends) <= _MOST:
+        at = np.unique(np.concatenate([np.linspace(*span, 2 * steps + 1) for span in zip(ends, ends[1:])]))
+        wanted, _ = feet(pieces, curve.evaluate(at))
+        made = _fitted(at, wanted, curve, tolerance)
+        if made is not None:
+            error = np.linalg.norm(made.evaluate(at) - wanted, axis=1).max()
+            if error <= tolerance:
+                return made, float(error)
+        steps *= 2
+    nearest = f": the error would be {decimals.text_of(error)}" if np.isfinite(error) else ""
+    raise Refusal(f"the nearest points jump, or turn too fast for a curve within {decimals.text_of(tolerance)}{nearest}")
+
+
+def _fitted(at, points, curve, tolerance):
+    """A curve near every other one of the points, or None."""
+    closed = curve.periodic and np.array_equal(points[0], points[-1])
+    rows = points[::2][:-1] if closed else points[::2]
+    try:
+        return sc.fit.approximate(rows, degree=_DEGREE, parameters=at[::2], tolerance=tolerance / 2, closed=closed).value
+    except sc.Error:
+        return None

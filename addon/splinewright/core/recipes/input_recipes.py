@@ -1,6 +1,6 @@
 """What is made from other objects, live."""
 
-from .. import teaching
+from .. import projecting, teaching, verbs
 from .recipe import Result, Parameter, Recipe
 
 _PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
@@ -23,6 +23,13 @@ def _construction(inputs, piece, position, scheme, marker):
     return Result(teaching.construction(teaching.nurbs_of(inputs[0], piece), position, scheme, marker))
 
 
+def _projected(inputs, tolerance):
+    curves, pieces = map(verbs.pieces_of, inputs)
+    made = [projecting.curve_on(pieces, curve, tolerance) for curve in curves]
+    values, errors = zip(*made)
+    return Result(list(values) if len(values) > 1 else values[0], max(errors))
+
+
 RECIPES = (
     Recipe("follow", "Follow Object", "The same shape, in a place of its own", (), _follow, inputs=("one object",)),
     Recipe("basis", "Basis Functions",
@@ -36,4 +43,8 @@ RECIPES = (
             Parameter("marker", "Marker", "Radius of a circle around the point; 0 for none", 0.03, 0.0, unit='LENGTH'),
             _PIECE),
            _construction, inputs=("one curve",)),
+    Recipe("projected", "Project Curve",
+           "The curve of the nearest points on a surface, within a tolerance; it follows the curve and the surface",
+           (Parameter("tolerance", "Tolerance", "How far the curve may lie from the nearest points, in the scene", 0.001, 1e-9,
+                      unit='LENGTH'),), _projected, resolution=24, inputs=("one curve", "one surface"), is_measured=True),
 )

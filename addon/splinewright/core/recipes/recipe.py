@@ -53,6 +53,7 @@ class Recipe:
     is_beside: bool = False             # what it makes is put beside its first input, not over it
     frame: str = ""                     # what an object is called that may be chosen for its place and axes alone:
                                         # make() takes their matrix (4, 4) in the space of the shape, or None, as `frame`
+    is_measured: bool = False           # distances count: make() takes inputs in the world, and what it makes comes back
     has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one
 

@@ -17,7 +17,7 @@ from .adding import Repeatable, add_in_front, can_add, resolution_property
 from .pick_piece import draw_number
 
 #: Kinds of recipes that are called by what they do.
-_VERBS = ('revolve', 'extrude')
+_VERBS = ('revolve', 'extrude', 'projected')
 #: Of parameters that mean something for one object only.
 _MORE = {'piece': {'options': {'SKIP_SAVE'}}}
 
@@ -34,7 +34,7 @@ class _FromObjects(Repeatable):
             return False
         if cls.has_made(context):
             return True
-        reason = cls._lacking(_sources(context))
+        reason = cls._lacking(_sources(context, cls.recipe))
         if reason:
             cls.poll_message_set(reason)
         return not reason
@@ -43,16 +43,16 @@ class _FromObjects(Repeatable):
     def _lacking(cls, sources):
         """What is to be selected in place of these objects, or ""."""
         wanted = cls.recipe.inputs
-        fits = len(sources) == len(wanted) and all(ob.type == 'CURVE' for ob in sources)
+        fits = len(sources) == len(wanted) and all(map(_is_wanted, sources, wanted))
         return "" if fits else f"Select {' and '.join(wanted)}"
 
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
-            hand.begin(self, _sources(context))
+            hand.begin(self, _sources(context, self.recipe))
         return self.execute(context)
 
     def execute(self, context):
-        sources, recipe = _sources(context), self.recipe
+        sources, recipe = _sources(context, self.recipe), self.recipe
         if self._lacking(sources):
             return reports.cancelled(self, self._lacking(sources))
         hand.forget_asked()
@@ -101,10 +101,15 @@ class _FromObjects(Repeatable):
         new_shapes.draw(self, layout)
 
 
-def _sources(context):
-    """The selected objects that a shape can be made from, the active one first."""
+def _sources(context, recipe):
+    """The selected objects that a shape can be made from: what the recipe wants first, and the active one, come first."""
     chosen = [ob for ob in context.selected_objects if derived.is_possible(ob)]
-    return sorted(chosen, key=lambda ob: ob != context.object)
+    return sorted(chosen, key=lambda ob: (not _is_wanted(ob, recipe.inputs[0]), ob != context.object))
+
+
+def _is_wanted(ob, what):
+    """Whether an object is what a recipe names: a curve or a surface."""
+    return (ob.type == 'CURVE') == what.endswith("curve")
 
 
 def _beside(context):
