@@ -90,6 +90,15 @@ def test_copies_stand_with_their_axis_ahead(along, turned):
     assert len({each.users_collection for each in copies}) == 1
 
 
+def test_posts_stand_also_where_the_curve_climbs():
+    line = sc.BezierCurve([(0, 0, 0), (3, 4, 5)]).to_nurbs()
+    found = dividing.places(line, line.divide(3), 'standing', 'X')
+    np.testing.assert_allclose(found[:, :3, 0], [(0.6, 0.8, 0)] * 4, atol=1e-12)
+    np.testing.assert_allclose(found[:, :3, 2], [(0, 0, 1)] * 4, atol=1e-12)
+    upwards = sc.BezierCurve([(0, 0, 0), (0, 0, 5)]).to_nurbs()
+    np.testing.assert_allclose(np.linalg.det(dividing.places(upwards, upwards.divide(3), 'standing', 'X')[:, :3, :3]), 1.0)
+
+
 def test_straight_up_and_round_there_is_an_upper_side():
     line = sc.BezierCurve([(0, 0, 0), (0, 0, 5)]).to_nurbs()
     found = dividing.places(line, line.divide(3), 'upright', 'X')

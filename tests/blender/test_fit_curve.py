@@ -23,7 +23,8 @@ def grease_pencil(*lines, closed=False, hidden=False):
         data = kept.new("drawn")
         layer = data.layers.new("L")
         drawing = layer.frames.new(1).drawing
-        drawing.add_strokes([len(line) for line in lines])
+        if lines:                       # Blender crashes where it is to add none
+            drawing.add_strokes([len(line) for line in lines])
         for stroke, line in zip(drawing.strokes, lines):
             stroke.cyclic = closed
             for point, place in zip(stroke.points, line):

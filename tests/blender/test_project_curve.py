@@ -60,6 +60,12 @@ def test_it_lies_on_the_surface_within_the_tolerance(tolerance, surface_first):
     require_exact(ob)
 
 
+def test_it_has_few_control_points():
+    ball, curve = sphere(), add(helix(), "helix")
+    both(ball, curve)
+    assert len(run().data.splinewright.value.points) < 60
+
+
 def test_it_follows_both_through_uneven_scales_and_files(tmp_path):
     ball, curve = sphere((1, 2, 0.5)), add(helix(), "helix")
     curve.scale, curve.location = (1, 0.7, 2), (0.2, 0, 0.1)

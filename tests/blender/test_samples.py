@@ -175,3 +175,24 @@ def test_bodies_of_the_cups_are_closed_and_tubes_have_their_normals_outside():
         points, normals = shapes[name].evaluate_grid_with_normals(*(np.linspace(*d, 9)[:-1] for d in shapes[name].domain))
         outward = points - points.mean(axis=1, keepdims=True)
         assert ((outward * normals).sum(axis=-1) > 0).all(), name
+
+
+def test_splines_through_the_same_points_differ_by_the_spacing_of_their_parameters():
+    missed, returns = {}, {}
+    for name, curve in opened('interpolation').items():
+        x, y, _ = curve.evaluate(np.linspace(*curve.domain, 8001)[:-1]).T
+        kind = name.removeprefix("Spline, ")
+        missed[kind], returns[kind] = np.abs(y - 1.2 * np.abs(x)).max(), (np.diff(x) < 0).any()
+    assert missed["centripetal"] < 0.1 < missed["uniform"] < missed["chordal"]
+    assert returns == {"uniform": True, "chordal": False, "centripetal": False}
+
+
+def test_the_path_lies_on_the_hill_and_its_posts_stand_at_equal_parts():
+    shapes = opened('railing')
+    hill, foot = shapes["Hill"], shapes["Path on the hill"]
+    assert hill.nearest(foot.evaluate(np.linspace(*foot.domain, 2001))).distances.max() < 0.0011
+    assert recipes.kind(bpy.data.objects["Path on the hill"].data) == 'projected'
+    posts = np.array([ob.location for ob in bpy.data.objects if ob.name.startswith("Post.")])
+    places = foot.evaluate(foot.divide(len(posts) - 1))
+    assert len(posts) == 25
+    assert np.allclose(posts[np.argsort(posts[:, 0])], places[np.argsort(places[:, 0])], atol=1e-5)

@@ -30,7 +30,7 @@ def is_closed(curve):
 def places(curve, at, turned, along):
     """(n, 4, 4): where things stand at parameters, with their axis `along`, 'X', 'Y' or 'Z', ahead on the curve.
 
-    turned: 'upright', their upper side as far up as the curve lets it; 'minimal', turning no more than the curve
+    turned: 'standing', upright in the world; 'upright', their upper side as far up as the curve lets it; 'minimal', turning no more than the curve
     makes them; 'frenet', to where the curve bends; 'not' leaves the axes of the space.
     Raises what the library raises where the curve has no such frames.
     """
@@ -48,13 +48,20 @@ def _frames(curve, at, turned):
     frames = curve.frames(at, start=_start(curve), closed=is_closed(curve))
     if turned == 'minimal':
         return frames
-    upright = frames.copy()
-    up = _UP - frames[:, 0] * frames[:, :1, 2]
-    height = np.linalg.norm(up, axis=1)
-    is_steep = height < 1e-6
-    upright[:, 1] = np.where(is_steep[:, None], frames[:, 1], up / np.where(is_steep, 1.0, height)[:, None])
-    upright[:, 2] = np.cross(upright[:, 0], upright[:, 1])
-    return upright
+    if turned == 'standing':
+        ahead = _unit(frames[:, 0] * (1.0, 1.0, 0.0), frames[:, 1] * (1.0, 1.0, 0.0))
+        return _with_sides(ahead, np.broadcast_to(_UP, ahead.shape))
+    return _with_sides(frames[:, 0], _unit(_UP - frames[:, 0] * frames[:, :1, 2], frames[:, 1]))
+
+
+def _with_sides(ahead, up):
+    return np.stack([ahead, up, np.cross(ahead, up)], axis=1)
+
+
+def _unit(vectors, otherwise):
+    """Of length 1; where they have none, the others."""
+    chosen = np.where(np.linalg.norm(vectors, axis=1, keepdims=True) < 1e-6, otherwise, vectors)
+    return chosen / np.linalg.norm(chosen, axis=1, keepdims=True)
 
 
 def _start(curve):

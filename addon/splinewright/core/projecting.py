@@ -26,6 +26,8 @@ def feet(pieces, points, told=lambda done: None):
 
 #: In each span of a curve so many of its points are brought to the surface at first, and so many in all at most.
 _FIRST, _MOST = 16, 40_000
+#: There are to be so many of them for each control point: of fewer a curve is made that goes through all.
+_FEW = 4
 _DEGREE = 3
 
 
@@ -35,17 +37,20 @@ def curve_on(pieces, curve, tolerance):
     It is fitted to ever more of them, until it is within the tolerance half-way between them, too. Raises Refusal where
     that does not come: where nearest points jump.
     """
-    curve, steps, error = curve.to_nurbs(), _FIRST, np.inf
+    curve, steps, best = curve.to_nurbs(), _FIRST, None
     ends = np.concatenate([curve.domain[:1], parameters.inner_knots(curve), curve.domain[1:]])
-    while steps * len(ends) <= _MOST:
+    error = np.inf
+    while steps * len(ends) <= _MOST and not (best and len(best[0].points) * _FEW <= steps * len(ends)):
         at = np.unique(np.concatenate([np.linspace(*span, 2 * steps + 1) for span in zip(ends, ends[1:])]))
         wanted, _ = feet(pieces, curve.evaluate(at))
         made = _fitted(at, wanted, curve, tolerance)
         if made is not None:
-            error = np.linalg.norm(made.evaluate(at) - wanted, axis=1).max()
-            if error <= tolerance:
-                return made, float(error)
+            error = float(np.linalg.norm(made.evaluate(at) - wanted, axis=1).max())
+            if error <= tolerance and (best is None or len(made.points) < len(best[0].points)):
+                best = made, error
         steps *= 2
+    if best:
+        return best
     nearest = f": the error would be {decimals.text_of(error)}" if np.isfinite(error) else ""
     raise Refusal(f"the nearest points jump, or turn too fast for a curve within {decimals.text_of(tolerance)}{nearest}")
 

@@ -32,7 +32,8 @@ class SPLINEWRIGHT_OT_divide_equally(Repeatable, bpy.types.Operator):
         ('COPIES', "Copies", "Copies of an object that share its data")))
     source: StringProperty(name="Object", description="What is copied", options={'SKIP_SAVE'})
     turned: EnumProperty(name="Turned", items=(
-        ('upright', "Upright", "With the curve, upper side up"),
+        ('standing', "Standing", "Upright in the world, as posts stand, turned to where the curve goes"),
+        ('upright', "Upright", "Along the curve, also where it climbs, upper side up"),
         ('minimal', "With the Curve", "With the curve, and about it no more than it must"),
         ('frenet', "To the Bend", "Upper side to where the curve bends: Frenet's frames"),
         ('not', "Not", "As the object is turned, or the world")))
