@@ -117,7 +117,8 @@ def test_every_setting_is_described_and_shown(cls):
     assert all(p.name and (p.description or p.type == 'ENUM') for p in properties.values())
     assert {'REGISTER', 'UNDO'} <= cls.bl_options and cls.bl_description and not cls.bl_description.endswith('.')
     shown_names = set()
-    for choice in {'where': ('PARAMETER', 'KNOTS', 'FLAT'), 'how': ('AFFINE', 'MOEBIUS'), 'limited': (False, True)}.items():
+    for choice in {'where': ('PARAMETER', 'KNOTS', 'FLAT'), 'how': ('AFFINE', 'MOEBIUS'), 'limited': (False, True),
+                   'by': ('COUNT', 'TOLERANCE')}.items():
         for value in choice[1]:
             drawn = drawn_by(cls, {**{name: p.default for name, p in properties.items()}, choice[0]: value})
             assert set(drawn) <= set(properties) and drawn[-1] == 'piece'

@@ -133,6 +133,9 @@ def context_with(*made, hide=False, number=1):
 def test_annotations_in_space_are_taken_and_those_on_the_screen_are_not():
     (points, closed), = strokes.of_annotations(context_with(stroke(DRAWN), stroke(DRAWN, 'SCREEN')))
     assert np.array_equal(points, DRAWN) and not closed
+    untold = stroke(DRAWN)
+    del untold.display_mode
+    assert len(strokes.of_annotations(context_with(untold))) == 1
     assert strokes.has_annotations(context_with(stroke(DRAWN)))
     assert not strokes.has_annotations(context_with(stroke(DRAWN), hide=True))
     assert strokes.of_annotations(context_with(stroke(DRAWN), hide=True)) == []

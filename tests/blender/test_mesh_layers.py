@@ -4,7 +4,8 @@ import bpy
 import numpy as np
 import pytest
 
-from shapes import activate, add, require_exact
+from patches import value_of
+from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc, vertices
 
 mesh_layers, shape = part('bridge.mesh_layers'), part('bridge.shape')
@@ -168,3 +169,19 @@ def test_where_corners_lie_is_kept_for_vertices_where_that_is_enough():
     run = bpy.ops.splinewright.patch_split
     assert run('EXEC_DEFAULT', True, direction='U') == {'FINISHED'}
     assert ob.data.attributes["parameters"].domain == 'CORNER'
+
+
+def test_texts_on_both_shapes_stay_when_they_are_joined():
+    first, second = add(value_of('bicubic'), "first"), add(value_of('bicubic'), "second")
+    for ob in (first, second):
+        attribute = ob.data.attributes.new("side", 'STRING', 'POINT')
+        for item in attribute.data:
+            item.value = text_of(attribute, ob.name)
+    second.location.x = 50
+    activate(second, first)
+    bpy.context.view_layer.objects.active = first
+    bpy.context.view_layer.update()
+    assert op(bpy.ops.splinewright.join) == {'FINISHED'}
+    attribute = first.data.attributes["side"]
+    for item, place in zip(attribute.data, vertices(first.data)):
+        assert item.value == text_of(attribute, "second" if place[0] > 25 else "first")

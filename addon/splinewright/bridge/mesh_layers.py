@@ -114,7 +114,7 @@ def parameters_at(mesh, face, point):
 
 def read(data, field, width, dtype):
     """(n, width) of the items of a layer."""
-    if dtype is object:
+    if np.dtype(dtype) == object:
         return np.array([getattr(item, field) for item in data], object).reshape(-1, width)
     flat = np.empty(width * len(data), dtype)
     data.foreach_get(field, flat)

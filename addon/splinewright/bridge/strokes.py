@@ -5,6 +5,8 @@ import numpy as np
 from ..core.failures import Refusal
 
 _OBJECTS = ('GPENCIL', 'GREASEPENCIL')
+#: Blender 4.3 does not say where a stroke lies.
+_IN_SPACE = '3DSPACE'
 
 
 def is_drawn(ob):
@@ -32,7 +34,7 @@ def of_annotations(context):
     Raises Refusal where there are none, or they lie on the screen alone.
     """
     strokes = [stroke for layer in _layers(context) for stroke in _strokes(layer, context.scene.frame_current)]
-    in_space = [stroke for stroke in strokes if stroke.display_mode == '3DSPACE']
+    in_space = [stroke for stroke in strokes if getattr(stroke, 'display_mode', _IN_SPACE) == _IN_SPACE]
     if strokes and not in_space:
         raise Refusal("the annotations lie on the screen: draw them with Placement at the 3D cursor or on surfaces")
     return [(np.array([point.co for point in stroke.points], dtype=np.float64).reshape(-1, 3), False)
