@@ -1,13 +1,13 @@
 #include "splinecore/fit/approximate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "approximation.hpp"
 #include "arguments.hpp"
 #include "every_kind.hpp"
+#include "fit_arguments.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
 #include "rooms.hpp"
@@ -26,20 +26,6 @@ using splinecore::KnotVector;
 namespace {
 
 constexpr std::size_t kMostControlPoints = 100000;
-
-std::size_t count_of(const py::object& value, const char* name) {
-  const int count = integer(value, name);
-  if (count < 1) throw InvalidShape(std::string(name) + " = " + std::to_string(count) + " is not above 0");
-  return static_cast<std::size_t>(count);
-}
-
-/// A number above 0; None for none.
-std::optional<double> positive(const py::object& value, const char* name) {
-  if (value.is_none()) return {};
-  const double number = real(value, name);
-  if (number > 0.0 && std::isfinite(number)) return number;
-  throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not a positive number");
-}
 
 KeptEnds kept_ends_of(const py::object& value) {
   return chosen<KeptEnds>(value, "ends", {{"points", KeptEnds::points}, {"tangents", KeptEnds::tangents}});

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "approximation.hpp"
+#include "fit_arguments.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
 #include "rooms.hpp"
@@ -16,7 +17,6 @@ using splinecore::FitDirection;
 using splinecore::FitEnds;
 using splinecore::InterpolationOptions;
 using splinecore::InvalidShape;
-using splinecore::Parametrisation;
 using splinecore::PointGrid;
 
 namespace {
@@ -60,12 +60,6 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   return wrap(unlocked([&] { return splinecore::interpolate(rows, at, options); }));
 }
 
-std::vector<double> parameters_of(const PointGrid& grid, const py::object& parameters, Axis axis, Closing closing) {
-  if (!py::isinstance<py::str>(parameters)) return numbers(parameters, "parameters");
-  const Parametrisation kind = parametrisation_of(parameters, "parameters");
-  return unlocked([&] { return splinecore::parameters_of(grid, axis, kind, closing); });
-}
-
 AnyApproximation interpolate_patch(const py::object& points, const py::object& degrees, const py::object& parameters,
                                    const py::object& knots, const py::object& ends, const py::object& closed,
                                    const py::object& cancel) {
@@ -82,7 +76,7 @@ AnyApproximation interpolate_patch(const py::object& points, const py::object& d
     made.closing = boolean(closing.*part, "closed") ? Closing::closed : Closing::open;
     made.ends = ends_of(end.*part);
     made.knots = optional_numbers(chain.*part, "knots");
-    made.parameters = parameters_of(grid, at.*part, axis, made.closing);
+    made.parameters = grid_parameters(grid, at.*part, axis, made.closing);
     return made;
   };
   using Pair = std::pair<py::object, py::object>;

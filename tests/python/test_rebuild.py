@@ -155,8 +155,18 @@ def test_tangents_of_fair_curves_stay_where_asked():
     np.testing.assert_array_equal(made.points[[0, 1, -2, -1]], curve.points[[0, 1, -2, -1]])
 
 
+@pytest.mark.parametrize('exponent', [-990, 990])
+def test_fair_curves_are_the_same_in_every_size(exponent):
+    curve = curve_of(3, 20)
+    near = curve.fair(0.05).value
+    far = curve.with_points(np.ldexp(curve.points, exponent)).fair(np.ldexp(0.05, exponent)).value
+    np.testing.assert_allclose(np.ldexp(far.points, -exponent), near.points, rtol=0, atol=1e-12)
+
+
 def test_curves_that_cannot_be_faired():
     curve = curve_of(3, 9)
+    with pytest.raises(sc.InvalidShape, match="degree is too high"):
+        sc.BezierCurve(walk(256)).fair(0.1)
     for tolerance in (0.0, -1.0, np.nan, np.inf):
         with pytest.raises(sc.InvalidShape, match="tolerance"):
             curve.fair(tolerance)

@@ -3,8 +3,10 @@
 from ._splinecore import fit as _fit
 
 approximate = _fit.approximate
+approximate_patch = _fit.approximate_patch
+approximate_scattered = _fit.approximate_scattered
 interpolate = _fit.interpolate
 interpolate_patch = _fit.interpolate_patch
 project = _fit.project
 
-__all__ = ["approximate", "interpolate", "interpolate_patch", "project"]
+__all__ = ["approximate", "approximate_patch", "approximate_scattered", "interpolate", "interpolate_patch", "project"]

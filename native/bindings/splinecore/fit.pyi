@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import Approximation, NurbsCurve, NurbsPatch
 
-__all__ = ["approximate", "interpolate", "interpolate_patch", "project"]
+__all__ = ["approximate", "approximate_patch", "approximate_scattered", "interpolate", "interpolate_patch", "project"]
 
 _Floats: TypeAlias = NDArray[np.float64]
 _Parametrisation: TypeAlias = Literal["uniform", "centripetal", "chordal"]
@@ -61,3 +61,29 @@ def project(
     closed: bool = False,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsCurve]: ...
+def approximate_patch(
+    points: ArrayLike,
+    counts: SupportsIndex | tuple[SupportsIndex | None, SupportsIndex | None] | None = None,
+    degrees: SupportsIndex | tuple[SupportsIndex, SupportsIndex] = 3,
+    parameters: _Parametrisation | tuple[_Parametrisation | ArrayLike, _Parametrisation | ArrayLike] = "chordal",
+    *,
+    tolerance: float | None = None,
+    knots: tuple[ArrayLike | None, ArrayLike | None] | None = None,
+    fixed_ends: bool = True,
+    closed: bool | tuple[bool, bool] = False,
+    smoothing: float | tuple[float, float] = 0.0,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...
+def approximate_scattered(
+    points: ArrayLike,
+    counts: SupportsIndex | tuple[SupportsIndex, SupportsIndex] | None = None,
+    degrees: SupportsIndex | tuple[SupportsIndex, SupportsIndex] = 3,
+    *,
+    parameters: ArrayLike | None = None,
+    tolerance: float | None = None,
+    knots: tuple[ArrayLike, ArrayLike] | None = None,
+    weights: ArrayLike | None = None,
+    smoothing: float = 0.0,
+    corrections: SupportsIndex = 8,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...

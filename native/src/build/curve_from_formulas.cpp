@@ -59,7 +59,7 @@ class FormulaCurve {
 
   /// @throws InvalidShape naming the parameter where a formula is undefined.
   void evaluate(std::span<const double> parameters, std::span<glm::dvec3> out) {
-    values_.resize(parameters.size());
+    values_.assign(parameters.size(), 0.0);
     std::ranges::fill(out, glm::dvec3(0.0));
     for (std::size_t axis = 0; axis < coordinates_.size(); ++axis) {
       splinecore::evaluate(coordinates_[axis], parameters, values_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
 #include "build/fit_options.hpp"
@@ -47,9 +48,16 @@ class Fairing {
   Fairing(const NurbsCurve& curve, KeptEnds ends)
       : curve_(curve), knots_(near_one(curve.knot_vector()).knots), held_(held_of(knots_, ends)),
         nodes_(quadrature_nodes(breaks_of(knots_, knots_), knots_.degree() + 1, false)) {
-    for (const glm::dvec4& point : curve.points()) controls_.insert(controls_.end(), {point.x, point.y, point.z});
+    double largest = 0.0;
+    for (const glm::dvec4& point : curve.points()) {
+      for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(point[c]));
+    }
+    exponent_ = largest > 0.0 ? std::ilogb(largest) : 0;
     std::vector<glm::dvec4> plain;
-    for (const glm::dvec4& point : curve.points()) plain.emplace_back(glm::dvec3(point), 1.0);
+    for (const glm::dvec4& point : curve.points()) {
+      for (int c = 0; c < 3; ++c) controls_.push_back(std::ldexp(point[c], -exponent_));
+      plain.emplace_back(glm::make_vec3(controls_.data() + controls_.size() - 3), 1.0);
+    }
     values_.resize(3 * nodes_.parameters.size());
     evaluate(NurbsCurve::make(knots_, std::move(plain)), nodes_.parameters, std::span(values_));
   }
@@ -57,16 +65,18 @@ class Fairing {
   /// @returns nothing where the energy outweighs the distance by more than numbers can tell
   std::optional<Approximation<NurbsCurve>> faired(double exponent) const {
     const double factor = std::exp2(exponent) * std::pow(knots_.domain().length(), 3);
-    const LeastSquaresFit fit(knots_, nodes_.parameters, nodes_.weights, {factor, 2}, held_);
     std::vector<double> controls = controls_;
     try {
+      const LeastSquaresFit fit(knots_, nodes_.parameters, nodes_.weights, {factor, 2}, held_);
       fit.solve(values_, 3, controls);
     } catch (const InvalidShape&) {
       return {};
     }
     std::vector<glm::dvec4> points(curve_.points().begin(), curve_.points().end());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      points[i] = {controls[3 * i], controls[3 * i + 1], controls[3 * i + 2], points[i].w};
+      for (int c = 0; c < 3; ++c) {
+        points[i][c] = std::ldexp(controls[3 * i + static_cast<std::size_t>(c)], exponent_);
+      }
     }
     NurbsCurve made = curve_.with_points(std::move(points));
     const double error = largest_distance(curve_, made);
@@ -78,6 +88,7 @@ class Fairing {
   KnotVector knots_;
   Held held_;
   QuadratureNodes nodes_;
+  int exponent_ = 0;   // the largest coordinate is near 2 to this power; what follows is divided by it
   std::vector<double> controls_;
   std::vector<double> values_;
 };
@@ -94,8 +105,10 @@ Approximation<NurbsCurve> fair(const NurbsCurve& curve, double tolerance, KeptEn
   Approximation<NurbsCurve> best{curve, 0.0};
   double low = kWeakest;
   double high = kStrongest + kNear;
+  bool has_solution = false;
   for (double middle = kStrongest; high - low > kNear; middle = 0.5 * (low + high)) {
     auto made = fairing.faired(middle);
+    has_solution = has_solution || made;
     if (made && made->error <= tolerance) {
       best = *std::move(made);
       low = middle;
@@ -103,7 +116,8 @@ Approximation<NurbsCurve> fair(const NurbsCurve& curve, double tolerance, KeptEn
       high = middle;
     }
   }
-  return best;
+  if (has_solution) return best;
+  throw InvalidShape("the curve cannot be faired as far as numbers can tell: its degree is too high");
 }
 
 }  // namespace splinecore

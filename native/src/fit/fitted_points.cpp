@@ -9,6 +9,7 @@
 #include "conditions.hpp"
 #include "curve/rescale.hpp"
 #include "least_squares_fit.hpp"
+#include "least_squares_options.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -17,18 +18,6 @@
 namespace splinecore {
 
 namespace {
-
-void require_weights(std::span<const double> weights, std::size_t count) {
-  if (weights.empty()) return;
-  if (weights.size() != count) {
-    throw InvalidShape("weights has " + std::to_string(weights.size()) + " values for " + std::to_string(count) +
-                       " points");
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (weights[i] > 0.0 && std::isfinite(weights[i])) continue;
-    throw InvalidShape("weights" + index_text(i) + " = " + text_of(weights[i]) + " is not a positive number");
-  }
-}
 
 void require_parameters(std::span<const double> parameters, std::size_t count) {
   if (parameters.size() != count) {
@@ -160,23 +149,23 @@ void require_approximation(std::span<const glm::dvec3> points, std::span<const d
   require_weights(options.weights, points.size());
   require_finite(options.start, "start");
   require_finite(options.end, "end");
-  if (!(options.smoothing >= 0.0 && std::isfinite(options.smoothing))) {
-    throw InvalidShape("smoothing = " + text_of(options.smoothing) + " is not a number from 0 on");
-  }
-  constexpr int kMostCorrections = 1000;
-  if (options.corrections >= 0 && options.corrections <= kMostCorrections) return;
-  throw InvalidShape("corrections = " + std::to_string(options.corrections) + " is outside [0, " +
-                     std::to_string(kMostCorrections) + "]");
+  require_smoothing(options.smoothing);
+  require_corrections(options.corrections);
 }
 
-FittedPoints fitted_points(std::span<const glm::dvec3> points, std::vector<double>& parameters, const KnotVector& knots,
-                           const ApproximationOptions& options) {
+void require_approximation_knots(const KnotVector& knots, std::span<const double> parameters,
+                                 const ApproximationOptions& options) {
   const bool is_fixed = options.fixed_ends && !knots.periodic();
   require_derivatives(options.start, knots, is_fixed);
   require_derivatives(options.end, knots, is_fixed);
   if (is_fixed) require_clamped(knots);
   if (options.smoothing > 0.0 && knots.degree() < 2) throw InvalidShape("smoothing needs degree 2 at least");
   require_inside(knots, parameters);
+}
+
+FittedPoints fitted_points(std::span<const glm::dvec3> points, std::vector<double>& parameters, const KnotVector& knots,
+                           const ApproximationOptions& options) {
+  require_approximation_knots(knots, parameters, options);
   FittedPoints made = fitted_once(points, parameters, knots, options);
   for (int i = 0; i < options.corrections; ++i) {
     std::vector<double> moved = parameters;

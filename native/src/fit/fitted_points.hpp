@@ -20,6 +20,10 @@ struct FittedPoints {
 void require_approximation(std::span<const glm::dvec3> points, std::span<const double> parameters, Closing closing,
                            const ApproximationOptions& options);
 
+/// @throws InvalidShape as approximate() does where knots do not belong to parameters and options.
+void require_approximation_knots(const KnotVector& knots, std::span<const double> parameters,
+                                 const ApproximationOptions& options);
+
 /// The curve on these knots. Parameters are moved as often as the options ask for.
 /// @param parameters  of the points; where closed without the return
 FittedPoints fitted_points(std::span<const glm::dvec3> points, std::vector<double>& parameters, const KnotVector& knots,

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "bending.hpp"
+#include "gram.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "system.hpp"
@@ -105,7 +105,6 @@ void LeastSquaresFit::add_products() {
   products_.assign(count * width, 0.0);
   std::vector<double> row(width);
   std::vector<double> sums(width * width);
-  std::vector<double> half(width * width);
   std::size_t i = 0;
   for (std::size_t s = 0; s < ends_.size(); ++s) {
     if (i == ends_[s] && bending_.empty()) continue;
@@ -125,20 +124,7 @@ void LeastSquaresFit::add_products() {
         sums[b * width + a] = sums[a * width + b];
       }
     }
-    const SquareRows matrix = knots_.bezier_matrix(static_cast<int>(s));
-    std::ranges::fill(half, 0.0);
-    for (std::size_t j = 0; j < width; ++j) {
-      for (std::size_t l = 0; l < width; ++l) {
-        for (std::size_t b = 0; b < width; ++b) half[j * width + b] += sums[j * width + l] * matrix[l][b];
-      }
-    }
-    const auto first = static_cast<std::size_t>(knots_.spans()[s]) - (width - 1);
-    for (std::size_t a = 0; a < width; ++a) {
-      double* const to = &products_[(first + a) % count * width];
-      for (std::size_t b = a; b < width; ++b) {
-        for (std::size_t j = 0; j < width; ++j) to[b - a] += matrix[j][a] * half[j * width + b];
-      }
-    }
+    add_piece_products(knots_, s, sums, products_);
   }
 }
 
@@ -250,7 +236,8 @@ void LeastSquaresFit::solve(std::span<const double> values, std::size_t columns,
     if (round > 0 && share <= kDone) return;
   }
   if (share <= kDetermined) return;
-  throw InvalidShape("the points do not determine the shape: fewer control points or smoothing are needed");
+  throw InvalidShape("the points do not determine the shape as far as numbers can tell: fewer control points, a lower degree or "
+                     "smoothing are needed");
 }
 
 std::vector<double> LeastSquaresFit::largest_distances(std::span<const double> values, std::span<const double> controls,

@@ -30,6 +30,11 @@ QuadratureNodes quadrature_nodes(std::span<const double> breaks, int count, bool
   return nodes;
 }
 
+int node_count(int degree, int other, bool is_rational) {
+  constexpr int kMoreForQuotients = 8;
+  return std::max(degree, other) + 1 + (is_rational ? kMoreForQuotients : 0);
+}
+
 std::vector<double> breaks_of(const KnotVector& a, const KnotVector& b) {
   std::vector<double> breaks{a.domain().start};
   for (const KnotVector* knots : {&a, &b}) {

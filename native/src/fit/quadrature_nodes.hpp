@@ -19,6 +19,9 @@ struct QuadratureNodes {
 /// weight of those beside them: for curves that are held there.
 QuadratureNodes quadrature_nodes(std::span<const double> breaks, int count, bool with_ends);
 
+/// How many of them integrate a product of two shapes of these degrees: exactly, where both are polynomial.
+int node_count(int degree, int other, bool is_rational);
+
 /// The distinct knots in the domains of both, which are equal.
 std::vector<double> breaks_of(const KnotVector& a, const KnotVector& b);
 

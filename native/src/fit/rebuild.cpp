@@ -21,12 +21,6 @@ std::vector<glm::dvec3> slope_at(const NurbsCurve& curve, double u, Side side) {
   return {glm::dvec3(values[3], values[4], values[5])};
 }
 
-/// Nodes between two breaks that integrate a product of both shapes: exactly, where both are polynomial.
-int node_count(int degree, int other, bool is_rational) {
-  constexpr int kMoreForQuotients = 8;
-  return std::max(degree, other) + 1 + (is_rational ? kMoreForQuotients : 0);
-}
-
 }  // namespace
 
 Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size_t count, KeptEnds ends) {

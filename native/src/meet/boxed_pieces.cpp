@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 
 #include "base/one_sign.hpp"
@@ -131,6 +132,14 @@ void BoxedPieces::cut(const Net& net, const std::array<Interval, 2>& domain, con
   cut(first, domain, half, depth + 1);
   half[a] = {range[a].middle(), range[a].end};
   cut(second, domain, half, depth + 1);
+}
+
+const BoxedPieces& boxed_pieces(const NurbsCurve& curve) {
+  return curve.boxed_pieces().get([&] { return std::make_unique<const BoxedPieces>(curve); });
+}
+
+const BoxedPieces& boxed_pieces(const NurbsPatch& patch) {
+  return patch.boxed_pieces().get([&] { return std::make_unique<const BoxedPieces>(patch); });
 }
 
 }  // namespace splinecore

@@ -59,6 +59,10 @@ class BoxedPieces {
   BoxTree tree_;
 };
 
+/// Those of a curve or a patch, made once.
+const BoxedPieces& boxed_pieces(const NurbsCurve& curve);
+const BoxedPieces& boxed_pieces(const NurbsPatch& patch);
+
 /// The parameter of a shape at t in [0, 1] of one of its intervals.
 inline double parameter_at(const Interval& domain, double t) noexcept {
   if (t == 0.0) return domain.start;

@@ -47,7 +47,7 @@ void search_all(const BoxedPieces& pieces, std::span<const glm::dvec3> points, i
 
 void nearest(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::span<NearestOnCurve> out,
              int threads) {
-  const BoxedPieces pieces(curve);
+  const BoxedPieces& pieces = boxed_pieces(curve);
   search_all<1>(pieces, points, threads, [&](std::size_t i, const NearestPlace& place, double distance) {
     out[i] = {within_period(place.parameters[0], curve.knot_vector()), pieces.space().leave(place.point), distance};
   });
@@ -55,7 +55,7 @@ void nearest(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::s
 
 void nearest(const NurbsPatch& patch, std::span<const glm::dvec3> points, std::span<NearestOnPatch> out,
              int threads) {
-  const BoxedPieces pieces(patch);
+  const BoxedPieces& pieces = boxed_pieces(patch);
   search_all<2>(pieces, points, threads, [&](std::size_t i, const NearestPlace& place, double distance) {
     out[i] = {within_period(place.parameters[0], patch.knot_vector(Axis::u)),
               within_period(place.parameters[1], patch.knot_vector(Axis::v)), pieces.space().leave(place.point),

@@ -6,7 +6,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, St
 from mathutils import Matrix
 
 from ...bridge import replacing, store
-from ...core import decimals, dividing, verbs
+from ...core import decimals, dividing, measured
 from ...core.failures import FAILURES, Refusal
 from . import reports
 from .adding import Repeatable, can_add
@@ -76,20 +76,20 @@ class SPLINEWRIGHT_OT_divide_equally(Repeatable, bpy.types.Operator):
 
     def _places(self, ob):
         """((n, 4, 4) of all curves of the shape, in the world; a sentence about the parts)."""
-        lengths, places = [], []
-        for curve in verbs.curves_of(store.read(ob.data)):
-            curve = curve.to_nurbs().transformed(np.array(ob.matrix_world))
-            wanted = {'count': self.count} if self.by == 'COUNT' else {'length': decimals.typed(self.length)}
-            at = dividing.parameters(curve, with_ends=self.with_ends, **wanted)
-            turned = 'not' if self.make == 'POINTS' else self.turned
-            places.append(dividing.places(curve, at, turned, self.along))
-            lengths.append(curve.length(tolerance=1e-6) / self.count)
-        found = np.concatenate(places)
+        curves = measured.moved(store.read(ob.data), np.array(ob.matrix_world)).pieces
+        wanted = {'count': self.count} if self.by == 'COUNT' else {'length': decimals.typed(self.length)}
+        turned = 'not' if self.make == 'POINTS' else self.turned
+        found = np.concatenate([
+            dividing.places(curve, dividing.parameters(curve, with_ends=self.with_ends, **wanted), turned, self.along)
+            for curve in curves])
         if not len(found):
             raise Refusal("there is no place between the ends")
-        said = f"{len(found)} places" + (f", parts of {decimals.text_of(lengths[0], 4)}"
-                                         if self.by == 'COUNT' and len(lengths) == 1 else "")
-        return found, said
+        return found, f"{len(found)} places" + self._said_of_parts(curves)
+
+    def _said_of_parts(self, curves):
+        if self.by != 'COUNT' or len(curves) > 1:
+            return ""
+        return f", parts of {decimals.text_of(curves[0].length(tolerance=1e-6) / self.count, 4)}"
 
     def _new_objects(self, context, ob, places):
         name = f"{ob.name} Divided"

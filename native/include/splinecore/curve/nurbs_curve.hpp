@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
+#include "splinecore/base/lazy.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 namespace splinecore {
 
+class BoxedPieces;
 class CurveTables;
 
 /// n control points with weights on a knot vector of any degree, plain or periodic.
@@ -49,6 +51,9 @@ class NurbsCurve {
   /// What evaluation computes of its spans, each when it is first asked for; shared by copies.
   CurveTables& tables() const noexcept { return *tables_; }
 
+  /// Its pieces in a tree of boxes, for those who search them; shared by copies.
+  Lazy<BoxedPieces>& boxed_pieces() const noexcept { return *boxed_pieces_; }
+
   friend bool operator==(const NurbsCurve& a, const NurbsCurve& b) noexcept {
     return a.knots_ == b.knots_ && a.points_ == b.points_;
   }
@@ -62,6 +67,7 @@ class NurbsCurve {
   int weight_exponent_ = 0;
   std::vector<glm::dvec4> homogeneous_;  ///< none where they are the points as given
   std::shared_ptr<CurveTables> tables_;
+  std::shared_ptr<Lazy<BoxedPieces>> boxed_pieces_ = std::make_shared<Lazy<BoxedPieces>>();
 };
 
 /// The same curve with these parameters added to its knots, each as often as it occurs.

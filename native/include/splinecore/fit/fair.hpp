@@ -13,7 +13,8 @@ namespace splinecore {
 /// The ends of an open curve stay, with their tangents if asked for; of one that is not clamped as many control points
 /// as decide its ends.
 /// @returns the curve, and the largest distance at equal parameters: at most 1 % above the truth
-/// @throws InvalidShape unless the tolerance is positive, the degree is 2 at least, and all control points are finite.
+/// @throws InvalidShape unless the tolerance is positive, the degree is 2 at least, all control points are finite, and
+/// some multiple has a solution as far as numbers can tell: above degree 100 none may have.
 Approximation<NurbsCurve> fair(const NurbsCurve& curve, double tolerance, KeptEnds ends = KeptEnds::points);
 
 }  // namespace splinecore

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "splinecore/base/axis.hpp"
 #include "splinecore/base/interval.hpp"
+#include "splinecore/base/lazy.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 namespace splinecore {
+
+class BoxedPieces;
 
 /// A net of control points with weights on two knot vectors (lecture row S20).
 ///
@@ -36,6 +40,9 @@ class NurbsPatch {
   std::span<const glm::dvec4> homogeneous_points() const noexcept { return homogeneous_; }
   int weight_exponent() const noexcept { return weight_exponent_; }
 
+  /// Its pieces in a tree of boxes, for those who search them; shared by copies.
+  Lazy<BoxedPieces>& boxed_pieces() const noexcept { return *boxed_pieces_; }
+
   friend bool operator==(const NurbsPatch& a, const NurbsPatch& b) noexcept {
     return a.knots_u_ == b.knots_u_ && a.knots_v_ == b.knots_v_ && a.points_ == b.points_;
   }
@@ -49,6 +56,7 @@ class NurbsPatch {
   bool rational_ = false;
   int weight_exponent_ = 0;
   std::vector<glm::dvec4> homogeneous_;
+  std::shared_ptr<Lazy<BoxedPieces>> boxed_pieces_ = std::make_shared<Lazy<BoxedPieces>>();
 };
 
 /// refine() of a curve, in one direction.

@@ -1,0 +1,147 @@
+#include "splinecore/fit/approximate_patch.hpp"
+
+#include <optional>
+
+#include "approximation.hpp"
+#include "arguments.hpp"
+#include "fit_arguments.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+#include "rooms.hpp"
+
+namespace bindings {
+
+using splinecore::Axis;
+using splinecore::Closing;
+using splinecore::InvalidShape;
+using splinecore::KnotVector;
+using splinecore::NearDirection;
+using splinecore::PointGrid;
+using Pair = std::pair<py::object, py::object>;
+
+namespace {
+
+/// Whether neither direction has one.
+bool is_none(const Pair& pair) { return pair.first.is_none() && pair.second.is_none(); }
+
+AnyApproximation approximate_patch(const py::object& points, const py::object& counts, const py::object& degrees,
+                                   const py::object& parameters, const py::object& tolerance, const py::object& knots,
+                                   const py::object& fixed_ends, const py::object& closed, const py::object& smoothing,
+                                   const py::object& cancel) {
+  const GivenPoints given(points, "points", 2);
+  const PointGrid grid{given.points(), given.count(0), given.count(1)};
+  const Pair count = both(counts, "counts");
+  const Pair degree = both(degrees, "degrees");
+  const Pair at = both(parameters, "parameters");
+  const Pair chain = both(knots, "knots");
+  const Pair closing = both(closed, "closed");
+  const Pair smooth = both(smoothing, "smoothing");
+  const std::optional<double> within = positive(tolerance, "tolerance");
+  if (within && !is_none(chain)) throw InvalidShape("knots are given, and so no tolerance");
+  const auto direction = [&](auto part, Axis axis) {
+    NearDirection made;
+    made.degree = integer(degree.*part, "degrees");
+    made.closing = boolean(closing.*part, "closed") ? Closing::closed : Closing::open;
+    made.knots = optional_numbers(chain.*part, "knots");
+    made.smoothing = real(smooth.*part, "smoothing");
+    made.parameters = grid_parameters(grid, at.*part, axis, made.closing);
+    const bool has_count = !(count.*part).is_none();
+    if (has_count && !made.knots.empty()) throw InvalidShape("knots are given, and so no counts");
+    if (!has_count && made.knots.empty() && !within) throw InvalidShape("counts, knots or tolerance are needed");
+    made.count = has_count ? count_of(count.*part, "counts") : grid.count(axis);
+    return made;
+  };
+  const NearDirection u = direction(&Pair::first, Axis::u);
+  const NearDirection v = direction(&Pair::second, Axis::v);
+  const bool is_fixed = boolean(fixed_ends, "fixed_ends");
+  return wrap(unlocked([&] {
+    return within ? splinecore::approximate_within(grid, u, v, *within, is_fixed)
+                  : splinecore::approximate(grid, u, v, is_fixed);
+  }, cancel));
+}
+
+std::vector<glm::dvec2> places_of(const py::object& value) {
+  if (value.is_none()) return {};
+  const Doubles given = real_array(value, "parameters");
+  if (given.ndim() != 2 || given.shape(1) != 2) {
+    throw InvalidShape("parameters has shape " + shape_text(given) + ", (n, 2) is expected");
+  }
+  std::vector<glm::dvec2> places;
+  for (const double* row = given.data(); row != given.data() + given.size(); row += 2) {
+    places.emplace_back(row[0], row[1]);
+  }
+  return places;
+}
+
+AnyApproximation approximate_scattered(const py::object& points, const py::object& counts, const py::object& degrees,
+                                       const py::object& parameters, const py::object& tolerance,
+                                       const py::object& knots, const py::object& weights, const py::object& smoothing,
+                                       const py::object& corrections, const py::object& cancel) {
+  constexpr std::size_t kMost = 100;
+  const GivenPoints given(points, "points", 1);
+  const std::vector<glm::dvec2> places = places_of(parameters);
+  const Pair degree = both(degrees, "degrees");
+  splinecore::ScatteredOptions options;
+  options.weights = optional_numbers(weights, "weights");
+  options.smoothing = real(smoothing, "smoothing");
+  options.corrections = integer(corrections, "corrections");
+  const std::optional<double> within = positive(tolerance, "tolerance");
+  splinecore::NetSize size{integer(degree.first, "degrees"), integer(degree.second, "degrees"), kMost, kMost};
+  const Pair chain = both(knots, "knots");
+  if (!is_none(chain)) {
+    if (!counts.is_none() || within) throw InvalidShape("knots are given, and so neither counts nor tolerance");
+    if (parameters.is_none()) throw InvalidShape("knots belong to parameters, which are not given");
+    const std::vector<double> u = numbers(chain.first, "knots");
+    const std::vector<double> v = numbers(chain.second, "knots");
+    return wrap(unlocked([&] {
+      return splinecore::approximate(given.points(), places, KnotVector::make(size.degree_u, u),
+                                     KnotVector::make(size.degree_v, v), options);
+    }, cancel));
+  }
+  if (counts.is_none() && !within) throw InvalidShape("counts, knots or tolerance are needed");
+  if (!counts.is_none()) {
+    const Pair count = both(counts, "counts");
+    size.count_u = count_of(count.first, "counts");
+    size.count_v = count_of(count.second, "counts");
+  }
+  return wrap(unlocked([&] {
+    return within ? splinecore::approximate_within(given.points(), places, size, *within, options)
+                  : splinecore::approximate(given.points(), places, size, options);
+  }, cancel));
+}
+
+}  // namespace
+
+void bind_approximate_patch(py::module_& module) {
+  py::module_ fit = module.attr("fit");
+  fit.def("approximate_patch", &approximate_patch, py::arg("points"), py::arg("counts") = py::none(),
+          py::arg("degrees") = 3, py::arg("parameters") = "chordal", py::kw_only(), py::arg("tolerance") = py::none(),
+          py::arg("knots") = py::none(), py::arg("fixed_ends") = true, py::arg("closed") = false,
+          py::arg("smoothing") = 0.0, py::arg("cancel") = py::none(),
+          "The polynomial NurbsPatch near a grid of points (nu, nv, 2 or 3), as an Approximation: its error is the largest\n"
+          "distance of a point from the patch's point at its parameters. Least sum of squares first along u, then along\n"
+          "v, in time linear in the points (The NURBS Book, §9.4.3). Lecture rows S17, S20.\n\n"
+          "Arguments are one value for both directions or a pair, for u and v, of what approximate() and\n"
+          "interpolate_patch() take; fixed_ends is one for both: corners stay then, and borders are nearest to the\n"
+          "outermost points. tolerance: as few control points in each direction as come within it, counts at most.\n\n"
+          "cancel: a callable without arguments that ends the call by returning true.\n\n"
+          "Raises ToleranceNotReached, and InvalidShape, whose message names the direction, where the points do not\n"
+          "determine the patch.");
+  fit.def("approximate_scattered", &approximate_scattered, py::arg("points"), py::arg("counts") = py::none(),
+          py::arg("degrees") = 3, py::kw_only(), py::arg("parameters") = py::none(), py::arg("tolerance") = py::none(),
+          py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("smoothing") = 0.0,
+          py::arg("corrections") = 8, py::arg("cancel") = py::none(),
+          "The polynomial NurbsPatch near scattered points (n, 2 or 3), as an Approximation: its error is the largest\n"
+          "distance of a point from the patch. Least sum of squares at parameters that move to the nearest points of the\n"
+          "patch (Hoschek 1988; Ma and Kruth 1995). Lecture rows S17, S20.\n\n"
+          "parameters: (n, 2) to begin with; None takes the points' places in their nearest plane, in the rectangle of\n"
+          "least area: along its longer side, u, from 0 to 1, along v in proportion. counts: of control points, (u, v) or\n"
+          "one for both, on even knots around the parameters. knots: a pair, all of them. tolerance: few control points\n"
+          "within it, counts at most, or 100. weights: (n,) positive, of the squares. smoothing: weight of the energy of\n"
+          "a thin plate, the integral of S_uu² + 2 S_uv² + S_vv², of points in a box of size 1, beside the mean of the\n"
+          "squares; it decides where there are no points. corrections: so often at most, while it helps, parameters move.\n\n"
+          "cancel: a callable without arguments that ends the call by returning true.\n\n"
+          "Raises ToleranceNotReached, and InvalidShape where the points lie on a line or leave a control point undecided.");
+}
+
+}  // namespace bindings

@@ -1,0 +1,38 @@
+#include "fit_arguments.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "arguments.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+
+namespace bindings {
+
+using splinecore::Axis;
+using splinecore::Closing;
+using splinecore::InvalidShape;
+using splinecore::Parametrisation;
+using splinecore::PointGrid;
+
+std::size_t count_of(const py::object& value, const char* name) {
+  const int count = integer(value, name);
+  if (count < 1) throw InvalidShape(std::string(name) + " = " + std::to_string(count) + " is not above 0");
+  return static_cast<std::size_t>(count);
+}
+
+/// A number above 0; None for none.
+std::optional<double> positive(const py::object& value, const char* name) {
+  if (value.is_none()) return {};
+  const double number = real(value, name);
+  if (number > 0.0 && std::isfinite(number)) return number;
+  throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not a positive number");
+}
+
+std::vector<double> grid_parameters(const PointGrid& grid, const py::object& parameters, Axis axis, Closing closing) {
+  if (!py::isinstance<py::str>(parameters)) return numbers(parameters, "parameters");
+  const Parametrisation kind = parametrisation_of(parameters, "parameters");
+  return unlocked([&] { return splinecore::parameters_of(grid, axis, kind, closing); });
+}
+
+}  // namespace bindings

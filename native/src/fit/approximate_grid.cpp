@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/distance.hpp"
+#include "build/fit_options.hpp"
+#include "fitted_points.hpp"
+#include "grid.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/basis/samples.hpp"
+#include "splinecore/fit/approximate.hpp"
+#include "splinecore/fit/approximate_patch.hpp"
+#include "splinecore/patch/evaluate.hpp"
+#include "tensor_fit.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Calls make(), and names the direction in what it throws.
+template <class Make>
+auto along(const char* axis, Make make) {
+  try {
+    return make();
+  } catch (const InvalidShape& error) {
+    throw InvalidShape("along " + std::string(axis) + ": " + error.what());
+  }
+}
+
+FittedAxis axis_of(const NearDirection& given, std::size_t rows, bool fixed_ends) {
+  const std::vector<glm::dvec3> places(rows, glm::dvec3(0.0));
+  ApproximationOptions options;
+  options.smoothing = given.smoothing;
+  options.fixed_ends = fixed_ends;
+  require_approximation(places, given.parameters, given.closing, options);
+  KnotVector knots = given.knots.empty()
+                         ? approximating_knots(given.parameters, given.degree, given.count, given.closing)
+                         : KnotVector::make(given.degree, given.knots, given.closing == Closing::closed);
+  require_approximation_knots(knots, std::span(given.parameters).first(rows), options);
+  return {std::move(knots), {given.parameters.begin(), given.parameters.begin() + static_cast<long>(rows)}, {},
+          given.smoothing, fixed_ends};
+}
+
+std::span<const double> numbers(std::span<const glm::dvec3> points) { return {&points.front().x, 3 * points.size()}; }
+
+Approximation<NurbsPatch> fitted(const PointGrid& grid, const FittedAxis& u, const FittedAxis& v) {
+  NurbsPatch made = NurbsPatch::make(u.knots, v.knots, tensor_fit(u, v, numbers(grid.points)));
+  std::vector<glm::dvec3> found(grid.points.size());
+  evaluate_grid(made, u.parameters, v.parameters, {&found.front().x, 3 * found.size()});
+  double error = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) error = std::max(error, distance_of(found[i], grid.points[i]));
+  return {std::move(made), error};
+}
+
+/// The largest distance of points from their lines that are fitted along one axis alone.
+double miss(const FittedAxis& axis, std::span<const double> values, std::size_t columns) {
+  const std::vector<double> controls = fitted_rows(axis, values, columns);
+  const Samples samples = Samples::make(axis.knots, axis.parameters, 0);
+  std::vector<double> left(columns);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto weights = samples.weights(i);
+    breathe(4 * weights.size() * columns);
+    std::copy_n(values.begin() + static_cast<long>(i * columns), columns, left.begin());
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      const double* const from = &controls[(static_cast<std::size_t>(samples.first(i)) + k) % axis.count() * columns];
+      for (std::size_t c = 0; c < columns; ++c) left[c] -= weights[k] * from[c];
+    }
+    for (std::size_t c = 0; c < columns; c += 3) {
+      largest = std::max(largest, std::hypot(left[c], left[c + 1], left[c + 2]));
+    }
+  }
+  return largest;
+}
+
+/// As few control points along an axis as bring its lines within the tolerance; the most where none do.
+std::size_t least_count(NearDirection given, std::size_t rows, std::span<const double> values, double tolerance,
+                        bool fixed_ends) {
+  const std::size_t columns = values.size() / rows;
+  const std::size_t most = std::min(given.count, rows);
+  const auto is_enough = [&](std::size_t count) {
+    given.count = count;
+    try {
+      return miss(axis_of(given, rows, fixed_ends), values, columns) <= tolerance;
+    } catch (const InvalidShape&) {
+      return false;
+    }
+  };
+  const std::size_t least =
+      given.closing == Closing::closed ? std::max(given.degree, 3) : static_cast<std::size_t>(given.degree) + 1;
+  std::size_t low = least - 1;
+  std::size_t high = least;
+  while (high < most && !is_enough(high)) {
+    low = high;
+    high = std::min(2 * high, most);
+  }
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (is_enough(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> approximate(const PointGrid& grid, const NearDirection& u, const NearDirection& v,
+                                      bool fixed_ends) {
+  require_grid(grid);
+  const FittedAxis along_u = along("u", [&] { return axis_of(u, grid.count_u, fixed_ends); });
+  const FittedAxis along_v = along("v", [&] { return axis_of(v, grid.count_v, fixed_ends); });
+  return fitted(grid, along_u, along_v);
+}
+
+Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance,
+                                             bool fixed_ends) {
+  constexpr double kShareOfEach = 0.5;
+  require_tolerance(tolerance);
+  require_grid(grid);
+  const NearDirection most_u = u;
+  const NearDirection most_v = v;
+  static_cast<void>(along("u", [&] { return axis_of(u, grid.count_u, fixed_ends); }));
+  static_cast<void>(along("v", [&] { return axis_of(v, grid.count_v, fixed_ends); }));
+  const auto rows = numbers(grid.points);
+  const auto columns = transposed(rows, grid.count_u, grid.count_v);
+  u.count = least_count(most_u, grid.count_u, rows, kShareOfEach * tolerance, fixed_ends);
+  v.count = least_count(most_v, grid.count_v, columns, kShareOfEach * tolerance, fixed_ends);
+  Approximation<NurbsPatch> made = approximate(grid, u, v, fixed_ends);
+  while (made.error > tolerance && (u.count < most_u.count || v.count < most_v.count)) {
+    u.count = std::min(most_u.count, u.count + u.count / 4 + 1);
+    v.count = std::min(most_v.count, v.count + v.count / 4 + 1);
+    made = approximate(grid, u, v, fixed_ends);
+  }
+  if (made.error <= tolerance) return made;
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(u.count) + " x " +
+                                std::to_string(v.count) + " control points",
+                            tolerance, made.error);
+}
+
+}  // namespace splinecore

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "base/require.hpp"
+#include "build/fit_options.hpp"
+#include "quadrature_nodes.hpp"
+#include "least_squares_options.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/fit/approximate_patch.hpp"
+#include "splinecore/meet/nearest.hpp"
+#include "thin_plate_fit.hpp"
+#include "unit_points.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A patch near points, and where they are nearest to it.
+struct ScatteredFit {
+  NurbsPatch patch;
+  std::vector<glm::dvec2> parameters;
+  double error;    ///< the largest distance
+  double squares;  ///< the weighted sum of the squared distances
+};
+
+void require_scattered(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters, const KnotVector& u,
+                       const KnotVector& v) {
+  if (u.periodic() || v.periodic()) throw InvalidShape("a patch near scattered points is open in both directions");
+  if (points.size() != parameters.size()) {
+    throw InvalidShape("parameters has " + std::to_string(parameters.size()) + " rows, " +
+                       std::to_string(points.size()) + " are needed");
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    for (const auto& [knots, axis] : {std::pair{&u, 0}, std::pair{&v, 1}}) {
+      const double at = parameters[i][axis];
+      if (at >= knots->domain().start && at <= knots->domain().end) continue;
+      throw InvalidShape("parameters" + index_text(i) + "[" + std::to_string(axis) + "] = " + text_of(at) +
+                         " is outside the domain from " + text_of(knots->domain().start) + " to " +
+                         text_of(knots->domain().end));
+    }
+  }
+}
+
+void require_options(std::span<const glm::dvec3> points, const ScatteredOptions& options) {
+  constexpr std::size_t kFewest = 3;
+  if (points.size() < kFewest) {
+    throw InvalidShape("points has " + std::to_string(points.size()) + " rows, at least 3 are needed");
+  }
+  require_finite(points, "points");
+  require_weights(options.weights, points.size());
+  require_smoothing(options.smoothing);
+  require_corrections(options.corrections);
+}
+
+/// Where the points are nearest to the patch, and how far.
+void project(std::span<const glm::dvec3> points, std::span<const double> weights, ScatteredFit& fit) {
+  std::vector<NearestOnPatch> nearest(points.size());
+  splinecore::nearest(fit.patch, points, nearest);
+  fit.error = 0.0;
+  fit.squares = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    fit.parameters[i] = {nearest[i].u, nearest[i].v};
+    fit.error = std::max(fit.error, nearest[i].distance);
+    fit.squares += (weights.empty() ? 1.0 : weights[i]) * nearest[i].distance * nearest[i].distance;
+  }
+}
+
+/// Of points near 1.
+ScatteredFit fitted_once(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
+                         const KnotVector& u, const KnotVector& v, std::span<const double> weights, double energy) {
+  const ThinPlateFit fit(u, v, parameters, weights, energy);
+  std::vector<glm::dvec4> net;
+  for (const glm::dvec3& point : fit.net(points)) net.emplace_back(point, 1.0);
+  ScatteredFit made{NurbsPatch::make(u, v, std::move(net)), {parameters.begin(), parameters.end()}, 0.0, 0.0};
+  project(points, weights, made);
+  return made;
+}
+
+ScatteredFit fitted(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters, const KnotVector& u,
+                    const KnotVector& v, const ScatteredOptions& options) {
+  constexpr double kBetter = 0.999;
+  const double mass = options.weights.empty() ? static_cast<double>(points.size())
+                                              : std::accumulate(options.weights.begin(), options.weights.end(), 0.0);
+  const double energy = options.smoothing * mass;
+  ScatteredFit best = fitted_once(points, parameters, u, v, options.weights, energy);
+  for (int i = 0; i < options.corrections; ++i) {
+    try {
+      ScatteredFit next = fitted_once(points, best.parameters, u, v, options.weights, energy);
+      const bool is_better = next.squares < kBetter * best.squares;
+      if (next.squares < best.squares) best = std::move(next);
+      if (!is_better) break;
+    } catch (const InvalidShape&) {
+      break;  // the nearest points may leave a control point without any
+    }
+  }
+  return best;
+}
+
+Approximation<NurbsPatch> in_place(const ScatteredFit& fit, const UnitPoints& unit) {
+  std::vector<glm::dvec4> net;
+  for (const glm::dvec4& point : fit.patch.points()) net.emplace_back(unit.back(glm::dvec3(point)), 1.0);
+  return {fit.patch.with_points(std::move(net)), std::ldexp(fit.error, unit.exponent)};
+}
+
+/// Weights whose largest is near 1.
+ScatteredOptions scaled(ScatteredOptions options) {
+  if (options.weights.empty()) return options;
+  const int exponent = std::ilogb(*std::ranges::max_element(options.weights));
+  for (double& weight : options.weights) weight = std::ldexp(weight, -exponent);
+  return options;
+}
+
+struct Domain {
+  Interval u;
+  Interval v;
+};
+
+Domain around(std::span<const glm::dvec2> parameters) {
+  const auto [low_u, high_u] = std::ranges::minmax(parameters, {}, &glm::dvec2::x);
+  const auto [low_v, high_v] = std::ranges::minmax(parameters, {}, &glm::dvec2::y);
+  if (low_u.x < high_u.x && low_v.y < high_v.y) return {{low_u.x, high_u.x}, {low_v.y, high_v.y}};
+  throw InvalidShape("parameters are the same along " + std::string(low_u.x < high_u.x ? "v" : "u"));
+}
+
+std::vector<glm::dvec2> parameters_of(std::span<const glm::dvec3> points, std::span<const glm::dvec2> given) {
+  if (given.empty()) return plane_parameters(points);
+  if (given.size() != points.size()) {
+    throw InvalidShape("parameters has " + std::to_string(given.size()) + " rows, " + std::to_string(points.size()) +
+                       " are needed");
+  }
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (std::isfinite(given[i].x) && std::isfinite(given[i].y)) continue;
+    throw InvalidShape("parameters" + index_text(i) + " is not finite");
+  }
+  return {given.begin(), given.end()};
+}
+
+std::size_t larger(std::size_t count, std::size_t most) { return std::min(most, count + count / 3 + 1); }
+
+}  // namespace
+
+Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
+                                      const KnotVector& u, const KnotVector& v, const ScatteredOptions& options) {
+  require_options(points, options);
+  require_scattered(points, parameters, u, v);
+  const UnitPoints unit = unit_points(points);
+  return in_place(fitted(unit.points, parameters, u, v, scaled(options)), unit);
+}
+
+Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
+                                      const NetSize& size, const ScatteredOptions& options) {
+  require_options(points, options);
+  const auto at = parameters_of(points, parameters);
+  const Domain domain = around(at);
+  return approximate(points, at, even_knots(size.degree_u, size.count_u, domain.u, false),
+                     even_knots(size.degree_v, size.count_v, domain.v, false), options);
+}
+
+Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
+                                             const NetSize& size, double tolerance, const ScatteredOptions& options) {
+  require_tolerance(tolerance);
+  require_options(points, options);
+  auto at = parameters_of(points, parameters);
+  const Domain domain = around(at);
+  const UnitPoints unit = unit_points(points);
+  const ScatteredOptions near = scaled(options);
+  const double within = std::ldexp(tolerance, -unit.exponent);
+  NetSize tried{size.degree_u, size.degree_v, static_cast<std::size_t>(size.degree_u) + 1,
+                static_cast<std::size_t>(size.degree_v) + 1};
+  double least = std::numeric_limits<double>::infinity();
+  for (;;) {
+    const ScatteredFit fit =
+        fitted(unit.points, at, even_knots(size.degree_u, tried.count_u, domain.u, false),
+               even_knots(size.degree_v, tried.count_v, domain.v, false), near);
+    if (fit.error <= within) return in_place(fit, unit);
+    least = std::min(least, fit.error);
+    if (tried.count_u >= size.count_u && tried.count_v >= size.count_v) break;
+    at = fit.parameters;
+    tried.count_u = larger(tried.count_u, size.count_u);
+    tried.count_v = larger(tried.count_v, size.count_v);
+  }
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(size.count_u) + " x " +
+                                std::to_string(size.count_v) + " control points",
+                            tolerance, std::ldexp(least, unit.exponent));
+}
+
+}  // namespace splinecore

@@ -1,0 +1,146 @@
+#include "thin_plate_fit.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "gram.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+Samples samples_of(const KnotVector& knots, std::span<const glm::dvec2> parameters, int axis) {
+  std::vector<double> along;
+  along.reserve(parameters.size());
+  for (const glm::dvec2& place : parameters) along.push_back(place[axis]);
+  return Samples::make(knots, along, 0, Side::right, axis == 0 ? "u" : "v");
+}
+
+/// Numbers of two symmetric matrices in rows of their upper triangles.
+struct Rows {
+  std::vector<double> values;
+  std::size_t width;
+
+  double at(std::size_t i, std::size_t j) const { return values[std::min(i, j) * width + (i < j ? j - i : i - j)]; }
+};
+
+/// The energy's matrix on the net: products of both directions' integrals.
+std::vector<double> energy_rows(const KnotVector& u, const KnotVector& v, std::size_t width, double factor) {
+  const auto count_u = static_cast<std::size_t>(u.count());
+  const auto count_v = static_cast<std::size_t>(v.count());
+  std::vector<double> rows(count_u * count_v * width, 0.0);
+  if (factor == 0.0) return rows;
+  const auto p = static_cast<std::size_t>(u.degree());
+  const auto q = static_cast<std::size_t>(v.degree());
+  for (int k = 0; k <= 2; ++k) {
+    const Rows along_u{gram_rows(u, k), p + 1};
+    const Rows along_v{gram_rows(v, 2 - k), q + 1};
+    const double share = factor * (k == 1 ? 2.0 : 1.0);
+    for (std::size_t i = 0; i < count_u; ++i) {
+      for (std::size_t j = 0; j < count_v; ++j) {
+        double* const row = &rows[(i * count_v + j) * width];
+        breathe(8 * (p + 1) * (q + 1));
+        for (std::size_t a = i; a < std::min(count_u, i + p + 1); ++a) {
+          const double of_u = share * along_u.at(i, a);
+          const std::size_t first = a == i ? j : j > q ? j - q : 0;
+          for (std::size_t b = first; b < std::min(count_v, j + q + 1); ++b) {
+            row[(a - i) * count_v + b - j] += of_u * along_v.at(j, b);
+          }
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+/// The weighted sums of products of functions at the parameters, added to rows.
+std::vector<double> with_products(std::vector<double> rows, std::size_t width, std::size_t count_v, const Samples& u,
+                                  const Samples& v, std::span<const double> weights) {
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const auto of_u = u.weights(i);
+    const auto of_v = v.weights(i);
+    breathe(2 * of_u.size() * of_u.size() * of_v.size() * of_v.size());
+    const std::size_t first = static_cast<std::size_t>(u.first(i)) * count_v + static_cast<std::size_t>(v.first(i));
+    for (std::size_t a = 0; a < of_u.size(); ++a) {
+      for (std::size_t b = 0; b < of_v.size(); ++b) {
+        const double factor = (weights.empty() ? 1.0 : weights[i]) * of_u[a] * of_v[b];
+        double* const row = &rows[(first + a * count_v + b) * width];
+        for (std::size_t l = b; l < of_v.size(); ++l) row[l - b] += factor * of_u[a] * of_v[l];
+        for (std::size_t k = a + 1; k < of_u.size(); ++k) {
+          double* const to = row + (k - a) * count_v - b;
+          const double product = factor * of_u[k];
+          for (std::size_t l = 0; l < of_v.size(); ++l) to[l] += product * of_v[l];
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+ThinPlateFit::ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<const glm::dvec2> parameters,
+                           std::span<const double> weights, double energy)
+    : count_u_(static_cast<std::size_t>(u.count())), count_v_(static_cast<std::size_t>(v.count())),
+      width_(static_cast<std::size_t>(u.degree()) * count_v_ + static_cast<std::size_t>(v.degree()) + 1),
+      u_(samples_of(u, parameters, 0)), v_(samples_of(v, parameters, 1)), weights_(weights),
+      energy_(energy_rows(u, v, width_, energy)),
+      system_(with_products(energy_, width_, count_v_, u_, v_, weights_), width_) {
+  const auto dependent = system_.dependent_row();
+  if (!dependent) return;
+  throw InvalidShape("the points do not determine control point (" + std::to_string(*dependent / count_v_) + ", " +
+                     std::to_string(*dependent % count_v_) + "): fewer control points or smoothing are needed");
+}
+
+glm::dvec3 ThinPlateFit::at(std::size_t i, std::span<const glm::dvec3> net) const {
+  glm::dvec3 sum(0.0);
+  for (std::size_t a = 0; a < u_.weights(i).size(); ++a) {
+    const glm::dvec3* const row =
+        &net[(static_cast<std::size_t>(u_.first(i)) + a) * count_v_ + static_cast<std::size_t>(v_.first(i))];
+    glm::dvec3 along_v(0.0);
+    for (std::size_t b = 0; b < v_.weights(i).size(); ++b) along_v += v_.weights(i)[b] * row[b];
+    sum += u_.weights(i)[a] * along_v;
+  }
+  return sum;
+}
+
+/// Half the gradient, downhill.
+void ThinPlateFit::add_residuals(std::span<const glm::dvec3> points, std::span<const glm::dvec3> net,
+                                 std::span<glm::dvec3> right) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    breathe(4 * u_.weights(i).size() * v_.weights(i).size());
+    const glm::dvec3 left = weight(i) * (points[i] - at(i, net));
+    for (std::size_t a = 0; a < u_.weights(i).size(); ++a) {
+      glm::dvec3* const row =
+          &right[(static_cast<std::size_t>(u_.first(i)) + a) * count_v_ + static_cast<std::size_t>(v_.first(i))];
+      for (std::size_t b = 0; b < v_.weights(i).size(); ++b) row[b] += u_.weights(i)[a] * v_.weights(i)[b] * left;
+    }
+  }
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const std::size_t reach = std::min(width_, net.size() - i);
+    breathe(reach);
+    const double* const row = &energy_[i * width_];
+    right[i] -= row[0] * net[i];
+    for (std::size_t k = 1; k < reach; ++k) {
+      right[i] -= row[k] * net[i + k];
+      right[i + k] -= row[k] * net[i];
+    }
+  }
+}
+
+std::vector<glm::dvec3> ThinPlateFit::net(std::span<const glm::dvec3> points) const {
+  constexpr int kRounds = 3;
+  std::vector<glm::dvec3> net(count_u_ * count_v_, glm::dvec3(0.0));
+  std::vector<glm::dvec3> right(net.size());
+  for (int round = 0; round < kRounds; ++round) {
+    std::ranges::fill(right, glm::dvec3(0.0));
+    add_residuals(points, net, right);
+    system_.solve({&right.front().x, 3 * right.size()}, 3);
+    for (std::size_t i = 0; i < net.size(); ++i) net[i] += right[i];
+  }
+  return net;
+}
+
+}  // namespace splinecore

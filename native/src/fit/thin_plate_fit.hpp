@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "basis/banded_cholesky.hpp"
+#include "splinecore/basis/samples.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// The net of control points on plain knots with least sum of weighted squared distances at pairs of parameters, and of
+/// a multiple of the energy of a thin plate: the integral of S_uu² + 2 S_uv² + S_vv².
+class ThinPlateFit {
+ public:
+  /// @param weights  as many as parameters, or none for 1 each
+  /// @throws InvalidShape naming a control point that the points do not determine.
+  ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<const glm::dvec2> parameters,
+               std::span<const double> weights, double energy);
+
+  /// @param points  of coordinates near 1; one for each pair
+  std::vector<glm::dvec3> net(std::span<const glm::dvec3> points) const;
+
+ private:
+  glm::dvec3 at(std::size_t i, std::span<const glm::dvec3> net) const;
+  void add_residuals(std::span<const glm::dvec3> points, std::span<const glm::dvec3> net,
+                     std::span<glm::dvec3> right) const;
+  double weight(std::size_t i) const noexcept { return weights_.empty() ? 1.0 : weights_[i]; }
+
+  std::size_t count_u_;
+  std::size_t count_v_;
+  std::size_t width_;  ///< of a row of the system: from a control point to the last one that shares a span with it
+  Samples u_;
+  Samples v_;
+  std::span<const double> weights_;
+  std::vector<double> energy_;  ///< in such rows
+  BandedCholesky system_;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop
