@@ -72,6 +72,31 @@ void bind_curve(py::class_<Curve> cls) {
           "the tolerance is below 0 or the point not finite, and where the distance is constant and as small.");
 }
 
+template <class Patch>
+void bind_patch(py::class_<Patch> cls) {
+  cls.def("stationary_points", [](const Patch& self, const py::object& point, const py::object& cancel) {
+            return stationary_points(patch_form(self), point, cancel);
+          },
+          py::arg("point"), py::kw_only(), py::arg("cancel") = py::none(),
+          "All n places where the distance from a point (2 or 3,) is stationary, (S - P) · S_u and (S - P) · S_v\n"
+          "both 0, as StationaryPoints: the feet of all normals through it; and on borders and edges between\n"
+          "pieces, in corners and poles those where the distance is a minimum or a maximum of the patch.\n\n"
+          "In the order of u, then v, each once, where periodic in [start, end). Common zeros of two polynomials\n"
+          "in Bernstein's form on every pair of spans, by halving (Sherbrooke and Patrikalakis 1993) and Newton's\n"
+          "method; places that rounding does not tell apart are one. cancel is a callable that ends a long call\n"
+          "by returning True. InvalidShape if the point is not finite or too far away, or, naming one of them,\n"
+          "where such places are a curve or more, as from the centre of a sphere.");
+  cls.def("nearest_all", [](const Patch& self, const py::object& point, const py::object& tolerance,
+                            const py::object& cancel) {
+            return nearest_all(patch_form(self), point, tolerance, cancel);
+          },
+          py::arg("point"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
+          "All n places where the distance from a point (2 or 3,) is a minimum and at most tolerance greater\n"
+          "than the least one, by default a few roundings of the coordinates, as a Nearest: parameters (n, 2).\n\n"
+          "Those of stationary_points(): borders, corners and poles included, in the order of u, then v.\n"
+          "InvalidShape if the tolerance is below 0 or the point not finite, and where such places are a curve.");
+}
+
 void bind_result(py::module_& module) {
   py::class_<StationaryPoints> cls(module, "StationaryPoints", py::module_local(),
                                    "The n places of a shape where the distance from a point is stationary.\n\n"
@@ -93,6 +118,7 @@ void bind_result(py::module_& module) {
 void bind_stationary(py::module_& module) {
   bind_result(module);
   for_curves(module, [](auto cls) { bind_curve(cls); });
+  for_patches(module, [](auto cls) { bind_patch(cls); });
 }
 
 }  // namespace bindings

@@ -166,6 +166,8 @@ PATCH = {
     "fundamental_forms": lambda one, at: one.fundamental_forms(*pairs_of(one)),
     "curvatures": lambda one, at: one.curvatures(*pairs_of(one)),
     "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
+    "stationary_points": lambda one, at: one.stationary_points(xyz(at, 1, 2)),
+    "nearest_all": lambda one, at: one.nearest_all(xyz(at, 1, 2), 0.1 * at.size),
     "rebuild": lambda one, at: one.rebuild((8, 7), (3, 2)),
     "area": lambda one, at: one.area(tolerance=1e-2),
     "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),

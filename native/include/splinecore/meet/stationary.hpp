@@ -46,4 +46,16 @@ std::vector<StationaryOnCurve> stationary_points(const NurbsCurve& curve, const 
 std::vector<NearestOnCurve> nearest_all(const NurbsCurve& curve, const glm::dvec3& point,
                                         std::optional<double> tolerance = {});
 
+/// The same of a patch: places where (S - P) · S_u and (S - P) · S_v are zero, and of borders, corners, poles and edges
+/// between pieces those where the distance is a minimum or a maximum of the patch; in the order of u, then v.
+///
+/// Common zeros of two polynomials in Bernstein's form on every pair of spans, by halving and Newton's method
+/// (plane_zeros). A patch that closes without being periodic has borders where it does.
+/// @throws InvalidShape as above, or naming a place near which they are a curve or more, as from the centre of a sphere,
+///         or where they cannot be told apart.
+std::vector<StationaryOnPatch> stationary_points(const NurbsPatch& patch, const glm::dvec3& point);
+
+std::vector<NearestOnPatch> nearest_all(const NurbsPatch& patch, const glm::dvec3& point,
+                                        std::optional<double> tolerance = {});
+
 }  // namespace splinecore
