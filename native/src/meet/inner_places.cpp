@@ -52,6 +52,7 @@ class Farther {
 /// One more step of Newton's method, on the distance itself.
 PiecePlace refined(const NearPatch& patch, PiecePlace place) {
   constexpr double kLongest = 0x1p-24;
+  constexpr double kAtEnd = 0x1p-44;  // nearer to a side it is there
   const Slopes<2> here = patch.slopes(place);
   const std::array slope{glm::dot(here.offset, here.first[0]), glm::dot(here.offset, here.first[1])};
   const auto bend = [&](int i, int j, int k) {
@@ -61,7 +62,10 @@ PiecePlace refined(const NearPatch& patch, PiecePlace place) {
   const double determinant = uu * vv - uv * uv;
   const std::array step{(uv * slope[1] - vv * slope[0]) / determinant, (uv * slope[0] - uu * slope[1]) / determinant};
   if (!(std::abs(step[0]) <= kLongest && std::abs(step[1]) <= kLongest)) return place;
-  for (std::size_t k = 0; k < 2; ++k) place.at[k] = std::clamp(place.at[k] + step[k], 0.0, 1.0);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double at = place.at[k] + step[k];
+    place.at[k] = at <= kAtEnd ? 0.0 : at >= 1.0 - kAtEnd ? 1.0 : at;
+  }
   return place;
 }
 
