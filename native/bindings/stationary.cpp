@@ -56,11 +56,11 @@ void bind_curve(py::class_<Curve> cls) {
           "All n places where the distance from a point (2 or 3,) is stationary, (C - P) · C' = 0, as\n"
           "StationaryPoints: the feet of all normals through it, the ends of the curve and of its pieces, and\n"
           "corners where the distance is a minimum or a maximum.\n\n"
-          "In the order of parameters, each once, of a periodic curve in [start, end). Zeros of a polynomial in\n"
-          "Bernstein's form on every span, by halving (Lane and Riesenfeld 1981); places that rounding does not\n"
-          "tell apart are one. Of a curve that passes through infinity the finite places count. cancel is a\n"
-          "callable that ends a long call by returning True. InvalidShape if the point is not finite or too far\n"
-          "away, or, naming an interval, where the distance is constant, as from the centre of a circle.");
+          "In the order of parameters, each once, of a curve that ends where it begins in [start, end). Zeros of\n"
+          "a polynomial in Bernstein's form on every span, by halving (Lane and Riesenfeld 1981); places that\n"
+          "rounding does not tell apart are one. Of a curve that passes through infinity the finite places count.\n"
+          "cancel is a callable that ends a long call by returning True. InvalidShape if the point is not finite\n"
+          "or too far away, or, naming an interval, where the distance is constant, as from a circle's centre.");
   cls.def("nearest_all", [](const Curve& self, const py::object& point, const py::object& tolerance,
                             const py::object& cancel) {
             return nearest_all(form(self), point, tolerance, cancel);
@@ -81,7 +81,7 @@ void bind_patch(py::class_<Patch> cls) {
           "All n places where the distance from a point (2 or 3,) is stationary, (S - P) · S_u and (S - P) · S_v\n"
           "both 0, as StationaryPoints: the feet of all normals through it; and on borders and edges between\n"
           "pieces, in corners and poles those where the distance is a minimum or a maximum of the patch.\n\n"
-          "In the order of u, then v, each once, where periodic in [start, end). Common zeros of two polynomials\n"
+          "In the order of u, then v, each once, where it closes in [start, end). Common zeros of two polynomials\n"
           "in Bernstein's form on every pair of spans, by halving (Sherbrooke and Patrikalakis 1993) and Newton's\n"
           "method; places that rounding does not tell apart are one. cancel is a callable that ends a long call\n"
           "by returning True. InvalidShape if the point is not finite or too far away, or, naming one of them,\n"

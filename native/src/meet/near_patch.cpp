@@ -1,8 +1,10 @@
 #include "near_patch.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "boxed_pieces.hpp"
+#include "piece_side.hpp"
 #include "slope_form.hpp"
 
 namespace splinecore {
@@ -18,6 +20,26 @@ NearPatch::NearPatch(const NurbsPatch& patch, const glm::dvec3& point)
       scale_weights(nets_.back());
     }
   }
+  is_closed_ = {closes(Axis::u), closes(Axis::v)};
+}
+
+bool NearPatch::closes(Axis axis) const {
+  constexpr double kSame = 0x1p-46;
+  const KnotVector& own = knots(axis);
+  if (own.periodic()) return multiplicity(own, own.domain().end) <= own.degree();
+  for (std::size_t i = 0; i < spans(axis == Axis::u ? Axis::v : Axis::u); ++i) {
+    const std::size_t last = spans(axis) - 1;
+    const auto& begin = net(axis == Axis::u ? std::array{std::size_t{0}, i} : std::array{i, std::size_t{0}});
+    const auto& end = net(axis == Axis::u ? std::array{last, i} : std::array{i, last});
+    const std::vector<glm::dvec4> a = side_of(begin, {axis, false}).values;
+    const std::vector<glm::dvec4> b = side_of(end, {axis, true}).values;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      if (!are_one(a[k], b[k], rounding())) return false;
+      const double across = a[k].w * b[0].w;
+      if (std::abs(across - b[k].w * a[0].w) > kSame * std::abs(across)) return false;
+    }
+  }
+  return true;
 }
 
 double NearPatch::near_length(double length) const noexcept {

@@ -31,6 +31,10 @@ class NearPatch {
   std::size_t spans(Axis axis) const noexcept { return knots(axis).spans().size(); }
   Interval span(Axis axis, std::size_t i) const noexcept { return knots(axis).span_interval(static_cast<int>(i)); }
 
+  /// Whether it goes on at the end of an axis where it begins: it is periodic, or both borders are one, with weights in
+  /// one proportion.
+  bool is_closed(Axis axis) const noexcept { return is_closed_[static_cast<std::size_t>(axis)]; }
+
   /// Its weights are near 1, or all zero.
   const BernsteinNet<glm::dvec4>& net(const std::array<std::size_t, 2>& piece) const noexcept {
     return nets_[piece[0] * spans(Axis::v) + piece[1]];
@@ -49,11 +53,14 @@ class NearPatch {
   std::array<double, 2> parameters(const PiecePlace& place) const noexcept;
 
  private:
+  bool closes(Axis axis) const;
+
   NearSpace space_;
   KnotVector u_;
   KnotVector v_;
   std::vector<BernsteinNet<glm::dvec4>> nets_;
   NearOrigin from_;
+  std::array<bool, 2> is_closed_;
 };
 
 }  // namespace splinecore

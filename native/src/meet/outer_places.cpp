@@ -40,6 +40,7 @@ std::vector<Line> lines_of(const NearPatch& patch, Axis axis) {
     const int times = multiplicity(knots, patch.span(axis, i).start);
     if (i == 0 && !knots.periodic()) {
       lines.push_back({right});
+      if (patch.is_closed(axis)) lines.back().push_back(left);
     } else if (times > knots.degree()) {
       lines.push_back({left});
       lines.push_back({right});
@@ -47,7 +48,7 @@ std::vector<Line> lines_of(const NearPatch& patch, Axis axis) {
       lines.push_back({right, left});
     }
   }
-  if (!knots.periodic()) lines.push_back({{axis, count - 1, true}});
+  if (!knots.periodic() && !patch.is_closed(axis)) lines.push_back({{axis, count - 1, true}});
   return lines;
 }
 
@@ -104,7 +105,7 @@ class LineSearch {
   void add_places() {
     if (is_pole()) return;
     const auto constant = [&](std::size_t i) { pass_constant(i); };
-    const PieceLine pieces{patch_.knots(along_), edges_};
+    const PieceLine pieces{patch_.knots(along_), patch_.is_closed(along_), edges_};
     for (const LinePlace& place : stationary_places(pieces, patch_.point(), patch_.rounding(), constant)) {
       add(place);
     }

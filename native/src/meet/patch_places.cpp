@@ -80,10 +80,8 @@ PatchPlaces::Place PatchPlaces::place_of(const PiecePlace& place, double reach, 
   Place made{patch_.parameters(place), {}, patch_.slopes(place).point, kind, is_inner};
   for (const Axis axis : {Axis::u, Axis::v}) {
     const auto k = static_cast<std::size_t>(axis);
-    const KnotVector& knots = patch_.knots(axis);
-    const Interval domain = knots.domain();
-    const bool is_seam = knots.periodic() && multiplicity(knots, domain.end) <= knots.degree();
-    if (is_seam && made.parameters[k] == domain.end) made.parameters[k] = domain.start;
+    const Interval domain = patch_.knots(axis).domain();
+    if (patch_.is_closed(axis) && made.parameters[k] == domain.end) made.parameters[k] = domain.start;
     made.reach[k] = reach * patch_.span(axis, place.piece[k]).length();
   }
   return made;
@@ -118,7 +116,7 @@ bool PatchPlaces::are_one(const Place& a, const Place& b) const noexcept {
     const auto k = static_cast<std::size_t>(axis);
     const Interval domain = patch_.knots(axis).domain();
     const double apart = std::abs(a.parameters[k] - b.parameters[k]);
-    const double around = patch_.knots(axis).periodic() ? domain.length() - apart : apart;
+    const double around = patch_.is_closed(axis) ? domain.length() - apart : apart;
     if (std::min(apart, around) > std::max(a.reach[k], b.reach[k])) return false;
   }
   return glm::length(a.point - b.point) <= kNear;

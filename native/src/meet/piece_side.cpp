@@ -29,14 +29,14 @@ void divide_out(SlopeForm& form, const PieceSide& side) {
 
 }  // namespace
 
-bool is_point(const BernsteinNet<glm::dvec4>& piece, const PieceSide& side, double rounding) {
+bool are_one(const glm::dvec4& a, const glm::dvec4& b, double rounding) {
   constexpr double kSame = 0x1p-46;
+  return a.w != 0.0 && b.w != 0.0 && glm::length(project(a) - project(b)) <= kSame + 4.0 * rounding;
+}
+
+bool is_point(const BernsteinNet<glm::dvec4>& piece, const PieceSide& side, double rounding) {
   const std::vector<glm::dvec4> points = side_of(piece, side).values;
-  if (std::ranges::any_of(points, [](const glm::dvec4& h) { return h.w == 0.0; })) return false;
-  const glm::dvec3 first = project(points.front());
-  return std::ranges::all_of(points, [&](const glm::dvec4& h) {
-    return glm::length(project(h) - first) <= kSame + 4.0 * rounding;
-  });
+  return std::ranges::all_of(points, [&](const glm::dvec4& h) { return are_one(h, points.front(), rounding); });
 }
 
 SlopeForm divided(const SlopeForm& form, const PieceSide& side) {

@@ -27,6 +27,9 @@ BernsteinNet<Value> side_of(const BernsteinNet<Value>& net, const PieceSide& sid
   return BernsteinNet<Value>::of_curve(std::move(values));
 }
 
+/// Whether two homogeneous points are the same finite one.
+bool are_one(const glm::dvec4& a, const glm::dvec4& b, double rounding);
+
 /// Whether it is a single point, a pole. @param rounding  how much of a coordinate may be rounding
 bool is_point(const BernsteinNet<glm::dvec4>& piece, const PieceSide& side, double rounding);
 

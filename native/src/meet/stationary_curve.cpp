@@ -6,6 +6,7 @@
 #include "boxed_pieces.hpp"
 #include "near_distance.hpp"
 #include "patch/tolerance.hpp"
+#include "piece_side.hpp"
 #include "slopes.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/meet/stationary.hpp"
@@ -18,12 +19,14 @@ namespace {
 class CurvePlaces {
  public:
   CurvePlaces(const NurbsCurve& curve, const glm::dvec3& point)
-      : space_(curve.points()), line_{curve.knot_vector(), {}}, from_(point, space_, "point") {
+      : space_(curve.points()), line_{curve.knot_vector(), false, {}}, from_(point, space_, "point") {
     const auto homogeneous = curve.homogeneous_points();
     const auto own = space_.homogeneous(curve.points(), homogeneous, curve.points().size(), homogeneous.size());
     for (int i = 0; i < static_cast<int>(line_.knots.spans().size()); ++i) {
       line_.pieces.push_back(bezier_piece(line_.knots, i, own.data()));
     }
+    line_.is_closed = are_one(line_.pieces.back().values.back(), line_.pieces.front().values.front(),
+                              space_.rounding());
   }
 
   /// Pieces at one distance that is above the limit are left out.

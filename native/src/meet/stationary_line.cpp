@@ -92,7 +92,7 @@ class Walk {
   /// Whether the line comes to the start of a piece from the one before.
   bool goes_on(std::size_t i) const {
     const KnotVector& knots = line_.knots;
-    if (i == 0 && !knots.periodic()) return false;
+    if (i == 0 && !knots.periodic()) return line_.is_closed;
     return multiplicity(knots, knots.span_interval(static_cast<int>(i)).start) <= knots.degree();
   }
 

@@ -16,6 +16,7 @@ namespace splinecore {
 /// Homogeneous pieces, one column each, on the spans of a knot vector.
 struct PieceLine {
   KnotVector knots;
+  bool is_closed;  ///< whether the last one ends where the first begins
   std::vector<BernsteinNet<glm::dvec4>> pieces;
 };
 

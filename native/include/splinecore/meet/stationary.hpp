@@ -32,7 +32,7 @@ struct StationaryOnPatch {
 
 /// All places of a curve where the distance from a point is stationary, (C - P) · C' = 0, its ends and those of its
 /// pieces, and corners where the distance is a minimum or a maximum: in the order of parameters, each once, of a
-/// periodic curve in [start, end).
+/// curve that ends where it begins in [start, end).
 ///
 /// Zeros of a polynomial in Bernstein's form on every span, by halving (bernstein_zeros). Places that rounding does not
 /// tell apart are one. Of a curve that passes through infinity the finite places count.
@@ -50,7 +50,7 @@ std::vector<NearestOnCurve> nearest_all(const NurbsCurve& curve, const glm::dvec
 /// between pieces those where the distance is a minimum or a maximum of the patch; in the order of u, then v.
 ///
 /// Common zeros of two polynomials in Bernstein's form on every pair of spans, by halving and Newton's method
-/// (plane_zeros). A patch that closes without being periodic has borders where it does.
+/// (plane_zeros). Where two opposite borders are one there is no border.
 /// @throws InvalidShape as above, or naming a place near which they are a curve or more, as from the centre of a sphere,
 ///         or where they cannot be told apart.
 std::vector<StationaryOnPatch> stationary_points(const NurbsPatch& patch, const glm::dvec3& point);
