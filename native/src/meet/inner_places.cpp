@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "base/one_sign.hpp"
@@ -49,6 +50,18 @@ class Farther {
   DistanceForm form_;
 };
 
+/// By what factor weights of neighbours differ at most along an axis.
+double weight_change(const Net& net, Axis axis) {
+  const std::size_t step = axis == Axis::u ? net.columns : 1;
+  double most = 1.0;
+  for (std::size_t i = 0; i + step < net.values.size(); ++i) {
+    if (axis == Axis::v && (i + 1) % net.columns == 0) continue;
+    const double ratio = net.values[i].w / net.values[i + step].w;
+    most = std::max({most, ratio, 1.0 / ratio});
+  }
+  return most;
+}
+
 /// One more step of Newton's method, on the distance itself.
 PiecePlace refined(const NearPatch& patch, PiecePlace place) {
   constexpr double kLongest = 0x1p-24;
@@ -75,21 +88,57 @@ bool is_finite_at(const Net& net, const NearPatch& patch, const PiecePlace& plac
   return glm::length(patch.slopes(place).point) < kInfinite;
 }
 
+using Add = std::function<void(const PlaneRange&, const PlaneZeros&)>;
+
+/// Uneven weights are evened by halving, so that each part has a noise of its own.
+void search_even_parts(const NearPatch& patch, Net part, const PlaneRange& range, int depth, Farther& is_out,
+                       const Add& add) {
+  constexpr int kDeepest = 40;
+  scale_weights(part);
+  if (depth == kDeepest || !is_uneven(part)) {
+    const PieceForms forms = forms_of(part, patch.point(), patch.rounding());
+    const auto is_part_out = [&](const PlaneRange& inner) {
+      PlaneRange whole;
+      for (std::size_t k = 0; k < 2; ++k) {
+        whole[k] = {std::lerp(range[k].start, range[k].end, inner[k].start),
+                    std::lerp(range[k].start, range[k].end, inner[k].end)};
+      }
+      return is_out(whole);
+    };
+    return add(range, plane_zeros(forms.u, forms.v, is_part_out));
+  }
+  const Axis axis = weight_change(part, Axis::v) > weight_change(part, Axis::u) ? Axis::v : Axis::u;
+  const auto k = static_cast<std::size_t>(axis);
+  Net after;
+  part.halve(axis, after);
+  PlaneRange half = range;
+  half[k].end = range[k].middle();
+  search_even_parts(patch, std::move(part), half, depth + 1, is_out, add);
+  half[k] = {range[k].middle(), range[k].end};
+  search_even_parts(patch, std::move(after), half, depth + 1, is_out, add);
+}
+
 void add_places_of(PatchPlaces& places, const std::array<std::size_t, 2>& piece) {
   const NearPatch& patch = places.patch();
   const Net& net = patch.net(piece);
   if (std::ranges::none_of(net.values, [](const glm::dvec4& h) { return h.w != 0.0; })) return;
   Farther is_out(net, patch.point(), places.near_limit());
   if (is_out({})) return;
-  const PieceForms forms = forms_of(net, patch.point(), patch.rounding());
-  const PlaneZeros found = plane_zeros(forms.u, forms.v, std::ref(is_out));
-  if (found.curve) places.refuse_curve({piece, *found.curve});
-  for (const PlaneZero& zero : found.zeros) {
-    PiecePlace place{piece, zero.at};
-    if (!is_finite_at(net, patch, place)) continue;
-    if (zero.is_single) place = refined(patch, place);
-    places.add_inner(place, zero.reach);
-  }
+  constexpr double kLeastReach = 0x1p-34;
+  const auto add = [&](const PlaneRange& range, const PlaneZeros& found) {
+    const auto place_at = [&](const std::array<double, 2>& at) {
+      return PiecePlace{piece, {std::lerp(range[0].start, range[0].end, at[0]),
+                                std::lerp(range[1].start, range[1].end, at[1])}};
+    };
+    if (found.curve) places.refuse_curve(place_at(*found.curve));
+    for (const PlaneZero& zero : found.zeros) {
+      PiecePlace place = place_at(zero.at);
+      if (!is_finite_at(net, patch, place)) continue;
+      if (zero.is_single) place = refined(patch, place);
+      places.add_inner(place, std::max(zero.reach * std::max(range[0].length(), range[1].length()), kLeastReach));
+    }
+  };
+  search_even_parts(patch, net, {}, 0, is_out, add);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/one_sign.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -133,6 +134,13 @@ bool scale_weights(BernsteinNet<glm::dvec4>& piece) noexcept {
     for (int i = 0; i < 4; ++i) h[i] = std::ldexp(h[i], exponent);
   }
   return true;
+}
+
+bool is_uneven(const BernsteinNet<glm::dvec4>& piece) noexcept {
+  constexpr double kUneven = 16.0;
+  if (!has_one_sign(piece.values, &glm::dvec4::w)) return false;
+  const auto [low, high] = piece.range([](const glm::dvec4& h) { return std::abs(h.w); });
+  return high > kUneven * low;
 }
 
 SlopeForm slope_form(const BernsteinNet<glm::dvec4>& piece, Axis axis, const glm::dvec3& point, double rounding) {

@@ -18,6 +18,10 @@ struct SlopeForm {
 /// A piece times a power of two, so that its largest weight is near 1. @returns false if no weight is above zero
 bool scale_weights(BernsteinNet<glm::dvec4>& piece) noexcept;
 
+/// Whether all weights have one sign and differ so much in size that a form of the whole piece would lose digits where
+/// they are small.
+bool is_uneven(const BernsteinNet<glm::dvec4>& piece) noexcept;
+
 /// How the distance of a piece from a point changes along an axis: (X - W p) · (W X' - W' X), which has the sign of the
 /// derivative times that of W; (X - p) · X' where every W is 1.
 /// @param rounding  how much of a coordinate may be rounding

@@ -34,10 +34,8 @@ int sign_at(const std::vector<double>& coefficients, double t) {
   return value > 0.0 ? 1 : value < 0.0 ? -1 : 0;
 }
 
-Course course_of(Piece piece, const glm::dvec3& point, double rounding) {
+Course whole_course_of(const Piece& piece, const glm::dvec3& point, double rounding) {
   Course course;
-  course.is_finite = scale_weights(piece);
-  if (!course.is_finite) return course;
   SlopeForm form = slope_form(piece, Axis::u, point, rounding);
   if (!has_one_sign(piece.values, &glm::dvec4::w)) form = times_weights(form, piece);
   const std::vector<Interval> zeros = bernstein_zeros(form.net.values, form.noise);
@@ -60,6 +58,35 @@ Course course_of(Piece piece, const glm::dvec3& point, double rounding) {
     start = end;
   }
   return course;
+}
+
+/// Of the two halves of a piece. A half on which rounding hides all is a zero where they meet.
+Course joined(const Course& a, const Course& b) {
+  Course both;
+  both.is_constant = a.is_constant && b.is_constant;
+  if (both.is_constant) return both;
+  const bool is_zero = a.is_zero_at_end || b.is_zero_at_start || a.is_constant || b.is_constant;
+  both.is_zero_at_start = a.is_zero_at_start;
+  both.is_zero_at_end = b.is_zero_at_end;
+  for (const double zero : a.zeros) both.zeros.push_back(0.5 * zero);
+  if (is_zero || a.last() * b.first() < 0) both.zeros.push_back(0.5);
+  for (const double zero : b.zeros) both.zeros.push_back(0.5 + 0.5 * zero);
+  both.signs = a.is_constant ? std::vector{b.first()} : a.signs;
+  const auto rest = b.is_constant ? std::vector{a.last()} : b.signs;
+  const bool meets = both.zeros.size() == a.zeros.size() + b.zeros.size();
+  both.signs.insert(both.signs.end(), rest.begin() + (meets ? 1 : 0), rest.end());
+  return both;
+}
+
+/// Uneven weights are evened by halving, so that each part has a noise of its own.
+Course course_of(Piece piece, const glm::dvec3& point, double rounding, int depth) {
+  constexpr int kDeepest = 40;
+  if (!scale_weights(piece)) return {.is_finite = false};
+  if (depth == kDeepest || !is_uneven(piece)) return whole_course_of(piece, point, rounding);
+  Piece after;
+  piece.halve(Axis::u, after);
+  return joined(course_of(std::move(piece), point, rounding, depth + 1),
+                course_of(std::move(after), point, rounding, depth + 1));
 }
 
 bool is_finite_at(const Piece& piece, double t) {
@@ -122,7 +149,7 @@ std::vector<LinePlace> stationary_places(const PieceLine& line, const glm::dvec3
                                          const std::function<void(std::size_t)>& constant) {
   std::vector<Course> courses;
   for (std::size_t i = 0; i < line.pieces.size(); ++i) {
-    courses.push_back(course_of(line.pieces[i], point, rounding));
+    courses.push_back(course_of(line.pieces[i], point, rounding, 0));
     if (courses.back().is_constant) constant(i);
   }
   return Walk(line, std::move(courses)).found();
