@@ -236,6 +236,17 @@ def test_through_infinity_the_finite_places_count():
         assert np.isfinite(found.points).all() and len(found.kinds) > 0
 
 
+def test_weights_that_are_wild():
+    rng = np.random.default_rng(6)
+    for index in range(40):
+        patch = random_patch(rng, degree=1 + index % 6, spans=2, ends="clamped")
+        wild = sc.NurbsPatch(patch.degree, patch.knots, patch.points, 10 ** rng.uniform(-3, 3, patch.weights.shape))
+        point = rng.uniform(-12, 12, 3)
+        found, best = wild.stationary_points(point), wild.nearest(point)
+        assert found.distances.min() == pytest.approx(best.distances, abs=1e-11)
+        assert found.kinds[found.distances.argmin()] == "minimum"
+
+
 def test_all_nearest_of_many_are_as_near_as_the_nearest():
     rng = np.random.default_rng(5)
     for index in range(30):

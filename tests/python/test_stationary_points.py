@@ -201,6 +201,18 @@ def test_all_nearest_of_many_are_as_near_as_the_nearest():
             assert set(found.parameters) <= set(wide.parameters) and (wide.distances <= best.distances + 5).all()
 
 
+def test_weights_that_are_wild():
+    rng = np.random.default_rng(6)
+    for _ in range(60):
+        curve = random_curve(rng, spans=3)
+        wild = sc.NurbsCurve(curve.degree, curve.knots, curve.points, 10 ** rng.uniform(-4, 4, len(curve.points)),
+                             periodic=curve.periodic)
+        point = rng.uniform(-12, 12, 3)
+        found, best = wild.stationary_points(point), wild.nearest(point)
+        assert found.distances.min() == pytest.approx(best.distances, abs=1e-11)
+        assert found.kinds[found.distances.argmin()] == "minimum"
+
+
 @pytest.mark.parametrize("call, error, text", [
     (lambda one: one.stationary_points((0, 0, math.nan)), sc.InvalidShape, "point"),
     (lambda one: one.stationary_points((0, 0, 0, 1)), sc.InvalidShape, "point"),

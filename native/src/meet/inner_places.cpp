@@ -96,7 +96,7 @@ void search_even_parts(const NearPatch& patch, Net part, const PlaneRange& range
   constexpr int kDeepest = 40;
   scale_weights(part);
   if (depth == kDeepest || !is_uneven(part)) {
-    const PieceForms forms = forms_of(part, patch.point(), patch.rounding());
+    const PieceForms forms = forms_of(part, range, patch.point(), patch.rounding());
     const auto is_part_out = [&](const PlaneRange& inner) {
       PlaneRange whole;
       for (std::size_t k = 0; k < 2; ++k) {

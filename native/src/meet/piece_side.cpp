@@ -55,10 +55,13 @@ SlopeForm divided(const SlopeForm& form, const PieceSide& side) {
   return out;
 }
 
-PieceForms forms_of(const BernsteinNet<glm::dvec4>& piece, const glm::dvec3& point, double rounding) {
+PieceForms forms_of(const BernsteinNet<glm::dvec4>& piece, const std::array<Interval, 2>& part, const glm::dvec3& point,
+                    double rounding) {
   PieceForms forms{slope_form(piece, Axis::u, point, rounding), slope_form(piece, Axis::v, point, rounding)};
   for (const PieceSide& side : kSides) {
-    if (!is_point(piece, side, rounding)) continue;
+    const Interval& along = part[static_cast<std::size_t>(side.axis)];
+    const bool is_whole = side.is_end ? along.end == 1.0 : along.start == 0.0;
+    if (!is_whole || !is_point(piece, side, rounding)) continue;
     divide_out(forms.u, side);
     divide_out(forms.v, side);
   }

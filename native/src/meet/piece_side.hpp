@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "basis/bernstein_net.hpp"
 #include "slope_form.hpp"
 #include "splinecore/base/axis.hpp"
+#include "splinecore/base/interval.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -43,7 +45,9 @@ struct PieceForms {
   SlopeForm v;
 };
 
-PieceForms forms_of(const BernsteinNet<glm::dvec4>& piece, const glm::dvec3& point, double rounding);
+/// @param part  of the whole piece: only sides of that are poles
+PieceForms forms_of(const BernsteinNet<glm::dvec4>& piece, const std::array<Interval, 2>& part, const glm::dvec3& point,
+                    double rounding);
 
 /// Whether the distance rises from a pole into the piece (1), falls (-1), or does either (0), to first order, or where
 /// that is zero to second; and whether it is.

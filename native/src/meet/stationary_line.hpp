@@ -20,7 +20,8 @@ struct PieceLine {
   std::vector<BernsteinNet<glm::dvec4>> pieces;
 };
 
-/// A place of a line where the distance from a point is stationary, or an end or a corner where it is least or greatest.
+/// A place of a line where the distance from a point is stationary, or an end, or a corner where it is a minimum or a
+/// maximum.
 struct LinePlace {
   std::size_t piece;
   double t;    ///< in [0, 1]
