@@ -274,8 +274,17 @@ def test_curves_of_stationary_places_are_refused(shape, point):
         shape.stationary_points(point)
 
 
+@pytest.mark.parametrize("shape, point", [
+    (ellipsoid(), (0, 0, 0)), (shapes.torus(), (0, 0, 0)), (shapes.torus(), (0, 0, 1)), (shapes.torus(), (3, 0, 0)),
+    (shapes.cylinder(), (0, 0, 1)), (shapes.cylinder(), (0, 0, -1)),
+])
+def test_where_a_curve_is_nearest_all_nearest_are_refused(shape, point):
+    with pytest.raises(sc.InvalidShape, match="stationary on a curve of places or more, about u = "):
+        shape.nearest_all(point)
+
+
 def test_a_curve_of_places_that_is_farther_than_the_nearest_does_no_harm():
-    # Half a ball on its axis, from far above: the pole is nearest, the rim is at one distance.
+    # An eighth of a ball, from above on its axis: the pole is nearest, the rim is at one distance.
     with pytest.raises(sc.InvalidShape, match="curve"):
         shapes.sphere_octant().stationary_points((0, 0, 3))
     assert shapes.sphere_octant().nearest_all((0, 0, 3)).distances == pytest.approx([2])

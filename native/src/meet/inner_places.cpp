@@ -35,8 +35,10 @@ class Farther {
   Farther(const Net& net, const glm::dvec3& point, double limit)
       : net_(net), point_(point), squared_(limit * limit), form_(net.rows, net.columns) {}
 
+  bool is_limited() const noexcept { return std::isfinite(squared_); }
+
   bool operator()(const PlaneRange& range) {
-    if (!std::isfinite(squared_)) return false;
+    if (!is_limited()) return false;
     breathe(4 * net_.values.size() * net_.values.size());
     const Net part = part_of(net_, range);
     form_.set(part.values.data(), point_);
@@ -105,7 +107,9 @@ void search_even_parts(const NearPatch& patch, Net part, const PlaneRange& range
       }
       return is_out(whole);
     };
-    return add(range, plane_zeros(forms.u, forms.v, is_part_out));
+    const auto found = is_out.is_limited() ? plane_zeros(forms.u, forms.v, is_part_out)
+                                           : plane_zeros(forms.u, forms.v, {});
+    return add(range, found);
   }
   const Axis axis = weight_change(part, Axis::v) > weight_change(part, Axis::u) ? Axis::v : Axis::u;
   const auto k = static_cast<std::size_t>(axis);

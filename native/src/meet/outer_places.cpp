@@ -145,7 +145,8 @@ class LineSearch {
     for (const double t : {0.25, 0.5, 0.75}) {
       Signs signs;
       for (const SpanSide& side : line_) signs.add(inward_sign(patch_, side, i, t));
-      if (!(signs.rises && signs.falls)) places_.refuse_curve(line_.front().place(i, t));
+      const PiecePlace place = line_.front().place(i, t);
+      if (!(signs.rises && signs.falls) && !places_.is_too_far(place)) places_.refuse_curve(place);
     }
   }
 

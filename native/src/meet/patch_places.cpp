@@ -136,8 +136,11 @@ std::vector<StationaryOnPatch> PatchPlaces::found() const {
   return found;
 }
 
+bool PatchPlaces::is_too_far(const PiecePlace& place) const {
+  return patch_.origin().distance_to(patch_.slopes(place).point) > limit_;
+}
+
 void PatchPlaces::refuse_curve(const PiecePlace& near) const {
-  if (patch_.origin().distance_to(patch_.slopes(near).point) > limit_) return;
   const auto [u, v] = patch_.parameters(near);
   throw InvalidShape("the distance from the point is stationary on a curve of places or more, about u = " +
                      text_of(u) + ", v = " + text_of(v) + ", or too nearly so to tell them apart");

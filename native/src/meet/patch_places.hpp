@@ -18,7 +18,6 @@ class PatchPlaces {
   PatchPlaces(const NearPatch& patch, double limit);
 
   const NearPatch& patch() const noexcept { return patch_; }
-  double limit() const noexcept { return limit_; }
   double near_limit() const noexcept { return near_limit_; }
 
   /// Where both derivatives of the distance are zero. The same place in a neighbour is one.
@@ -34,8 +33,10 @@ class PatchPlaces {
   /// In the order of u, then v.
   std::vector<StationaryOnPatch> found() const;
 
-  /// @throws InvalidShape unless the place is too far to count.
-  void refuse_curve(const PiecePlace& near) const;
+  bool is_too_far(const PiecePlace& place) const;
+
+  /// @throws InvalidShape
+  [[noreturn]] void refuse_curve(const PiecePlace& near) const;
 
  private:
   struct Place {

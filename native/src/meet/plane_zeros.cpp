@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/one_sign.hpp"
 #include "basis/bernstein_row.hpp"
@@ -141,11 +142,11 @@ class Search {
     breathe(32 * a.net.values.size());
     if (++looks_ == kMost) return refuse(range);
     if (has_one_sign(a.net.values, {}, a.noise) || has_one_sign(b.net.values, {}, b.noise)) return;
-    if (is_out_(range)) return;
+    if (is_out_ && is_out_(range)) return;
     const double size = std::max(range[0].length(), range[1].length());
     const bool is_flat = is_noise(a);
     if (is_flat && is_noise(b)) return keep(range);
-    if (size > kWide && ((is_flat && crosses_zero(b)) || (is_noise(b) && crosses_zero(a)))) return refuse(range);
+    if (!is_out_ && size > kWide && ((is_flat && crosses_zero(b)) || (is_noise(b) && crosses_zero(a)))) return refuse(range);
     if (const auto forms = straightened(a, b)) {
       if (has_one_sign((*forms)[0].net.values, {}, (*forms)[0].noise)) return;
       if (has_one_sign((*forms)[1].net.values, {}, (*forms)[1].noise)) return;

@@ -31,7 +31,7 @@ struct PlaneZeros {
 /// Halving. A part is left out where the coefficients of one of them, or of a combination of both that is nearly one of
 /// the parameters, have one sign, and halved no more where the derivatives of such combinations show that no two places
 /// have the same values: then Newton's method finds the zero (Sherbrooke and Patrikalakis 1993 use the like).
-/// @param is_out  whether a part is left out for another reason
+/// @param is_out  whether a part is left out for another reason; none: no part
 PlaneZeros plane_zeros(const SlopeForm& a, const SlopeForm& b, const std::function<bool(const PlaneRange&)>& is_out);
 
 }  // namespace splinecore
