@@ -1,6 +1,5 @@
-#include "splinecore/meet/nearest.hpp"
+#include "nearest.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "arrays.hpp"
@@ -16,13 +15,6 @@ using splinecore::NurbsCurve;
 using splinecore::NurbsPatch;
 
 namespace {
-
-/// What Python sees of the nearest points to many.
-struct Nearest {
-  py::array_t<double> parameters;
-  py::array_t<double> points;
-  py::array_t<double> distances;
-};
 
 /// Points (..., 2 or 3).
 struct Places {
@@ -53,10 +45,6 @@ Shape with_column(Shape shape, py::ssize_t count) {
   return shape;
 }
 
-Nearest arrays_for(const Shape& shape, const Shape& parameters) {
-  return {py::array_t<double>(parameters), py::array_t<double>(with_column(shape, 3)), py::array_t<double>(shape)};
-}
-
 Nearest nearest(const NurbsCurve& curve, const py::object& points, const py::object& threads,
                 const py::object& cancel) {
   const Places places(points);
@@ -64,11 +52,7 @@ Nearest nearest(const NurbsCurve& curve, const py::object& points, const py::obj
   std::vector<splinecore::NearestOnCurve> found(places.points.size());
   unlocked([&] { splinecore::nearest(curve, places.points, found, most); }, cancel);
   Nearest out = arrays_for(places.shape, places.shape);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    out.parameters.mutable_data()[i] = found[i].parameter;
-    std::copy_n(&found[i].point.x, 3, out.points.mutable_data() + 3 * i);
-    out.distances.mutable_data()[i] = found[i].distance;
-  }
+  write_places(found, out);
   return out;
 }
 
@@ -79,12 +63,7 @@ Nearest nearest(const NurbsPatch& patch, const py::object& points, const py::obj
   std::vector<splinecore::NearestOnPatch> found(places.points.size());
   unlocked([&] { splinecore::nearest(patch, places.points, found, most); }, cancel);
   Nearest out = arrays_for(places.shape, with_column(places.shape, 2));
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    out.parameters.mutable_data()[2 * i] = found[i].u;
-    out.parameters.mutable_data()[2 * i + 1] = found[i].v;
-    std::copy_n(&found[i].point.x, 3, out.points.mutable_data() + 3 * i);
-    out.distances.mutable_data()[i] = found[i].distance;
-  }
+  write_places(found, out);
   return out;
 }
 
@@ -139,6 +118,10 @@ void bind_result(py::module_& module) {
 }
 
 }  // namespace
+
+Nearest arrays_for(const Shape& shape, const Shape& parameters) {
+  return {py::array_t<double>(parameters), py::array_t<double>(with_column(shape, 3)), py::array_t<double>(shape)};
+}
 
 void bind_nearest(py::module_& module) {
   bind_result(module);

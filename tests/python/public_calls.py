@@ -71,6 +71,8 @@ CURVE = {
     "curvature": lambda one, at: one.curvature(inside(one.domain)),
     "signed_curvature": lambda one, at: one.signed_curvature(inside(one.domain), (0, 0, 1)),
     "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
+    "stationary_points": lambda one, at: one.stationary_points(xyz(at, 1, 2)),
+    "nearest_all": lambda one, at: one.nearest_all(xyz(at, 1, 2), 0.1 * at.size),
     "rebuild": lambda one, at: [one.rebuild(12), one.rebuild(9, 4, ends="tangents"),
                                 one.rebuild(40, tolerance=0.1 * at.size)],
     "fair": lambda one, at: one.fair(0.1 * at.size),
@@ -164,6 +166,8 @@ PATCH = {
     "fundamental_forms": lambda one, at: one.fundamental_forms(*pairs_of(one)),
     "curvatures": lambda one, at: one.curvatures(*pairs_of(one)),
     "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
+    "stationary_points": lambda one, at: one.stationary_points(xyz(at, 1, 2)),
+    "nearest_all": lambda one, at: one.nearest_all(xyz(at, 1, 2), 0.1 * at.size),
     "rebuild": lambda one, at: one.rebuild((8, 7), (3, 2)),
     "area": lambda one, at: one.area(tolerance=1e-2),
     "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
@@ -287,6 +291,7 @@ METHODS = {
     "Curvatures": COPIES,
     "JoinedPatches": COPIES,
     "Nearest": COPIES,
+    "StationaryPoints": COPIES,
 }
 
 
@@ -417,6 +422,7 @@ def others(at):
     yield lambda: sc.BezierPatch(flat).continuity_to("u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
     yield lambda: sc.BezierPatch(flat).curvatures(0.5, 0.5)
     yield lambda: sc.BezierPatch(flat).nearest((0, 0, 0))
+    yield lambda: at.nurbs.stationary_points(xyz(at, 1, 2))
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
 
 

@@ -45,12 +45,12 @@ NearSpace::NearSpace(std::span<const glm::dvec4> points) {
   // What is smaller is rounding of the coordinates.
   constexpr int kSmallest = -60;
   inner_ = std::max(exponent_of(largest_of(0.5 * high - 0.5 * low)), kSmallest);
+  rounding_ = std::ldexp(0x1p-53 * largest_of(glm::max(glm::abs(low), glm::abs(high))), -inner_);
   into_inner_ = power_of_two(-inner_);
   out_of_inner_ = power_of_two(inner_);
 }
 
-NearPoint NearSpace::enter(const glm::dvec3& point) const noexcept {
-  constexpr double kFar = 0x1p27;
+NearPoint NearSpace::enter(const glm::dvec3& point, double far) const noexcept {
   constexpr double kMostFar = 0x1p200;
   const glm::dvec3 outer = into_outer_.times(point);
   const bool is_inside = largest_of(outer) < kMostFar;  // else it may be no number
@@ -58,8 +58,8 @@ NearPoint NearSpace::enter(const glm::dvec3& point) const noexcept {
       is_inside ? outer : scaled(point, -exponent_of(largest_of(point))) * kMostFar;
   const glm::dvec3 near = into_inner_.times(reached - origin_);
   const double size = largest_of(near);
-  if (is_inside && size <= kFar) return {near, false};
-  return {scaled(near, -exponent_of(size)) * kFar, true};
+  if (is_inside && size <= far) return {near, false};
+  return {scaled(near, -exponent_of(size)) * far, true};
 }
 
 glm::dvec3 NearSpace::leave(const glm::dvec3& near) const noexcept {

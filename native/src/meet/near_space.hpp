@@ -32,13 +32,16 @@ class NearSpace {
  public:
   explicit NearSpace(std::span<const glm::dvec4> points);
 
-  /// Of a point farther out than 2^27 one on the way to it: distances to the shape then differ, from each other, by
-  /// less than their rounding.
-  NearPoint enter(const glm::dvec3& point) const noexcept;
+  /// Of a point farther out than `far` one on the way to it. From 2^27 on distances to the shape then differ, from each
+  /// other, by less than their rounding, from 2^60 on directions too.
+  NearPoint enter(const glm::dvec3& point, double far = 0x1p27) const noexcept;
   glm::dvec3 leave(const glm::dvec3& near) const noexcept;
 
   /// A length out there.
   double length(double near) const noexcept { return out_of_outer_.times(out_of_inner_.times(near)); }
+
+  /// How much of a coordinate may be rounding of those given.
+  double rounding() const noexcept { return rounding_; }
 
   /// Homogeneous points from those given and their homogeneous form, as a shape has both.
   /// @param width  points of a row, and `unrolled_width` of one of the unrolled net; homogeneous points are unrolled
@@ -49,6 +52,7 @@ class NearSpace {
   glm::dvec3 origin_{0.0};
   int outer_ = 0;  ///< coordinates are divided by 2^outer_, the origin is subtracted, and the rest divided by 2^inner_
   int inner_ = 0;
+  double rounding_ = 0.0;
   PowerOfTwo into_outer_, into_inner_, out_of_outer_, out_of_inner_;
 };
 

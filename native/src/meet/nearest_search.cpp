@@ -19,11 +19,6 @@ constexpr double kRounding = 0x1p-48;
 /// From so many parts on that were looked at for one point, the order of places and what is below rounding count less.
 constexpr std::size_t kMany = 1 << 14;
 
-/// A derivative of a quotient from that of the numerator, less what the lower ones take away.
-glm::dvec3 quotient_slope(const glm::dvec4& h, const glm::dvec3& point, double inverse) noexcept {
-  return (glm::dvec3(h) - h.w * point) * inverse;
-}
-
 /// Where a quadratic with these slopes and second derivatives is least in an interval of steps.
 double best_step(double slope, double bend, double low, double high) noexcept {
   if (bend > 0.0) return std::clamp(-slope / bend, low, high);
@@ -318,24 +313,7 @@ double NearestSearch<kAxes>::go_down(const PiecePart& part, const glm::dvec4* ne
 
 template <int kAxes>
 Slopes<kAxes> NearestSearch<kAxes>::slopes(const glm::dvec4* net, const Place& at) noexcept {
-  std::array<glm::dvec4, kAxes == 1 ? 3 : 6> h;
-  kernels_.piece_slopes({static_cast<int>(rows_), static_cast<int>(columns_), &net->x}, at.data(), &h[0].x);
-  const double inverse = 1.0 / h[0].w;
-  const glm::dvec3 point = glm::dvec3(h[0]) * inverse;
-  Slopes<kAxes> found;
-  found.offset = point - point_;
-  const glm::dvec3 u = quotient_slope(h[1], point, inverse);
-  const glm::dvec3 uu = quotient_slope(h[2], point, inverse) - (2.0 * h[1].w * inverse) * u;
-  if constexpr (kAxes == 1) {
-    found.first = {u};
-    found.second = {uu};
-  } else {
-    const glm::dvec3 v = quotient_slope(h[3], point, inverse);
-    found.first = {u, v};
-    found.second = {uu, quotient_slope(h[5], point, inverse) - (2.0 * h[3].w * inverse) * v,
-                    quotient_slope(h[4], point, inverse) - inverse * (h[1].w * v + h[3].w * u)};
-  }
-  return found;
+  return slopes_of<kAxes>(kernels_, net, rows_, columns_, at, point_);
 }
 
 template <int kAxes>

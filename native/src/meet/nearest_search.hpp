@@ -11,6 +11,7 @@
 #include "boxed_pieces.hpp"
 #include "distance_form.hpp"
 #include "kernels/kernels.hpp"
+#include "slopes.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -22,14 +23,6 @@ struct NearestPlace {
   glm::dvec3 point{0.0};
 
   bool found() const noexcept { return squared < std::numeric_limits<double>::infinity(); }
-};
-
-/// Point minus a given one, and derivatives by the parameters of a piece.
-template <int kAxes>
-struct Slopes {
-  glm::dvec3 offset;
-  std::array<glm::dvec3, kAxes> first;
-  std::array<glm::dvec3, kAxes == 1 ? 1 : 3> second;  ///< uu, vv, uv
 };
 
 /// Looks for the nearest point of curves (kAxes = 1) and patches (2), one query after the other, in memory of its own.
