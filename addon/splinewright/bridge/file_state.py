@@ -43,6 +43,7 @@ class FileState:
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
     sides: tuple = ()                                   # while sides of patches are picked: (object's name, number, side) each
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse
+    drawn_stroke: tuple = ()                            # while one is drawn: its points
     pulled: tuple = None                                # while a shape is pulled by a point: a ui.pull_overlay.Pull
     weighing: tuple = None                              # while weights change by the mouse: a ui.weight_overlay.Weighing
     moved_knot: tuple = None                            # while a knot is moved: a ui.knot_strip.Moved

@@ -2,8 +2,8 @@
 
 import bpy
 
-from . import (aim_overlay, axis_overlay, knot_strip_overlay, messages, numbers_overlay, overlay, pull_overlay, seams_overlay,
-               sights_overlay, weight_overlay)
+from . import (aim_overlay, axis_overlay, knot_strip_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
+               seams_overlay, sights_overlay, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (
@@ -15,6 +15,7 @@ _DRAWS = (
     (numbers_overlay.draw_outline, 'POST_VIEW'), (numbers_overlay.draw, 'POST_PIXEL'),
     (aim_overlay.draw, 'POST_VIEW'),
     (pull_overlay.draw, 'POST_VIEW'),
+    (pen_overlay.draw, 'POST_VIEW'),
     (axis_overlay.draw, 'POST_VIEW'),
     (knot_strip_overlay.draw, 'POST_PIXEL'),
     (weight_overlay.draw, 'POST_PIXEL'),

@@ -37,6 +37,7 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
         layout.separator()
         layout.operator("splinewright.curve_through_points", text=tools.text_of("curve_through_points"), icon='SNAP_VERTEX')
         layout.operator("splinewright.fit_curve", text=tools.text_of("fit_curve"), icon='GREASEPENCIL')
+        layout.operator("splinewright.draw_curve", text=tools.text_of("draw_curve"), icon='GREASEPENCIL')
 
 
 class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):

@@ -1,0 +1,161 @@
+"""A pen: a stroke of the mouse in a 3D view becomes a clean curve near it."""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy_extras import view3d_utils
+from mathutils import Vector
+
+from ...bridge import parameters, remaking
+from ...bridge.file_state import state
+from ...core import polylines
+from ...core.failures import FAILURES, Refusal
+from ...core.recipes.table import RECIPES
+from .. import picking, recipe_props
+from . import new_shapes, reports
+from .adding import add_in_front, can_add, require_place, resolution_property
+from .pointing import PASSED, redraw
+
+_SPLINE = RECIPES['approximating']
+_PARAMETERS = {parameter.name: parameter for parameter in _SPLINE.parameters}
+_MOVES = ('MOUSEMOVE', 'INBETWEEN_MOUSEMOVE')
+_TOO_SHORT = "the stroke is too short: press the left mouse button, drag and release"
+#: Pixels, of an interface that is not scaled: of the shortest stroke, and within which the ends of one meet.
+_SHORTEST, _MEETING = 10.0, 12.0
+
+
+class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
+    bl_idname = "splinewright.draw_curve"
+    bl_label = "Draw Curve"
+    bl_description = ("Draw a stroke in the view with the left mouse button, which becomes a clean curve within a tolerance; "
+                      "a stroke that comes back to its start is closed")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    stroke: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    pixels: FloatProperty(name="Tolerance in Pixels", description="How far the next stroke may lie from its curve, as it is seen",
+                          default=4.0, min=0.1, soft_max=50.0)
+    on_surface: BoolProperty(name="On Surface", default=False, description="Draw the next stroke on what is under the mouse; "
+                             "else on the plane through the 3D cursor that faces the view")
+    tolerance: recipe_props.property_of(_PARAMETERS['tolerance'], options={'SKIP_SAVE'})
+    degree: recipe_props.property_of(_PARAMETERS['degree'])
+    closed: recipe_props.property_of(_PARAMETERS['closed'], options={'SKIP_SAVE'})
+    resolution_u: resolution_property(default=_SPLINE.resolution)
+
+    @classmethod
+    def poll(cls, context):
+        return can_add(cls, context)
+
+    def invoke(self, context, event):
+        self._pixels, self._view = [], None
+        context.window_manager.modal_handler_add(self)
+        context.window.cursor_modal_set('PAINT_BRUSH')
+        self._hint(context)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        if self._view is None:
+            return self._wait(context, event)
+        if event.type in _MOVES:
+            self._go_on(context, event)
+        if event.type == 'LEFTMOUSE' and event.value == 'RELEASE':
+            self._go_on(context, event)
+            return self._end(context)
+        return {'RUNNING_MODAL'}
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        state.drawn_stroke = ()
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+        redraw()
+
+    def execute(self, context):
+        new_shapes.settle(self)
+        try:
+            require_place(context)
+            points = _points_of(self.stroke)
+            data = remaking.new_data("Drawn Curve", _SPLINE, self._values(), points, new_shapes.start(self))
+        except FAILURES as error:
+            return reports.failed(self, error)
+        add_in_front(context, bpy.data.objects.new(data.name, data), context.selected_objects)
+        return {'FINISHED'}
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        for name in ('tolerance', 'degree', 'closed'):
+            layout.prop(self, name)
+        new_shapes.draw(self, layout)
+        layout.separator()
+        layout.label(text="Next Stroke")
+        layout.prop(self, "pixels")
+        layout.prop(self, "on_surface")
+
+    def _values(self):
+        given = {name: parameters.as_typed(_PARAMETERS[name], getattr(self, name)) for name in ('tolerance', 'degree', 'closed')}
+        return {**{name: parameter.default for name, parameter in _PARAMETERS.items()}, **given}
+
+    def _hint(self, context):
+        context.workspace.status_text_set("Left mouse: press, drag and release to draw; S: on surface "
+                                          f"({'on' if self.on_surface else 'off'}); Esc or right mouse: cancel")
+
+    def _wait(self, context, event):
+        """modal() until the stroke begins."""
+        if event.type in PASSED:
+            return {'PASS_THROUGH'}
+        if event.type == 'S' and event.value == 'PRESS':
+            self.on_surface = not self.on_surface
+            self._hint(context)
+        if event.type == 'LEFTMOUSE' and event.value == 'PRESS':
+            self._view = picking.view_at(event.mouse_x, event.mouse_y)
+            if self._view:
+                self._depth = context.scene.cursor.location.copy()
+                self._go_on(context, event)
+        return {'RUNNING_MODAL'}
+
+    def _go_on(self, context, event):
+        region, view = self._view
+        pixel = Vector((event.mouse_x - region.x, event.mouse_y - region.y))
+        if self._pixels and pixel == self._pixels[-1]:
+            return
+        seen = self.on_surface and picking.face_seen(
+            context, region, view, pixel, context.evaluated_depsgraph_get(), ())
+        self._depth = seen[2] if seen else view3d_utils.region_2d_to_location_3d(region, view, pixel, self._depth)
+        self._pixels.append(pixel)
+        state.drawn_stroke = (*state.drawn_stroke, tuple(self._depth))
+        redraw()
+
+    def _end(self, context):
+        points, pixels = state.drawn_stroke, self._pixels
+        self.cancel(context)
+        length = sum((after - before).length for before, after in zip(pixels, pixels[1:]))
+        if length < picking.near(_SHORTEST):
+            return reports.failed(self, Refusal(_TOO_SHORT))
+        meeting = picking.near(_MEETING)
+        self.closed = length > 4 * meeting and (pixels[-1] - pixels[0]).length < meeting
+        self.stroke = " ".join(repr(number) for point in points for number in point)
+        self.tolerance = self.pixels * self._size_of_pixel(Vector(points[len(points) // 2]), pixels[len(points) // 2])
+        return self.execute(context)
+
+    def _size_of_pixel(self, place, pixel):
+        """In the scene, at a place of the stroke."""
+        beside = view3d_utils.region_2d_to_location_3d(*self._view, pixel + Vector((1, 0)), place)
+        return (beside - view3d_utils.region_2d_to_location_3d(*self._view, pixel, place)).length
+
+
+def _points_of(text):
+    """(n, 3) of the numbers of a stroke. Raises Refusal."""
+    try:
+        points = np.array(text.split(), dtype=np.float64).reshape(-1, 3)
+    except ValueError:
+        raise Refusal("the stroke is no list of three numbers for each point") from None
+    points = polylines.without_repeats(points)
+    if len(points) < 2:
+        raise Refusal(_TOO_SHORT)
+    return points
+
+
+CLASSES = (SPLINEWRIGHT_OT_draw_curve,)
