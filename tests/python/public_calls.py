@@ -320,6 +320,10 @@ FUNCTIONS = {
     "fit.approximate": lambda at: [fit.approximate(at.points, tolerance=1e-3 * xyz(at, 0, 1).max() + 1e-300, degree=2,
                                                    parameters='uniform', corrections=1),
                                    fit.approximate(at.points, len(at.points), 1, 'uniform')],
+    "fit.approximate_patch": lambda at: fit.approximate_patch(np.stack([at.points, at.points[::-1]], 1),
+                                                              (len(at.points), 2), 1, 'uniform'),
+    "fit.approximate_scattered": lambda at: fit.approximate_scattered(
+        at.size * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.5], [0.5, 0.5, 0.1]]), 2, 1),
     "fit.project": lambda at: fit.project(lambda u: np.stack([u, u * u], -1), [0, 0, 0, 0.5, 1, 1, 1], 2),
     "build.chain_from_polygon": lambda at: build.chain_from_polygon(at.points),
     "build.polygon_of_chain": lambda at: build.polygon_of_chain(build.chain_from_polygon(at.points)),

@@ -24,7 +24,7 @@ NATIVE_ARROWS = {
     'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
     'meet': {'base', 'basis', 'curve', 'patch', 'kernels'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
-    'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build'},
+    'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }
 # A room of the add-on may import itself and these.

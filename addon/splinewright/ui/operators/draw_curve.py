@@ -136,6 +136,8 @@ class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
             return reports.failed(self, Refusal(_TOO_SHORT))
         meeting = picking.near(_MEETING)
         self.closed = length > 4 * meeting and (pixels[-1] - pixels[0]).length < meeting
+        if self.closed:
+            points = points[:1 + max(i for i, pixel in enumerate(pixels) if (pixel - pixels[0]).length >= meeting)]
         self.stroke = " ".join(repr(number) for point in points for number in point)
         self.tolerance = self.pixels * self._size_of_pixel(Vector(points[len(points) // 2]), pixels[len(points) // 2])
         return self.execute(context)

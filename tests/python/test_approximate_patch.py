@@ -1,0 +1,170 @@
+"""Patches near grids and scattered points: what comes from such a patch comes back; errors are those of dense checks."""
+
+import numpy as np
+import pytest
+
+import splinecore as sc
+from splinecore import fit
+
+RNG = np.random.default_rng(5)
+
+
+def clamped(degree, count):
+    inner = np.sort(RNG.uniform(0.1, 0.9, count - degree - 1))
+    return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
+
+
+def patch_of(degrees, counts, scale=1.0, offset=0.0):
+    knots = [clamped(degree, count) for degree, count in zip(degrees, counts)]
+    u, v = np.meshgrid(*(np.linspace(0, 1, count) for count in counts), indexing='ij')
+    points = np.stack([3 * u, 2 * v, 0.5 * np.sin(4 * u) * np.cos(3 * v)], -1) + RNG.uniform(-0.05, 0.05, (*counts, 3))
+    return sc.NurbsPatch(degrees, knots, scale * (points + offset))
+
+
+def wave(u, v):
+    return np.stack([4 * u, 3 * v, 0.5 * np.sin(5 * u) * np.cos(4 * v)], -1)
+
+
+def cloud(count, noise=0.0):
+    u, v = RNG.uniform(0, 1, (2, count))
+    return wave(u, v) + noise * RNG.standard_normal((count, 3))
+
+
+@pytest.mark.parametrize('degrees', [(1, 1), (2, 3), (3, 3), (5, 4), (9, 2)])
+@pytest.mark.parametrize('scale, offset', [(1.0, 0.0), (1e-150, 0.0), (1e150, 0.0), (1.0, 1e7)])
+def test_a_grid_of_a_patch_gives_it_back(degrees, scale, offset):
+    patch = patch_of(degrees, (degrees[0] + 5, degrees[1] + 4), scale, offset)
+    u, v = (np.linspace(0, 1, count) for count in (90, 80))
+    made, error = fit.approximate_patch(patch.evaluate_grid(u, v), degrees=degrees, parameters=(u, v), knots=patch.knots)
+    size = np.abs(patch.points).max()
+    np.testing.assert_allclose(made.points, patch.points, rtol=0, atol=1e-9 * size)
+    assert error < 1e-13 * size
+
+
+@pytest.mark.parametrize('fixed_ends', [True, False])
+def test_it_is_the_least_sum_of_squares(fixed_ends):
+    u, v = np.linspace(0, 1, 25), np.linspace(0, 1, 21)
+    grid = wave(*np.meshgrid(u, v, indexing='ij')) + 0.05 * RNG.standard_normal((25, 21, 3))
+    made, error = fit.approximate_patch(grid, (7, 6), parameters=(u, v), fixed_ends=fixed_ends)
+    left = grid - made.evaluate_grid(u, v)
+    assert error == pytest.approx(np.linalg.norm(left, axis=-1).max(), rel=1e-12)
+    if fixed_ends:
+        np.testing.assert_allclose(made.points[[0, 0, -1, -1], [0, -1, 0, -1]], grid[[0, 0, -1, -1], [0, -1, 0, -1]], rtol=1e-14)
+        return
+    functions = [np.array([sc.NurbsCurve(3, knots, [[float(k == i), 0] for k in range(count)]).evaluate(at)[:, 0]
+                           for i in range(count)]) for knots, count, at in zip(made.knots, (7, 6), (u, v))]
+    gradient = np.einsum('iu,jv,uvc->ijc', *functions, left)
+    np.testing.assert_allclose(gradient, 0, atol=1e-11)
+
+
+def test_a_closed_direction_and_a_tolerance():
+    a, z = np.meshgrid(np.linspace(0, 2 * np.pi, 60, endpoint=False), np.linspace(0, 3, 40), indexing='ij')
+    tube = np.stack([(2 + np.sin(z)) * np.cos(a), (2 + np.sin(z)) * np.sin(a), z], -1)
+    for tolerance in (1e-1, 1e-2, 1e-4):
+        made, error = fit.approximate_patch(tube, tolerance=tolerance, closed=(True, False))
+        assert error <= tolerance and made.periodic == (True, False)
+        near = made.nearest(tube.reshape(-1, 3)).distances.max()
+        assert near <= error * (1 + 1e-9)
+    assert made.points.shape[0] < 60 and made.points.shape[1] < 40
+    with pytest.raises(sc.ToleranceNotReached, match="5 x 5 control points within 1e-09"):
+        fit.approximate_patch(tube, 5, tolerance=1e-9, closed=(True, False))
+
+
+def test_smoothing_of_a_grid():
+    u, v = np.linspace(0, 1, 30), np.linspace(0, 1, 30)
+    noisy = wave(*np.meshgrid(u, v, indexing='ij')) + 0.02 * RNG.standard_normal((30, 30, 3))
+    rough, smooth = (fit.approximate_patch(noisy, (20, 20), parameters=(u, v), smoothing=each).value for each in (0.0, 1e-5))
+    bend = [np.abs(np.diff(each.points, 2, axis=0)).sum() for each in (rough, smooth)]
+    assert bend[1] < bend[0]
+
+
+@pytest.mark.parametrize('scale, offset', [(1.0, 0.0), (1e-150, 0.0), (1e150, 0.0), (1.0, 1e6)])
+def test_scattered_points_of_a_patch_give_it_back(scale, offset):
+    patch = patch_of((3, 2), (8, 7), scale, offset)
+    at = RNG.uniform(0, 1, (2000, 2))
+    at[:4] = [[0, 0], [0, 1], [1, 0], [1, 1]]
+    points = patch.evaluate(*at.T)
+    made, error = fit.approximate_scattered(points, degrees=(3, 2), parameters=at, knots=patch.knots, corrections=0)
+    size = np.abs(patch.points).max()
+    np.testing.assert_allclose(made.points, patch.points, rtol=0, atol=1e-11 * size)
+    assert error < 1e-12 * size
+
+
+def test_weights_draw_the_patch():
+    points = cloud(400, 0.05)
+    heavy = np.ones(400)
+    heavy[7] = 1e6
+    made = fit.approximate_scattered(points, 5, weights=heavy, corrections=0).value
+    assert made.nearest(points[7]).distances < 1e-3
+    same = fit.approximate_scattered(points, 5, weights=np.full(400, 1e200), corrections=0).value
+    np.testing.assert_allclose(same.points, fit.approximate_scattered(points, 5, corrections=0).value.points, atol=1e-12)
+
+
+def test_corrections_bring_the_patch_nearer_and_the_error_is_true():
+    points = cloud(3000)
+    last = np.inf
+    for corrections in (0, 8):
+        made, error = fit.approximate_scattered(points, (10, 9), corrections=corrections)
+        distances = made.nearest(points).distances
+        assert error == pytest.approx(distances.max(), rel=1e-9)
+        rms = np.sqrt(np.mean(distances**2))
+        assert rms <= last
+        last = rms
+
+
+@pytest.mark.parametrize('tolerance', [3e-2, 1e-3])
+def test_scattered_points_within_a_tolerance(tolerance):
+    points = cloud(3000)
+    made, error = fit.approximate_scattered(points, tolerance=tolerance)
+    assert made.nearest(points).distances.max() <= error * (1 + 1e-9) <= tolerance * (1 + 1e-9)
+
+
+def test_smoothing_fills_a_hole():
+    points = cloud(3000)
+    points = points[np.hypot(points[:, 0] - 2, points[:, 1] - 1.5) > 0.8]
+    with pytest.raises(sc.InvalidShape, match="do not determine control point"):
+        fit.approximate_scattered(points, 25)
+    made, error = fit.approximate_scattered(points, 25, smoothing=1e-9)
+    assert error < 0.02 and abs(made.nearest([2, 1.5, 0.5 * np.sin(2.5) * np.cos(2)]).distances) < 0.1
+
+
+@pytest.mark.parametrize('turn', np.linspace(0, 2, 7))
+def test_the_first_parameters_lie_in_the_least_rectangle(turn):
+    points = RNG.uniform(-1, 1, (500, 2)) * (3, 1)
+    points[:4] = [[-3, -1], [3, -1], [3, 1], [-3, 1]]
+    c, s = np.cos(turn), np.sin(turn)
+    made = fit.approximate_scattered(points @ [[c, s], [-s, c]], (4, 4), corrections=0).value
+    assert made.domain[0] == (0, 1) and made.domain[1] == pytest.approx((0, 1 / 3), abs=1e-12)
+    corner = made.points[0, 0]
+    assert np.cross(made.points[-1, 0] - corner, made.points[0, -1] - corner)[2] > 0
+
+
+def test_what_is_refused():
+    points = cloud(100)
+    for arguments, message in ((dict(), "counts, knots or tolerance are needed"), (dict(counts=3), "count = 3"),
+                               (dict(counts=8, degrees=0), "degree = 0"), (dict(counts=8, smoothing=-1), "smoothing = -1"),
+                               (dict(counts=8, weights=[1.0]), "weights has 1 values"), (dict(tolerance=0.0), "tolerance = 0"),
+                               (dict(counts=8, corrections=-1), "corrections = -1"),
+                               (dict(counts=8, parameters=points), r"parameters has shape \(100, 3\)"),
+                               (dict(counts=8, parameters=np.full((100, 2), np.nan)), "not finite"),
+                               (dict(counts=8, parameters=np.ones((100, 2))), "the same along u"),
+                               (dict(knots=([0, 0, 1, 1], [0, 0, 1, 1]), degrees=1), "belong to parameters")):
+        with pytest.raises(sc.InvalidShape, match=message):
+            fit.approximate_scattered(points, **arguments)
+    with pytest.raises(sc.InvalidShape, match="on a line"):
+        fit.approximate_scattered(np.outer(np.linspace(0, 1, 50), [1, 2, 3]), 4)
+    with pytest.raises(sc.InvalidShape, match="on a line"):
+        fit.approximate_scattered(np.ones((50, 3)), 4)
+    with pytest.raises(sc.InvalidShape, match="at least 3"):
+        fit.approximate_scattered(points[:2], 4)
+    points[3, 1] = np.nan
+    with pytest.raises(sc.InvalidShape, match=r"points\[3\]"):
+        fit.approximate_scattered(points, 4)
+    grid = wave(*np.meshgrid(np.linspace(0, 1, 9), np.linspace(0, 1, 8), indexing='ij'))
+    for arguments, message in ((dict(), "counts, knots or tolerance"), (dict(counts=(4, 9)), "along v: count = 9"),
+                               (dict(counts=5, degrees=(3, 0)), "along v: degree = 0"), (dict(tolerance=-1), "tolerance = -1"),
+                               (dict(counts=5, smoothing=(0, -1)), "along v: smoothing = -1"),
+                               (dict(counts=5, smoothing=np.nan), "smoothing = nan"),
+                               (dict(counts=5, parameters=(np.zeros(9), 'chordal')), "along u: parameters")):
+        with pytest.raises(sc.InvalidShape, match=message):
+            fit.approximate_patch(grid, **arguments)
