@@ -76,6 +76,13 @@ def _draw_vertices(self, context):
         self.layout.separator()
         self.layout.operator("splinewright.curve_through_points", text="Splinewright: Curve Through Points")
         self.layout.operator("splinewright.fit_curve", text="Splinewright: Fit Curve")
+        self.layout.operator("splinewright.fit_patch", text="Splinewright: Fit Patch")
+
+
+def _draw_faces(self, context):
+    if not editing.nets_in_edit_mode(context):
+        self.layout.separator()
+        self.layout.operator("splinewright.patch_through_grid", text="Splinewright: Patch Through Grid")
 
 
 def _draw_import(self, context):
@@ -221,6 +228,7 @@ _PLACES = (
     ("VIEW3D_MT_object_apply", _draw_apply),
     ("VIEW3D_MT_object_convert", _draw_convert),
     ("VIEW3D_MT_edit_mesh_vertices", _draw_vertices),
+    ("VIEW3D_MT_edit_mesh_faces", _draw_faces),
     ("VIEW3D_MT_editor_menus", _draw_net_header),
     ("TOPBAR_MT_file_import", _draw_import),
     ("TOPBAR_MT_file_export", _draw_export),

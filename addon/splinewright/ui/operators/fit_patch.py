@@ -1,0 +1,139 @@
+"""Patches through and near the selected vertices of meshes in Edit Mode."""
+
+import bmesh
+import bpy
+import numpy as np
+from bpy.props import EnumProperty, FloatProperty, IntProperty
+
+from ...bridge import shape
+from ...core import decimals, vertex_grid
+from ...core.failures import FAILURES, Refusal
+from ...core.library import sc
+from .. import editing, progress
+from . import new_shapes, reports
+from .add_patch import draw_pairs
+from .adding import Repeatable, add_in_front, count_property, degree_property, require_place, resolution_property
+
+
+class PatchOfVertices(new_shapes.Faces, Repeatable):
+    """Adds a patch for each mesh, which approximation() makes of its selection."""
+
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    degree_u: degree_property("U")
+    degree_v: degree_property("V")
+    resolution_u: resolution_property("U", default=8)
+    resolution_v: resolution_property("V", default=8)
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode == 'OBJECT' and cls.has_made(context):
+            return True
+        if context.mode != 'EDIT_MESH' or editing.nets_in_edit_mode(context):
+            cls.poll_message_set("Select vertices in the Edit Mode of a mesh that is no net")
+            return False
+        return True
+
+    def execute(self, context):
+        new_shapes.settle(self)
+        made = []
+        try:
+            require_place(context)
+            for ob in context.objects_in_mode_unique_data:
+                with progress.shown(context, shape.STEPS) as step:
+                    patch, error = self.approximation(ob.data)
+                    data = shape.new_data(f"{ob.name} Patch", patch, new_shapes.start(self), step)
+                made.append((bpy.data.objects.new(data.name, data), ob, error))
+        except FAILURES as error:
+            bpy.data.batch_remove([new.data for new, _, _ in made])
+            return reports.failed(self, error)
+        bpy.ops.object.mode_set(mode='OBJECT')
+        for new, source, _ in made:
+            new.matrix_world = source.matrix_world
+            add_in_front(context, new, context.selected_objects if new == made[0][0] else [])
+        return self.finished(context, reports.Said(self.said(max(error for _, _, error in made))))
+
+    def approximation(self, mesh):
+        raise NotImplementedError("approximation: each operator says which patch it makes")
+
+    def said(self, error):
+        return ""
+
+
+class SPLINEWRIGHT_OT_patch_through_grid(PatchOfVertices, bpy.types.Operator):
+    bl_idname = "splinewright.patch_through_grid"
+    bl_label = "Add Patch Through Grid"
+    bl_description = ("Add a smooth NURBS patch through the corners of the selected faces, which lie in rows and columns; rows "
+                      "and columns may be closed")
+
+    parametrisation: EnumProperty(name="Parameters", default='centripetal', items=(
+        ('uniform', "Uniform", "The same step between any two rows"),
+        ('chordal', "Chordal", "Steps by the distances of the points"),
+        ('centripetal', "Centripetal", "Steps by the roots of the distances: calm where the points are uneven")))
+
+    def approximation(self, mesh):
+        bm = bmesh.from_edit_mesh(mesh)
+        bm.verts.index_update()
+        bm.verts.ensure_lookup_table()
+        rows, closed = vertex_grid.in_grid([[vertex.index for vertex in face.verts] for face in bm.faces if face.select])
+        points = np.array([[bm.verts[vertex].co for vertex in row] for row in rows.tolist()], dtype=np.float64)
+        degrees = tuple(min(degree, count - 1) for degree, count in zip((self.degree_u, self.degree_v), rows.shape))
+        return _parts(sc.fit.interpolate_patch(points, degrees, self.parametrisation, closed=closed))
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        draw_pairs(self, layout, "degree")
+        layout.prop(self, "parametrisation")
+        new_shapes.draw(self, layout)
+
+
+class SPLINEWRIGHT_OT_fit_patch(PatchOfVertices, bpy.types.Operator):
+    bl_idname = "splinewright.fit_patch"
+    bl_label = "Fit Patch"
+    bl_description = ("Add a clean NURBS patch near the selected vertices, as of a scan, in any order: with so many control "
+                      "points, or with few within a tolerance")
+
+    by: EnumProperty(name="By", items=(('COUNT', "Points", "So many control points"),
+                                       ('TOLERANCE', "Tolerance", "Few control points within a distance")))
+    count_u: count_property("U", default=8)
+    count_v: count_property("V", default=8)
+    tolerance: FloatProperty(name="Tolerance", description="No vertex is farther from the patch", default=0.01, min=1e-9,
+                             soft_max=1.0, precision=4, unit='LENGTH')
+    smoothing: FloatProperty(name="Smoothing", description="How much the patch is kept from bending; it decides where there "
+                             "are no vertices", default=1e-6, min=0.0, soft_max=0.01, precision=8, step=0.0001)
+    corrections: IntProperty(name="Corrections", description="So often at most the vertices' places on the patch are improved",
+                             default=8, min=0, soft_max=20, max=1000)
+
+    def approximation(self, mesh):
+        bm = bmesh.from_edit_mesh(mesh)
+        points = np.array([vertex.co for vertex in bm.verts if vertex.select], dtype=np.float64).reshape(-1, 3)
+        if len(points) < 3:
+            raise Refusal("select three vertices or more")
+        wanted = {'counts': (self.count_u, self.count_v)} if self.by == 'COUNT' else {'tolerance': decimals.typed(self.tolerance)}
+        return _parts(sc.fit.approximate_scattered(
+            points, degrees=(self.degree_u, self.degree_v), smoothing=decimals.typed(self.smoothing),
+            corrections=self.corrections, **wanted))
+
+    def said(self, error):
+        return f"no vertex is farther than {decimals.text_of(error, 3)}"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.row().prop(self, "by", expand=True)
+        if self.by == 'COUNT':
+            draw_pairs(self, layout, "count")
+        else:
+            layout.prop(self, "tolerance")
+        draw_pairs(self, layout, "degree")
+        layout.prop(self, "smoothing")
+        layout.prop(self, "corrections")
+        new_shapes.draw(self, layout)
+
+
+def _parts(approximation):
+    return approximation.value, approximation.error
+
+
+CLASSES = (SPLINEWRIGHT_OT_patch_through_grid, SPLINEWRIGHT_OT_fit_patch)

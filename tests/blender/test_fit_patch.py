@@ -1,0 +1,95 @@
+"""Patches through grids of faces and near selected vertices."""
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import op, require_exact
+from support import splinecore as sc
+from test_curve_through import value
+
+
+def mesh_in_edit_mode(points, faces=()):
+    mesh = bpy.data.meshes.new("Points")
+    mesh.from_pydata(np.array(points).tolist(), [], [list(map(int, face)) for face in faces])
+    ob = bpy.data.objects.new("Points", mesh)
+    bpy.context.collection.objects.link(ob)
+    for other in bpy.context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    bpy.ops.object.mode_set(mode='EDIT')
+    bpy.ops.mesh.select_all(action='SELECT')
+    return ob
+
+
+def quads(nu, nv, closed=(False, False)):
+    at = np.arange(nu * nv).reshape(nu, nv)
+    return [(at[i, j], at[(i + 1) % nu, j], at[(i + 1) % nu, (j + 1) % nv], at[i, (j + 1) % nv])
+            for i in range(nu - (not closed[0])) for j in range(nv - (not closed[1]))]
+
+
+def grid(nu, nv, closed=(False, False)):
+    if closed[0]:
+        a, z = np.meshgrid(2 * np.pi * np.arange(nu) / nu, 2 * np.pi * np.arange(nv) / nv, indexing='ij')
+        radius = 2 + (np.cos(z) if closed[1] else 0.3 * np.sin(2 * z))
+        return np.stack([radius * np.cos(a), radius * np.sin(a), np.sin(z) if closed[1] else z], -1)
+    u, v = np.meshgrid(np.linspace(0, 3, nu), np.linspace(0, 2, nv), indexing='ij')
+    return np.stack([u, v, 0.4 * np.sin(2 * u) * np.cos(v)], -1)
+
+
+@pytest.mark.parametrize('counts', [(2, 2), (2, 7), (6, 5)])
+@pytest.mark.parametrize('closed', [(False, False), (True, False), (True, True)])
+def test_a_patch_goes_through_a_grid(counts, closed):
+    counts = tuple(max(count, 5) if each else count for count, each in zip(counts, closed))
+    points = grid(*counts, closed).astype(np.float32).astype(np.float64)
+    order = np.random.default_rng(2).permutation(len(points.reshape(-1, 3)))
+    faces = np.argsort(order)[np.array(quads(*counts, closed))]
+    source = mesh_in_edit_mode(points.reshape(-1, 3)[order], np.random.default_rng(3).permutation(faces))
+    source.location = 1, 2, 3
+    assert op(bpy.ops.splinewright.patch_through_grid) == {'FINISHED'}
+    made = bpy.context.object
+    require_exact(made)
+    assert made.location[:] == (1, 2, 3) and sorted(value(made).periodic) == sorted(closed)
+    assert value(made).nearest(points.reshape(-1, 3)).distances.max() < 1e-6
+
+
+@pytest.mark.parametrize('faces, message', (
+    ([(0, 1, 2)], "four corners"), ([], "select faces"), (quads(3, 3)[:3], "some are missing"),
+    ([(0, 1, 4, 3), (4, 5, 8, 7)], "hang together")))
+def test_what_is_no_grid_is_refused(faces, message):
+    source = mesh_in_edit_mode(grid(3, 3).reshape(-1, 3), faces)
+    before = len(bpy.data.objects), len(bpy.data.meshes)
+    with pytest.raises(RuntimeError, match=message):
+        op(bpy.ops.splinewright.patch_through_grid)
+    assert (len(bpy.data.objects), len(bpy.data.meshes)) == before and source.mode == 'EDIT'
+    bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def scan():
+    u, v = np.random.default_rng(4).uniform(0, 1, (2, 900))
+    return np.stack([4 * u, 3 * v, 0.5 * np.sin(4 * u) * np.cos(3 * v)], -1)
+
+
+@pytest.mark.parametrize('wanted', (dict(count_u=9, count_v=7), dict(by='TOLERANCE', tolerance=0.015625, smoothing=0.0)))
+def test_a_patch_near_a_scan(wanted):
+    source = mesh_in_edit_mode(scan())
+    points = np.array([vertex.co for vertex in source.data.vertices])
+    assert op(bpy.ops.splinewright.fit_patch, **wanted) == {'FINISHED'}
+    made = bpy.context.object
+    require_exact(made)
+    assert value(made).nearest(points).distances.max() < 0.02
+    if 'count_u' in wanted:
+        assert value(made).points.shape[:2] == (9, 7)
+
+
+def test_few_vertices_and_lines_are_refused():
+    for points, message in (([[0, 0, 0], [1, 0, 0]], "three vertices"), (np.outer(np.arange(9), [1, 2, 3]), "on a line")):
+        mesh_in_edit_mode(points)
+        with pytest.raises(RuntimeError, match=message):
+            op(bpy.ops.splinewright.fit_patch)
+        bpy.ops.object.mode_set(mode='OBJECT')
+    mesh_in_edit_mode(scan()[:40])
+    with pytest.raises(RuntimeError, match="do not determine control point"):
+        op(bpy.ops.splinewright.fit_patch, count_u=20, count_v=20, smoothing=0.0)
+    bpy.ops.object.mode_set(mode='OBJECT')
