@@ -354,3 +354,20 @@ def test_a_long_call_is_cancelled():
     rng = np.random.default_rng(15)
     with pytest.raises(sc.Cancelled):
         random_patch(rng, degree=3).nearest(rng.uniform(-10, 10, (100_000, 3)), cancel=lambda: True)
+
+
+def test_a_call_within_the_making_of_the_tree_ends():
+    """cancel is asked while the tree is made that the call within asks for."""
+    count = 60
+    u, v = np.meshgrid(np.linspace(0, 9, count), np.linspace(0, 9, count), indexing='ij')
+    knots = np.concatenate([[0] * 9, np.linspace(0, 1, count - 8), [1] * 9])
+    patch = sc.NurbsPatch((9, 9), (knots, knots), np.stack([u, v, np.sin(3 * u) * np.cos(2 * v)], -1))
+    inner = []
+
+    def cancel():
+        if not inner:
+            inner.append(patch.nearest([1, 2, 3]).distances)
+        return False
+
+    outer = patch.nearest([1, 2, 3], cancel=cancel).distances
+    assert inner and inner[0] == outer
