@@ -133,7 +133,7 @@ class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
         self.cancel(context)
         length = sum((after - before).length for before, after in zip(pixels, pixels[1:]))
         if length < picking.near(_SHORTEST):
-            return reports.failed(self, Refusal(_TOO_SHORT))
+            return reports.stopped(self, _TOO_SHORT)
         meeting = picking.near(_MEETING)
         self.closed = length > 4 * meeting and (pixels[-1] - pixels[0]).length < meeting
         if self.closed:
