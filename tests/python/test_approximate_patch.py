@@ -139,6 +139,24 @@ def test_the_first_parameters_lie_in_the_least_rectangle(turn):
     assert np.cross(made.points[-1, 0] - corner, made.points[0, -1] - corner)[2] > 0
 
 
+def test_both_directions_are_alike_and_long_nets_are_ordinary():
+    points = cloud(3000, 0.01)
+    at = points[:, :2] / (4, 3)
+    at = (at - at.min(axis=0)) / np.ptp(at, axis=0)
+    for smoothing in (0.0, 1e-7):
+        one, other = (fit.approximate_scattered(points, counts, (3, 2)[::step], parameters=at[:, ::step], smoothing=smoothing,
+                                                corrections=0).value for counts, step in (((14, 6), 1), ((6, 14), -1)))
+        np.testing.assert_allclose(other.points.transpose(1, 0, 2), one.points, rtol=0, atol=1e-9)
+    long = fit.approximate_scattered(points, (5, 2000), smoothing=1e-9, corrections=0).value
+    assert long.points.shape == (5, 2000, 3)
+
+
+def test_nets_beyond_all_memory_are_refused():
+    for counts, degrees in (((3000, 3000), 3), ((100_000, 100_000), 1), (256, 255)):
+        with pytest.raises(sc.InvalidShape, match="is too large for scattered points"):
+            fit.approximate_scattered(cloud(100), counts, degrees, smoothing=1e-6)
+
+
 def test_what_is_refused():
     points = cloud(100)
     for arguments, message in ((dict(), "counts, knots or tolerance are needed"), (dict(counts=3), "count = 3"),

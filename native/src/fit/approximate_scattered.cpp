@@ -68,13 +68,25 @@ void project(std::span<const glm::dvec3> points, std::span<const double> weights
   }
 }
 
-/// Of points near 1.
-ScatteredFit fitted_once(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
+/// The system is solved with the shorter side of the net as v.
+NurbsPatch least_squares(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                          const KnotVector& u, const KnotVector& v, std::span<const double> weights, double energy) {
+  if (v.count() > u.count()) {
+    std::vector<glm::dvec2> turned;
+    for (const glm::dvec2& place : parameters) turned.emplace_back(place.y, place.x);
+    return swapped(least_squares(points, turned, v, u, weights, energy));
+  }
   const ThinPlateFit fit(u, v, parameters, weights, energy);
   std::vector<glm::dvec4> net;
   for (const glm::dvec3& point : fit.net(points)) net.emplace_back(point, 1.0);
-  ScatteredFit made{NurbsPatch::make(u, v, std::move(net)), {parameters.begin(), parameters.end()}, 0.0, 0.0};
+  return NurbsPatch::make(u, v, std::move(net));
+}
+
+/// Of points near 1.
+ScatteredFit fitted_once(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
+                         const KnotVector& u, const KnotVector& v, std::span<const double> weights, double energy) {
+  ScatteredFit made{least_squares(points, parameters, u, v, weights, energy),
+                    {parameters.begin(), parameters.end()}, 0.0, 0.0};
   project(points, weights, made);
   return made;
 }

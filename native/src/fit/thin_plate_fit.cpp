@@ -30,8 +30,8 @@ struct Rows {
 std::vector<double> energy_rows(const KnotVector& u, const KnotVector& v, std::size_t width, double factor) {
   const auto count_u = static_cast<std::size_t>(u.count());
   const auto count_v = static_cast<std::size_t>(v.count());
+  if (factor == 0.0) return {};
   std::vector<double> rows(count_u * count_v * width, 0.0);
-  if (factor == 0.0) return rows;
   const auto p = static_cast<std::size_t>(u.degree());
   const auto q = static_cast<std::size_t>(v.degree());
   for (int k = 0; k <= 2; ++k) {
@@ -55,9 +55,20 @@ std::vector<double> energy_rows(const KnotVector& u, const KnotVector& v, std::s
   return rows;
 }
 
+/// How long a row of the system is. @throws InvalidShape where all rows are a gigabyte or more.
+std::size_t width_of(const KnotVector& u, const KnotVector& v) {
+  constexpr double kMost = 0x1p27;
+  const auto along = static_cast<std::size_t>(v.count());
+  const std::size_t width = static_cast<std::size_t>(u.degree()) * along + static_cast<std::size_t>(v.degree()) + 1;
+  if (static_cast<double>(u.count()) * static_cast<double>(v.count()) * static_cast<double>(width) <= kMost) return width;
+  throw InvalidShape("a net of " + std::to_string(u.count()) + " x " + std::to_string(v.count()) +
+                     " control points is too large for scattered points: fewer are needed, or a lower degree");
+}
+
 /// The weighted sums of products of functions at the parameters, added to rows.
-std::vector<double> with_products(std::vector<double> rows, std::size_t width, std::size_t count_v, const Samples& u,
-                                  const Samples& v, std::span<const double> weights) {
+std::vector<double> with_products(std::vector<double> rows, std::size_t count, std::size_t width, std::size_t count_v,
+                                  const Samples& u, const Samples& v, std::span<const double> weights) {
+  rows.resize(count * width, 0.0);
   for (std::size_t i = 0; i < u.size(); ++i) {
     const auto of_u = u.weights(i);
     const auto of_v = v.weights(i);
@@ -84,10 +95,10 @@ std::vector<double> with_products(std::vector<double> rows, std::size_t width, s
 ThinPlateFit::ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<const glm::dvec2> parameters,
                            std::span<const double> weights, double energy)
     : count_u_(static_cast<std::size_t>(u.count())), count_v_(static_cast<std::size_t>(v.count())),
-      width_(static_cast<std::size_t>(u.degree()) * count_v_ + static_cast<std::size_t>(v.degree()) + 1),
+      width_(width_of(u, v)),
       u_(samples_of(u, parameters, 0)), v_(samples_of(v, parameters, 1)), weights_(weights),
       energy_(energy_rows(u, v, width_, energy)),
-      system_(with_products(energy_, width_, count_v_, u_, v_, weights_), width_) {
+      system_(with_products(energy_, count_u_ * count_v_, width_, count_v_, u_, v_, weights_), width_) {
   const auto dependent = system_.dependent_row();
   if (!dependent) return;
   throw InvalidShape("the points do not determine control point (" + std::to_string(*dependent / count_v_) + ", " +
@@ -118,7 +129,7 @@ void ThinPlateFit::add_residuals(std::span<const glm::dvec3> points, std::span<c
       for (std::size_t b = 0; b < v_.weights(i).size(); ++b) row[b] += u_.weights(i)[a] * v_.weights(i)[b] * left;
     }
   }
-  for (std::size_t i = 0; i < net.size(); ++i) {
+  for (std::size_t i = 0; i < net.size() && !energy_.empty(); ++i) {
     const std::size_t reach = std::min(width_, net.size() - i);
     breathe(reach);
     const double* const row = &energy_[i * width_];

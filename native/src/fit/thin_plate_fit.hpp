@@ -17,7 +17,8 @@ namespace splinecore {
 class ThinPlateFit {
  public:
   /// @param weights  as many as parameters, or none for 1 each
-  /// @throws InvalidShape naming a control point that the points do not determine.
+  /// Time goes with the number of control points times the square of those along v.
+  /// @throws InvalidShape naming a control point that the points do not determine, or for nets beyond all memory.
   ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<const glm::dvec2> parameters,
                std::span<const double> weights, double energy);
 
@@ -36,7 +37,7 @@ class ThinPlateFit {
   Samples u_;
   Samples v_;
   std::span<const double> weights_;
-  std::vector<double> energy_;  ///< in such rows
+  std::vector<double> energy_;  ///< in such rows; none where it has no weight
   BandedCholesky system_;
 };
 
