@@ -30,19 +30,6 @@ def take_pen(view):
     yield from redrawn()
 
 
-def drag(view, places):
-    view.move(*places[0])
-    view.window.event_simulate('LEFTMOUSE', 'PRESS', x=view.x, y=view.y)
-    for place in places[1:]:
-        view.move(*place)
-        yield
-
-
-def release(view):
-    view.window.event_simulate('LEFTMOUSE', 'RELEASE', x=view.x, y=view.y)
-    yield from redrawn()
-
-
 def steps():
     view = View()
     with view.override():
@@ -51,19 +38,21 @@ def steps():
     yield from redrawn()
     before = picture("before")
     yield from take_pen(view)
-    yield from drag(view, WAVE)
+    yield from view.drag(WAVE)
     yield from redrawn()
     assert mean_difference(picture("drawing"), before) > 0.001
     view.press('ESC')
     yield from redrawn()
     assert not curves()
     yield from take_pen(view)
-    yield from drag(view, WAVE[:2])
-    yield from release(view)
+    yield from view.drag(WAVE[:2])
+    view.release()
+    yield from redrawn()
     assert not curves()
     yield from take_pen(view)
-    yield from drag(view, WAVE)
-    yield from release(view)
+    yield from view.drag(WAVE)
+    view.release()
+    yield from redrawn()
     yield from until(lambda: len(curves()) == 1, "a curve")
     value = curves()[0].data.splinewright.value
     assert len(value.points) < len(WAVE) / 2 and not value.periodic
@@ -81,8 +70,9 @@ def steps():
     yield from redrawn()
     yield from take_pen(view)
     view.press('S')
-    yield from drag(view, LOOP)
-    yield from release(view)
+    yield from view.drag(LOOP)
+    view.release()
+    yield from redrawn()
     yield from until(lambda: len(curves()) == 1, "a closed curve")
     value = curves()[0].data.splinewright.value
     assert value.periodic and np.allclose(np.array(value.points)[:, 2], -2, atol=1e-4)

@@ -38,12 +38,8 @@ def steps():
         bpy.ops.gpencil.annotate('INVOKE_DEFAULT', mode='DRAW', wait_for_input=True)
     yield from redrawn()
     places = [(300 + 5 * i, 400 + round(80 * math.sin(i / 8)) + i % 2) for i in range(60)]
-    view.move(*places[0])
-    view.window.event_simulate('LEFTMOUSE', 'PRESS', x=view.x, y=view.y)
-    for place in places[1:]:
-        view.move(*place)
-        yield
-    view.window.event_simulate('LEFTMOUSE', 'RELEASE', x=view.x, y=view.y)
+    yield from view.drag(places)
+    view.release()
     yield from until(lambda: annotations(), "a stroke of the annotation tool")
     view.press('ESC')
     yield from redrawn()

@@ -133,6 +133,17 @@ class View:
         self.window.event_simulate(key, 'PRESS', x=self.x, y=self.y, **({'unicode': text} if text else {}), **modifiers)
         self.window.event_simulate(key, 'RELEASE', x=self.x, y=self.y, **modifiers)
 
+    def drag(self, places):
+        """Steps of a drag with the left button, which stays down, through places."""
+        self.move(*places[0])
+        self.window.event_simulate('LEFTMOUSE', 'PRESS', x=self.x, y=self.y)
+        for place in places[1:]:
+            self.move(*place)
+            yield
+
+    def release(self):
+        self.window.event_simulate('LEFTMOUSE', 'RELEASE', x=self.x, y=self.y)
+
     def wheel_up(self, **modifiers):
         """One notch; wheels are not released."""
         self.window.event_simulate('WHEELUPMOUSE', 'PRESS', x=self.x, y=self.y, **modifiers)
