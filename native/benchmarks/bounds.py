@@ -46,6 +46,8 @@ BOUNDS = {
        for count in ("1e3", "1e4", "1e5")},
     "W7 surface": Bound(15, 0, 136, "2 × (2 + 2 columns and a product) in lanes of 4, distance 4; grid, two nets and the "
                         "points: 136 bytes"),
+    "W7 least squares": Bound(26, 0, 96, "7 sums of products 6, and twice: functions 3, distance 4, 12 sums, in lanes of 4; "
+                              "points and parameters read three times: 96 bytes"),
     "W8 curve": Bound(100 + 3 * 30, 5, 40, "5 groups of 8 boxes of 20 operations each, 3 Newton steps of 30; "
                       "40 bytes"),
     "W8 patch": Bound(400 + 3 * 90 + 160, 5, 48, "20 groups of 8 boxes of 20 operations each, 3 Newton steps of 90, "

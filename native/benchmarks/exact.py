@@ -179,6 +179,7 @@ def references():
         **{f"W7 curve {name}": lambda count=count: exactly(data[f"coil{count}"][::7])
            for name, count in (("1e3", 1000), ("1e4", 10_000), ("1e5", 100_000))},
         "W7 surface": lambda: exactly(data["sheet300"].reshape(-1, 3)[::7]),
+        "W7 least squares": lambda: least_squares(data["lsq.knots"], data["lsq.parameters"], data["coil100000"]),
         "W8 curve": lambda: least_distances((knots,), points, data["near_curve"][::workloads.NEAREST_STEP]),
         "W8 patch": lambda: least_distances(sheet[:2], sheet[2], data["near_surface"][::workloads.NEAREST_STEP]),
         "W10": lambda: teapot_rows(data["teapot"], data["patch_grid"]),
@@ -189,13 +190,32 @@ def references():
 def functions(knots, u, degree=3):
     """All B-spline functions at parameters, (count, functions), by their recursion."""
     u = np.clip(np.atleast_1d(u), knots[degree], np.nextafter(knots[-degree - 1], knots[0]))
-    values = ((knots[:-1] <= u[:, None]) & (u[:, None] < knots[1:])).astype(float)
+    values = ((knots[:-1] <= u[:, None]) & (u[:, None] < knots[1:])).astype(knots.dtype)
     for p in range(1, degree + 1):
         with np.errstate(divide="ignore", invalid="ignore"):
             rise = np.nan_to_num((u[:, None] - knots[:-p - 1]) / (knots[p:-1] - knots[:-p - 1]), posinf=0, neginf=0)
             fall = np.nan_to_num((knots[p + 1:] - u[:, None]) / (knots[p + 1:] - knots[1:-p]), posinf=0, neginf=0)
         values = rise * values[:, :-1] + fall * values[:, 1:]
     return values
+
+
+def least_squares(knots, parameters, points, degree=3):
+    """Control points by the normal equations, in numbers of 64 bits and more."""
+    width = len(knots) - degree - 1
+    knots, left, right = knots.astype(np.longdouble), np.zeros((width, width), np.longdouble), 0
+    for i in range(0, len(points), 1000):
+        rows = functions(knots, parameters[i:i + 1000].astype(np.longdouble), degree)
+        right = right + rows.T @ points[i:i + 1000].astype(np.longdouble)
+        for k in range(degree + 1):
+            sums = (rows[:, k:] * rows[:, :width - k]).sum(0)
+            left += np.diag(sums, k) + (np.diag(sums, -k) if k else 0)
+    for k in range(width):
+        below = slice(k + 1, min(k + degree + 1, width))
+        factors = (left[below, k] / left[k, k])[:, None]
+        left[below], right[below] = left[below] - factors * left[k], right[below] - factors * right[k]
+    for k in reversed(range(width)):
+        right[k] = (right[k] - left[k, k + 1:] @ right[k + 1:]) / left[k, k]
+    return np.vectorize(lambda number: Fraction(*number.as_integer_ratio()), otypes=[object])(right)
 
 
 def least_distances(knots, points, places):

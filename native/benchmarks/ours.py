@@ -1,21 +1,16 @@
 """Times splinecore through its Python module: ours.py DATA KEPT WORKLOAD, as the rivals' programs do."""
 
 import contextlib
-import json
 import os
-import statistics
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
 import splinecore as sc
 from splinecore import fit
 
 import workloads
-
-SECONDS = 0.4
-FEWEST, MOST = 3, 200
+from timing import Run
 
 
 def takes(function, argument):
@@ -38,28 +33,7 @@ def on_all_cores():
         os.sched_setaffinity(0, one)
 
 
-class Run:
-    def __init__(self, data, kept, workload):
-        self.data, self.kept, self.workload = Path(data), Path(kept), workload
-
-    def input(self, name, *shape):
-        return np.fromfile(self.data / f"{name}.f64").reshape(shape or (-1,))
-
-    def time(self, call, items, work, note="", clock=time.process_time):
-        work()
-        times = []
-        while len(times) < FEWEST or (len(times) < MOST and sum(times) < SECONDS):
-            start = clock()
-            result = work()
-            times.append(clock() - start)
-            del result
-        print(json.dumps({"workload": self.workload, "who": "splinecore", "call": call,
-                          "seconds": statistics.median(times), "items": items, "note": note}))
-
-    def keep(self, call, rows, step=workloads.SAMPLE_STEP):
-        rows = np.asarray(rows, float)[::step]
-        rows.tofile(self.kept / f"{self.workload}.splinecore.{call}.f64")
-
+class Ours(Run):
     def fresh_and_reused(self, function, arguments, shapes, items, rows, dtype=None):
         """`function` into fresh arrays, and into reused ones where it takes them; rows(result) is what is kept."""
         kind = {} if dtype is None else {"dtype": dtype}
@@ -170,6 +144,16 @@ def interpolated_surface(run):
     run.keep("interpolate_patch", patch.evaluate_grid(line, line).reshape(-1, 3), 7)
 
 
+def least_squares(run):
+    knots, parameters, points = run.input("lsq.knots"), run.input("lsq.parameters"), run.input("coil100000", -1, 3)
+
+    def work():
+        return fit.approximate(points, parameters=parameters, knots=knots, fixed_ends=False)
+
+    run.time("approximate", len(points), work)
+    run.keep("approximate", work().value.points, 1)
+
+
 def many_patches(run):
     patches, line = teapot(run), run.input("patch_grid")
     n, count = len(line), len(patches)
@@ -229,6 +213,7 @@ RUNS = {
     "W7 curve 1e4": lambda run: interpolated_curve(run, 10_000),
     "W7 curve 1e5": lambda run: interpolated_curve(run, 100_000),
     "W7 surface": interpolated_surface,
+    "W7 least squares": least_squares,
     "W8 curve": lambda run: nearest(run, curve(run), "near_curve"),
     "W8 patch": lambda run: nearest(run, surface(run), "near_surface"),
     "W10": many_patches,
@@ -237,4 +222,4 @@ RUNS = {
 }
 
 if __name__ == "__main__":
-    RUNS[sys.argv[3]](Run(*sys.argv[1:]))
+    RUNS[sys.argv[3]](Ours("splinecore", *sys.argv[1:]))

@@ -5,7 +5,8 @@ import math
 from PIL import Image, ImageDraw, ImageFont
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-COLOURS = {"splinecore": (36, 99, 174), "SISL": (226, 135, 41), "OCCT": (140, 140, 140)}
+COLOURS = {"splinecore": (36, 99, 174), "SISL": (226, 135, 41), "OCCT": (140, 140, 140),
+           "scipy": (86, 160, 92)}
 WIDTH, LEFT, RIGHT, TOP, BAR, GAP = 1200, 170, 110, 110, 16, 14
 
 

@@ -24,7 +24,7 @@ EARLIER = HERE / "earlier.json"
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog="./run bench", description="Times splinecore beside SISL and OCCT.")
+    parser = argparse.ArgumentParser(prog="./run bench", description="Times splinecore beside SISL, OCCT and scipy.")
     parser.add_argument("build", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("workloads", nargs="*", metavar="WORKLOAD", help=", ".join(workloads.WORKLOADS))
     parser.add_argument("--rounds", type=int, default=3)
@@ -59,7 +59,8 @@ def processor():
 
 
 def machine_of(rates, rounds):
-    rivals = f"SISL {version_of('libsisl-dev')}, OCCT {version_of('libocct-foundation-dev')}"
+    rivals = f"SISL {version_of('libsisl-dev')}, OCCT {version_of('libocct-foundation-dev')}, " \
+             f"scipy {version_of('python3-scipy')}"
     return {"name": processor(), "versions": f"{rivals}, Python {platform.python_version()}",
             "rounds": rounds, **{key: statistics.median(rate[key] for rate in rates) for key in rates[0]}}
 
@@ -95,7 +96,8 @@ def main():
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     os.environ["PYTHONPATH"] = str(given.build / "python")
     ours = [sys.executable, HERE / "ours.py"]
-    programs_in_turn = [ours, [programs / "benchmark_sisl"], [programs / "benchmark_occt"]]
+    programs_in_turn = [ours, [programs / "benchmark_sisl"], [programs / "benchmark_occt"],
+                         [sys.executable, HERE / "scipy_splines.py"]]
     lines, rates = [], []
     for turn in range(given.rounds):
         rates += said([programs / "benchmark_machine"])

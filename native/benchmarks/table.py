@@ -9,10 +9,12 @@ from workloads import WORKLOADS
 
 MARKS = {"W1 sorted": 35, "W1 random": 18, "W2": 20, "W3 points": 13, "W3 normals": 22, "W4": 12, "W5 degree 11": 39,
          "W5 degree 25": 84, "W6 refine": 2, "W6 elevate": 4, "W6 Beziers": 2,
-         "W7 curve 1e3": 10, "W7 curve 1e4": 10, "W7 curve 1e5": 10, "W7 surface": 2, "W8 curve": 60, "W8 patch": 60,
+         "W7 curve 1e3": 10, "W7 curve 1e4": 10, "W7 curve 1e5": 10, "W7 surface": 2,
+         "W7 least squares": 12, "W8 curve": 60, "W8 patch": 60,
          "W10": 12, "W11": 2}
 MARKS_BY_EARLIER = {"adaptive": 10}
 FASTER_OF_BOTH = ("W6 refine", "W6 elevate", "W6 Beziers")
+AGAINST_SCIPY = ("W7 least squares",)
 AGAINST_OCCT = ("W8 curve", "W8 patch", "W11", "adaptive")
 ACCURATE_LENGTH = 1e-9
 ALL_CORES = "splinecore, all cores"
@@ -72,6 +74,8 @@ def rival_of(row):
     rivals = [name for name in row.calls if not name.startswith("splinecore")]
     if row.workload in AGAINST_OCCT:
         rivals = [name for name in rivals if name.startswith("OCCT")]
+    elif row.workload in AGAINST_SCIPY:
+        rivals = [name for name in rivals if name.startswith("scipy")]
     elif row.workload not in FASTER_OF_BOTH:
         rivals = [name for name in rivals if name.startswith("SISL")]
     if row.workload == "W11":
@@ -117,15 +121,16 @@ def share_cell(row):
 def markdown(rows, machine):
     lines = [f"{machine['name']}; {machine['versions']}; one thread, medians of {machine['rounds']} rounds; "
              "nanoseconds of the processor an item, on all cores of the clock", "",
-             "| workload | splinecore `out=` | fresh | float32 `out=` | all cores | SISL | OCCT | ratio | mark | error "
-             "| rival's | bound | of the bound | × earlier |", "| --- |" + " ---: |" * 13]
+             "| workload | splinecore `out=` | fresh | float32 `out=` | all cores | SISL | OCCT | scipy | ratio | mark | error "
+             "| rival's | bound | of the bound | × earlier |", "| --- |" + " ---: |" * 14]
     for row in rows:
         reached = row.ratio is not None and row.mark is not None and row.ratio >= row.mark
         ratio = f"{row.ratio:.1f}×" if row.ratio is not None else "–"
         fresh = next((name for name in row.calls if is_ours(name) and "out=" not in name), None)
         lines.append("| " + " | ".join([
             row.workload, cell(row, "splinecore, out="), cell(row, fresh), cell(row, "splinecore, float32, out="),
-            cell(row, ALL_CORES), rival_cell(row, "SISL"), rival_cell(row, "OCCT"), f"**{ratio}**" if reached else ratio,
+            cell(row, ALL_CORES), rival_cell(row, "SISL"), rival_cell(row, "OCCT"), rival_cell(row, "scipy"),
+            f"**{ratio}**" if reached else ratio,
             mark_cell(row), number(row.errors.get(row.ours), 2),
             number(row.errors.get(row.rival), 2), number(row.bound_ns), share_cell(row),
             f"{row.earlier_ratio:.1f}" if row.earlier_ratio else "–"]) + " |")
@@ -146,6 +151,7 @@ WHAT = {
     "W6 Beziers": "its Bezier pieces, a piece", "W7 curve 1e3": "a cubic through 1000 points, chord length, a point",
     "W7 curve 1e4": "through 10,000", "W7 curve 1e5": "through 100,000",
     "W7 surface": "a bicubic through 300 × 300 points",
+    "W7 least squares": "a cubic of 200 control points near 100,000, a point",
     "W8 curve": "the nearest point of a rational cubic curve, a query", "W8 patch": "of a rational bicubic surface",
     "W10": "32 patches of 64 × 64 points with normals",
     "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3",

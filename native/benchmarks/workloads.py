@@ -7,7 +7,7 @@ import numpy as np
 
 WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
              "W6 refine", "W6 elevate", "W6 Beziers", "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface",
-             "W8 curve", "W8 patch", "W10", "W11", "adaptive")
+             "W7 least squares", "W8 curve", "W8 patch", "W10", "W11", "adaptive")
 PARAMETERS = 1_000_000
 GRID = 1000
 PATCH_GRID = 64
@@ -44,6 +44,12 @@ def coil(count, seed):
     """Points of a helix at uneven places: (count, 3)."""
     t = (np.arange(count) + 0.5 * random(seed, count)) / count
     return np.stack([np.cos(40 * t), np.sin(40 * t), 4 * t], 1)
+
+
+def chord_parameters(points):
+    """From 0 to 1, by the distances of points."""
+    sums = np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))
+    return np.concatenate([[0.0], sums / sums[-1]])
 
 
 def sheet(count):
@@ -84,6 +90,8 @@ def inputs():
         "bezier11.points": bezier(11, 10), "bezier25.points": bezier(25, 11),
         "long.knots": uneven_knots(12, 1000), "long.points": helix(1000, 13), "inserted": np.sort(random(15, 1000)),
         **{f"coil{count}": coil(count, 16) for count in (1000, 10_000, 100_000)},
+        "lsq.parameters": chord_parameters(coil(100_000, 16)),
+        "lsq.knots": np.concatenate([np.zeros(3), np.linspace(0, 1, 198), np.ones(3)]),
         "sheet300": sheet(300)[..., :3], "line300": np.linspace(0, 1, 300),
         "near_curve": about(helix(64, 2)[:, :3], 18, 10_000),
         "near_surface": about(sheet(32)[..., :3].reshape(-1, 3), 19, 1000),

@@ -22,6 +22,13 @@ bool are_finite(const double* values, std::size_t count) {
   return std::accumulate(sums.begin(), sums.end(), 0.0) == 0.0;
 }
 
+/// Without an end before the last: comparisons that wait for nothing are done several at once.
+bool are_increasing(std::span<const double> values) {
+  bool increase = true;
+  for (std::size_t i = 1; i < values.size(); ++i) increase &= values[i - 1] < values[i];
+  return increase;
+}
+
 }  // namespace
 
 void require_coordinates(const double* xyz, const std::string& argument, std::size_t index, std::size_t row_length) {
@@ -46,6 +53,19 @@ void require_finite(std::span<const glm::dvec3> vectors, const std::string& argu
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     require_coordinates(&vectors[i].x, argument, i, row_length);
   }
+}
+
+void require_increasing(std::span<const double> values, const std::string& argument) {
+  require_finite(values, argument);
+  const bool increase = are_increasing(values);
+  for (std::size_t i = 1; i < values.size() && !increase; ++i) {
+    if (values[i] > values[i - 1]) continue;
+    throw InvalidShape(argument + index_text(i) + " = " + text_of(values[i]) + " does not increase from " +
+                       text_of(values[i - 1]));
+  }
+  if (values.empty() || std::isfinite(values.back() - values.front())) return;
+  throw InvalidShape(argument + " from " + text_of(values.front()) + " to " + text_of(values.back()) +
+                     " overflow: their distance is not a finite number");
 }
 
 }  // namespace splinecore

@@ -18,5 +18,9 @@ void require_finite(std::span<const double> values, const std::string& argument)
 void require_finite(std::span<const glm::dvec3> vectors, const std::string& argument,
                     std::size_t row_length = 0);
 
+/// @throws InvalidShape naming `argument` if a number is not finite or not above the one before it, or if the last is too
+///         far from the first.
+void require_increasing(std::span<const double> values, const std::string& argument);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

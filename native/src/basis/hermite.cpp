@@ -17,12 +17,7 @@ std::vector<double> hermite_parameters(std::vector<double> parameters, std::size
     throw InvalidShape(argument + " has " + std::to_string(parameters.size()) + " values for " +
                        std::to_string(count) + " points");
   }
-  require_finite(parameters, argument);
-  for (std::size_t i = 1; i < count; ++i) {
-    if (parameters[i] > parameters[i - 1]) continue;
-    throw InvalidShape(argument + index_text(i) + " = " + text_of(parameters[i]) +
-                       " does not increase from " + text_of(parameters[i - 1]));
-  }
+  require_increasing(parameters, argument);
   return parameters;
 }
 

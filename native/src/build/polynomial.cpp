@@ -14,22 +14,6 @@ namespace splinecore {
 
 namespace {
 
-void require_increasing(std::span<const double> parameters) {
-  if (parameters.size() < 2) {
-    throw InvalidShape("parameters has " + std::to_string(parameters.size()) + " values, 2 or more are needed");
-  }
-  require_finite(parameters, "parameters");
-  for (std::size_t i = 1; i < parameters.size(); ++i) {
-    if (parameters[i] > parameters[i - 1]) continue;
-    throw InvalidShape("parameters" + index_text(i) + " = " + text_of(parameters[i]) + " does not increase from " +
-                       text_of(parameters[i - 1]));
-  }
-  if (!std::isfinite(parameters.back() - parameters.front())) {
-    throw InvalidShape("parameters from " + text_of(parameters.front()) + " to " + text_of(parameters.back()) +
-                       " overflow: their distance is not a finite number");
-  }
-}
-
 void require_degree(std::size_t conditions) {
   if (conditions <= kMaxDegree + 1) return;
   throw InvalidShape("degree = " + std::to_string(conditions - 1) + " is above " + std::to_string(kMaxDegree) +
@@ -45,7 +29,10 @@ void require_data(std::span<const Osculation> data) {
     parameters.push_back(data[i].parameter);
     conditions += data[i].derivatives.size();
   }
-  require_increasing(parameters);
+  if (data.size() < 2) {
+    throw InvalidShape("parameters has " + std::to_string(data.size()) + " values, 2 or more are needed");
+  }
+  require_increasing(parameters, "parameters");
   require_degree(conditions);
 }
 
@@ -107,7 +94,7 @@ std::vector<double> parameters_for(std::span<const glm::dvec3> points, std::vect
     throw InvalidShape("parameters has " + std::to_string(parameters.size()) + " values for " +
                        std::to_string(points.size()) + " points");
   }
-  require_increasing(parameters);
+  require_increasing(parameters, "parameters");
   return parameters;
 }
 

@@ -46,8 +46,13 @@ namespace {
 
 Approximation<NurbsCurve> approximated(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                        const KnotVector& knots, const ApproximationOptions& options) {
-  std::vector<double> at(parameters.begin(), parameters.begin() + static_cast<long>(points.size()));
-  const FittedPoints made = fitted_points(points, at, knots, options);
+  const std::span<const double> at = parameters.first(points.size());
+  if (options.corrections == 0) {
+    const FittedPoints made = fitted_points(points, at, knots, options);
+    return {made.curve(), made.error};
+  }
+  std::vector<double> moved(at.begin(), at.end());
+  const FittedPoints made = corrected_fit(points, moved, knots, options);
   return {made.curve(), made.error};
 }
 

@@ -77,7 +77,7 @@ std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task) {
 /// The curve on these knots, if they have a solution.
 std::optional<FittedPoints> fit_on(const KnotVector& knots, Task& task) {
   try {
-    return fitted_points(task.points, task.parameters, knots, task.options);
+    return corrected_fit(task.points, task.parameters, knots, task.options);
   } catch (const InvalidShape&) {
     return {};
   }
@@ -188,7 +188,7 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
   require_approximation(points, parameters, closing, options);
   Task task{points, {parameters.begin(), parameters.begin() + static_cast<long>(points.size())}, options, tolerance,
             most};
-  FittedPoints fit = fitted_points(points, task.parameters, coarsest(parameters, degree, closing, options), options);
+  FittedPoints fit = corrected_fit(points, task.parameters, coarsest(parameters, degree, closing, options), options);
   while (!is_within(fit, task)) {
     const auto next = finer(fit, task);
     if (!next) break;

@@ -18,8 +18,8 @@ struct Condition {
   std::size_t point;  ///< that it belongs to
 };
 
-/// @throws InvalidShape unless parameters increase and their distances are finite.
-void require_increasing(std::span<const double> parameters);
+/// @throws InvalidShape unless they are so many, increase, and their distances are finite.
+void require_parameters(std::span<const double> parameters, std::size_t count);
 
 /// @throws InvalidShape as interpolate() does where points, parameters or options cannot be.
 void require_interpolation(std::span<const glm::dvec3> points, std::span<const double> parameters,

@@ -68,7 +68,7 @@ class Fairing {
     std::vector<double> controls = controls_;
     try {
       const LeastSquaresFit fit(knots_, nodes_.parameters, nodes_.weights, {factor, 2}, held_);
-      fit.solve(values_, 3, controls);
+      fit.solve_points(values_, controls);
     } catch (const InvalidShape&) {
       return {};
     }

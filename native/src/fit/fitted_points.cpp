@@ -19,14 +19,6 @@ namespace splinecore {
 
 namespace {
 
-void require_parameters(std::span<const double> parameters, std::size_t count) {
-  if (parameters.size() != count) {
-    throw InvalidShape("parameters has " + std::to_string(parameters.size()) + " values, " + std::to_string(count) +
-                       " are needed");
-  }
-  require_increasing(parameters);
-}
-
 void require_derivatives(std::span<const glm::dvec3> derivatives, const KnotVector& knots, bool is_fixed) {
   if (derivatives.empty()) return;
   if (!is_fixed) throw InvalidShape("derivatives are for the fixed ends of an open curve");
@@ -118,9 +110,8 @@ FittedPoints fitted_once(std::span<const glm::dvec3> points, std::span<const dou
     write_end(knots, points.back(), options.end, true, controls);
   }
   const LeastSquaresFit fit(knots, parameters, options.weights, {options.smoothing, 2}, held);
-  fit.solve(numbers(points), 3, numbers(controls));
-  FittedPoints made{knots, std::move(controls), std::vector<double>(points.size()), {}, 0.0};
-  made.span_errors = fit.largest_distances(numbers(points), numbers(made.controls), made.distances);
+  std::vector<double> span_errors = fit.solve_points(numbers(points), numbers(controls));
+  FittedPoints made{knots, std::move(controls), std::move(span_errors), 0.0};
   made.error = *std::ranges::max_element(made.span_errors);
   return made;
 }
@@ -163,10 +154,15 @@ void require_approximation_knots(const KnotVector& knots, std::span<const double
   require_inside(knots, parameters);
 }
 
-FittedPoints fitted_points(std::span<const glm::dvec3> points, std::vector<double>& parameters, const KnotVector& knots,
-                           const ApproximationOptions& options) {
+FittedPoints fitted_points(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                           const KnotVector& knots, const ApproximationOptions& options) {
   require_approximation_knots(knots, parameters, options);
-  FittedPoints made = fitted_once(points, parameters, knots, options);
+  return fitted_once(points, parameters, knots, options);
+}
+
+FittedPoints corrected_fit(std::span<const glm::dvec3> points, std::vector<double>& parameters, const KnotVector& knots,
+                           const ApproximationOptions& options) {
+  FittedPoints made = fitted_points(points, parameters, knots, options);
   for (int i = 0; i < options.corrections; ++i) {
     std::vector<double> moved = parameters;
     correct(made.curve(), points, moved);

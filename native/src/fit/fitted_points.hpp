@@ -9,7 +9,6 @@ namespace splinecore {
 struct FittedPoints {
   KnotVector knots;
   std::vector<glm::dvec3> controls;
-  std::vector<double> distances;    ///< of the points
   std::vector<double> span_errors;  ///< the largest of each span
   double error;
 
@@ -24,9 +23,13 @@ void require_approximation(std::span<const glm::dvec3> points, std::span<const d
 void require_approximation_knots(const KnotVector& knots, std::span<const double> parameters,
                                  const ApproximationOptions& options);
 
-/// The curve on these knots. Parameters are moved as often as the options ask for.
+/// The curve on these knots.
 /// @param parameters  of the points; where closed without the return
-FittedPoints fitted_points(std::span<const glm::dvec3> points, std::vector<double>& parameters, const KnotVector& knots,
+FittedPoints fitted_points(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                           const KnotVector& knots, const ApproximationOptions& options);
+
+/// And the parameters are moved as often as the options ask for.
+FittedPoints corrected_fit(std::span<const glm::dvec3> points, std::vector<double>& parameters, const KnotVector& knots,
                            const ApproximationOptions& options);
 
 }  // namespace splinecore

@@ -1,6 +1,7 @@
 #include "least_squares_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,38 +15,41 @@ namespace splinecore {
 
 namespace {
 
-/// All Bernstein polynomials of the degree row.size() - 1 at t (The NURBS Book, A1.3).
-void write_bernstein(double t, std::span<double> row) {
-  const double rest = 1.0 - t;
-  row[0] = 1.0;
-  for (std::size_t k = 1; k < row.size(); ++k) {
-    double carried = 0.0;
-    for (std::size_t j = 0; j < k; ++j) {
-      const double value = row[j];
-      row[j] = carried + rest * value;
-      carried = t * value;
-    }
-    row[k] = carried;
-  }
-}
-
+/// Several, because each waits for itself.
 double largest_of(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
+  constexpr std::size_t kAtOnce = 8;
+  std::array<double, kAtOnce> largest{};
+  const auto take = [&](std::size_t k, double value) { largest[k] = std::abs(value) > largest[k] ? std::abs(value) : largest[k]; };
+  std::size_t i = 0;
+  for (; i + kAtOnce <= values.size(); i += kAtOnce) {
+    for (std::size_t k = 0; k < kAtOnce; ++k) take(k, values[i + k]);
+  }
+  for (; i < values.size(); ++i) take(0, values[i]);
+  return std::ranges::max(largest);
 }
 
 /// A power of two that brings the largest of them near 1.
-double scale_of(std::span<const double> values) {
-  const double largest = largest_of(values);
+double scale_of(double largest) {
   return largest > 0.0 ? std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000)) : 1.0;
+}
+
+/// The first index from `begin` on whose parameter is not before the end: by steps that double, for it is near.
+std::size_t first_from(std::span<const double> parameters, std::size_t begin, double end) {
+  std::size_t step = 1;
+  while (begin + step <= parameters.size() && parameters[begin + step - 1] < end) {
+    begin += step;
+    step *= 2;
+  }
+  const auto last = parameters.begin() + static_cast<long>(std::min(begin + step, parameters.size()));
+  return static_cast<std::size_t>(std::lower_bound(parameters.begin() + static_cast<long>(begin), last, end) -
+                                  parameters.begin());
 }
 
 }  // namespace
 
 LeastSquaresFit::LeastSquaresFit(KnotVector knots, std::span<const double> parameters, std::span<const double> weights,
                                  const Energy& energy, const Held& held)
-    : knots_(std::move(knots)), parameters_(parameters), weights_(weights), weight_scale_(scale_of(weights)),
+    : knots_(std::move(knots)), parameters_(parameters), weights_(weights), weight_scale_(scale_of(largest_of(weights))),
       energy_(energy), held_(held) {
   if (energy_.factor > 0.0) bending_ = bending_matrix(knots_.degree(), energy_.order);
   place();
@@ -56,16 +60,18 @@ LeastSquaresFit::LeastSquaresFit(KnotVector knots, std::span<const double> param
 void LeastSquaresFit::place() {
   const std::size_t spans = knots_.spans().size();
   ends_.reserve(spans);
-  locals_.reserve(parameters_.size());
-  std::size_t i = 0;
-  for (std::size_t s = 0; s < spans; ++s) {
-    const Interval at = knots_.span_interval(static_cast<int>(s));
-    const bool is_last = s + 1 == spans;
-    for (; i < parameters_.size() && (is_last || parameters_[i] < at.end); ++i) {
-      locals_.push_back(std::clamp((parameters_[i] - at.start) / (at.end - at.start), 0.0, 1.0));
-    }
-    ends_.push_back(i);
+  for (std::size_t s = 0; s + 1 < spans; ++s) {
+    const std::size_t begin = s == 0 ? 0 : ends_[s - 1];
+    ends_.push_back(first_from(parameters_, begin, knots_.span_interval(static_cast<int>(s)).end));
   }
+  ends_.push_back(parameters_.size());
+}
+
+SpanParameters LeastSquaresFit::parameters_of(std::size_t span) const {
+  const std::size_t begin = span == 0 ? 0 : ends_[span - 1];
+  const std::size_t count = ends_[span] - begin;
+  return {knots_.degree(), knots_.span_interval(static_cast<int>(span)), parameters_.subspan(begin, count),
+          weights_.empty() ? weights_ : weights_.subspan(begin, count), weight_scale_};
 }
 
 /// Each control point that is not held needs a parameter of its own (Schoenberg and Whitney 1953). Of periodic
@@ -101,22 +107,13 @@ double LeastSquaresFit::energy_of(std::size_t span) const {
 
 void LeastSquaresFit::add_products() {
   const std::size_t width = this->width();
-  const auto count = static_cast<std::size_t>(knots_.count());
-  products_.assign(count * width, 0.0);
-  std::vector<double> row(width);
+  products_.assign(static_cast<std::size_t>(knots_.count()) * width, 0.0);
   std::vector<double> sums(width * width);
-  std::size_t i = 0;
   for (std::size_t s = 0; s < ends_.size(); ++s) {
-    if (i == ends_[s] && bending_.empty()) continue;
-    breathe(2 * width * width * (width + ends_[s] - i));
-    std::ranges::fill(sums, 0.0);
-    for (; i < ends_[s]; ++i) {
-      write_bernstein(locals_[i], row);
-      for (std::size_t a = 0; a < width; ++a) {
-        const double factor = weight(i) * row[a];
-        for (std::size_t b = a; b < width; ++b) sums[a * width + b] += factor * row[b];
-      }
-    }
+    const SpanParameters at = parameters_of(s);
+    if (at.parameters.empty() && bending_.empty()) continue;
+    breathe(2 * width * width * (width + at.parameters.size()));
+    write_products(at, sums);
     const double energy = bending_.empty() ? 0.0 : energy_of(s);
     for (std::size_t a = 0; a < width; ++a) {
       for (std::size_t b = a; b < width; ++b) {
@@ -157,7 +154,7 @@ void LeastSquaresFit::bezier_points(std::size_t span, std::span<const double> co
   const std::size_t width = this->width();
   const auto count = static_cast<std::size_t>(knots_.count());
   const SquareRows matrix = knots_.bezier_matrix(static_cast<int>(span));
-  const auto first = static_cast<std::size_t>(knots_.spans()[span]) - (width - 1);
+  const std::size_t first = first_of(span);
   std::ranges::fill(out, 0.0);
   for (std::size_t a = 0; a < width; ++a) {
     const double* const from = controls.data() + (first + a) % count * columns;
@@ -168,46 +165,40 @@ void LeastSquaresFit::bezier_points(std::size_t span, std::span<const double> co
   }
 }
 
+/// What all points of a piece have in common has no energy.
+void LeastSquaresFit::add_bending(std::size_t span, std::size_t columns, std::span<const double> piece,
+                                  std::span<double> sums) const {
+  if (bending_.empty()) return;
+  const std::size_t width = this->width();
+  const double energy = energy_of(span);
+  for (std::size_t j = 0; j < width; ++j) {
+    for (std::size_t l = 0; l < width; ++l) {
+      const double factor = energy * bending_[j * width + l];
+      for (std::size_t c = 0; c < columns; ++c) sums[j * columns + c] -= factor * (piece[l * columns + c] - piece[c]);
+    }
+  }
+}
+
 /// Half the gradient, downhill: each control point's sum of its function times what is left of the values.
-void LeastSquaresFit::residual_sums(std::span<const double> values, std::size_t columns,
-                                    std::span<const double> controls, std::span<double> right) const {
+/// @param write_sums  writes those of a span by its piece
+template <class Sums>
+void LeastSquaresFit::residual_sums(std::size_t columns, std::span<const double> controls, std::span<double> right,
+                                    const Sums& write_sums) const {
   const std::size_t width = this->width();
   const auto count = static_cast<std::size_t>(knots_.count());
-  std::vector<double> row(width);
   std::vector<double> piece(width * columns);
   std::vector<double> sums(width * columns);
-  std::vector<double> left(columns);
   std::ranges::fill(right, 0.0);
-  std::size_t i = 0;
   for (std::size_t s = 0; s < ends_.size(); ++s) {
-    if (i == ends_[s] && bending_.empty()) continue;
-    breathe(2 * width * (width + columns) * (width + ends_[s] - i));
+    const SpanParameters at = parameters_of(s);
+    if (at.parameters.empty() && bending_.empty()) continue;
+    breathe(2 * width * (width + columns) * (width + at.parameters.size()));
     bezier_points(s, controls, columns, piece);
-    std::ranges::fill(sums, 0.0);
-    for (; i < ends_[s]; ++i) {
-      write_bernstein(locals_[i], row);
-      const double* const value = values.data() + i * columns;
-      for (std::size_t c = 0; c < columns; ++c) left[c] = value[c];
-      for (std::size_t j = 0; j < width; ++j) {
-        for (std::size_t c = 0; c < columns; ++c) left[c] -= row[j] * piece[j * columns + c];
-      }
-      for (std::size_t j = 0; j < width; ++j) {
-        const double factor = weight(i) * row[j];
-        for (std::size_t c = 0; c < columns; ++c) sums[j * columns + c] += factor * left[c];
-      }
-    }
-    // What all points of a piece have in common has no energy.
-    const double energy = bending_.empty() ? 0.0 : energy_of(s);
-    for (std::size_t j = 0; j < width && !bending_.empty(); ++j) {
-      for (std::size_t l = 0; l < width; ++l) {
-        const double factor = energy * bending_[j * width + l];
-        for (std::size_t c = 0; c < columns; ++c) sums[j * columns + c] -= factor * (piece[l * columns + c] - piece[c]);
-      }
-    }
+    write_sums(s, at, std::span<const double>(piece), std::span(sums));
+    add_bending(s, columns, piece, sums);
     const SquareRows matrix = knots_.bezier_matrix(static_cast<int>(s));
-    const auto first = static_cast<std::size_t>(knots_.spans()[s]) - (width - 1);
     for (std::size_t a = 0; a < width; ++a) {
-      double* const to = right.data() + (first + a) % count * columns;
+      double* const to = right.data() + (first_of(s) + a) % count * columns;
       for (std::size_t j = 0; j < width; ++j) {
         for (std::size_t c = 0; c < columns; ++c) to[c] += matrix[j][a] * sums[j * columns + c];
       }
@@ -215,57 +206,60 @@ void LeastSquaresFit::residual_sums(std::span<const double> values, std::size_t 
   }
 }
 
-void LeastSquaresFit::solve(std::span<const double> values, std::size_t columns, std::span<double> controls) const {
+/// @returns the largest change of a control point in the last round
+template <class Sums>
+double LeastSquaresFit::improve(std::size_t columns, double size, std::span<double> controls,
+                                const Sums& write_sums) const {
   constexpr int kMostRounds = 6;
   constexpr double kDone = 1e-10;
   constexpr double kDetermined = 1e-6;
   const auto count = static_cast<std::size_t>(knots_.count());
   const std::size_t begin = held_.start * columns;
   const std::size_t free = (count - held_.start - held_.end) * columns;
-  if (free == 0) return;
+  if (free == 0) return std::numeric_limits<double>::infinity();
   const BandedRows rows = free_rows();
-  const double size = largest_of(values);
   std::vector<double> right(count * columns);
+  double change = 0.0;
   double share = 0.0;
   for (int round = 0; round < kMostRounds; ++round) {
-    residual_sums(values, columns, controls, right);
+    residual_sums(columns, controls, right, write_sums);
     const std::span<double> correction = std::span(right).subspan(begin, free);
     splinecore::solve(knots_, rows, correction, columns);
     for (std::size_t k = 0; k < free; ++k) controls[begin + k] += correction[k];
-    share = largest_of(correction) / std::max({largest_of(controls), size, std::numeric_limits<double>::min()});
-    if (round > 0 && share <= kDone) return;
+    change = largest_of(correction);
+    share = change / std::max({largest_of(controls), size, std::numeric_limits<double>::min()});
+    if (round > 0 && share <= kDone) return change;
   }
-  if (share <= kDetermined) return;
+  if (share <= kDetermined) return change;
   throw InvalidShape("the points do not determine the shape as far as numbers can tell: fewer control points, a lower degree or "
                      "smoothing are needed");
 }
 
-std::vector<double> LeastSquaresFit::largest_distances(std::span<const double> values, std::span<const double> controls,
-                                                       std::span<double> distances) const {
-  constexpr std::size_t kColumns = 3;
-  const std::size_t width = this->width();
-  const double scale = scale_of(values);
-  std::vector<double> row(width);
-  std::vector<double> piece(width * kColumns);
+void LeastSquaresFit::solve(std::span<const double> values, std::size_t columns, std::span<double> controls) const {
+  improve(columns, largest_of(values), controls,
+          [&](std::size_t s, const SpanParameters& at, std::span<const double> piece, std::span<double> sums) {
+            const std::size_t begin = ends_[s] - at.parameters.size();
+            write_residuals(at, values.subspan(begin * columns, at.parameters.size() * columns), columns, piece, sums);
+          });
+}
+
+std::vector<double> LeastSquaresFit::solve_points(std::span<const double> points, std::span<double> controls) const {
+  constexpr double kNothing = 0x1p-40;
+  const double size = largest_of(points);
+  const double scale = scale_of(size);
   std::vector<double> largest(ends_.size(), 0.0);
-  std::size_t i = 0;
-  for (std::size_t s = 0; s < ends_.size(); ++s) {
-    if (i == ends_[s]) continue;
-    breathe(2 * width * (width + kColumns) * (width + ends_[s] - i));
-    bezier_points(s, controls, kColumns, piece);
-    for (; i < ends_[s]; ++i) {
-      write_bernstein(locals_[i], row);
-      double square = 0.0;
-      for (std::size_t c = 0; c < kColumns; ++c) {
-        double left = values[i * kColumns + c];
-        for (std::size_t j = 0; j < width; ++j) left -= row[j] * piece[j * kColumns + c];
-        square += (left * scale) * (left * scale);
-      }
-      const double distance = std::sqrt(square) / scale;
-      if (!distances.empty()) distances[i] = distance;
-      largest[s] = std::max(largest[s], distance);
-    }
+  const auto write_sums = [&](std::size_t s, const SpanParameters& at, std::span<const double> piece,
+                              std::span<double> sums) {
+    const std::size_t begin = ends_[s] - at.parameters.size();
+    largest[s] = write_residuals(at, points.subspan(3 * begin, 3 * at.parameters.size()), piece, scale, sums);
+  };
+  // Distances are those before the last change, unless it is of no matter beside the largest.
+  const double change = improve(3, size, controls, write_sums) * scale;
+  if (!(change * change <= kNothing * kNothing * *std::ranges::max_element(largest))) {
+    std::vector<double> right(controls.size());
+    residual_sums(3, controls, right, write_sums);
   }
+  for (double& square : largest) square = std::sqrt(square) / scale;
   return largest;
 }
 

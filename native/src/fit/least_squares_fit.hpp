@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "basis/banded.hpp"
+#include "span_sums.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -38,26 +39,30 @@ class LeastSquaresFit {
   /// @throws InvalidShape if the values do not determine them.
   void solve(std::span<const double> values, std::size_t columns, std::span<double> controls) const;
 
-  /// Distances of three columns from the curve at their parameters: the largest on each span. Those of the values are
-  /// written to `distances`, if there is one for each.
-  std::vector<double> largest_distances(std::span<const double> values, std::span<const double> controls,
-                                        std::span<double> distances = {}) const;
+  /// The same for points, three numbers each.
+  /// @returns the largest distance of one from the curve at its parameter, on each span
+  std::vector<double> solve_points(std::span<const double> points, std::span<double> controls) const;
 
   /// Parameters of span i: from ends()[i - 1], or 0, to ends()[i].
   std::span<const std::size_t> ends() const noexcept { return ends_; }
 
  private:
   std::size_t width() const noexcept { return static_cast<std::size_t>(knots_.degree()) + 1; }
-  double weight(std::size_t i) const noexcept { return weights_.empty() ? 1.0 : weights_[i] * weight_scale_; }
+  std::size_t first_of(std::size_t span) const { return static_cast<std::size_t>(knots_.spans()[span]) + 1 - width(); }
+  SpanParameters parameters_of(std::size_t span) const;
   double energy_of(std::size_t span) const;
   void place();
   void add_products();
   void require_points() const;
   BandedRows free_rows() const;
-  void residual_sums(std::span<const double> values, std::size_t columns, std::span<const double> controls,
-                     std::span<double> right) const;
+  template <class Sums>
+  double improve(std::size_t columns, double size, std::span<double> controls, const Sums& residual_sums) const;
+  template <class Sums>
+  void residual_sums(std::size_t columns, std::span<const double> controls, std::span<double> right,
+                     const Sums& sums_of) const;
   void bezier_points(std::size_t span, std::span<const double> controls, std::size_t columns,
                      std::span<double> out) const;
+  void add_bending(std::size_t span, std::size_t columns, std::span<const double> piece, std::span<double> sums) const;
 
   KnotVector knots_;
   std::span<const double> parameters_;
@@ -67,7 +72,6 @@ class LeastSquaresFit {
   Held held_;
   std::vector<double> bending_;    ///< of one piece over [0, 1]
   std::vector<std::size_t> ends_;  ///< of each span the index behind its last parameter
-  std::vector<double> locals_;     ///< parameters within their spans, from 0 to 1
   std::vector<double> products_;   ///< row i: of function i with itself and the next `degree` ones
 };
 

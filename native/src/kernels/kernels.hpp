@@ -14,6 +14,9 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
+/// The row of Pascal's triangle, up to degree 255 at least.
+const double* binomials(int degree) noexcept;
+
 /// The spans of a domain, which is cut into equal parts that know their first one.
 struct SpanParts {
   const double* bounds;  ///< where the spans start, the end of the last, and infinity
@@ -201,6 +204,19 @@ inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made
 /// How many rows lie side by side.
 inline constexpr std::size_t kNearRows = 64;
 
+/// Values at neighbouring parameters of a span.
+struct SpanPoints {
+  double start;  ///< of the span
+  double end;
+  double share;         ///< 1 over its length
+  double scale;         ///< of distances
+  double weight_scale;  ///< of weights
+  std::size_t count;
+  const double* parameters;
+  const double* weights;  ///< or nullptr: each is 1
+  const double* points;   ///< x, y, z; or nullptr for sums that need none
+};
+
 struct Kernels {
   const char* name;
   std::size_t lanes;  ///< 4 or 8
@@ -268,6 +284,15 @@ struct Kernels {
   /// @param near  knot 0, with degree - 2 before it and count + 2 degree - 2 behind it
   /// @returns whether all parameters lie so
   bool (*near_rows[8])(const double* near, const double* parameters, std::size_t count, double* out);
+
+  /// Of degree 1 + index: sums over the points of a span of weight t^k s^(2 degree - k), where t and s are the parts of
+  /// the span before and behind: 2 degree + 1 numbers.
+  void (*power_sums[9])(const SpanPoints&, double* sums);
+
+  /// Sums of weight t^k s^(degree - k) times what is left of the points by a piece: x, y, z for each k.
+  /// @param piece  its Bezier points, each times its binomial and -1
+  /// @returns the square of the largest distance times the scale
+  double (*residual_sums[9])(const SpanPoints&, const double* piece, double* sums);
 };
 
 /// The kernels for this machine, or those that the environment variable SPLINECORE_KERNELS names, if it can run them.
