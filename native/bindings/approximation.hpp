@@ -2,6 +2,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <utility>
+
 #include "splinecore/base/approximation.hpp"
 
 namespace bindings {
@@ -15,8 +17,8 @@ struct AnyApproximation {
 };
 
 template <class Value>
-AnyApproximation wrap(const splinecore::Approximation<Value>& approximation) {
-  return {py::cast(approximation.value), approximation.error};
+AnyApproximation wrap(splinecore::Approximation<Value> approximation) {
+  return {py::cast(std::move(approximation.value)), approximation.error};
 }
 
 }  // namespace bindings

@@ -14,8 +14,10 @@ class BandSweep {
  public:
   static constexpr int kWidth = 2 * kReach + 1;
 
-  /// Takes the next row; what is left of it is x + Σ factors[j] x[j + 1 rows ahead] = point.
-  /// @param row  kWidth numbers, in the order of the columns
+  /// Takes the next row; what is left of it is x + Σ factor[j] x[j + 1 rows ahead] = value.
+  /// @param row      kWidth numbers, in the order of the columns
+  /// @param point    the value and the first factor
+  /// @param factors  the others
   void take(const double* row, const glm::dvec3& right, double* factors, glm::dvec4& point) {
     std::array<double, kWidth> left;
     for (int j = 0; j < kWidth; ++j) left[j] = row[kForward ? j : kWidth - 1 - j];
@@ -30,9 +32,10 @@ class BandSweep {
       values_[back] = values_[back - 1];
     }
     const double inverse = 1.0 / left[kReach];
-    for (int j = 0; j < kReach; ++j) factors[j] = factors_[0][j] = left[kReach + 1 + j] * inverse;
+    for (int j = 0; j < kReach; ++j) factors_[0][j] = left[kReach + 1 + j] * inverse;
+    for (int j = 1; j < kReach; ++j) factors[j - 1] = factors_[0][j];
     values_[0] = value * inverse;
-    point = {values_[0], 1.0};
+    point = {values_[0], factors_[0][0]};
   }
 
  private:

@@ -68,7 +68,7 @@ class NearSystem {
       : given_(given), inner_(static_cast<long>(given.start.size())),
         count_(inner_ + static_cast<long>(given.points.size() + given.end.size())),
         outer_(inner_ + static_cast<long>(given.points.size())), middle_(inner_ + (outer_ - inner_) / 2),
-        factors_(std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(count_ * kReach))),
+        factors_(std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(count_ * (kReach - 1)))),
         points_(static_cast<std::size_t>(count_)) {}
 
   std::optional<NearSolution> solution() {
@@ -122,7 +122,8 @@ class NearSystem {
                points_[static_cast<std::size_t>(i)]);
   }
 
-  double* factors(long i) { return factors_.get() + i * kReach; }
+  double* factors(long i) { return factors_.get() + i * (kReach - 1); }
+  double factor(long i, long j) { return j == 0 ? points_[static_cast<std::size_t>(i)].w : factors(i)[j - 1]; }
 
   /// Decides the points next to the middle, of which each sweep has left the other's open.
   bool meet() {
@@ -134,7 +135,7 @@ class NearSystem {
       const glm::dvec4& point = points_[static_cast<std::size_t>(first + i)];
       if (!is_finite(glm::dvec3(point))) return false;
       rows.row(i)[i] = 1.0;
-      for (long j = 0; j < kReach; ++j) rows.row(i)[i < kReach ? i + 1 + j : i - 1 - j] = factors(first + i)[j];
+      for (long j = 0; j < kReach; ++j) rows.row(i)[i < kReach ? i + 1 + j : i - 1 - j] = factor(first + i, j);
       std::copy_n(&point.x, 3, &right[3 * i]);
     }
     solve_banded(rows, right, 3);
@@ -161,7 +162,7 @@ class NearSystem {
   void substitute(long i) {
     glm::dvec4* const point = points_.data() + i;
     glm::dvec3 value(point[0]);
-    for (int j = kReach - 1; j >= 0; --j) value -= factors(i)[j] * glm::dvec3(point[kStep * (j + 1)]);
+    for (int j = kReach - 1; j >= 0; --j) value -= factor(i, j) * glm::dvec3(point[kStep * (j + 1)]);
     point[0] = {value, 1.0};
   }
 
@@ -223,7 +224,7 @@ class NearSystem {
   long count_;
   long outer_;  ///< the row behind the last of them
   long middle_;
-  std::unique_ptr<double[]> factors_;
+  std::unique_ptr<double[]> factors_;  ///< of each row but the first, which stands with its point
   std::vector<glm::dvec4> points_;
 };
 
