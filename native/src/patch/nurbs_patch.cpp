@@ -12,9 +12,8 @@ namespace splinecore {
 
 namespace {
 
-std::vector<glm::dvec4> unrolled_net(std::vector<glm::dvec4> points, const KnotVector& knots_u,
+std::vector<glm::dvec4> unrolled_net(std::span<const glm::dvec4> points, const KnotVector& knots_u,
                                      const KnotVector& knots_v) {
-  if (!knots_u.periodic() && !knots_v.periodic()) return points;
   std::vector<glm::dvec4> net;
   net.reserve(static_cast<std::size_t>(knots_u.unrolled_count()) * knots_v.unrolled_count());
   for (int i = 0; i < knots_u.unrolled_count(); ++i) {
@@ -37,7 +36,9 @@ void require_axis(const KnotVector& knots, const char* name) {
 NurbsPatch::NurbsPatch(KnotVector knots_u, KnotVector knots_v, std::vector<glm::dvec4> points)
     : knots_u_(std::move(knots_u)), knots_v_(std::move(knots_v)), points_(std::move(points)),
       rational_(is_rational(points_)), weight_exponent_(rational_ ? splinecore::weight_exponent(points_) : 0),
-      homogeneous_(unrolled_net(rational_ ? homogeneous(points_, weight_exponent_) : points_, knots_u_, knots_v_)) {}
+      homogeneous_(rational_ ? homogeneous(points_, weight_exponent_) : std::vector<glm::dvec4>{}) {
+  if (knots_u_.periodic() || knots_v_.periodic()) homogeneous_ = unrolled_net(homogeneous_points(), knots_u_, knots_v_);
+}
 
 NurbsPatch NurbsPatch::make(KnotVector knots_u, KnotVector knots_v, std::vector<glm::dvec4> points) {
   require_axis(knots_u, "u");

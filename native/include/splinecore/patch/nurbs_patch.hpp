@@ -37,7 +37,9 @@ class NurbsPatch {
 
   /// Homogeneous points, unrolled in both directions, row after row. Weights, and directions, are divided by
   /// 2^weight_exponent().
-  std::span<const glm::dvec4> homogeneous_points() const noexcept { return homogeneous_; }
+  std::span<const glm::dvec4> homogeneous_points() const noexcept {
+    return homogeneous_.empty() ? std::span(points_) : std::span(homogeneous_);
+  }
   int weight_exponent() const noexcept { return weight_exponent_; }
 
   /// Its pieces in a tree of boxes, for those who search them; shared by copies.
@@ -55,7 +57,7 @@ class NurbsPatch {
   std::vector<glm::dvec4> points_;
   bool rational_ = false;
   int weight_exponent_ = 0;
-  std::vector<glm::dvec4> homogeneous_;
+  std::vector<glm::dvec4> homogeneous_;  ///< none where they are the points as given
   std::shared_ptr<Lazy<BoxedPieces>> boxed_pieces_ = std::make_shared<Lazy<BoxedPieces>>();
 };
 
