@@ -113,3 +113,16 @@ void square_sums(const SquareForm& form, const double* scaled, double* squares, 
   if (form.rows == 4) return square_sums_of<4>(form, scaled, squares, weights);
   square_sums_of<0>(form, scaled, squares, weights);
 }
+
+void box_distances(const BoxGroup& group, const double* from, double* squares) {
+  for (std::size_t i = 0; i < kBoxGroup; i += kWide) {
+    WideLanes sum{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const WideLanes between = all<WideLanes>(from[axis]) - load<WideLanes>(group.middle[axis] + i);
+      const WideLanes apart = (between < -between ? -between : between) - load<WideLanes>(group.half[axis] + i);
+      const WideLanes outside = apart > WideLanes{} ? apart : WideLanes{};
+      sum = mul_add(outside, outside, sum);
+    }
+    store(sum, squares + i);
+  }
+}

@@ -201,6 +201,15 @@ struct SquareForm {
 inline constexpr int kNotFinite = 1;   ///< a point that is no number: all are written
 inline constexpr int kWeakNormal = 2;  ///< a normal that rounding may have made: NaN is written
 
+/// How many boxes are looked at together.
+inline constexpr std::size_t kBoxGroup = 8;
+
+/// Boxes by their middles and half their widths, coordinate by coordinate.
+struct alignas(64) BoxGroup {
+  double middle[3][kBoxGroup];
+  double half[3][kBoxGroup];
+};
+
 /// How many rows lie side by side.
 inline constexpr std::size_t kNearRows = 64;
 
@@ -252,6 +261,9 @@ struct Kernels {
   /// Adds to coefficients those of |N|² and W².
   /// @param scaled  x, y, z and W of all control points times their binomials, coordinate by coordinate
   void (*square_sums)(const SquareForm&, const double* scaled, double* squares, double* weights);
+
+  /// The squares of the least distances that points of the boxes may have from x, y, z, up to rounding.
+  void (*box_distances)(const BoxGroup&, const double* from, double* squares);
 
   /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
   void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);

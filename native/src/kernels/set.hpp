@@ -33,7 +33,7 @@ const Kernels SPLINECORE_SET{
     find_spans, find_halves,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     speed_sums, surface_sums,
-    piece_slopes, square_sums,
+    piece_slopes, square_sums, box_distances,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
     pair_sums, pair_points, pair_slopes, pair_normals,

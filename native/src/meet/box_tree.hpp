@@ -1,12 +1,11 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
+
+#include "kernels/kernels.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -21,27 +20,8 @@ struct Box {
 /// boxes of a group are looked at together. Neighbours in the order given share groups.
 class BoxTree {
  public:
-  static constexpr std::size_t kGroup = 8;
-
-  /// Eight boxes by their middles and half their widths; those that are missing at the end of a level lie far away.
-  struct alignas(64) Group {
-    double middle[3][kGroup];
-    double half[3][kGroup];
-
-    /// The squares of the least distances that points of the boxes may have from a point, up to rounding.
-    void squared_distances(const glm::dvec3& from, std::array<double, kGroup>& out) const noexcept {
-      std::array<double, kGroup> sum{};
-      for (int axis = 0; axis < 3; ++axis) {
-        const double at = from[axis];
-        for (std::size_t i = 0; i < kGroup; ++i) {
-          const double apart = std::abs(at - middle[axis][i]) - half[axis][i];
-          const double twice = apart + std::abs(apart);  // or zero
-          sum[i] += twice * twice;
-        }
-      }
-      for (std::size_t i = 0; i < kGroup; ++i) out[i] = 0.25 * sum[i];
-    }
-  };
+  static constexpr std::size_t kGroup = kBoxGroup;
+  using Group = BoxGroup;  ///< boxes that are missing at the end of a level lie far away
 
   explicit BoxTree(std::span<const Box> leaves);
 

@@ -110,8 +110,8 @@ bool is_longer_across(const glm::dvec4* net, std::size_t rows, std::size_t colum
 
 template <int kAxes>
 NearestSearch<kAxes>::NearestSearch(const BoxedPieces& pieces)
-    : pieces_(pieces), rows_(pieces.rows()), columns_(pieces.columns()), nets_(kDeepest + 2),
-      form_(rows_, columns_) {
+    : pieces_(pieces), rows_(pieces.rows()), columns_(pieces.columns()),
+      waiting_(pieces.tree().levels() * BoxTree::kGroup), nets_(kDeepest + 2), form_(rows_, columns_) {
   constexpr double kApart = 0x1p-20;
   std::array<Interval, 2> whole = pieces.parts().front().domain;
   for (const PiecePart& part : pieces.parts()) {
@@ -130,14 +130,13 @@ NearestPlace NearestSearch<kAxes>::nearest(const glm::dvec3& point) {
   looks_ = 0;
   rounding_ = kRounding;
   least_ = below_ = above_ = kInfinity;
-  waiting_.clear();
+  waiting_count_ = 0;
   push_group(pieces_.tree().levels() - 1, 0);
-  while (!waiting_.empty()) {
-    const Waiting next = waiting_.back();
-    waiting_.pop_back();
+  while (waiting_count_ > 0) {
+    const Waiting next = waiting_[--waiting_count_];
     if (next.squared > above_) continue;
-    breathe(128);
     if (next.level > 0) {
+      breathe(1024);
       push_group(next.level - 1, next.index);
     } else {
       look_at(next.index);
@@ -149,19 +148,20 @@ NearestPlace NearestSearch<kAxes>::nearest(const glm::dvec3& point) {
 template <int kAxes>
 void NearestSearch<kAxes>::push_group(std::size_t level, std::size_t group) {
   std::array<double, BoxTree::kGroup> squared;
-  pieces_.tree().group(level, group).squared_distances(point_, squared);
+  kernels_.box_distances(pieces_.tree().group(level, group), &point_.x, squared.data());
   const std::size_t first = group * BoxTree::kGroup;
   const std::size_t count = std::min(BoxTree::kGroup, pieces_.tree().count(level) - first);
-  const std::size_t before = waiting_.size();
-  waiting_.resize(before + count);
+  const std::size_t before = waiting_count_;
   std::size_t end = before;
   std::size_t nearest = before;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < count; ++i) {
     waiting_[end] = {squared[i], static_cast<std::uint32_t>(level), static_cast<std::uint32_t>(first + i)};
-    nearest = squared[i] < waiting_[nearest].squared ? end : nearest;
+    nearest = squared[i] < least ? end : nearest;
+    least = std::min(squared[i], least);
     end += squared[i] <= above_ ? 1 : 0;
   }
-  waiting_.resize(end);
+  waiting_count_ = end;
   // It is looked at first.
   if (end > before) std::swap(waiting_[nearest], waiting_[end - 1]);
 }

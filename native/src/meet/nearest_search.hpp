@@ -80,7 +80,8 @@ class NearestSearch {
   double least_ = 0.0;  ///< the square of the least distance that was found
   double below_ = 0.0;  ///< squares of distances that are surely less, and
   double above_ = 0.0;  ///< surely more
-  std::vector<Waiting> waiting_;
+  std::vector<Waiting> waiting_;  ///< as many as can wait at once: a group for each level
+  std::size_t waiting_count_ = 0;
   const Kernels& kernels_ = kernels();
   std::vector<std::array<Net, 2>> nets_;  ///< for each depth of halving
   DistanceForm form_;

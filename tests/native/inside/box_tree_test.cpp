@@ -17,6 +17,12 @@ std::vector<Box> row_of_boxes(std::size_t count) {
   return boxes;
 }
 
+std::array<double, BoxTree::kGroup> squares(const BoxTree::Group& group, const glm::dvec3& from) {
+  std::array<double, BoxTree::kGroup> found;
+  kernels().box_distances(group, &from.x, found.data());
+  return found;
+}
+
 TEST(BoxTree, HasAsManyLevelsAsGroupsOfEightNeed) {
   EXPECT_EQ(BoxTree(row_of_boxes(1)).levels(), 1U);
   EXPECT_EQ(BoxTree(row_of_boxes(8)).levels(), 1U);
@@ -27,13 +33,12 @@ TEST(BoxTree, HasAsManyLevelsAsGroupsOfEightNeed) {
 
 TEST(BoxTree, DistancesAreThoseToTheBoxes) {
   const BoxTree tree(row_of_boxes(10));
-  std::array<double, BoxTree::kGroup> squared;
-  tree.group(0, 0).squared_distances(glm::dvec3(2.5, 3, 0.5), squared);
+  const auto squared = squares(tree.group(0, 0), glm::dvec3(2.5, 3, 0.5));
   EXPECT_EQ(squared[0], 2.25 + 4.0);
   EXPECT_EQ(squared[1], 4.0);
-  tree.group(0, 1).squared_distances(glm::dvec3(0), squared);
-  EXPECT_EQ(squared[0], 256.0);
-  EXPECT_GT(squared[2], 1e300);
+  const auto later = squares(tree.group(0, 1), glm::dvec3(0));
+  EXPECT_EQ(later[0], 256.0);
+  EXPECT_GT(later[2], 1e300);
 }
 
 TEST(BoxTree, NoDistanceToAGroupIsAboveOneOfItsBoxes) {
@@ -41,11 +46,8 @@ TEST(BoxTree, NoDistanceToAGroupIsAboveOneOfItsBoxes) {
   const glm::dvec3 from(77.3, -2, 5);
   for (std::size_t level = 1; level < tree.levels(); ++level) {
     for (std::size_t i = 0; i < tree.count(level); ++i) {
-      std::array<double, BoxTree::kGroup> outer;
-      std::array<double, BoxTree::kGroup> inner;
-      tree.group(level, i / BoxTree::kGroup).squared_distances(from, outer);
-      tree.group(level - 1, i).squared_distances(from, inner);
-      for (const double squared : inner) EXPECT_LE(outer[i % BoxTree::kGroup], squared);
+      const auto outer = squares(tree.group(level, i / BoxTree::kGroup), from);
+      for (const double squared : squares(tree.group(level - 1, i), from)) EXPECT_LE(outer[i % BoxTree::kGroup], squared);
     }
   }
 }
