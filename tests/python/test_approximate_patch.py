@@ -119,6 +119,12 @@ def test_scattered_points_within_a_tolerance(tolerance):
     assert made.nearest(points).distances.max() <= error * (1 + 1e-9) <= tolerance * (1 + 1e-9)
 
 
+def test_a_tolerance_that_only_more_control_points_than_points_could_keep():
+    points = np.random.default_rng(8).uniform(0, 1, (60, 3)) * [1, 1, 0.1]
+    with pytest.raises(sc.ToleranceNotReached, match="control points, and of .* do not determine control point"):
+        fit.approximate_scattered(points, tolerance=1e-6)
+
+
 def test_smoothing_fills_a_hole():
     points = cloud(3000)
     points = points[np.hypot(points[:, 0] - 2, points[:, 1] - 1.5) > 0.8]

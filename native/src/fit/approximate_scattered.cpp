@@ -180,22 +180,32 @@ Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points,
   const UnitPoints unit = unit_points(points);
   const ScatteredOptions near = scaled(options);
   const double within = std::ldexp(tolerance, -unit.exponent);
-  NetSize tried{size.degree_u, size.degree_v, static_cast<std::size_t>(size.degree_u) + 1,
-                static_cast<std::size_t>(size.degree_v) + 1};
-  double least = std::numeric_limits<double>::infinity();
-  for (;;) {
-    const ScatteredFit fit =
-        fitted(unit.points, at, even_knots(size.degree_u, tried.count_u, domain.u, false),
-               even_knots(size.degree_v, tried.count_v, domain.v, false), near);
-    if (fit.error <= within) return in_place(fit, unit);
-    least = std::min(least, fit.error);
-    if (tried.count_u >= size.count_u && tried.count_v >= size.count_v) break;
+  const auto fit_of = [&](std::size_t count_u, std::size_t count_v) {
+    return fitted(unit.points, at, even_knots(size.degree_u, count_u, domain.u, false),
+                  even_knots(size.degree_v, count_v, domain.v, false), near);
+  };
+  std::size_t count_u = static_cast<std::size_t>(size.degree_u) + 1;
+  std::size_t count_v = static_cast<std::size_t>(size.degree_v) + 1;
+  ScatteredFit fit = fit_of(count_u, count_v);
+  double least = fit.error;
+  std::string reason;
+  while (fit.error > within && (count_u < size.count_u || count_v < size.count_v)) {
     at = fit.parameters;
-    tried.count_u = larger(tried.count_u, size.count_u);
-    tried.count_v = larger(tried.count_v, size.count_v);
+    const std::size_t more_u = larger(count_u, size.count_u);
+    const std::size_t more_v = larger(count_v, size.count_v);
+    try {
+      fit = fit_of(more_u, more_v);
+    } catch (const InvalidShape& more) {
+      reason = ", and of " + std::to_string(more_u) + " x " + std::to_string(more_v) + " " + more.what();
+      break;
+    }
+    count_u = more_u;
+    count_v = more_v;
+    least = std::min(least, fit.error);
   }
-  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(size.count_u) + " x " +
-                                std::to_string(size.count_v) + " control points",
+  if (fit.error <= within) return in_place(fit, unit);
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(count_u) + " x " +
+                                std::to_string(count_v) + " control points" + reason,
                             tolerance, std::ldexp(least, unit.exponent));
 }
 

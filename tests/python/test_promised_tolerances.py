@@ -1,0 +1,176 @@
+"""Every tolerance that is promised, on 1000 random inputs, by dense samples; and memory that grows as the points do."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import splinecore as sc
+from splinecore import fit
+
+from random_curves import random_curve
+
+ROUNDING = 1e-12
+
+
+def lengths(vectors):
+    return np.sqrt((vectors**2).sum(-1))
+
+
+def dense(domain, count=4001):
+    return np.linspace(*domain, count)
+
+
+def apart(a, b):
+    """The largest distance of two curves at equal parts of their domains, and the size of the first."""
+    points = a.evaluate(dense(a.domain))
+    return lengths(points - b.evaluate(dense(b.domain))).max(), np.abs(points).max()
+
+
+def wave(rng, count):
+    t = np.sort(rng.uniform(0, 1, count))
+    turns = rng.uniform(1, 12, 3)
+    points = np.stack([4 * t, np.sin(turns[0] * t), np.cos(turns[1] * t * t) * np.sin(turns[2] * t)], -1)
+    return points + 10.0**rng.uniform(-6, -2) * rng.standard_normal(points.shape)
+
+
+def height(rng, u, v):
+    a, b, c = rng.uniform(1, 5, 3)
+    return np.stack([u, v, 0.2 * np.sin(a * u + b * v) + 0.1 * np.cos(c * u * v)], -1)
+
+
+def keeps(found, error, tolerance, size):
+    assert error <= tolerance
+    assert found <= error * (1 + 1e-9) + ROUNDING * size
+
+
+def near_points(rng):
+    points = 10.0**rng.uniform(-100, 100) * wave(rng, int(rng.integers(12, 300)))
+    size = np.ptp(points)
+    tolerance = size * 10.0**rng.uniform(-5, -1)
+    made = fit.approximate(points, None, int(rng.integers(1, 8)), tolerance=tolerance, closed=bool(rng.random() < 0.3))
+    keeps(made.value.nearest(points).distances.max() / size, made.error / size, tolerance / size, 1.0)
+
+
+def rebuilt(rng):
+    curve = random_curve(rng, degree=int(rng.integers(2, 7)))
+    tolerance = 10.0**rng.uniform(-1.5, 0)
+    try:
+        made = curve.rebuild(tolerance=tolerance, degree=int(rng.integers(3, 7)))
+    except sc.ToleranceNotReached:          # even knots are not where a curve has corners
+        assert min(joint.c for _, joint in curve.joints()) < 1
+        return
+    found, size = apart(curve, made.value)
+    keeps(found, made.error, tolerance, size)
+
+
+def faired(rng):
+    curve = random_curve(rng, degree=int(rng.integers(2, 7)))
+    tolerance = 10.0**rng.uniform(-4, 0)
+    made = curve.fair(tolerance)
+    found, size = apart(curve, made.value)
+    keeps(found, made.error, tolerance, size)
+
+
+def without_knots(rng):
+    curve = random_curve(rng)
+    tolerance = 10.0**rng.uniform(-4, 0)
+    made = curve.remove_knots(tolerance)
+    found, size = apart(curve, made.value)
+    keeps(found, made.error, tolerance, size)
+
+
+def of_a_grid(rng):
+    u, v = (np.sort(rng.uniform(0, 1, int(rng.integers(8, 40)))) for _ in range(2))
+    points = height(rng, *np.meshgrid(u, v, indexing="ij"))
+    tolerance = 10.0**rng.uniform(-4, -1)
+    made = fit.approximate_patch(points, degrees=int(rng.integers(1, 5)), parameters=(u, v), tolerance=tolerance)
+    keeps(lengths(made.value.evaluate_grid(u, v) - points).max(), made.error, tolerance, 1.0)
+
+
+def of_scattered_points(rng):
+    points = height(rng, *rng.uniform(0, 1, (2, int(rng.integers(100, 400)))))
+    tolerance = 10.0**rng.uniform(-3, -1)
+    try:
+        made = fit.approximate_scattered(points, degrees=int(rng.integers(2, 4)), tolerance=tolerance)
+    except sc.ToleranceNotReached as refused:          # more control points than points decide about
+        assert "do not determine" in str(refused)
+        return
+    keeps(made.value.nearest(points).distances.max(), made.error, tolerance, 1.0)
+
+
+def long(rng):
+    curve = random_curve(rng)
+    tolerance = 10.0**rng.uniform(-12, -2)
+    finest = sum(dense_length(curve, span) for span in spans(curve))
+    found = curve.length(tolerance=tolerance)
+    assert abs(found - finest) <= tolerance * finest + 1e-8 * finest
+
+
+def spans(curve):
+    start, end = curve.domain
+    knots = np.unique(np.r_[start, curve.knots[(curve.knots > start) & (curve.knots < end)], end])
+    return zip(knots[:-1], knots[1:])
+
+
+def dense_length(curve, span):
+    """By Gauss's rule of 6 nodes on 4000 parts, which are short where a curve turns back."""
+    nodes, shares = np.polynomial.legendre.leggauss(6)
+    ends = np.linspace(*span, 4001)
+    half = 0.5 * np.diff(ends)[:, None]
+    at = 0.5 * (ends[1:] + ends[:-1])[:, None] + half * nodes
+    slopes = curve.derivatives(at.ravel(), 1)[:, 1].reshape(*at.shape, 3)
+    return (half * shares * lengths(slopes)).sum()
+
+
+def divided(rng):
+    curve = random_curve(rng)
+    count = int(rng.integers(2, 9))
+    whole = curve.length()
+    if whole == 0:
+        return
+    parameters = curve.divide(count)
+    for k, u in enumerate(parameters):
+        assert abs(curve.length(curve.domain[0], u) - k * whole / count) <= 2e-10 * whole
+
+
+KINDS = {near_points: 350, rebuilt: 50, faired: 100, without_knots: 150, of_a_grid: 100, of_scattered_points: 50,
+         long: 100, divided: 100}
+
+
+def test_a_thousand_inputs():
+    assert sum(KINDS.values()) == 1000
+
+
+@pytest.mark.parametrize("part", range(10))
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
+def test_every_promise_is_kept(kind, part):
+    rng = np.random.default_rng([part, list(KINDS).index(kind)])
+    for _ in range(KINDS[kind] // 10):
+        kind(rng)
+
+
+MEMORY = """
+import resource, sys
+import numpy as np
+from splinecore import fit
+t = np.linspace(0, 1, 200_000)
+points = np.stack([np.cos(40 * t), np.sin(30 * t), t], -1)
+calls = {"interpolate": lambda p: fit.interpolate(p), "count": lambda p: fit.approximate(p, 200),
+         "tolerance": lambda p: fit.approximate(p, tolerance=1e-3),
+         "scattered": lambda p: fit.approximate_scattered(np.random.default_rng(1).uniform(0, 1, p.shape) * [1, 1, 0.01], 20)}
+call = calls[sys.argv[1]]
+call(points[::100])
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+call(points[::200_000 // int(sys.argv[2])])
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
+"""
+
+
+@pytest.mark.parametrize("call", ["interpolate", "count", "tolerance", "scattered"])
+def test_memory_grows_as_the_points_do(call):
+    """In kilobytes: 100,000 points take no more than their share of what 200,000 take, and 500 bytes each."""
+    taken = [int(subprocess.run([sys.executable, "-c", MEMORY, call, str(count)], capture_output=True, text=True,
+                                check=True).stdout) for count in (100_000, 200_000)]
+    assert taken[0] <= 50_000 and taken[1] <= 2.3 * taken[0] + 4_000
