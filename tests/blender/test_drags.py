@@ -174,6 +174,46 @@ def test_what_was_chosen_is_chosen_again_after_a_drag_unless_another_was_chosen_
     require_exact(ob)
 
 
+@pytest.mark.parametrize('is_by_hand', (False, True))
+def test_a_shape_that_is_detached_within_a_drag_has_its_normals_and_nothing_of_ours(is_by_hand):
+    ob, name = add(squares()), 'custom_normal' if versions.keeps_exact_normals else 'patch'
+    ob.data.attributes.active = ob.data.attributes[name]
+    held = enter()
+    select(held, 4)
+    move(0, 0, 0.1)
+    move(0, 0, 0.1)
+    assert store.is_draft(ob.data)
+    exact = shape.evaluated(ob.data, store.read(ob.data)).tessellation
+    if is_by_hand:
+        ob.data.vertices[0].co.x -= 0.5
+        ob.data.update()
+    shape.detach(ob.data)
+    assert set(ob.data.keys()) <= {net_object.EDITED_BY, 'splinewright'}
+    assert is_by_hand or ob.data.has_custom_normals and ob.data.attributes.active.name == name
+    assert len(ob.data.loops) == len(exact.corner_vertices)
+    net_object.remove(held)
+
+
+def test_the_end_of_a_gesture_reads_the_faces_of_a_mesh_once_and_says_how_far_it_is(monkeypatch):
+    ob = add(squares())
+    held = enter()
+    select(held, 4)
+    move(0, 0, 0.1)
+    move(0, 0, 0.1)
+    reads, steps, mesh_layers = [], [], part('bridge.mesh_layers')
+
+    def read(mesh, work=mesh_layers.corner_vertices):
+        reads.append(mesh.name)
+        return work(mesh)
+    monkeypatch.setattr(mesh_layers, 'corner_vertices', read)
+    live.settle(ob.data, steps.append)
+    assert len(reads) == 1 and steps == [1, 2]
+    monkeypatch.undo()
+    assert not shape.is_touched(ob.data)
+    leave()
+    require_exact(ob)
+
+
 def test_a_shape_by_tolerance_is_not_read_for_faces_that_it_would_not_keep(monkeypatch):
     ob = add(squares())
     ob.data.splinewright.mode = 'TOLERANCE'

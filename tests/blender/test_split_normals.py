@@ -41,7 +41,7 @@ def test_both_ways_to_give_them_give_the_same_bits(name):
     normals = exact(mesh)
     mesh.normals_split_custom_set(normals.tolist())
     of_corners = shown(mesh)
-    write_mesh._set_split_normals(mesh, normals)
+    write_mesh._set_split_normals(mesh, normals, mesh_layers.corner_vertices(mesh))
     assert np.array_equal(shown(mesh), of_corners)
     assert np.abs(of_corners - normals).max() < 0.01
 
@@ -57,7 +57,7 @@ def test_garbage_is_collected_afterwards_as_before(is_enabled):
     was_enabled = gc.isenabled()
     try:
         (gc.enable if is_enabled else gc.disable)()
-        write_mesh._set_split_normals(mesh, exact(mesh))
+        write_mesh._set_split_normals(mesh, exact(mesh), mesh_layers.corner_vertices(mesh))
         assert gc.isenabled() == is_enabled
         with pytest.raises(ZeroDivisionError), write_mesh._uncollected():
             1 / 0

@@ -34,15 +34,16 @@ def write_parameters(mesh, tessellation):
 
 
 def lies_as(mesh, tessellation):
-    """Whether each corner lies where write_parameters() would say, if the mesh says it at all."""
-    known = mesh_layers.parameters(mesh)
+    """Whether each corner of a mesh with these faces lies where write_parameters() would say, if the mesh says it at all."""
+    known = mesh_layers.parameters(mesh, tessellation.corner_vertices)
     return known is None or np.array_equal(known, _parameters(tessellation))
 
 
 def _parameters(tessellation):
-    sizes = np.diff(np.append(tessellation.face_starts, len(tessellation.corner_vertices)))
-    values = np.column_stack([tessellation.corner_uvs, np.repeat(tessellation.face_patches, sizes)])
-    return np.ascontiguousarray(values, np.float32)
+    values = np.empty((len(tessellation.corner_vertices), 3), np.float32)
+    values[:, :2] = tessellation.corner_uvs
+    values[:, 2] = np.repeat(tessellation.face_patches, np.diff(np.append(tessellation.face_starts, len(values))))
+    return values
 
 
 @contextlib.contextmanager

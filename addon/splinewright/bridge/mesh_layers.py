@@ -75,13 +75,15 @@ def _of_parameters(mesh):
     return None
 
 
-def parameters(mesh):
-    """(c, 3) of PARAMETERS of the corners, or None where the mesh has none."""
+def parameters(mesh, corners=None):
+    """(c, 3) of PARAMETERS of the corners, or None where the mesh has none. corners: their corner_vertices(), where known."""
     found = _of_parameters(mesh)
     if found is None:
         return None
     values = read(found[0].data, 'vector', 3, np.float32)
-    return values[corner_vertices(mesh)] if found[1] else values
+    if not found[1]:
+        return values
+    return values[corner_vertices(mesh) if corners is None else corners]
 
 
 def write_parameters(mesh, corners):

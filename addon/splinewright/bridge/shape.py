@@ -1,16 +1,17 @@
 """A shape as a whole: its definition, and the mesh or curve that is written from it."""
 
+from contextlib import suppress
 from typing import Callable, NamedTuple
 
 import bpy
 import numpy as np
 
 from ..core import definition as definitions
-from ..core.failures import Refusal
+from ..core.failures import FAILURES, Refusal
 from ..core.handles import fitting
 from ..core.library import sc
-from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, point_keys, problems, recipes, settings, stamp, store,
-               write_curve, write_mesh)
+from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, mesh_layers, point_keys, problems, recipes, settings,
+               stamp, store, write_curve, write_mesh)
 from .file_state import key, state
 
 
@@ -115,24 +116,25 @@ def rewrite(data, progress=no_progress, faces=None):
     faces: the Tessellation that it is to have, where that is known and fits.
     """
     require_untouched(data)
-    return restore(data, progress, faces)
+    known = store.read_stamp(data) if faces is not None else None
+    return restore(data, progress, faces, known is not None and stamp.is_of_faces(known, faces))
 
 
-def restore(data, progress=no_progress, faces=None):
-    """rewrite(), also where the geometry was changed by others: their changes are lost."""
+def restore(data, progress=no_progress, faces=None, has_faces=False):
+    """rewrite(), also where the geometry was changed by others: their changes are lost. has_faces: whether it is known to
+    have those."""
     definition = store.read(data)
     if definition is None:
         return None
     require_writable(data)
-    picture = evaluated(data, definition, recipes.around(data), faces)
+    picture = evaluated(data, definition, recipes.around(data), faces, has_faces)
     progress(1)
     _finish(data, picture, progress)
     return picture.tessellation
 
 
 def _finish(data, picture, progress):
-    picture.write()
-    store.write_final(data, stamp.of(data))
+    store.write_final(data, picture.write() or stamp.of(data))
     progress(2)
     problems.tell(data, problems.SETTING, "")
     state.touched[key(data)] = False
@@ -140,9 +142,13 @@ def _finish(data, picture, progress):
 
 
 def detach(data):
-    """Leave a plain Mesh or Curve: what it shows stays, the definition goes."""
+    """Leave a plain Mesh or Curve: what it shows stays, with exact normals where a drag left them out, the definition goes."""
     if data.library or data.override_library:
         raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
+    if store.is_draft(data) and not is_touched(data):
+        with suppress(*FAILURES):
+            restore(data)
+    mesh_layers.have_normals_back(data)
     store.remove(data)
     recipes.remove(data)
     point_keys.remove(data)
@@ -170,13 +176,13 @@ class Picture(NamedTuple):
     """What a definition shows at the settings of a data-block."""
 
     points: np.ndarray                  # (n, 3) float32, all of them
-    write: Callable                     # puts it into the data-block
+    write: Callable                     # puts it into the data-block; gives its stamp then, or None where it is to be read
     tessellation: object = None         # the splinecore Tessellation of patches
 
 
-def evaluated(data, definition, around=None, faces=None):
+def evaluated(data, definition, around=None, faces=None, has_faces=False):
     """The Picture of a definition, evaluated now and written when its write() is called; around as of set_definition(),
-    faces as of rewrite().
+    faces and has_faces as of restore().
 
     Raises Refusal or an error of the library where there is nothing finite to show.
     """
@@ -194,7 +200,12 @@ def evaluated(data, definition, around=None, faces=None):
     positions, normals = tessellation.evaluate(patch_set)
     _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.of(data).sharp_angle)
-    return Picture(positions, lambda: write_mesh.write(data, tessellation, positions, normals, sharp), tessellation)
+    is_there = is_known and has_faces
+
+    def write():
+        if write_mesh.write(data, tessellation, positions, normals, sharp, is_there):
+            return stamp.of_faces(data, tessellation, positions)
+    return Picture(positions, write, tessellation)
 
 
 def faces_of(data):

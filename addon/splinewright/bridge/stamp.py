@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 
 from ..core import checksum
+from . import mesh_layers
 
 
 def of(data):
@@ -31,9 +32,19 @@ def _comparable(a, b):
 
 def is_of_faces(stamp, tessellation):
     """Whether a Mesh's stamp is of the faces of a splinecore Tessellation."""
-    starts, corners = tessellation.face_starts, tessellation.corner_vertices
-    known = [tessellation.vertex_count, None, len(starts), None, zlib.crc32(corners), zlib.crc32(starts)]
+    known = _of_faces(tessellation)
     return _comparable(stamp, known) and all(x == y for x, y in zip(stamp, known) if y is not None)
+
+
+def of_faces(mesh, tessellation, positions):
+    """of() a Mesh that has the faces of a Tessellation and was given these positions, float32, without reading it."""
+    vertices, _, faces, _, *sums = _of_faces(tessellation)
+    return [vertices, len(mesh.edges), faces, checksum.of(positions.ravel()), *sums]
+
+
+def _of_faces(tessellation):
+    starts, corners = tessellation.face_starts, tessellation.corner_vertices
+    return [tessellation.vertex_count, None, len(starts), None, zlib.crc32(corners), zlib.crc32(starts)]
 
 
 def moved(before, total):
@@ -50,8 +61,7 @@ def _of_mesh(mesh):
         mesh.attributes['position'].data.foreach_get('vector', positions)
     else:
         mesh.vertices.foreach_get('co', positions)
-    corners = np.empty(len(mesh.loops), np.int32)
-    mesh.loops.foreach_get('vertex_index', corners)
+    corners = np.ascontiguousarray(mesh_layers.corner_vertices(mesh))
     starts = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('loop_start', starts)
     return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners),

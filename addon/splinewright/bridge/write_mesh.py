@@ -10,12 +10,14 @@ import numpy as np
 from . import mesh_attributes, mesh_edges, mesh_layers, mesh_looks, mesh_sharp, versions
 
 
-def write(mesh, tessellation, positions, normals, sharp):
+def write(mesh, tessellation, positions, normals, sharp, has_faces=False):
     """Make the mesh the tessellation at these positions (v, 3), corner normals (c, 3), float32, and
-    sharp edges (k, 2). Where the faces are the same as before only positions and normals change.
-    What a user put on them stays, or is carried over to the new ones."""
+    sharp edges (k, 2). Where the faces are the same as before only positions and normals change, which is the answer.
+    What a user put on them stays, or is carried over to the new ones. has_faces: whether it is known to have these."""
     active = mesh_layers.active_attribute(mesh)
-    if _has_faces(mesh, tessellation) and len(mesh.uv_layers) and mesh_attributes.lies_as(mesh, tessellation):
+    stays = ((has_faces or _has_faces(mesh, tessellation)) and len(mesh.uv_layers) > 0
+             and mesh_attributes.lies_as(mesh, tessellation))
+    if stays:
         _write_positions(mesh, positions)
         mesh_looks.name_patches(mesh, tessellation.face_patches)
         flags = mesh_sharp.marked(mesh)
@@ -26,12 +28,13 @@ def write(mesh, tessellation, positions, normals, sharp):
     flags = mesh_sharp.mark(mesh, sharp, users, flags)
     # Normals that are not exact are stored relative to those of the faces, which must be up to date.
     mesh.update()
-    _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals))
+    _write_normals(mesh, mesh_looks.shaded_normals(mesh, normals), tessellation.corner_vertices)
     # Before 4.5, too, Blender marks edges sharp where normals differ.
     mesh_sharp.note(mesh, users, flags if versions.keeps_exact_normals else mesh_sharp.marked(mesh))
     mesh_layers.have_normals_back(mesh)
     mesh_layers.set_active_attribute(mesh, active)
     mesh.update()
+    return stays
 
 
 def move(mesh, positions):
@@ -56,7 +59,7 @@ def let_normals_turn(mesh):
     active = mesh_layers.active_attribute(mesh)
     if versions.keeps_exact_normals and mesh_layers.NORMALS in mesh.attributes:
         mesh_layers.remove(mesh, mesh_layers.NORMALS)
-    _set_split_normals(mesh, flat.reshape(-1, 3))
+    _set_split_normals(mesh, flat.reshape(-1, 3), mesh_layers.corner_vertices(mesh))
     mesh_layers.have_normals_back(mesh)
     mesh_layers.set_active_attribute(mesh, active)
 
@@ -128,7 +131,7 @@ def _write_uvs(mesh, tessellation):
     data.foreach_set(field, tessellation.corner_uvs.ravel())
 
 
-def _write_normals(mesh, normals):
+def _write_normals(mesh, normals, vertices):
     flat = np.ascontiguousarray(normals, np.float32)
     if versions.keeps_exact_normals:
         attribute = mesh.attributes.get(mesh_layers.NORMALS)
@@ -142,13 +145,12 @@ def _write_normals(mesh, normals):
     if versions.has_auto_smooth:
         mesh.use_auto_smooth = True
         mesh.auto_smooth_angle = np.pi
-    _set_split_normals(mesh, flat)
+    _set_split_normals(mesh, flat, vertices)
 
 
-def _set_split_normals(mesh, normals):
+def _set_split_normals(mesh, normals, vertices):
     """Blender's own way to take normals of corners (c, 3), by lists: those of vertices, a quarter as many, where all corners
-    of each agree, with the same result."""
-    vertices = mesh_layers.corner_vertices(mesh)
+    of each agree, with the same result. vertices: (c,) of the corners."""
     of_vertices = np.zeros((len(mesh.vertices), 3), np.float32)
     of_vertices[vertices] = normals
     with _uncollected():

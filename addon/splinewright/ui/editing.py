@@ -1,7 +1,7 @@
 """Putting nets out and away. Undo steps are the operators' affair, but for end()."""
 
 import re
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 
 import bpy
 
@@ -9,6 +9,7 @@ from ..bridge import point_keys, problems, recipes, remaking, shape, store
 from ..bridge.file_state import block_of, ended_operators, key, state
 from ..bridge.net import free_net, live, net_object, selection
 from ..core.failures import FAILURES, Refusal, sentence, told
+from . import progress
 
 
 def why_not(ob):
@@ -288,14 +289,21 @@ def settle():
     """Exact normals for the shapes of all nets."""
     for ob in nets():
         owner = net_object.shape_of(ob)
-        if owner is not None:
-            _settle(owner)
+        if owner is None:
+            continue
+        is_long = store.is_draft(owner.data) and len(owner.data.vertices) >= _MANY
+        with progress.shown(bpy.context, shape.STEPS) if is_long else nullcontext(shape.no_progress) as step:
+            _settle(owner, step)
 
 
-def _settle(owner):
+#: Vertices of which exact normals take half a second, before Blender 4.5.
+_MANY = 200_000
+
+
+def _settle(owner, step=shape.no_progress):
     """Whatever goes wrong is kept in words: other shapes are to get theirs, too."""
     try:
-        live.settle(owner.data)
+        live.settle(owner.data, step)
     except Exception as error:
         problems.tell(owner.data, problems.SETTING, told(error))
 

@@ -390,12 +390,13 @@ def is_draft(ob):
     return owner is not None and store.is_draft(owner.data)
 
 
-def settle(data):
-    """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for."""
+def settle(data, progress=shape.no_progress):
+    """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for. progress:
+    as of shape.rewrite()."""
     if store.is_draft(data):
         current = state.sessions.get(net_object.editor(data))
         current = current if isinstance(current, Session) else None
-        faces = shape.rewrite(data, faces=current.final_faces(data) if current else None)
+        faces = shape.rewrite(data, progress, current.final_faces(data) if current else None)
         if current is not None:
             current.wrote(data, faces)
 
