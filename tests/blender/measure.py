@@ -1,9 +1,11 @@
-"""What following costs, in milliseconds, beside Blender's own NURBS surface in the same run.
+"""What following costs, in milliseconds, beside Blender's own NURBS surface in the same run; last what is aimed at.
 
     blender --background ... --python measure.py        (./run bench-live)
 """
 
+import os
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
@@ -18,7 +20,8 @@ from blender_objects import set_net, set_surface, surface_object
 from shapes import add, enter
 from support import part, splinecore as sc
 
-handlers, live, native, shape = (part(name) for name in ('ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape'))
+fineness, handlers, live, native, shape = (part(name) for name in (
+    'bridge.fineness', 'ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape'))
 
 COUNT = 32
 #: Faces in a span of ours, and Blender's resolution, for as many vertices: a hundred thousand and a million.
@@ -27,6 +30,23 @@ SIZES = ((11, 10), (35, 32))
 ADAPTIVE = 389_000
 #: Steps of a drag before it is timed.
 _WARM = 3
+#: How many times as fast as Blender's own surface a step is to be: 3.4 evaluates every mesh anew as a whole.
+RATIO = 2.5 if bpy.app.version < (4, 0, 0) else 20.0
+#: (what, how much, its unit, the least or most that is aimed at or None, whether that is the least).
+FIGURES = []
+
+
+def figure(what, much, unit, mark=None, is_least=False):
+    FIGURES.append((what, much, unit, mark, is_least))
+
+
+def table():
+    print(f"\nBlender {bpy.app.version_string}; medians, and what is aimed at\n\n| what | measured | mark | |")
+    print(f"|{' --- |' * 4}")
+    for what, much, unit, mark, is_least in FIGURES:
+        aim = "" if mark is None else f"{'≥' if is_least else '≤'} {mark:g} {unit}"
+        met = "" if mark is None else "met" if (much >= mark if is_least else much <= mark) else "missed"
+        print(f"| {what} | {much:.3g} {unit} | {aim} | {met} |")
 
 
 def once(action):
@@ -73,10 +93,15 @@ def idle():
             handlers.updated(bpy.context.scene, graph)
     times = milliseconds(often, 5)
     report("handler, nothing changed, 1000 shapes in the file (µs)", [1e3 * t / calls for t in times])
+    figure("an update where nothing changed, 1000 shapes in the file", 1e3 * times[0] / calls, "µs", 20)
 
     def nudge():
         cube.location.x += 0.1
         bpy.context.view_layer.update()
+    with Timed(handlers.updated) as shares:
+        for _ in range(1000):
+            nudge()
+    figure("an update where another object moved, 1000 shapes in the file", 1e3 * statistics.median(shares), "µs", 20)
     # In turns, so that both see the same machine.
     with_handler, without = [], []
     chain = bpy.app.handlers.depsgraph_update_post
@@ -162,12 +187,12 @@ def bare(held, data):
 
 
 def drag(set_fineness, count=40):
-    """(vertices, what the handler takes, a whole step, bare(), the end of the gesture)."""
+    """(vertices, what the handler takes, a whole step, bare() and a whole step with that alone, the end of the gesture)."""
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     ob = add(patch())
     set_fineness(ob.data)
     held = enter()
-    found = *steps_of(held, count), steps_of(held, count, bare(held, ob.data))[0]
+    found = *steps_of(held, count), *steps_of(held, count, bare(held, ob.data))
     settled = once(lambda: live.settle(ob.data))
     bpy.ops.splinewright.leave_net()
     return len(ob.data.vertices), *found, settled
@@ -194,22 +219,42 @@ def drags():
     """One point of a net of COUNT x COUNT is dragged: ours, and Blender's own surface beside it."""
     print(f"\none point of {COUNT} x {COUNT} is dragged, bicubic; medians (and least), milliseconds; "
           f"Blender {bpy.app.version_string}\n")
-    print("| faces | vertices | our share | Blender's calls in it | a whole step | Blender's surface | its vertices "
-          "| ratio of steps | ratio to our share | the end of the gesture |")
-    print(f"|{' --- |' * 10}")
-    for faces, set_fineness, resolution in ((f"{ours} in a span", by_count(ours), theirs) for ours, theirs in SIZES):
-        row(faces, drag(set_fineness), rival(resolution))
-    row("adaptive", drag(by_tolerance(ADAPTIVE)), None)
+    print("| faces | vertices | the handler | Blender's calls in it | a whole step | with those calls alone "
+          "| Blender's surface | its vertices | ratio of steps | ratio to the handler | the end of the gesture |")
+    print(f"|{' --- |' * 11}")
+    for most, (faces, resolution) in zip((0.5, 4.0), SIZES):
+        ours, theirs = drag(by_count(faces)), rival(resolution)
+        row(f"{faces} in a span", ours, theirs)
+        vertices, share, whole, blenders, _, settled = ours
+        figure(f"one point of {COUNT} x {COUNT}, {vertices} vertices: ours", share[0] - blenders[0], "ms", most)
+        figure("    Blender's calls beside it", blenders[0], "ms")
+        figure("    a whole step beside Blender's own surface, times as fast", theirs[1][0] / whole[0], "x", RATIO, True)
+        figure("    the end of the gesture", settled, "ms")
+    ours = drag(by_tolerance(ADAPTIVE))
+    row("adaptive", ours, None)
+    figure(f"{ours[0]} adaptive vertices: moved", ours[1][0], "ms", 8)
+    figure("    the end of the gesture, with other faces", ours[-1], "ms")
+    adaptive()
+
+
+def adaptive():
+    """How long the faces by tolerance are made, and a shape is with them."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    ob, made = add(patch()), sc.PatchSet.from_patches([patch()])
+    whole = once(lambda: by_tolerance(ADAPTIVE)(ob.data))
+    faces = milliseconds(lambda: fineness.tessellated(ob.data, made), 5)
+    figure(f"{len(ob.data.vertices)} adaptive vertices: made", faces[0], "ms", 300)
+    figure("    and written into a mesh, with normals", whole, "ms")
 
 
 def row(faces, ours, theirs):
-    vertices, share, whole, blenders, settled = ours
+    vertices, share, whole, blenders, alone, settled = ours
     beside = ("", "", "", "")
     if theirs is not None:
         count, step = theirs
         ratios = f"{step[0] / whole[0]:.1f}x", f"{step[0] / share[0]:.0f}x"
         beside = f"{step[0]:.1f} ({step[1]:.1f})", f"{count}", *ratios
-    ours = f"{share[0]:.2f} ({share[1]:.2f}) | {blenders[0]:.2f} ({blenders[1]:.2f}) | {whole[0]:.1f} ({whole[1]:.1f})"
+    ours = " | ".join(f"{median:.2f} ({least:.2f})" for median, least in (share, blenders, whole, alone))
     print(f"| {faces} | {vertices} | {ours} | {' | '.join(beside)} | {settled:.0f} |", flush=True)
 
 
@@ -221,8 +266,20 @@ def fill(resolution):
     bpy.context.view_layer.update()
 
 
+def lone(resolution):
+    """What the handler takes where a net is dragged and its shape is the only one."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    ob = add(sc.BezierPatch(net()[:4, :4]))
+    by_count(resolution)(ob.data)
+    found = steps_of(enter(), 300)[0]
+    bpy.ops.splinewright.leave_net()
+    return found
+
+
 def crowd(resolution):
     """A net among a thousand shapes, and their file beside one of the same meshes without anything of ours."""
+    alone = lone(resolution)
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     fill(resolution)
     ob = bpy.data.objects[500]
     ob.select_set(True)
@@ -232,10 +289,12 @@ def crowd(resolution):
         opened.append(once(lambda: bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True)))
         closed.append(once(lambda: bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)))
     bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True)
-    handler, step = steps_of(bpy.context.object, 100)
+    handler, step = steps_of(bpy.context.object, 300)
     bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
     print(f"1000 shapes of {resolution} x {resolution} faces:")
     report("  a point of one is dragged: the handler", handler)
+    report("  and where it is the only shape", alone)
+    figure(f"1000 shapes of {resolution} x {resolution} faces, one is dragged: ours, for all others", handler[0] - alone[0], "ms", 0.1)
     report("  and a whole step", step)
     report("  a net opens", (statistics.median(opened), min(opened)))
     report("  and closes", (statistics.median(closed), min(closed)))
@@ -262,7 +321,10 @@ def files():
         bpy.ops.wm.save_as_mainfile(filepath=path, compress=False)
         loads = [once(lambda: bpy.ops.wm.open_mainfile(filepath=path)) for _ in range(3)]
         report("  the file opens", (statistics.median(loads), min(loads)))
-        report("  of which our handler takes", milliseconds(handlers.loaded, 5))
+        ours = milliseconds(handlers.loaded, 5)
+        report("  of which our handler takes", ours)
+        figure("a file with 1000 shapes opens", statistics.median(loads), "ms")
+        figure("    of which ours", ours[0], "ms")
     ui = part('ui')
 
     def again():
@@ -270,6 +332,22 @@ def files():
         return once(ui.register)
     times = [again() for _ in range(5)]
     report("the add-on registers, its modules loaded", (statistics.median(times), min(times)))
+    figure("the add-on registers, its modules loaded", statistics.median(times), "ms", 20)
+    if bpy.app.binary_path:
+        starts = sorted(started() for _ in range(6))
+        report("the add-on is switched on in a Blender that has NumPy", (statistics.median(starts), starts[0]))
+        figure("    and is switched on in a new Blender that has NumPy: Python reads its files", statistics.median(starts), "ms")
+
+
+def started():
+    """How long a Blender of its own takes to switch the add-on on, NumPy being there."""
+    package = shape.__name__.partition('.bridge')[0]
+    script = ("import addon_utils, time, numpy; start = time.perf_counter(); "
+              f"addon_utils.enable({package!r}); print('took', time.perf_counter() - start)")
+    environment = {name: value for name, value in os.environ.items() if name != 'PYTHONDONTWRITEBYTECODE'}
+    said = subprocess.run([bpy.app.binary_path, '--background', '--factory-startup', '--python-expr', script],
+                          env=environment, capture_output=True, text=True, check=True).stdout
+    return 1e3 * float(said.partition('took ')[2].split()[0])
 
 
 print("median and least of each, milliseconds", bpy.app.version_string)
@@ -282,3 +360,4 @@ for resolution in (8, 24):
 bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
 fill(8)
 files()
+table()

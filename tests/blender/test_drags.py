@@ -214,6 +214,22 @@ def test_the_end_of_a_gesture_reads_the_faces_of_a_mesh_once_and_says_how_far_it
     require_exact(ob)
 
 
+def test_slow_steps_of_a_drag_are_no_pauses_and_a_pause_is_one(monkeypatch):
+    """What others did to a shape is looked for in a pause. Steps take long where a mesh is large."""
+    session = live.Session(net_object.net_of(store.read(add(squares()).data)))
+    now, looks = [100.0], []
+    monkeypatch.setattr(live.time, 'monotonic', lambda: now[0])
+
+    def look(_):
+        looks.append(now[0])
+        now[0] += 0.1
+    monkeypatch.setattr(shape, 'require_untouched', look)
+    for seconds in (0.01, *[0.6] * 10, 5.0, *[0.6] * 5):
+        now[0] += seconds
+        session.require_alone(None, None)
+    assert [round(look - 100) for look in looks] == [0, 1, 11]
+
+
 def test_a_shape_by_tolerance_is_not_read_for_faces_that_it_would_not_keep(monkeypatch):
     ob = add(squares())
     ob.data.splinewright.mode = 'TOLERANCE'

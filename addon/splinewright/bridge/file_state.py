@@ -4,6 +4,7 @@ All of it is worked out anew where it is missing, and forgotten when another fil
 """
 
 from dataclasses import dataclass, field, fields
+from functools import cache
 
 import bpy
 
@@ -91,8 +92,13 @@ def look_again(block):
 
 def key(block):
     """(the name of its kind, its name, the file it is linked from or ""): what tells it from all others of the file."""
-    kind = 'curves' if isinstance(block, bpy.types.Curve) else block.bl_rna.identifier
-    return kind, block.name, block.library.filepath if block.library else ""
+    library = block.library
+    return _kind(type(block)), block.name, library.filepath if library else ""
+
+
+@cache
+def _kind(kind):
+    return 'curves' if issubclass(kind, bpy.types.Curve) else kind.bl_rna.identifier
 
 
 _COLLECTIONS = {'curves': 'curves', 'Mesh': 'meshes', 'Object': 'objects'}

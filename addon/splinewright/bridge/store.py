@@ -47,6 +47,17 @@ def assign(owner, key, value):
     owner[key] = value
 
 
+def overwrite(owner, key, values):
+    """assign() (n,) float64, in what is there where that is as many: to make it anew takes longer than a step of a drag may."""
+    there = owner.get(key)
+    if getattr(there, 'typecode', None) == 'd' and len(there) == len(values):
+        numbers = np.asarray(there)
+        if numbers.flags.writeable:
+            numbers[:] = values
+            return
+    assign(owner, key, values)
+
+
 def write(data, definition):
     """Keep the definition with the data-block, in place of any before. The stamp goes with the old one."""
     assign(data, KEY, encoded(definition))
@@ -87,8 +98,8 @@ def _unreadable(reason):
 def write_draft(data, definition, stamp):
     """write() for what is shown in a hurry, without exact normals."""
     group = data[KEY]
-    if group.get('structure') == _structure(definition) and pool(data).size == definition.pool.size:
-        assign(group, 'pool', np.ascontiguousarray(definition.pool, dtype=np.float64).ravel())
+    if group.get('structure') == _structure(definition) and len(group.get('pool')) == definition.pool.size:
+        overwrite(group, 'pool', np.ascontiguousarray(definition.pool, dtype=np.float64).ravel())
     else:
         write(data, definition)
         group = data[KEY]
@@ -110,7 +121,7 @@ def remove(data):
 def write_stamp(data, stamp):
     """Keep what identifies the geometry that was written: a few whole numbers below 2^53."""
     data[KEY]['version'] = VERSION
-    assign(data[KEY], _STAMP, np.array(stamp, dtype=np.float64))
+    overwrite(data[KEY], _STAMP, np.array(stamp, dtype=np.float64))
     look_again(data)
 
 

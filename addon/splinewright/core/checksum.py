@@ -2,8 +2,9 @@
 
 import numpy as np
 
-#: Pairs of numbers in a block, of which the sum is kept.
+#: Pairs of numbers in a block: more at once would leave the cache.
 _BLOCK = 4096
+_ALL = 2 ** 64 - 1
 
 
 def of(numbers):
@@ -17,36 +18,56 @@ def room(count):
 
 
 class Kept:
-    """The checksum of an array, made by room(), that others write to, who tell where."""
+    """The checksum of an array, made by room(), that others write to, who tell where before they do and when they have."""
 
     def __init__(self, numbers):
         self._pairs = numbers.view(np.uint64)
-        self._sums = np.zeros(-(-len(self._pairs) // _BLOCK), np.uint64)
-        self._add(0, len(self._sums))
+        self._total = _sum(self._pairs, _factors(len(self._pairs)))
+        self._last = None               # the Places of which the sum is known
 
     def value(self):
         """of() the numbers."""
-        return int(self._sums.sum(dtype=np.uint64) >> np.uint64(12))
+        return self._total >> 12
 
-    def wrote(self, first, end):
-        """The numbers from `first` to `end` may be others now."""
-        self._add(first // (2 * _BLOCK), -(-end // (2 * _BLOCK)))
+    def places(self, numbers):
+        """The Places of numbers, by their places among all, in order."""
+        pairs = np.unique(np.asarray(numbers, np.int64) >> 1)
+        if len(pairs) and pairs[-1] - pairs[0] + 1 == len(pairs):
+            pairs = slice(pairs[0], pairs[-1] + 1)
+        return Places(pairs, _factors(len(self._pairs))[pairs])
 
-    def _add(self, first, end):
-        for block in range(first, end):
-            start = block * _BLOCK
-            self._sums[block] = _sum(self._pairs[start:start + _BLOCK], start)
+    def writes(self, places):
+        """Numbers at these places will be others. They are read where that was not said of them the last time, too."""
+        if self._last is not places:
+            self._last, places.sum = places, _sum(self._pairs[places.pairs], places.factors)
+
+    def wrote(self):
+        """They are others now."""
+        places = self._last
+        before, places.sum = places.sum, _sum(self._pairs[places.pairs], places.factors)
+        self._total = self._total - before + places.sum & _ALL
 
 
-def _sum(pairs, first):
-    """Of pairs of which the one at hand is that at `first`, modulo 2^64.
+class Places:
+    """Some pairs of a Kept."""
+
+    def __init__(self, pairs, factors):
+        self.pairs, self.factors, self.sum = pairs, factors, 0
+
+
+def _sum(pairs, factors):
+    """Of pairs, with the factors of their places, modulo 2^64.
 
     A product with an odd number keeps the highest bit that changed and forgets those it would carry to: so high bits, signs
     say, are laid over low ones before. By 29, not by 32: two numbers of a pair whose signs flip would meet.
     """
-    mixed = pairs >> np.uint64(29)
-    mixed ^= pairs
-    return np.dot(mixed, _factors(first + len(pairs))[first:])
+    total = 0
+    for start in range(0, len(pairs), _BLOCK):
+        block = pairs[start:start + _BLOCK]
+        mixed = block >> np.uint64(29)
+        mixed ^= block
+        total += int(np.dot(mixed, factors[start:start + _BLOCK]))
+    return total & _ALL
 
 
 _known = np.empty(0, np.uint64)

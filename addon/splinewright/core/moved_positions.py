@@ -21,18 +21,21 @@ class MovedPositions:
         self.faces, self._room = faces, room(3 * faces.vertex_count)
         self.positions = self._room[:3 * faces.vertex_count].reshape(-1, 3)
         self._evaluated, self._checksum = None, None
-        self._spans = {}                # of which rows moved (first vertex, end)
+        self._places = {}               # of which rows moved the checksum.Places of what they move
         self.move(patch_set)
 
     def move(self, patch_set):
         """Be those of another set with the same patches, that fits."""
         before, self._evaluated = self._evaluated, None
+        kept, self._checksum = self._checksum, None         # of what may be no more
+        places = self._places_of(kept, before, patch_set) if kept is not None and before is not None else None
+        if places is not None:
+            kept.writes(places)
         self.faces.evaluate_positions(patch_set, before=before, out=self.positions)
         self._evaluated = patch_set
-        if before is None:
-            self._checksum = None       # of what is no more
-        elif self._checksum is not None:
-            self._sum_moved(before, patch_set)
+        if places is not None:
+            kept.wrote()
+            self._checksum = kept
 
     def fits(self, patch_set):
         """Whether the faces can show a set."""
@@ -44,29 +47,24 @@ class MovedPositions:
             self._checksum = Kept(self._room)
         return self._checksum.value()
 
-    def _sum_moved(self, before, patch_set):
-        span = self._span(before, patch_set)
-        if span is None:
-            self._checksum = None
-        else:
-            self._checksum.wrote(3 * span[0], 3 * span[1])
-
-    def _span(self, before, patch_set):
-        """(the first vertex that may have moved, the end of them), or None where that may be any."""
+    def _places_of(self, kept, before, patch_set):
+        """The Places of all numbers that may become others, or None where that may be any."""
         points, weights = before.points, before.weights
         if points.shape != patch_set.points.shape or not np.array_equal(weights, patch_set.weights):
             return None
         differ = points.view(np.uint64) != patch_set.points.view(np.uint64)
         rows = differ[:, 0] | differ[:, 1] | differ[:, 2]
         known = rows.tobytes()
-        if known not in self._spans:
-            if len(self._spans) >= _KNOWN:
-                del self._spans[next(iter(self._spans))]
-            self._spans[known] = self._tried(before, rows)
-        return self._spans[known]
+        if known not in self._places:
+            if len(self._places) >= _KNOWN:
+                del self._places[next(iter(self._places))]
+            written = self._tried(before, rows)
+            self._places[known] = None if written is None else kept.places(np.add.outer(3 * written, np.arange(3)).ravel())
+        return self._places[known]
 
     def _tried(self, before, rows):
-        """_span() where those rows move, wherever to: they are moved in all coordinates, and it is seen what is written."""
+        """The vertices that move where those rows do, wherever to, or None where that may be any: the rows are moved in all
+        coordinates, and it is seen what is written."""
         sizes = np.abs(before.weights)
         if not (_LEAST < sizes.min() and sizes.max() < _MOST):
             return None
@@ -77,5 +75,4 @@ class MovedPositions:
             self.faces.evaluate_positions(before.with_points(points), before=before, out=out.view(np.float32).reshape(-1, 3))
         except FAILURES:
             return None
-        written = np.flatnonzero(out[::3] != _UNTOUCHED)
-        return (int(written[0]), int(written[-1]) + 1) if len(written) else (0, 0)
+        return np.flatnonzero(out[::3] != _UNTOUCHED)

@@ -291,18 +291,21 @@ def settle():
         owner = net_object.shape_of(ob)
         if owner is None:
             continue
-        is_long = store.is_draft(owner.data) and len(owner.data.vertices) >= _MANY
+        data = owner.data
+        is_long = isinstance(data, bpy.types.Mesh) and len(data.vertices) >= _MANY and store.is_draft(data)
         with progress.shown(bpy.context, shape.STEPS) if is_long else nullcontext(shape.no_progress) as step:
-            _settle(owner, step)
+            _settle(owner, ob, step)
 
 
 #: Vertices of which exact normals take half a second, before Blender 4.5.
 _MANY = 200_000
 
 
-def _settle(owner, step=shape.no_progress):
-    """Whatever goes wrong is kept in words: other shapes are to get theirs, too."""
+def _settle(owner, held=None, step=shape.no_progress):
+    """Whatever goes wrong is kept in words: other shapes are to get theirs, too. held: the net, if it stays out."""
     try:
+        if held is not None:
+            live.look_at_all(held)
         live.settle(owner.data, step)
     except Exception as error:
         problems.tell(owner.data, problems.SETTING, told(error))

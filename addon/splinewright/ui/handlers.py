@@ -162,8 +162,9 @@ def _follow_nets(changed):
         if ob.mode == 'EDIT':
             state.kept.discard(key(ob))
             if ob.data in changed:
-                written.add(live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY))
-                is_draft = is_draft or live.is_draft(ob)
+                changed_now = live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY)
+                written.add(changed_now)
+                is_draft = is_draft or changed_now is None and live.is_draft(ob)
                 if live.note(ob):
                     _soon(editing.hand_over, 0.0)
                 if live.is_waiting(ob):

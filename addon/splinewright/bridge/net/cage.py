@@ -9,13 +9,17 @@ import numpy as np
 from ...core.net import strays
 from ...core.net.cage import Cage
 from ...core.net.grown import STRAY, copy_of
+from ...core.net.last_reading import Said
 from ...core.net.reading import ChangedNet, Present
 from .. import mesh_edges
+from ..file_state import ended_operators
 
 WEIGHT = "weight"
 NUMBER = "splinewright_vertex"
 #: What copies of a vertex have, and what Blender makes between two has not.
 _SEAL = "splinewright_vertex_seal"
+#: Moved points up to which it is faster to read those alone.
+_FEW = 64
 #: The number of a vertex that was passed over once for all.
 _STRAY = -1
 
@@ -52,6 +56,30 @@ def present(ob, net):
     """The Present vertices of a net's object or Mesh, in Edit Mode or not. Raises ChangedNet."""
     vertices = _Vertices(ob)
     return Present(_numbers(vertices, net), vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
+
+
+def said(ob, before=None):
+    """The core.net.last_reading.Said of a net's object in Edit Mode, or None where it is not, or has lost what it takes.
+
+    before: the last one. Where a few points have moved since, and none came or went, numbers and weights of those alone
+    are read: to read all of them is most of a step of a drag. Where none has moved it is something else that changed.
+    """
+    if not ob.data.is_editmode:
+        return None
+    edited, vertices = bmesh.from_edit_mesh(ob.data), _Vertices(ob)
+    layers = vertices.layer('INT', NUMBER), vertices.layer('FLOAT', WEIGHT)
+    if None in layers:
+        return None
+    occasion = len(edited.verts), len(edited.edges), len(edited.faces), ended_operators()
+    positions = vertices.positions()
+    if before is not None and occasion == before.occasion:
+        moved = before.moved(positions)
+        if 0 < len(moved) <= _FEW:
+            edited.verts.ensure_lookup_table()
+            kept = before.numbers, before.weights
+            if all(edited.verts[i][layer] == known[i] for i in moved.tolist() for layer, known in zip(layers, kept)):
+                return before._replace(positions=positions, slots=moved)
+    return Said(*(list(map(itemgetter(layer), edited.verts)) for layer in layers), positions, occasion)
 
 
 def _numbers(vertices, net):
@@ -147,7 +175,7 @@ class _Vertices:
         """(m,) of an attribute, or None where there is none of that kind."""
         dtype = np.float32 if kind == 'FLOAT' else np.int32
         if self._edited is not None:
-            layer = self._layer(kind, name)
+            layer = self.layer(kind, name)
             vertices = self._edited.verts
             return None if layer is None else np.fromiter(map(itemgetter(layer), vertices), dtype, len(vertices))
         attribute = self._attribute(kind, name)
@@ -160,14 +188,15 @@ class _Vertices:
     def set_values(self, kind, name, values):
         """Write an attribute that is there."""
         if self._edited is not None:
-            layer = self._layer(kind, name)
+            layer = self.layer(kind, name)
             for vertex, value in zip(self._edited.verts, values.tolist()) if layer is not None else ():
                 vertex[layer] = value
         elif self._attribute(kind, name) is not None:
             dtype = np.float32 if kind == 'FLOAT' else np.int32
             self._attribute(kind, name).data.foreach_set('value', np.ascontiguousarray(values, dtype))
 
-    def _layer(self, kind, name):
+    def layer(self, kind, name):
+        """The layer of an attribute in Edit Mode, or None."""
         layers = self._edited.verts.layers
         return (layers.float if kind == 'FLOAT' else layers.int).get(name)
 

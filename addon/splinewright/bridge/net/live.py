@@ -13,19 +13,20 @@ from ...core import definition as definitions
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.moved_positions import MovedPositions
-from ...core.net import exact_net, reading
+from ...core.net import exact_net, last_reading, reading
 from .. import (curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store,
                 write_mesh)
 from ..file_state import ended_operators, look_again, state
-from . import along, curve_extras, free_net, growing, holding, keyed_stages, net_object, settings_number, stages
+from . import along, cage, curve_extras, free_net, growing, holding, keyed_stages, net_object, settings_number, stages
 from .growing import Moment
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands, and so many times as long as it
-#: takes to look, or a step of a drag that is slow would always be a pause.
+#: takes to look, or a step of a drag that is slow would always be a pause; nor is one that comes in the rhythm of the last.
 _PAUSE = 0.25
 _SHARE = 20
 _LONGEST_PAUSE = 0.5
+_RHYTHM = 3
 #: A length that float32 holds, whatever is rounded.
 _FAR = 3e38
 #: Among the values of settings: the number of what lies along a shape.
@@ -45,11 +46,12 @@ class Session:
         self.show(net)
         self.faces = None               # the Tessellation whose faces the shape has, where that is known
         self.pool = None                # of the definition that was written last
+        self.last = None                # the core.net.last_reading.LastReading of the net
         self.placed = holding.Placed()
         self.released = ""              # what holds no more since the net came
         self.keyed_rows = {}            # of bridge.net.keyed_stages
         self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
-        self._pause = self._next_check = 0.0
+        self._look = self._last_step = self._next_check = 0.0
         self._patch_sets = {}           # the last ones, by how many points they have
         self._moved = None              # the MovedPositions on the faces
         self._settings = {}             # of the shape, their values by the number that the net carries for them
@@ -82,12 +84,14 @@ class Session:
         if start > self._next_check:            # not at every step of a drag
             shape.require_untouched(data)
             now = time.monotonic()
-            self._pause = min(max(_PAUSE, _SHARE * (now - start)), _LONGEST_PAUSE)
-        self._next_check = now + self._pause
+            self._look = now - start
+        rhythm = _RHYTHM * (start - self._last_step) if self._last_step else 0.0
+        self._last_step = now
+        self._next_check = now + min(max(_PAUSE, _SHARE * self._look), max(_LONGEST_PAUSE, rhythm))
 
     def trust(self):
         """Undo may have put back any earlier state of the shape."""
-        self.faces = self._moved = self.pool = None
+        self.faces = self._moved = self.pool = self.last = None
         self.placed = holding.Placed()
 
     def wrote(self, data, faces):
@@ -114,10 +118,14 @@ class Session:
     def patch_set(self, definition):
         """The PatchSet of a definition with the net's patches, or those of its source: it shares what did not move."""
         count = len(definition.pool)    # handles of the net may have rows of their own
-        last = self._patch_sets.get(count)
-        self._patch_sets[count] = (definitions.to_patch_set(definition) if last is None else
-                                   last.with_points(definition.pool[:, :3], definition.pool[:, 3]))
-        return self._patch_sets[count]
+        last, weights = self._patch_sets.get(count), definition.pool[:, 3]
+        if last is None:
+            found = definitions.to_patch_set(definition)
+        else:
+            points = np.ascontiguousarray(definition.pool[:, :3])       # which the library would make of it, slower
+            found = last.with_points(points, None if np.array_equal(last.weights, weights) else weights)
+        self._patch_sets[count] = found
+        return found
 
     def _has_faces(self, data, known):
         """Whether the shape has the faces that are known here. known: its stamp."""
@@ -325,9 +333,15 @@ def _follow(data, ob, current, moment):
 
 def _read(data, ob, current):
     """(the core.net.reading.Reading of a net, the definition that it says)."""
-    found = reading.read(current.net, net_object.present(ob, current.net), net_object.typed(ob.data, current.net),
-                         lambda: _last(data, current.net))
-    return found, exact_net.read(current.net, found.state)
+    net, typed = current.net, net_object.typed(ob.data, current.net)
+    said = None if isinstance(ob.data, bpy.types.Curve) else cage.said(ob, current.last and current.last.said)
+    again = current.last and current.last.again(net, said, typed)
+    if again:
+        return again
+    found = reading.read(net, net_object.present(ob, net), typed, lambda: _last(data, net))
+    definition = exact_net.read(net, found.state)
+    current.last = last_reading.of(net, said, typed, found, definition)
+    return found, definition
 
 
 def _last(data, net):
@@ -390,6 +404,15 @@ def is_draft(ob):
     return owner is not None and store.is_draft(owner.data)
 
 
+def look_at_all(ob):
+    """Read all of a net of which a drag reads what moved: others may have given points other weights meanwhile."""
+    current = known_session(ob.data) if ob.mode == 'EDIT' else None
+    last = current and current.last
+    said = last and cage.said(ob)
+    if said and not last.agrees(said):
+        pull(ob, Moment.BUSY)
+
+
 def settle(data, progress=shape.no_progress):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for. progress:
     as of shape.rewrite()."""
@@ -438,5 +461,5 @@ def _show(data, definition, current):
 
 def _are_finite(positions, pool):
     """Whether all positions are finite in float32: where weights are positive they lie among the points of the pool."""
-    is_among = bool((pool[:, 3] > 0).all()) and np.abs(pool[:, :3]).max() < _FAR
+    is_among = pool[:, 3].min() > 0 and -_FAR < pool.min() and pool.max() < _FAR
     return is_among or bool(np.isfinite(positions).all())

@@ -1,0 +1,85 @@
+"""What a net of patches said last: where nothing but positions is other since, those are read that are.
+
+It gives the bits that core.net.reading and core.net.exact_net give.
+"""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from .exact_net import Exact, in_rows
+
+
+class Said(NamedTuple):
+    """What Blender holds of a net: m vertices."""
+
+    numbers: list                       # as they are written on the vertices
+    weights: list
+    positions: np.ndarray               # (m, 3) float32
+    occasion: tuple = ()                # what is the same while points are moved and nothing else is done
+    slots: np.ndarray = None            # those that moved() since the one before, where it was compared with that
+
+    def moved(self, positions):
+        """(k,) the slots whose positions are others in these, as many."""
+        differ = positions.view(np.uint32) != self.positions.view(np.uint32)
+        return np.flatnonzero(differ[:, 0] | differ[:, 1] | differ[:, 2])
+
+
+def of(net, said, typed, found, definition):
+    """The LastReading of a net that was read, or None where it is not to be had: points are missing, or handles there."""
+    is_whole = said is not None and not found.problem and not found.extra and len(said.positions) == len(found.slots)
+    rows = net.rows[net.are_points]
+    if not is_whole or len(net.handles) or len(np.unique(rows)) < len(rows):
+        return None
+    return LastReading(net, said, typed, found, definition)
+
+
+class LastReading:
+    """A core.net.reading.Reading, and the definition that it says."""
+
+    def __init__(self, net, said, typed, found, definition):
+        self._net, self.said, self._typed = net, said, typed
+        self._found, self._definition = found, definition
+        self._is_in_order = np.array_equal(found.slots, np.arange(len(found.slots)))
+
+    def again(self, net, said, typed):
+        """(the Reading, the definition) of what the net says now, which is the last one then; None where more than
+        positions is other, or a typed number is concerned."""
+        if said is None or net is not self._net or not self.agrees(said) or not np.array_equal(typed, self._typed):
+            return None
+        slots = self.said.moved(said.positions) if said.slots is None else said.slots
+        if not len(slots):
+            return self._found, self._definition
+        vertices = slots if self._is_in_order else np.flatnonzero(np.isin(self._found.slots, slots))
+        positions = said.positions[slots if self._is_in_order else self._found.slots[vertices]]
+        if not np.isfinite(positions).all() or len(typed) and np.isin(typed[:, 0], vertices).any():
+            return None
+        self.said, self._found = said, self._found._replace(state=self._moved(vertices, positions))
+        self._definition = self._with(vertices)
+        return self._found, self._definition
+
+    def agrees(self, said):
+        """Whether a Said is the last one but for positions."""
+        return ((said.numbers is self.said.numbers or said.numbers == self.said.numbers)
+                and (said.weights is self.said.weights or said.weights == self.said.weights))
+
+    def _moved(self, vertices, positions):
+        net, state = self._net, self._found.state
+        are_kept = in_rows(positions == net.single[vertices])
+        now, kept = state.positions.copy(), state.kept.copy()
+        now[vertices] = np.where(are_kept[:, None], net.positions[vertices], positions)
+        kept[vertices] = are_kept
+        return Exact(now, state.weights, kept, state.kept_weights)
+
+    def _with(self, vertices):
+        net, state = self._net, self._found.state
+        if state.kept.all() and state.kept_weights.all():
+            return net.source
+        first = net.definition.pool
+        pool = (first if self._definition is net.source else self._definition.pool).copy()
+        points = vertices[net.are_points[vertices]]
+        rows, are_kept = net.rows[points], state.kept[points] & state.kept_weights[points]
+        now = np.column_stack([state.positions[points], state.weights[points]])
+        pool[rows] = np.where(are_kept[:, None], first[rows], now)
+        return replace(net.definition, pool=pool)
