@@ -32,21 +32,28 @@ ADAPTIVE = 389_000
 _WARM = 3
 #: How many times as fast as Blender's own surface a step is to be: 3.4 evaluates every mesh anew as a whole.
 RATIO = 2.5 if bpy.app.version < (4, 0, 0) else 20.0
-#: (what, how much, its unit, the least or most that is aimed at or None, whether that is the least).
+#: (what, the median, the best, its unit, the least or most that is aimed at or None, whether that is the least).
 FIGURES = []
 
 
-def figure(what, much, unit, mark=None, is_least=False):
-    FIGURES.append((what, much, unit, mark, is_least))
+def figure(what, found, unit, mark=None, is_least=False):
+    """found: median and best, or one number."""
+    median, best = found if isinstance(found, tuple) else (found, found)
+    FIGURES.append((what, median, best, unit, mark, is_least))
+
+
+def minus(one, other):
+    return one[0] - other[0], one[1] - other[1]
 
 
 def table():
-    print(f"\nBlender {bpy.app.version_string}; medians, and what is aimed at\n\n| what | measured | mark | |")
-    print(f"|{' --- |' * 4}")
-    for what, much, unit, mark, is_least in FIGURES:
+    print(f"\nBlender {bpy.app.version_string}: what was measured, beside what is aimed at\n")
+    print(f"| what | median | best | mark | |\n|{' --- |' * 5}")
+    for what, median, best, unit, mark, is_least in FIGURES:
         aim = "" if mark is None else f"{'≥' if is_least else '≤'} {mark:g} {unit}"
-        met = "" if mark is None else "met" if (much >= mark if is_least else much <= mark) else "missed"
-        print(f"| {what} | {much:.3g} {unit} | {aim} | {met} |")
+        reached = [] if mark is None else [much >= mark if is_least else much <= mark for much in (median, best)]
+        met = "" if mark is None else "met" if reached[0] else "met at best" if reached[1] else "missed"
+        print(f"| {what} | {median:.3g} {unit} | {best:.3g} {unit} | {aim} | {met} |")
 
 
 def once(action):
@@ -93,7 +100,7 @@ def idle():
             handlers.updated(bpy.context.scene, graph)
     times = milliseconds(often, 5)
     report("handler, nothing changed, 1000 shapes in the file (µs)", [1e3 * t / calls for t in times])
-    figure("an update where nothing changed, 1000 shapes in the file", 1e3 * times[0] / calls, "µs", 20)
+    figure("an update where nothing changed, 1000 shapes in the file", tuple(1e3 * t / calls for t in times), "µs", 20)
 
     def nudge():
         cube.location.x += 0.1
@@ -101,7 +108,8 @@ def idle():
     with Timed(handlers.updated) as shares:
         for _ in range(1000):
             nudge()
-    figure("an update where another object moved, 1000 shapes in the file", 1e3 * statistics.median(shares), "µs", 20)
+    figure("an update where another object moved, 1000 shapes in the file",
+           (1e3 * statistics.median(shares), 1e3 * min(shares)), "µs", 20)
     # In turns, so that both see the same machine.
     with_handler, without = [], []
     chain = bpy.app.handlers.depsgraph_update_post
@@ -226,13 +234,14 @@ def drags():
         ours, theirs = drag(by_count(faces)), rival(resolution)
         row(f"{faces} in a span", ours, theirs)
         vertices, share, whole, blenders, _, settled = ours
-        figure(f"one point of {COUNT} x {COUNT}, {vertices} vertices: ours", share[0] - blenders[0], "ms", most)
-        figure("    Blender's calls beside it", blenders[0], "ms")
-        figure("    a whole step beside Blender's own surface, times as fast", theirs[1][0] / whole[0], "x", RATIO, True)
+        figure(f"one point of {COUNT} x {COUNT}, {vertices} vertices: ours", minus(share, blenders), "ms", most)
+        figure("    Blender's calls beside it", blenders, "ms")
+        ratios = tuple(their / our for their, our in zip(theirs[1], whole))
+        figure("    a whole step beside Blender's own surface, times as fast", ratios, "x", RATIO, True)
         figure("    the end of the gesture", settled, "ms")
     ours = drag(by_tolerance(ADAPTIVE))
     row("adaptive", ours, None)
-    figure(f"{ours[0]} adaptive vertices: moved", ours[1][0], "ms", 8)
+    figure(f"{ours[0]} adaptive vertices: moved", ours[1], "ms", 8)
     figure("    the end of the gesture, with other faces", ours[-1], "ms")
     adaptive()
 
@@ -243,7 +252,7 @@ def adaptive():
     ob, made = add(patch()), sc.PatchSet.from_patches([patch()])
     whole = once(lambda: by_tolerance(ADAPTIVE)(ob.data))
     faces = milliseconds(lambda: fineness.tessellated(ob.data, made), 5)
-    figure(f"{len(ob.data.vertices)} adaptive vertices: made", faces[0], "ms", 300)
+    figure(f"{len(ob.data.vertices)} adaptive vertices: made", faces, "ms", 300)
     figure("    and written into a mesh, with normals", whole, "ms")
 
 
@@ -294,7 +303,8 @@ def crowd(resolution):
     print(f"1000 shapes of {resolution} x {resolution} faces:")
     report("  a point of one is dragged: the handler", handler)
     report("  and where it is the only shape", alone)
-    figure(f"1000 shapes of {resolution} x {resolution} faces, one is dragged: ours, for all others", handler[0] - alone[0], "ms", 0.1)
+    figure(f"1000 shapes of {resolution} x {resolution} faces, one is dragged: ours, for all others",
+           minus(handler, alone), "ms", 0.1)
     report("  and a whole step", step)
     report("  a net opens", (statistics.median(opened), min(opened)))
     report("  and closes", (statistics.median(closed), min(closed)))
@@ -323,8 +333,8 @@ def files():
         report("  the file opens", (statistics.median(loads), min(loads)))
         ours = milliseconds(handlers.loaded, 5)
         report("  of which our handler takes", ours)
-        figure("a file with 1000 shapes opens", statistics.median(loads), "ms")
-        figure("    of which ours", ours[0], "ms")
+        figure("a file with 1000 shapes opens", (statistics.median(loads), min(loads)), "ms")
+        figure("    of which ours", ours, "ms")
     ui = part('ui')
 
     def again():
@@ -332,11 +342,11 @@ def files():
         return once(ui.register)
     times = [again() for _ in range(5)]
     report("the add-on registers, its modules loaded", (statistics.median(times), min(times)))
-    figure("the add-on registers, its modules loaded", statistics.median(times), "ms", 20)
+    figure("the add-on registers, its modules loaded", (statistics.median(times), min(times)), "ms", 20)
     if bpy.app.binary_path:
         starts = sorted(started() for _ in range(6))
         report("the add-on is switched on in a Blender that has NumPy", (statistics.median(starts), starts[0]))
-        figure("    and is switched on in a new Blender that has NumPy: Python reads its files", statistics.median(starts), "ms")
+        figure("    and is switched on in a new Blender that has NumPy", (statistics.median(starts), starts[0]), "ms")
 
 
 def started():

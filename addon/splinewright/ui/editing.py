@@ -29,11 +29,19 @@ def why_not(ob):
 
 def nets():
     """All net objects of the file that the last scan or an operator told of."""
-    found = [block_of(name) for name in sorted(state.nets)]
+    found = _known_nets()
     if not all(_is_out(ob) for ob in found):
         find_nets()                     # one was renamed or removed
-        found = [block_of(name) for name in sorted(state.nets)]
+        found = _known_nets()
     return found
+
+
+def _known_nets():
+    """Blender looks through all objects for a name, but knows the active one."""
+    layer = bpy.context.view_layer
+    active = layer.objects.active if layer is not None else None
+    near = {key(active): active} if active is not None else {}
+    return [near.get(name) or block_of(name) for name in sorted(state.nets)]
 
 
 def find_nets():

@@ -21,7 +21,7 @@ def said(layer):
     """[(sentence, colour)] for a view layer."""
     found = []
     for ob in editing.nets() if state.nets else ():
-        if layer.objects.get(ob.name) == ob:
+        if ob.visible_get(view_layer=layer) or layer.objects.get(ob.name) == ob:     # to look for a name takes long
             found += _of_edited(ob) if ob.mode == 'EDIT' else _of_kept(ob)
     return found + list(_of_result(layer.objects.active))
 
