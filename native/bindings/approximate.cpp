@@ -130,6 +130,17 @@ AnyApproximation rebuild_patch(const Patch& self, const py::object& counts, cons
   return wrap(unlocked([&] { return splinecore::rebuild(patch, u, v); }, cancel));
 }
 
+template <class Patch>
+AnyApproximation fair_patch(const Patch& self, const py::object& tolerance, const py::object& ends,
+                            const py::object& cancel) {
+  const splinecore::NurbsPatch& patch = patch_form(self);
+  const double within = real(tolerance, "tolerance");
+  const auto each = both(ends, "ends");
+  const KeptEnds u = kept_ends_of(each.first);
+  const KeptEnds v = kept_ends_of(each.second);
+  return wrap(unlocked([&] { return splinecore::fair(patch, within, u, v); }, cancel));
+}
+
 void bind_functions(py::module_& fit) {
   fit.def("approximate", &approximate, py::arg("points"), py::arg("count") = py::none(), py::arg("degree") = 3,
           py::arg("parameters") = "chordal", py::kw_only(), py::arg("tolerance") = py::none(),
@@ -189,6 +200,15 @@ void bind_approximate(py::module_& module) {
             "Corners stay; periodic directions stay periodic. Lecture rows S17, S20.\n\n"
             "counts: of control points, (u, v) or one for both. degrees: the same; None keeps them. cancel: ends the\n"
             "call by returning true. Raises InvalidShape for counts below what the degree needs.");
+    cls.def("fair", &fair_patch<Patch>, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
+            py::arg("cancel") = py::none(),
+            "A patch on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
+            "Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth. Least\n"
+            "energy of a thin plate as long and wide as the net, the integral of S_uu² + 2 S_uv² + S_vv², of the spline\n"
+            "without weights (Greiner 1994).\n\n"
+            "Borders stay; ends: 'points', or 'tangents': the derivatives across them, too; a pair for u and v. cancel:\n"
+            "ends the call by returning true.\n\n"
+            "Raises InvalidShape unless the tolerance is positive and a degree is 2 at least, and for degrees too high.");
   });
 }
 

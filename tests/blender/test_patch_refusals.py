@@ -54,6 +54,8 @@ REFUSED = (
     ('patch_lower_degree', BOTH, 'mixed set', "piece 2: along v: times = 1"),
     ('patch_rebuild', {'count_u': 3}, 'bicubic', "along u: count = 3"),
     ('patch_rebuild', {'degree_v': 999}, 'bicubic', "along v: degree = 999"),
+    ('patch_fair', {}, 'bilinear', "degree 1 in both directions"),
+    ('patch_fair', {'keep_tangents': True}, 'hermite patch', "no other patch within the tolerance"),
     ('patch_insert_knot', {'parameter_u': 0.4}, 'mixed set', "piece 1: u = 0.4 is outside"))
 
 

@@ -211,6 +211,39 @@ def test_rebuilt_patches_that_shared_an_edge_share_it_still():
     require_exact(ob)
 
 
+@pytest.mark.parametrize('kind, settings', (
+    ('plain nurbs', {}), ('rational nurbs', {'tolerance': 0.0625}), ('both periodic', {'tolerance': 0.125}),
+    ('biquintic', {'keep_tangents': True}), ('hermite patch', {})))
+def test_a_fair_patch_is_the_librarys_and_its_error_is_said(kind, settings, said):
+    before = value_of(kind)
+    ob = add(before)
+    settings = {'tolerance': 0.03125, **settings}
+    assert run('patch_fair', **settings) == {'FINISHED'}
+    after = ob.data.splinewright.value
+    ends = 'tangents' if settings.get('keep_tangents') else 'points'
+    assert after == before.to_nurbs().fair(settings['tolerance'], ends=ends).value
+    error = measured(before, after)
+    assert 0.9 * error < said_distance(said[0]) < 1.2 * error <= 1.2 * settings['tolerance']
+    require_exact(ob)
+
+
+def test_fair_patches_that_shared_an_edge_share_it_still():
+    op(bpy.ops.splinewright.add_teapot)
+    ob = bpy.context.object
+    before = ob.data.splinewright.value
+    run('patch_fair', tolerance=0.03125)
+    after = ob.data.splinewright.value
+    assert len(after.points) <= len(before.points), "points that are equal may have become one"
+    moved = 0
+    for old, new in zip((before[i].points for i in range(32)), (after[i].points for i in range(32))):
+        border = np.ones((4, 4), bool)
+        border[1:-1, 1:-1] = False
+        np.testing.assert_array_equal(new[border], old[border])
+        moved += np.any(new != old)
+    assert moved > 24
+    require_exact(ob)
+
+
 def test_both_axes_share_one_tolerance():
     raised = value_of('plain nurbs').elevate('u').elevate('v')
     noise = 1e-3 * np.cos(np.arange(raised.points.size)).reshape(raised.points.shape)

@@ -98,6 +98,8 @@ TEST(Rebuild, SaysHowFarCurvesAndPatchesAre) {
   }
   const NurbsPatch patch = NurbsPatch::make(KnotVector::clamped(3, 6), KnotVector::clamped(2, 7), grid);
   EXPECT_LT(rebuild(patch, {3, 6}, {2, 7}).error, 1e-12);
+  EXPECT_LE(fair(patch, 0.05).error, 0.05);
+  EXPECT_GT(fair(patch, 0.05).error, 0.02);
   EXPECT_GT(rebuild(patch, {3, 4}, {2, 3}).error, 1e-2);
 }
 

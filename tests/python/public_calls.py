@@ -169,6 +169,7 @@ PATCH = {
     "stationary_points": lambda one, at: one.stationary_points(xyz(at, 1, 2)),
     "nearest_all": lambda one, at: one.nearest_all(xyz(at, 1, 2), 0.1 * at.size),
     "rebuild": lambda one, at: one.rebuild((8, 7), (3, 2)),
+    "fair": lambda one, at: [one.fair(0.1 * at.size), one.fair(0.1 * at.size, ends=("tangents", "points"))],
     "area": lambda one, at: one.area(tolerance=1e-2),
     "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
     "isocurve": lambda one, at: [one.isocurve(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],

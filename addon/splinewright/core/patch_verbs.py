@@ -115,6 +115,17 @@ def rebuild(counts, degrees):
     return verb
 
 
+def fair(tolerance, ends):
+    """ends: 'points', borders stay, or 'tangents', the derivatives across them, too."""
+    def verb(patch):
+        given = patch.to_nurbs()
+        made = given.fair(tolerance, ends=ends)
+        if made.value == given:
+            return patch
+        return verbs.Near(verbs.Part(made.value, places.Place()), made.error)
+    return verb
+
+
 def to_bezier():
     """In rows along v."""
     def verb(patch):

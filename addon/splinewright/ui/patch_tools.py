@@ -9,7 +9,7 @@ from .sub_panel import SubPanel
 _GROUPS = (
     ("Knots", ('patch_insert_knot', 'patch_remove_knot', 'patch_remove_knots')),
     ("Degree", ('patch_raise_degree', 'patch_lower_degree')),
-    ("Fit", ('patch_rebuild',)),
+    ("Fit", ('patch_rebuild', 'patch_fair')),
     ("Pieces", ('patch_split', 'join_patches')),
     ("Direction", ('patch_reverse', 'patch_swap')),
     ("Speed", ('patch_reparametrise',)),

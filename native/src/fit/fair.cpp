@@ -7,6 +7,7 @@
 
 #include "build/fit_options.hpp"
 #include "curve/rescale.hpp"
+#include "fairest.hpp"
 #include "fitted_points.hpp"
 #include "least_squares_fit.hpp"
 #include "quadrature_nodes.hpp"
@@ -15,18 +16,6 @@
 #include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {
-
-namespace {
-
-void require_curve(const NurbsCurve& curve) {
-  if (curve.degree() < 2) throw InvalidShape("a curve of degree 1 has nothing to be faired: it is straight between knots");
-  const auto points = curve.points();
-  const bool is_positive = points.front().w > 0.0;
-  for (const glm::dvec4& point : points) {
-    if (is_positive ? point.w > 0.0 : point.w < 0.0) continue;
-    throw InvalidShape("weights of both signs, or zero: a curve that may run to infinity cannot be faired");
-  }
-}
 
 Held held_of(const KnotVector& knots, KeptEnds ends) {
   if (knots.periodic()) return {};
@@ -40,6 +29,18 @@ Held held_of(const KnotVector& knots, KeptEnds ends) {
   held.start = std::min(held.start, count);
   held.end = std::min(held.end, count - held.start);
   return held;
+}
+
+namespace {
+
+void require_curve(const NurbsCurve& curve) {
+  if (curve.degree() < 2) throw InvalidShape("a curve of degree 1 has nothing to be faired: it is straight between knots");
+  const auto points = curve.points();
+  const bool is_positive = points.front().w > 0.0;
+  for (const glm::dvec4& point : points) {
+    if (is_positive ? point.w > 0.0 : point.w < 0.0) continue;
+    throw InvalidShape("weights of both signs, or zero: a curve that may run to infinity cannot be faired");
+  }
 }
 
 /// Fairs by a factor of the energy that is a power of two.
@@ -98,26 +99,11 @@ class Fairing {
 Approximation<NurbsCurve> fair(const NurbsCurve& curve, double tolerance, KeptEnds ends) {
   require_tolerance(tolerance);
   require_curve(curve);
-  constexpr double kWeakest = -70.0;
-  constexpr double kStrongest = 10.0;
-  constexpr double kNear = 0.125;
   const Fairing fairing(curve, ends);
-  Approximation<NurbsCurve> best{curve, 0.0};
-  double low = kWeakest;
-  double high = kStrongest + kNear;
-  bool has_solution = false;
-  for (double middle = kStrongest; high - low > kNear; middle = 0.5 * (low + high)) {
-    auto made = fairing.faired(middle);
-    has_solution = has_solution || made;
-    if (made && made->error <= tolerance) {
-      best = *std::move(made);
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  if (has_solution) return best;
-  throw InvalidShape("the curve cannot be faired as far as numbers can tell: its degree is too high");
+  auto best = fairest(curve, tolerance, [&](double exponent) { return fairing.faired(exponent); });
+  if (best) return *std::move(best);
+  throw InvalidShape("the curve cannot be faired as far as numbers can tell: its degree is too high, or "
+                     "knots lie too near each other");
 }
 
 }  // namespace splinecore

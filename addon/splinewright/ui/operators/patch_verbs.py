@@ -170,6 +170,21 @@ class SPLINEWRIGHT_OT_patch_rebuild(OnPatches, bpy.types.Operator):
         return patch_verbs.rebuild((self.count_u, self.count_v), (self.degree_u, self.degree_v))
 
 
+class SPLINEWRIGHT_OT_patch_fair(OnPatches, bpy.types.Operator):
+    bl_idname = "splinewright.patch_fair"
+    bl_label = "Fair"
+    bl_description = ("Move inner control points so that the patch bends as little as a tolerance allows; "
+                      "borders, knots and weights stay")
+    done, already = "Faired {}", "no other patch within the tolerance bends less"
+
+    tolerance: tolerance_property("How far the patch may move", 0.01, least=1e-12)
+    keep_tangents: BoolProperty(name="Keep Border Tangents", description="Patches go on as smoothly across their borders: "
+                                "the derivatives there stay")
+
+    def verb(self):
+        return patch_verbs.fair(self.length, 'tangents' if self.keep_tangents else 'points')
+
+
 class SPLINEWRIGHT_OT_patch_split(AtParameters, _Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_split"
     bl_label = "Split"
@@ -277,6 +292,6 @@ _PLAIN = tuple(pieces.plain(OnPatches, *row) for row in (
 
 CLASSES = (SPLINEWRIGHT_OT_patch_insert_knot, SPLINEWRIGHT_OT_patch_remove_knot, SPLINEWRIGHT_OT_patch_remove_knots,
            SPLINEWRIGHT_OT_patch_raise_degree, SPLINEWRIGHT_OT_patch_lower_degree, SPLINEWRIGHT_OT_patch_rebuild,
-           SPLINEWRIGHT_OT_patch_split,
+           SPLINEWRIGHT_OT_patch_fair, SPLINEWRIGHT_OT_patch_split,
            SPLINEWRIGHT_OT_patch_reverse, SPLINEWRIGHT_OT_patch_swap, SPLINEWRIGHT_OT_patch_reparametrise,
            SPLINEWRIGHT_OT_patch_clamp, SPLINEWRIGHT_OT_patch_unclamp, SPLINEWRIGHT_OT_patch_make_periodic, *_PLAIN)

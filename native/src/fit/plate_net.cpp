@@ -1,0 +1,162 @@
+#include "plate_net.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "basis/banded_cholesky.hpp"
+#include "gram.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// So many numbers a row of the system has, if its rows are those of a direction.
+std::size_t width_of(const PlateAxis& outer, const PlateAxis& inner) {
+  const auto free = [](const PlateAxis& axis) {
+    return static_cast<std::size_t>(axis.knots.count()) - axis.held.start - axis.held.end;
+  };
+  const auto reach = [&](const PlateAxis& axis, int times) {
+    const std::size_t most = std::max<std::size_t>(free(axis), 1) - 1;
+    return std::min(static_cast<std::size_t>(axis.knots.degree() * times), most);
+  };
+  const std::size_t along = inner.knots.periodic() ? free(inner) - 1 : reach(inner, 1);
+  return reach(outer, outer.knots.periodic() ? 2 : 1) * free(inner) + along + 1;
+}
+
+std::vector<glm::dvec3> exchanged(std::span<const glm::dvec3> net, std::size_t rows) {
+  const std::size_t columns = net.size() / rows;
+  std::vector<glm::dvec3> out(net.size());
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) out[j * rows + i] = net[i * columns + j];
+  }
+  return out;
+}
+
+}  // namespace
+
+PlateNet::Direction::Direction(const PlateAxis& axis, bool is_outer)
+    : count(static_cast<std::size_t>(axis.knots.count())), degree(static_cast<std::size_t>(axis.knots.degree())),
+      is_periodic(axis.knots.periodic()), is_folded(is_outer && is_periodic), held(axis.held) {
+  const double stretch = axis.length / axis.knots.domain().length();
+  for (int order = 0; order <= 2; ++order) {
+    const std::vector<double> rows = gram_rows(axis.knots, order);
+    const double factor = std::pow(stretch, 1 - 2 * order) / axis.length;
+    Band band{std::vector<double>(count * (2 * degree + 1), 0.0), 2 * degree + 1};
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k <= degree; ++k) {
+        band.values[i * band.width + degree + k] = factor * rows[i * (degree + 1) + k];
+        if (i + k < count || is_periodic) {
+          band.values[(i + k) % count * band.width + degree - k] = factor * rows[i * (degree + 1) + k];
+        }
+      }
+    }
+    bands.push_back(std::move(band));
+  }
+}
+
+std::size_t PlateNet::Direction::place(std::size_t i) const noexcept {
+  if (!is_folded) return i - held.start;
+  return 2 * i < count ? 2 * i : 2 * (count - 1 - i) + 1;
+}
+
+PlateNet::PlateNet(const PlateAxis& u, const PlateAxis& v, std::vector<glm::dvec3> net)
+    : is_swapped_(width_of(v, u) < width_of(u, v)), outer_(is_swapped_ ? v : u, true),
+      inner_(is_swapped_ ? u : v, false) {
+  if (!is_free()) return;
+  constexpr double kMost = 0x1p27;
+  width_ = is_swapped_ ? width_of(v, u) : width_of(u, v);
+  if (static_cast<double>(outer_.free() * inner_.free()) * static_cast<double>(width_) > kMost) {
+    throw InvalidShape("a net of " + std::to_string(u.knots.count()) + " x " + std::to_string(v.knots.count()) +
+                       " control points is too large to be faired");
+  }
+  pull_ = energy_of(is_swapped_ ? exchanged(net, inner_.count) : std::move(net));
+}
+
+/// The product of the net with integrals of derivatives of these orders.
+std::vector<glm::dvec3> PlateNet::product(std::size_t outer, std::size_t inner, std::span<const glm::dvec3> net) const {
+  breathe(3 * net.size() * (outer_.bands[0].width + inner_.bands[0].width));
+  std::vector<glm::dvec3> along(net.size(), glm::dvec3(0.0));
+  for (std::size_t i = 0; i < outer_.count; ++i) {
+    for (std::size_t k = 0; k < outer_.bands[outer].width; ++k) {
+      if (!outer_.has(i, k)) continue;
+      const glm::dvec3* const from = &net[outer_.partner(i, k) * inner_.count];
+      const double factor = outer_.bands[outer].at(i, k);
+      for (std::size_t j = 0; j < inner_.count; ++j) along[i * inner_.count + j] += factor * from[j];
+    }
+  }
+  std::vector<glm::dvec3> out(net.size(), glm::dvec3(0.0));
+  for (std::size_t i = 0; i < outer_.count; ++i) {
+    const glm::dvec3* const row = &along[i * inner_.count];
+    for (std::size_t j = 0; j < inner_.count; ++j) {
+      for (std::size_t k = 0; k < inner_.bands[inner].width; ++k) {
+        if (inner_.has(j, k)) out[i * inner_.count + j] += inner_.bands[inner].at(j, k) * row[inner_.partner(j, k)];
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<glm::dvec3> PlateNet::energy_of(std::span<const glm::dvec3> net) const {
+  std::vector<glm::dvec3> sum = product(2, 0, net);
+  const std::vector<glm::dvec3> mixed = product(1, 1, net);
+  const std::vector<glm::dvec3> other = product(0, 2, net);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += 2.0 * mixed[i] + other[i];
+  return sum;
+}
+
+/// Of the control points that may move, in rows of the upper triangle.
+std::vector<double> PlateNet::system(double factor) const {
+  std::vector<double> rows(outer_.free() * inner_.free() * width_, 0.0);
+  for (std::size_t i = 0; i < outer_.count; ++i) {
+    if (outer_.is_held(i)) continue;
+    for (std::size_t k = 0; k < outer_.bands[0].width; ++k) {
+      if (!outer_.has(i, k) || outer_.is_held(outer_.partner(i, k))) continue;
+      const std::size_t a = outer_.partner(i, k);
+      const double plain = outer_.bands[0].at(i, k);
+      const double once = 2.0 * factor * outer_.bands[1].at(i, k);
+      const double twice = factor * outer_.bands[2].at(i, k);
+      breathe(8 * inner_.bands[0].width * inner_.count);
+      for (std::size_t j = 0; j < inner_.count; ++j) {
+        if (inner_.is_held(j)) continue;
+        const std::size_t row = place(i, j);
+        for (std::size_t l = 0; l < inner_.bands[0].width; ++l) {
+          if (!inner_.has(j, l) || inner_.is_held(inner_.partner(j, l))) continue;
+          const std::size_t column = place(a, inner_.partner(j, l));
+          if (column < row) continue;
+          rows[row * width_ + column - row] += (plain + twice) * inner_.bands[0].at(j, l) +
+                                               once * inner_.bands[1].at(j, l) +
+                                               factor * plain * inner_.bands[2].at(j, l);
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+std::optional<std::vector<glm::dvec3>> PlateNet::moves(double factor) const {
+  constexpr int kRounds = 3;
+  const BandedCholesky cholesky(system(factor), width_);
+  if (cholesky.dependent_row()) return {};
+  std::vector<glm::dvec3> moves(pull_.size(), glm::dvec3(0.0));
+  std::vector<glm::dvec3> right(outer_.free() * inner_.free());
+  const auto for_free = [&](auto&& done) {
+    for (std::size_t i = outer_.held.start; i < outer_.count - outer_.held.end; ++i) {
+      for (std::size_t j = inner_.held.start; j < inner_.count - inner_.held.end; ++j) {
+        done(i * inner_.count + j, place(i, j));
+      }
+    }
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<glm::dvec3> bent = energy_of(moves);
+    const std::vector<glm::dvec3> moved = product(0, 0, moves);
+    for_free([&](std::size_t at, std::size_t row) { right[row] = -factor * (pull_[at] + bent[at]) - moved[at]; });
+    cholesky.solve({&right.front().x, 3 * right.size()}, 3);
+    for_free([&](std::size_t at, std::size_t row) { moves[at] += right[row]; });
+  }
+  return is_swapped_ ? exchanged(moves, outer_.count) : std::move(moves);
+}
+
+}  // namespace splinecore
