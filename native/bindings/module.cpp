@@ -54,6 +54,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_patch_set(module);
   bindings::bind_tessellation(module);
   bindings::bind_measure(module);
+  bindings::bind_surface_integrals(module);
   bindings::bind_arc_lengths(module);
   bindings::bind_frames(module);
   bindings::bind_features(module);

@@ -17,6 +17,7 @@ void bind_patches(pybind11::module_& module);
 void bind_patch_set(pybind11::module_& module);
 void bind_tessellation(pybind11::module_& module);
 void bind_measure(pybind11::module_& module);
+void bind_surface_integrals(pybind11::module_& module);
 void bind_arc_lengths(pybind11::module_& module);
 void bind_frames(pybind11::module_& module);
 void bind_features(pybind11::module_& module);

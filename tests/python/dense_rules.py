@@ -66,11 +66,30 @@ def length(degree, knots, points, weights, periodic, places):
     return (np.linalg.norm(quotient(slopes @ net, values @ net), axis=-1) * shares).sum()
 
 
-def area(degree, knots, points, weights, periodic, places):
+def surface(degree, knots, points, weights, periodic, places):
+    """Points and normals (u, v, 3) at the nodes, as long as S_u x S_v, and the shares of the nodes (u, v)."""
     plain, net = unrolled(degree, knots, points, weights, periodic)
     (u, shares_u), (v, shares_v) = (rule(k, p, places) for k, p in zip(plain, degree))
     (bu, du), (bv, dv) = (basis(k, p, at) for k, p, at in zip(plain, degree, (u, v)))
-    surface, along_u, along_v = (np.einsum("ui,ijc,vj->uvc", a, net, b, optimize=True)
+    at, along_u, along_v = (np.einsum("ui,ijc,vj->uvc", a, net, b, optimize=True)
                                  for a, b in ((bu, bv), (du, bv), (bu, dv)))
-    normals = np.cross(quotient(along_u, surface), quotient(along_v, surface))
-    return np.einsum("u,uv,v->", shares_u, np.linalg.norm(normals, axis=-1), shares_v)
+    normals = np.cross(quotient(along_u, at), quotient(along_v, at))
+    return at[..., :3] / at[..., 3:], normals, np.outer(shares_u, shares_v)
+
+
+def area(*patch):
+    _, normals, shares = surface(*patch)
+    return (np.linalg.norm(normals, axis=-1) * shares).sum()
+
+
+def surface_centroid(*patch):
+    points, normals, shares = surface(*patch)
+    sizes = np.linalg.norm(normals, axis=-1) * shares
+    return (points * sizes[..., None]).sum((0, 1)) / sizes.sum()
+
+
+def flux(field, *patch):
+    """The flux, and what flows through to either side."""
+    points, normals, shares = surface(*patch)
+    through = (field(points.reshape(-1, 3)).reshape(points.shape) * normals).sum(-1) * shares
+    return through.sum(), np.abs(through).sum()

@@ -169,6 +169,8 @@ PATCH = {
     "stationary_points": lambda one, at: one.stationary_points(xyz(at, 1, 2)),
     "nearest_all": lambda one, at: one.nearest_all(xyz(at, 1, 2), 0.1 * at.size),
     "rebuild": lambda one, at: one.rebuild((8, 7), (3, 2)),
+    "flux": lambda one, at: one.flux(lambda points: points, tolerance=1e-1),
+    "surface_centroid": lambda one, at: one.surface_centroid(tolerance=1e-1),
     "fair": lambda one, at: [one.fair(0.1 * at.size), one.fair(0.1 * at.size, ends=("tangents", "points"))],
     "area": lambda one, at: one.area(tolerance=1e-2),
     "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
@@ -232,6 +234,8 @@ PATCH_SET = {
     "area": lambda one, at: one.area(tolerance=1e-2),
     "bounding_box": lambda one, at: one.bounding_box(tolerance=1e-6),
     "volume": lambda one, at: one.volume(tolerance=1e-1),
+    "flux": lambda one, at: one.flux(lambda points: points, tolerance=1e-1),
+    "surface_centroid": lambda one, at: one.surface_centroid(tolerance=1e-1),
     "centroid": lambda one, at: solid(one, at).centroid(tolerance=1e-1),
     "second_moments": lambda one, at: solid(one, at).second_moments(tolerance=1e-1),
 }

@@ -10,6 +10,7 @@
 #include "closed_set.hpp"
 #include "finite_weights.hpp"
 #include "moment_integral.hpp"
+#include "placed_patches.hpp"
 #include "quadrature.hpp"
 #include "splinecore/base/errors.hpp"
 
@@ -18,24 +19,6 @@ namespace splinecore {
 namespace {
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
-
-std::vector<NurbsPatch> patches_in(const PatchSet& set, const Placement& placement) {
-  std::vector<NurbsPatch> patches;
-  for (const NurbsPatch* patch : patches_of(set)) patches.push_back(placed(*patch, placement));
-  return patches;
-}
-
-/// Half the diagonal of the box of the points, in their place.
-double radius_of(const PatchSet& set, const Placement& placement) {
-  glm::dvec3 far(0.0);
-  for (const glm::dvec4& p : set.points()) {
-    if (p.w == 0.0) continue;
-    for (int i = 0; i < 3; ++i) {
-      far[i] = std::max(far[i], std::abs(std::ldexp(p[i] - placement.origin[i], -placement.exponent)));
-    }
-  }
-  return glm::length(far);
-}
 
 void require_reached(const FoundMoments& found, double allowed, const char* what) {
   if (found.excess > 1.0) throw ToleranceNotReached(what, allowed, allowed * found.excess);
@@ -52,7 +35,7 @@ void require_volume(const MomentSums& sums) {
 /// In the place. @param placement  whose origin is the middle of the box
 Approximation<glm::dvec3> placed_centroid(const PatchSet& set, const Placement& placement, double tolerance) {
   constexpr const char* kWhat = "the centroid cannot be found";
-  const double radius = radius_of(set, placement);
+  const double radius = radius_of(set.points(), placement);
   const auto targets = [&](const MomentSums& sums) {
     MomentValues allowed;
     allowed.fill(kAny);
@@ -60,7 +43,7 @@ Approximation<glm::dvec3> placed_centroid(const PatchSet& set, const Placement& 
     for (int i = 1; i < 4; ++i) allowed[i] = radius * allowed[0];
     return allowed;
   };
-  const FoundMoments found = moments_of(patches_in(set, placement), targets, kWhat);
+  const FoundMoments found = moments_of(placed_patches(patches_of(set), placement), targets, kWhat);
   require_volume(found.sums);
   require_reached(found, given_size(tolerance * radius, 1, placement), kWhat);
   const glm::dvec3 middle = first_of(found.sums) / found.sums.values[0];
@@ -70,12 +53,6 @@ Approximation<glm::dvec3> placed_centroid(const PatchSet& set, const Placement& 
     wrong[i] = (error(1 + i) + std::abs(middle[i]) * error(0)) / std::abs(found.sums.values[0]);
   }
   return {middle, glm::length(wrong)};
-}
-
-glm::dvec3 given_point(const glm::dvec3& p, const Placement& placement) {
-  glm::dvec3 given = placement.origin;
-  for (int i = 0; i < 3; ++i) given[i] += std::ldexp(p[i], placement.exponent);
-  return given;
 }
 
 void require_measurable(const PatchSet& set, double tolerance) {
@@ -110,10 +87,10 @@ Approximation<SecondMoments> second_moments(const PatchSet& set, std::optional<g
   const auto targets = [&](const MomentSums& sums) {
     MomentValues allowed;
     allowed.fill(kAny);
-    for (int i = 4; i < kMoments; ++i) allowed[i] = tolerance * trace(sums);
+    for (std::size_t i = 4; i < kMoments; ++i) allowed[i] = tolerance * trace(sums);
     return allowed;
   };
-  const FoundMoments found = moments_of(patches_in(set, placement), targets, kWhat);
+  const FoundMoments found = moments_of(placed_patches(patches_of(set), placement), targets, kWhat);
   require_reached(found, given_size(tolerance * trace(found.sums), 5, placement), kWhat);
   const double volume = found.sums.values[0];
   const glm::dvec3 middle = first_of(found.sums) / volume;
@@ -123,7 +100,7 @@ Approximation<SecondMoments> second_moments(const PatchSet& set, std::optional<g
   }
   SecondMoments moments = matrix_of(found.sums.values);
   double error = 0.0;
-  for (int i = 4; i < kMoments; ++i) error = std::max(error, found.sums.error(i) + found.sums.rounding(i));
+  for (std::size_t i = 4; i < kMoments; ++i) error = std::max(error, found.sums.error(i) + found.sums.rounding(i));
   error += glm::dot(way, way) * (found.sums.error(0) + found.sums.rounding(0));
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

@@ -21,6 +21,14 @@ using SecondMoments = std::array<glm::dvec3, 3>;
 /// @throws InvalidShape as volume(), and if the solid has no volume; PointAtInfinity; ToleranceNotReached.
 Approximation<glm::dvec3> centroid(const PatchSet& set, double tolerance = kAreaTolerance);
 
+/// The centroid of a surface, open or closed: that of its area, as of a thin shell. By the same rules; where a patch folds
+/// back on itself they are halved again and again.
+/// @param tolerance  as of centroid()
+/// @throws InvalidShape if the surface has no area, or where weights differ too much; PointAtInfinity;
+///         ToleranceNotReached.
+Approximation<glm::dvec3> surface_centroid(const NurbsPatch& patch, double tolerance = kAreaTolerance);
+Approximation<glm::dvec3> surface_centroid(const PatchSet& set, double tolerance = kAreaTolerance);
+
 /// The second moments of the solid: the integral of d d^T, where d is the way from a point, or from the centroid if
 /// there is none. Their inertia tensor at density 1 is their trace times the identity, less them. All are negative
 /// where the normals point inwards, as the volume is.

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <string>
+
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "splinecore/measure/flux.hpp"
+#include "splinecore/measure/moments.hpp"
+#include "splinecore/patch/patch_set.hpp"
+
+namespace bindings {
+
+using splinecore::InvalidShape;
+using splinecore::PatchSet;
+
+namespace {
+
+/// Calls the field with an array (n, 3) and takes its vectors, (n, 3).
+splinecore::VectorField asked(const py::object& field) {
+  if (PyCallable_Check(field.ptr()) == 0) {
+    throw py::type_error("field = " + std::string(py::repr(field)) + " is not callable");
+  }
+  return [&field](std::span<const glm::dvec3> points, std::span<glm::dvec3> vectors) {
+    const py::gil_scoped_acquire locked;
+    const auto count = static_cast<py::ssize_t>(points.size());
+    py::array_t<double> at(Shape{count, 3});
+    std::copy_n(&points.front().x, 3 * points.size(), at.mutable_data());
+    const Doubles given = real_array(field(at), "the values of field");
+    if (given.ndim() != 2 || given.shape(0) != count || given.shape(1) != 3) {
+      throw InvalidShape("the values of field have shape " + shape_text(given) + " at " + std::to_string(count) +
+                         " points, (" + std::to_string(count) + ", 3) is expected");
+    }
+    std::copy_n(given.data(), 3 * vectors.size(), &vectors.front().x);
+  };
+}
+
+/// @param form_of  what the library takes for a value
+template <class Shaped, class FormOf>
+void bind_integrals(py::class_<Shaped> cls, FormOf form_of) {
+  cls.def("flux", [form_of](const Shaped& self, const py::object& field, const py::object& tolerance,
+                            const py::object& cancel) {
+            const splinecore::VectorField wanted = asked(field);
+            const double most = real(tolerance, "tolerance");
+            return unlocked([&] { return splinecore::flux(form_of(self), wanted, most).value; }, cancel);
+          }, py::arg("field"), py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+          py::arg("cancel") = py::none(),
+          "The flux of a field through the surface, a float: the integral of field · normal, positive where it flows to\n"
+          "the side of the normals, S_u x S_v of each patch. The surface may be open. Of a closed one with normals\n"
+          "outwards it is the integral of the divergence over the solid (Gauss).\n\n"
+          "field: takes points (n, 3) and gives vectors (n, 3); smooth, for it is asked at the nodes of adaptive rules\n"
+          "of Gauss and Kronrod, thousands at once. tolerance: the flux is off by at most so much of the integral of\n"
+          "|field · normal|, all that flows through to either side, or by rounding. cancel: a callable that ends the\n"
+          "call by returning true.\n\n"
+          "InvalidShape if values of the field have another shape or are not finite; PointAtInfinity;\n"
+          "ToleranceNotReached, as where the field jumps. Rows S19, S20.");
+  cls.def("surface_centroid", [form_of](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
+            const double most = real(tolerance, "tolerance");
+            const glm::dvec3 found =
+                unlocked([&] { return splinecore::surface_centroid(form_of(self), most).value; }, cancel);
+            py::array_t<double> out(Shape{3});
+            std::copy_n(&found.x, 3, out.mutable_data());
+            return out;
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(),
+          "The centroid of the surface itself, (3,), as of a thin shell, open or closed: off by at most the tolerance\n"
+          "times half the diagonal of the box of the points, or by rounding where that is more. By adaptive quadrature\n"
+          "of Gauss and Kronrod. cancel: a callable that ends the call by returning true.\n\n"
+          "InvalidShape if it has no area; PointAtInfinity; ToleranceNotReached. Rows S19, S20.");
+}
+
+}  // namespace
+
+void bind_surface_integrals(py::module_& module) {
+  for_patches(module, []<class Patch>(py::class_<Patch> cls) {
+    bind_integrals(cls, [](const Patch& patch) -> const splinecore::NurbsPatch& { return patch_form(patch); });
+  });
+  bind_integrals(class_of<PatchSet>(module, "PatchSet"), [](const PatchSet& set) -> const PatchSet& { return set; });
+}
+
+}  // namespace bindings
