@@ -30,29 +30,22 @@ AnyApproximation approximate_patch(const py::object& points, const py::object& c
                                    const py::object& cancel) {
   const GivenPoints given(points, "points", 2);
   const PointGrid grid{given.points(), given.count(0), given.count(1)};
+  const GridArguments arguments(grid, degrees, parameters, knots, closed);
   const Pair count = both(counts, "counts");
-  const Pair degree = both(degrees, "degrees");
-  const Pair at = both(parameters, "parameters");
-  const Pair chain = both(knots, "knots");
-  const Pair closing = both(closed, "closed");
   const Pair smooth = both(smoothing, "smoothing");
   const std::optional<double> within = positive(tolerance, "tolerance");
-  if (within && !is_none(chain)) throw InvalidShape("knots are given, and so no tolerance");
-  const auto direction = [&](auto part, Axis axis) {
-    NearDirection made;
-    made.degree = integer(degree.*part, "degrees");
-    made.closing = boolean(closing.*part, "closed") ? Closing::closed : Closing::open;
-    made.knots = optional_numbers(chain.*part, "knots");
-    made.smoothing = real(smooth.*part, "smoothing");
-    made.parameters = grid_parameters(grid, at.*part, axis, made.closing);
-    const bool has_count = !(count.*part).is_none();
-    if (has_count && !made.knots.empty()) throw InvalidShape("knots are given, and so no counts");
-    if (!has_count && made.knots.empty() && !within) throw InvalidShape("counts, knots or tolerance are needed");
-    made.count = has_count ? count_of(count.*part, "counts") : grid.count(axis);
+  if (within && arguments.has_knots()) throw InvalidShape("knots are given, and so no tolerance");
+  const auto direction = [&](Axis axis) {
+    auto made = arguments.direction<NearDirection>(axis);
+    made.smoothing = real(GridArguments::of(smooth, axis), "smoothing");
+    const py::object& wanted = GridArguments::of(count, axis);
+    if (!wanted.is_none() && !made.knots.empty()) throw InvalidShape("knots are given, and so no counts");
+    if (wanted.is_none() && made.knots.empty() && !within) throw InvalidShape("counts, knots or tolerance are needed");
+    made.count = wanted.is_none() ? grid.count(axis) : count_of(wanted, "counts");
     return made;
   };
-  const NearDirection u = direction(&Pair::first, Axis::u);
-  const NearDirection v = direction(&Pair::second, Axis::v);
+  const NearDirection u = direction(Axis::u);
+  const NearDirection v = direction(Axis::v);
   const bool is_fixed = boolean(fixed_ends, "fixed_ends");
   return wrap(unlocked([&] {
     return within ? splinecore::approximate_within(grid, u, v, *within, is_fixed)

@@ -65,23 +65,15 @@ AnyApproximation interpolate_patch(const py::object& points, const py::object& d
                                    const py::object& cancel) {
   const GivenPoints given(points, "points", 2);
   const PointGrid grid{given.points(), given.count(0), given.count(1)};
-  const auto degree = both(degrees, "degrees");
-  const auto at = both(parameters, "parameters");
-  const auto chain = both(knots, "knots");
+  const GridArguments given_both(grid, degrees, parameters, knots, closed);
   const auto end = both(ends, "ends");
-  const auto closing = both(closed, "closed");
-  const auto direction = [&](auto part, Axis axis) {
-    FitDirection made;
-    made.degree = integer(degree.*part, "degrees");
-    made.closing = boolean(closing.*part, "closed") ? Closing::closed : Closing::open;
-    made.ends = ends_of(end.*part);
-    made.knots = optional_numbers(chain.*part, "knots");
-    made.parameters = grid_parameters(grid, at.*part, axis, made.closing);
+  const auto direction = [&](Axis axis) {
+    auto made = given_both.direction<FitDirection>(axis);
+    made.ends = ends_of(GridArguments::of(end, axis));
     return made;
   };
-  using Pair = std::pair<py::object, py::object>;
-  const FitDirection u = direction(&Pair::first, Axis::u);
-  const FitDirection v = direction(&Pair::second, Axis::v);
+  const FitDirection u = direction(Axis::u);
+  const FitDirection v = direction(Axis::v);
   return wrap(unlocked([&] { return splinecore::interpolate(grid, u, v); }, cancel));
 }
 

@@ -35,4 +35,9 @@ std::vector<double> grid_parameters(const PointGrid& grid, const py::object& par
   return unlocked([&] { return splinecore::parameters_of(grid, axis, kind, closing); });
 }
 
+GridArguments::GridArguments(const PointGrid& grid, const py::object& degrees, const py::object& parameters,
+                             const py::object& knots, const py::object& closed)
+    : grid_(grid), degrees_(both(degrees, "degrees")), parameters_(both(parameters, "parameters")),
+      knots_(both(knots, "knots")), closed_(both(closed, "closed")) {}
+
 }  // namespace bindings

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "arrays.hpp"
@@ -17,5 +18,36 @@ std::optional<double> positive(const py::object& value, const char* name);
 /// A word, or the parameters of a grid's rows themselves.
 std::vector<double> grid_parameters(const splinecore::PointGrid& grid, const py::object& parameters,
                                     splinecore::Axis axis, splinecore::Closing closing);
+
+/// What all fits of a grid take: one value for both directions or a pair.
+class GridArguments {
+ public:
+  GridArguments(const splinecore::PointGrid& grid, const py::object& degrees, const py::object& parameters,
+                const py::object& knots, const py::object& closed);
+
+  /// A direction with its degree, its closing, its knots if there are some, and its parameters.
+  template <class Direction>
+  Direction direction(splinecore::Axis axis) const {
+    Direction made;
+    made.degree = integer(of(degrees_, axis), "degrees");
+    made.closing = boolean(of(closed_, axis), "closed") ? splinecore::Closing::closed : splinecore::Closing::open;
+    made.knots = optional_numbers(of(knots_, axis), "knots");
+    made.parameters = grid_parameters(grid_, of(parameters_, axis), axis, made.closing);
+    return made;
+  }
+
+  bool has_knots() const { return !knots_.first.is_none() || !knots_.second.is_none(); }
+
+  static const py::object& of(const std::pair<py::object, py::object>& pair, splinecore::Axis axis) {
+    return axis == splinecore::Axis::u ? pair.first : pair.second;
+  }
+
+ private:
+  splinecore::PointGrid grid_;
+  std::pair<py::object, py::object> degrees_;
+  std::pair<py::object, py::object> parameters_;
+  std::pair<py::object, py::object> knots_;
+  std::pair<py::object, py::object> closed_;
+};
 
 }  // namespace bindings

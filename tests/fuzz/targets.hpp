@@ -31,6 +31,10 @@ void build(Input data);
 /// A shape, or points that one goes through, and what is asked of it: nearest points, boxes, lengths, frames, features.
 void features(Input data);
 
+/// Points or a shape, and what is fitted to them: curves and patches near points, rebuilt and fair ones, feet of normals,
+/// integrals over surfaces.
+void fit(Input data);
+
 /// Runs a target, and ends it where it takes long: what is slow is no finding, and hides others.
 void run_for_a_while(void (*target)(Input data), Input data);
 
@@ -39,13 +43,14 @@ struct Target {
   void (*run)(Input data);
 };
 
-inline constexpr std::array<Target, 8> kTargets{{{"json", json},
+inline constexpr std::array<Target, 9> kTargets{{{"json", json},
                                                  {"formula", formula},
                                                  {"curve", curve},
                                                  {"patch", patch},
                                                  {"tessellation", tessellation},
                                                  {"definition", definition},
                                                  {"build", build},
-                                                 {"features", features}}};
+                                                 {"features", features},
+                                                 {"fit", fit}}};
 
 }  // namespace splinecore::fuzz

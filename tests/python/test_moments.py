@@ -163,6 +163,43 @@ def two_sides_of_a_square():
     return solid(square, square.reversed("v"))
 
 
+def pillow(weight):
+    """A flat square under another one that bulges, whose middle point has this weight."""
+    at = np.linspace(0.0, 1.0, 3)
+    flat = np.stack(np.meshgrid(at, at, [0.0], indexing="ij"), -1)[:, :, 0]
+    top, weights = flat.copy(), np.ones((3, 3))
+    top[1, 1, 2], weights[1, 1] = 1.0, weight
+    return solid(sc.BezierPatch(top, weights), sc.BezierPatch(flat).swapped())
+
+
+@pytest.mark.parametrize("weight", [-2.9, -2.9999, -2.9999999, 1e3, 1e5])
+def test_bodies_that_run_far_or_have_wild_weights_have_the_volume_they_have(weight):
+    """Their centroid lies on the axis; the moments along it are those of the body turned upside down."""
+    body = pillow(weight)
+    far = np.abs(body.centroid()[2])
+    assert is_near(body.centroid()[:2], (0.5, 0.5), 1e-10, max(far, 1.0))
+    turned = body.with_points(body.points * (1, 1, -1), body.weights)
+    assert is_near(turned.centroid(), body.centroid() * (1, 1, -1), 1e-11, max(far, 1.0))
+    assert is_near(turned.second_moments() * [[1, 1, -1], [1, 1, -1], [-1, -1, 1]], -body.second_moments(), 1e-11)
+
+
+@pytest.mark.parametrize("measure", ["centroid", "second_moments"])
+@pytest.mark.parametrize("weight, error, message", [
+    (-9.0, sc.PointAtInfinity, "the patch passes through infinity"), (-3.0, sc.PointAtInfinity, "infinity"),
+    (1e100, sc.InvalidShape, "the centroid cannot be found: the weights of the patch differ too much in size for it"),
+])
+def test_weights_without_moments_are_refused_with_a_sentence(measure, weight, error, message):
+    with pytest.raises(error, match=message):
+        getattr(pillow(weight), measure)()
+
+
+@pytest.mark.parametrize("tolerance", [1e-15, 1e-300])
+def test_what_rounding_cannot_give_is_not_asked_for(tolerance):
+    body = wavy_box(3, True)
+    assert is_near(body.centroid(tolerance=tolerance), body.centroid(), 1e-12)
+    assert is_near(body.second_moments(tolerance=tolerance), body.second_moments(), 1e-12)
+
+
 @pytest.mark.parametrize("measure", ["centroid", "second_moments"])
 @pytest.mark.parametrize("body, how, error, message", [
     (solid(build.cylinder(ORIGIN, UP, 1, 3), floor(1)), {}, sc.InvalidShape, "meets no other"),
