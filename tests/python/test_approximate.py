@@ -354,3 +354,26 @@ def test_functions_that_are_none():
         fit.project(lambda u: 1 / 0, knots)
     with pytest.raises(sc.InvalidShape):
         fit.project(lambda u: np.stack([u, u], -1), [0, 1])
+
+
+def narrow_peak():
+    t = np.linspace(0, 1, 30)
+    return np.stack([t, np.exp(-((t - 0.5) / 0.03) ** 2)], -1)
+
+
+def noise_beside_its_tolerance():
+    t = np.linspace(0, 1, 400)
+    return np.stack([6 * t, np.sin(6 * t)], -1) + 1e-3 * np.random.default_rng(4).standard_normal((400, 2))
+
+
+@pytest.mark.parametrize('points, tolerance, degree, most', [
+    (narrow_peak(), 1e-3, 3, 20), (narrow_peak(), 1e-3, 5, 24), (noise_beside_its_tolerance(), 3.2e-3, 3, 24),
+    (noise_beside_its_tolerance(), 3.2e-3, 5, 24), (walk(60), 0.3, 3, 52), (walk(60), 0.3, 5, 55)])
+@pytest.mark.parametrize('scale', [1.0, 1e-150, 1e150])
+def test_within_a_tolerance_no_more_control_points_than_are_needed(points, tolerance, degree, most, scale):
+    """Where knots lie between every two points, too: not as many control points as points."""
+    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    curve, error = fit.approximate(scale * points, degree=degree, parameters=at, tolerance=scale * tolerance)
+    assert error <= scale * tolerance and len(curve.points) <= most < len(points)
+    found = distances(curve, at, scale * np.pad(points, ((0, 0), (0, 3 - points.shape[1])))) / scale
+    assert found.max() == pytest.approx(error / scale, rel=1e-9)

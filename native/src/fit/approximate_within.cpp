@@ -41,10 +41,9 @@ KnotVector on_breaks(const KnotVector& like, std::span<const double> breaks) {
   return KnotVector::make(like.degree(), std::move(knots), like.periodic());
 }
 
-/// Where a span is halved: between the two of its points in the middle, if some are left on each side.
-std::optional<double> halving_place(const Task& task, std::size_t begin, std::size_t end) {
-  constexpr std::size_t kFewest = 4;
-  if (end - begin < kFewest) return {};
+/// Where a span is halved: between the two of its points in the middle, if it has as many as `fewest`.
+std::optional<double> halving_place(const Task& task, std::size_t begin, std::size_t end, std::size_t fewest) {
+  if (end - begin < fewest) return {};
   const std::size_t i = begin + (end - begin) / 2;
   const double place = task.parameters[i - 1] + 0.5 * (task.parameters[i] - task.parameters[i - 1]);
   if (place > task.parameters[i - 1] && place < task.parameters[i]) return place;
@@ -53,7 +52,7 @@ std::optional<double> halving_place(const Task& task, std::size_t begin, std::si
 
 /// Knots with the spans halved that have a point too far away: the worst ones, where there is no room for all.
 /// @returns nothing where none can be
-std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task) {
+std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task, std::size_t fewest) {
   const std::vector<double> breaks = breaks_of(fit.knots);
   std::vector<std::pair<double, double>> places;  // error and place
   std::size_t i = 0;
@@ -62,7 +61,7 @@ std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task) {
     const bool is_last = s + 1 == fit.span_errors.size();
     while (i < task.parameters.size() && (is_last || task.parameters[i] < breaks[s + 1])) ++i;
     if (fit.span_errors[s] <= task.tolerance) continue;
-    if (const auto place = halving_place(task, begin, i)) places.emplace_back(fit.span_errors[s], *place);
+    if (const auto place = halving_place(task, begin, i, fewest)) places.emplace_back(fit.span_errors[s], *place);
   }
   const auto count = static_cast<std::size_t>(fit.knots.count());
   if (places.empty() || count >= task.most) return {};
@@ -115,13 +114,14 @@ std::vector<double> jumps_of(const FittedPoints& fit) {
 }
 
 /// Knots without some `number` of the inner ones that jump least, no two of them neighbours.
-KnotVector coarser(const FittedPoints& fit, std::size_t number) {
+/// @param spared  so many that jump less stay
+KnotVector coarser(const FittedPoints& fit, std::size_t number, std::size_t spared) {
   const std::vector<double> jumps = jumps_of(fit);
   std::vector<std::size_t> order(jumps.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return jumps[i]; });
   std::vector<bool> is_out(jumps.size() + 2, false);  // by break
-  for (const std::size_t i : order) {
+  for (const std::size_t i : std::span(order).subspan(std::min(spared, order.size()))) {
     if (number == 0) break;
     if (is_out[i] || is_out[i + 1] || (i + 2 < is_out.size() && is_out[i + 2])) continue;
     is_out[i + 1] = true;
@@ -135,35 +135,44 @@ KnotVector coarser(const FittedPoints& fit, std::size_t number) {
   return on_breaks(fit.knots, left);
 }
 
-/// Takes knots away as long as the curve stays within the tolerance: half of them at a time, then fewer.
+/// Takes knots away as long as the curve stays within the tolerance: half of them at a time, then fewer, then some one by
+/// one that seem to cost more.
 FittedPoints thinned(FittedPoints fit, Task& task) {
   const std::size_t least = fit.knots.periodic() ? std::max(fit.knots.degree(), 3) : fit.knots.degree() + 1;
+  constexpr std::size_t kMostSpared = 16;
   std::size_t number = fit.controls.size() / 2;
-  while (number > 0 && fit.controls.size() > least && fit.span_errors.size() > 1) {
-    number = std::min(number, fit.controls.size() - least);
+  std::size_t spared = 0;
+  while (spared < kMostSpared && fit.controls.size() > least && fit.span_errors.size() > spared + 1) {
+    number = std::clamp<std::size_t>(number, 1, fit.controls.size() - least);
     const std::vector<double> before = task.parameters;
-    auto next = fit_on(coarser(fit, number), task);
+    auto next = fit_on(coarser(fit, number, spared), task);
     if (next && next->controls.size() < fit.controls.size() && is_within(*next, task)) {
       fit = *std::move(next);
-    } else {
-      task.parameters = before;
-      number /= 2;
+      continue;
     }
+    task.parameters = before;
+    if (number == 1) ++spared;
+    number /= 2;
   }
   return fit;
 }
 
-/// The curve through all points, which is within every tolerance that rounding leaves.
-std::optional<Approximation<NurbsCurve>> through_all(std::span<const glm::dvec3> points,
-                                                     std::span<const double> parameters, int degree, Closing closing,
-                                                     const ApproximationOptions& options) {
+/// The curve through all points, which is within every tolerance that rounding leaves, and thinner ones on its knots.
+std::optional<Approximation<NurbsCurve>> through_all(std::span<const double> parameters, int degree, Closing closing,
+                                                     Task& task) {
   InterpolationOptions exact;
   exact.degree = degree;
   exact.closing = closing;
-  exact.start = options.start;
-  exact.end = options.end;
+  exact.start = task.options.start;
+  exact.end = task.options.end;
   try {
-    return interpolate(points, parameters, exact);
+    Approximation<NurbsCurve> made = interpolate(task.points, parameters, exact);
+    if (made.error > task.tolerance) return {};
+    task.parameters.assign(parameters.begin(), parameters.begin() + static_cast<long>(task.points.size()));
+    auto fit = fit_on(made.value.knot_vector(), task);
+    if (!fit || !is_within(*fit, task)) return made;
+    fit = thinned(*std::move(fit), task);
+    return Approximation<NurbsCurve>{fit->curve(), fit->error};
   } catch (const InvalidShape&) {
     return {};
   }
@@ -184,13 +193,15 @@ KnotVector coarsest(std::span<const double> parameters, int degree, Closing clos
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                              int degree, Closing closing, double tolerance, std::size_t most,
                                              const ApproximationOptions& options) {
+  constexpr std::size_t kPlenty = 4;
   require_tolerance(tolerance);
   require_approximation(points, parameters, closing, options);
   Task task{points, {parameters.begin(), parameters.begin() + static_cast<long>(points.size())}, options, tolerance,
             most};
   FittedPoints fit = corrected_fit(points, task.parameters, coarsest(parameters, degree, closing, options), options);
   while (!is_within(fit, task)) {
-    const auto next = finer(fit, task);
+    auto next = finer(fit, task, kPlenty);
+    if (!next) next = finer(fit, task, 2);
     if (!next) break;
     auto made = fit_on(*next, task);
     if (!made) break;
@@ -201,8 +212,7 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
     return {fit.curve(), fit.error};
   }
   if (most >= points.size() + options.start.size() + options.end.size() && options.smoothing == 0.0) {
-    const auto exact = through_all(points, parameters, degree, closing, options);
-    if (exact && exact->error <= tolerance) return *exact;
+    if (auto exact = through_all(parameters, degree, closing, task)) return *std::move(exact);
   }
   throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(most) + " control points",
                             tolerance, fit.error);
