@@ -41,9 +41,11 @@ KnotVector on_breaks(const KnotVector& like, std::span<const double> breaks) {
   return KnotVector::make(like.degree(), std::move(knots), like.periodic());
 }
 
-/// Where a span is halved: between the two of its points in the middle, if it has as many as `fewest`.
-std::optional<double> halving_place(const Task& task, std::size_t begin, std::size_t end, std::size_t fewest) {
-  if (end - begin < fewest) return {};
+/// Where a span is halved: between the two of its points in the middle, if some are left on each side:
+/// with fewer the curve swings between them.
+std::optional<double> halving_place(const Task& task, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kFewest = 4;
+  if (end - begin < kFewest) return {};
   const std::size_t i = begin + (end - begin) / 2;
   const double place = task.parameters[i - 1] + 0.5 * (task.parameters[i] - task.parameters[i - 1]);
   if (place > task.parameters[i - 1] && place < task.parameters[i]) return place;
@@ -52,7 +54,7 @@ std::optional<double> halving_place(const Task& task, std::size_t begin, std::si
 
 /// Knots with the spans halved that have a point too far away: the worst ones, where there is no room for all.
 /// @returns nothing where none can be
-std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task, std::size_t fewest) {
+std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task) {
   const std::vector<double> breaks = breaks_of(fit.knots);
   std::vector<std::pair<double, double>> places;  // error and place
   std::size_t i = 0;
@@ -61,7 +63,7 @@ std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task, std::
     const bool is_last = s + 1 == fit.span_errors.size();
     while (i < task.parameters.size() && (is_last || task.parameters[i] < breaks[s + 1])) ++i;
     if (fit.span_errors[s] <= task.tolerance) continue;
-    if (const auto place = halving_place(task, begin, i, fewest)) places.emplace_back(fit.span_errors[s], *place);
+    if (const auto place = halving_place(task, begin, i)) places.emplace_back(fit.span_errors[s], *place);
   }
   const auto count = static_cast<std::size_t>(fit.knots.count());
   if (places.empty() || count >= task.most) return {};
@@ -193,15 +195,13 @@ KnotVector coarsest(std::span<const double> parameters, int degree, Closing clos
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                              int degree, Closing closing, double tolerance, std::size_t most,
                                              const ApproximationOptions& options) {
-  constexpr std::size_t kPlenty = 4;
   require_tolerance(tolerance);
   require_approximation(points, parameters, closing, options);
   Task task{points, {parameters.begin(), parameters.begin() + static_cast<long>(points.size())}, options, tolerance,
             most};
   FittedPoints fit = corrected_fit(points, task.parameters, coarsest(parameters, degree, closing, options), options);
   while (!is_within(fit, task)) {
-    auto next = finer(fit, task, kPlenty);
-    if (!next) next = finer(fit, task, 2);
+    const auto next = finer(fit, task);
     if (!next) break;
     auto made = fit_on(*next, task);
     if (!made) break;
