@@ -12,7 +12,7 @@ from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
 VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Change', 'Clamp', 'Clear', 'Convert', 'Detach', 'Divide', 'Draw', 'Edit', 'Export', 'Extract',
-         'Extrude', 'Fair', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lower', 'Make', 'Move', 'Pick', 'Project', 'Pull', 'Raise',
+         'Extrude', 'Fair', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lower', 'Make', 'Measure', 'Move', 'Pick', 'Project', 'Pull', 'Raise',
          'Rebuild', 'Release', 'Remove', 'Renew', 'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Unclamp',
          'Write'}
 

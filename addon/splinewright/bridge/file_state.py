@@ -46,6 +46,7 @@ class FileState:
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse
     drawn_stroke: tuple = ()                            # while one is drawn: its points
     pulled: tuple = None                                # while a shape is pulled by a point: a ui.pull_overlay.Pull
+    measured: tuple = None                              # while one measures by a click: a ui.measure_overlay.Measured
     weighing: tuple = None                              # while weights change by the mouse: a ui.weight_overlay.Weighing
     moved_knot: tuple = None                            # while a knot is moved: a ui.knot_strip.Moved
     pointed_knot: tuple = None                          # of the knot strip, at the mouse: a ui.knot_strip.Pointed

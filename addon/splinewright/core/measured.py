@@ -4,12 +4,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import decimals, transform, verbs
 from . import definition as definitions
-from . import transform, verbs
 from .library import sc
 
 #: Of lengths, areas and volumes, which are shown with fewer digits.
 _TOLERANCE = 1e-7
+#: Of numbers at the mouse.
+_DIGITS = 4
 
 
 class Whole(NamedTuple):
@@ -76,18 +78,61 @@ def _place(domain, fraction):
 
 def _on_curve(curve, fraction):
     u = _place(curve.domain, fraction)
-    curvature = float(curve.curvature(u))
-    frame = curve.frames(u)
-    rows = [("u", u), ("Point", curve.evaluate(u)), ("Tangent", frame[0]), ("Curvature", curvature)]
-    if curvature > 0.0:
-        rows += [("Radius", 1.0 / curvature), ("Torsion", float(curve.torsion(u)))]
+    rows = [("u", u), ("Point", curve.evaluate(u)), ("Tangent", curve.frames(u)[0]), *_bend_of_curve(curve, u)]
     return [*rows, ("Length to here", curve.length(curve.domain[0], u, tolerance=_TOLERANCE))]
+
+
+def _bend_of_curve(curve, u):
+    curvature = float(curve.curvature(u))
+    if not curvature > 0.0:
+        return [("Curvature", curvature)]
+    return [("Curvature", curvature), ("Radius", 1.0 / curvature), ("Torsion", float(curve.torsion(u)))]
 
 
 def _on_patch(patch, fractions):
     u, v = (_place(domain, fraction) for domain, fraction in zip(patch.domain, fractions))
     _, normals = patch.evaluate_grid_with_normals([u], [v])
+    return [("u", u), ("v", v), ("Point", patch.evaluate(u, v)), ("Normal", normals[0, 0]), *_bend_of_patch(patch, u, v)]
+
+
+def _bend_of_patch(patch, u, v):
     bend = patch.curvatures(u, v)
-    return [("u", u), ("v", v), ("Point", patch.evaluate(u, v)), ("Normal", normals[0, 0]),
-            ("Curvature min", float(np.min(bend.principal))), ("Curvature max", float(np.max(bend.principal))),
+    return [("Curvature min", float(np.min(bend.principal))), ("Curvature max", float(np.max(bend.principal))),
             ("Mean", float(bend.mean)), ("Gauss", float(bend.gauss))]
+
+
+def fractions_of(piece, parameters):
+    """The parts (u, v) of the domain of a curve or patch at which parameters lie; v is 0 on a curve."""
+    domains = piece.domain if _is_patch(piece) else (piece.domain,)
+    found = [(at - start) / (end - start) for (start, end), at in zip(domains, parameters)]
+    return (*found, 0.0)[:2]
+
+
+class Place(NamedTuple):
+    """What is shown of a place of a curve or patch while one points at it."""
+
+    point: np.ndarray                   # (3,)
+    arms: tuple                         # unit vectors: tangent and normal of a curve; along u, along v and normal of a patch
+    words: tuple                        # lines of text
+
+
+def place(piece, parameters):
+    """The Place at parameters. Raises as at_parameter() does."""
+    at = ", ".join(f"{name} {decimals.text_of(number, _DIGITS)}" for name, number in zip("uv", parameters))
+    if not _is_patch(piece):
+        bend = dict(_bend_of_curve(piece, parameters[0]))
+        arms = piece.frames(parameters[0], 'frenet')[:2] if "Radius" in bend else piece.frames(parameters[0])[:1]
+        rows = [(name, (bend[name],)) for name in ("Curvature", "Radius") if name in bend]
+    else:
+        bend = dict(_bend_of_patch(piece, *parameters))
+        arms = _arms_of_patch(piece, *parameters)
+        principal = bend["Curvature min"], bend["Curvature max"]
+        rows = [("Curvatures", principal), ("Radii", [1.0 / number if number else np.inf for number in principal])]
+    words = (f"{name} {', '.join(decimals.text_of(number, _DIGITS) for number in numbers)}" for name, numbers in rows)
+    return Place(np.asarray(piece.evaluate(*parameters)), tuple(arms), (at, *words))
+
+
+def _arms_of_patch(patch, u, v):
+    _, normals = patch.evaluate_grid_with_normals([u], [v])
+    _, along_u, along_v = patch.first_derivatives(u, v)
+    return [*(vector / np.linalg.norm(vector) for vector in (along_u, along_v) if vector.any()), normals[0, 0]]

@@ -59,6 +59,7 @@ def _draw_place(layout, data, pieces):
     chosen = data.splinewright
     if len(pieces) > 1:
         layout.prop(chosen, "piece")
+    layout.operator("splinewright.measure_here", icon='EYEDROPPER')
     piece = pieces[min(max(chosen.piece, 1), len(pieces)) - 1]
     layout.prop(chosen, "measure_u", slider=True)
     if isinstance(data, bpy.types.Mesh):

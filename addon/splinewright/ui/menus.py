@@ -114,7 +114,7 @@ def _draw_convert(self, context):
 #: Names of operators and menus, with what they concern, in groups.
 _ENTRIES = (
     (('edit_net', kinds.SHAPES), ('insert_here', kinds.SHAPES), ('pull_here', kinds.SHAPES), ('split_here', kinds.SHAPES),
-     ('join_here', {'patch'}), ('extract_here', {'patch'}), ('extract_side_here', {'patch'}),
+     ('measure_here', kinds.SHAPES), ('join_here', {'patch'}), ('extract_here', {'patch'}), ('extract_side_here', {'patch'}),
      ('set_knots', kinds.SHAPES), ('pick_piece', kinds.SHAPES),
      ('key_points', kinds.SHAPES), ('clear_point_keys', kinds.SHAPES),
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
@@ -189,6 +189,7 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
         layout.operator("splinewright.insert_here")
         layout.operator("splinewright.split_here")
         layout.operator("splinewright.pull_here")
+        layout.operator("splinewright.measure_here")
         layout.operator("splinewright.set_knots")
         layout.operator("splinewright.weight_here")
         if is_curve:

@@ -63,6 +63,12 @@ def on_screen(region, view, matrix, points):
     return pixels * (region.width, region.height)
 
 
+def size_of_pixel(region, view, place):
+    """Of the world, at a place of it."""
+    ends = [view3d_utils.region_2d_to_location_3d(region, view, pixel, place) for pixel in ((0, 0), (1, 0))]
+    return (ends[1] - ends[0]).length
+
+
 def piece_at(region, view, pixel, obs, depsgraph):
     """(object, number of its piece) at a pixel of a region, in front of all others of these shapes; None where none is."""
     hits = [hit for ob in obs if ob.type == 'MESH' for hit in [_face_at(region, view, pixel, ob, depsgraph)] if hit]

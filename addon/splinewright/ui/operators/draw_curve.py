@@ -139,13 +139,8 @@ class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
         if self.closed:
             points = points[:1 + max(i for i, pixel in enumerate(pixels) if (pixel - pixels[0]).length >= meeting)]
         self.stroke = " ".join(repr(number) for point in points for number in point)
-        self.tolerance = self.pixels * self._size_of_pixel(Vector(points[len(points) // 2]), pixels[len(points) // 2])
+        self.tolerance = self.pixels * picking.size_of_pixel(*self._view, points[len(points) // 2])
         return self.execute(context)
-
-    def _size_of_pixel(self, place, pixel):
-        """In the scene, at a place of the stroke."""
-        beside = view3d_utils.region_2d_to_location_3d(*self._view, pixel + Vector((1, 0)), place)
-        return (beside - view3d_utils.region_2d_to_location_3d(*self._view, pixel, place)).length
 
 
 def _points_of(text):

@@ -1,0 +1,89 @@
+"""What a shape measures at the mouse is shown there; a click takes the place into the panel Measure."""
+
+import bpy
+import numpy as np
+
+from ...bridge import shape, surveys
+from ...bridge.file_state import state
+from ...core import measured
+from ...core.failures import FAILURES, sentence
+from .. import editing, hand, measure_overlay, picking
+from .pointing import Pointing, redraw
+
+
+class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
+    bl_idname = "splinewright.measure_here"
+    bl_label = "Measure by Click"
+    bl_description = ("Show the parameters, directions and curvatures of a shape at the mouse; a click takes the place into the "
+                      "panel Measure, which has all of it")
+    bl_options = {'UNDO'}
+
+    hint = "Point at a shape to measure it   |   Click: take the place into the panel   |   Esc, Right Mouse: Cancel"
+
+    @classmethod
+    def poll(cls, context):
+        if not _shapes(context):
+            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            return False
+        return True
+
+    def invoke(self, context, event):
+        return self.begin(context, event)
+
+    def look(self, context, event):
+        self._found, state.measured = _measured_at(context, event.mouse_x, event.mouse_y)
+        redraw()
+        return self._found is not None
+
+    def forget(self):
+        state.measured = None
+
+    def clicked(self, context):
+        name, number, fractions = self._found
+        self.cancel(context)
+        ob = context.view_layer.objects.get(name)
+        if not shape.has_shape(ob):
+            return {'CANCELLED'}
+        take(context, ob, number, fractions)
+        # Edit Mode's undo steps would not hold it.
+        return {'FINISHED'} if context.mode == 'OBJECT' else {'CANCELLED'}
+
+
+def take(context, ob, number, fractions):
+    """Let the panel Measure show a shape at parts (u, v) of the domain of a piece."""
+    nets = {hand.shape_of(net): net for net in editing.nets_in_edit_mode(context)}
+    context.view_layer.objects.active = nets.get(ob, ob)
+    settings = ob.data.splinewright
+    if hand.count_of(ob.data) > 1:
+        hand.take(ob.data, number)
+    settings.measure_u, settings.measure_v = fractions
+
+
+def _shapes(context):
+    """The shapes in hand, and the active one."""
+    active = hand.shape_of(context.object) if context.mode == 'OBJECT' else None
+    return list({ob.name: ob for ob in (*hand.shapes(context), active) if ob}.values())
+
+
+def _measured_at(context, x, y):
+    """((name of an object, number of its piece, parts of the domain) or None, a measure_overlay.Measured or None) at a pixel
+    of the window."""
+    view = picking.view_at(x, y)
+    obs = [ob for ob in _shapes(context) if ob.visible_get()]
+    try:
+        found = picking.pointed_at(x, y, obs, context.evaluated_depsgraph_get())
+    except FAILURES:
+        return None, None               # such a shape shows nothing to point at
+    if found is None:
+        return None, None
+    ob, number, parameters = found
+    try:
+        piece = surveys.moved_of(ob.data, np.array(ob.matrix_world)).pieces[number - 1]
+        place = measured.place(piece, parameters)
+    except FAILURES as error:
+        return None, measure_overlay.Measured(view[0].as_pointer(), x, y, None, (sentence(error),))
+    shown = measure_overlay.Measured(view[0].as_pointer(), x, y, place, place.words)
+    return (ob.name, number, measured.fractions_of(piece, parameters)), shown
+
+
+CLASSES = (SPLINEWRIGHT_OT_measure_here,)
