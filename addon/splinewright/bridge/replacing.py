@@ -38,11 +38,16 @@ def do(data, number, verb, already):
     Returns the definition before and the verbs.Changed. Raises, and changes nothing, as verbs.changed() and
     shape.set_definition() do.
     """
-    require_changeable(data)
-    before = store.read(data)
+    before = read(data)
     changed = verbs.changed(before, number, verb, already)
     put(data, before, changed)
     return before, changed
+
+
+def read(data):
+    """The definition, which is to be changed. Raises Refusal."""
+    require_changeable(data)
+    return store.read(data)
 
 
 def put(data, before, changed):

@@ -107,10 +107,10 @@ def swap():
     return lambda patch: [verbs.Part(patch.swapped(), places.Place(is_swapped=True))]
 
 
-def rebuild(counts, degrees):
-    """Numbers of control points and degrees along u and v."""
+def rebuild(counts, degrees, cancel=None):
+    """Numbers of control points and degrees along u and v. cancel: as the library takes it."""
     def verb(patch):
-        made = patch.to_nurbs().rebuild(counts, degrees)
+        made = patch.to_nurbs().rebuild(counts, degrees, cancel=cancel)
         return verbs.Near(verbs.Part(made.value, places.Place()), made.error)
     return verb
 

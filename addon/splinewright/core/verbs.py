@@ -166,18 +166,18 @@ def lower_degree(times, tolerance):
 # Fit -----------------------------------------------------------------------------------------------
 
 
-def rebuild(count, degree, ends):
-    """With so many control points. ends: 'points' of an open curve stay, or 'tangents', too."""
-    return lambda curve: curve.to_nurbs().rebuild(count, degree, ends=ends)
+def rebuild(count, degree, ends, cancel=None):
+    """With so many control points. ends: 'points' of an open curve stay, or 'tangents', too. cancel: as the library takes it."""
+    return lambda curve: curve.to_nurbs().rebuild(count, degree, ends=ends, cancel=cancel)
 
 
-def rebuild_within(tolerance, degree, ends):
+def rebuild_within(tolerance, degree, ends, cancel=None):
     """With as few control points as come within the tolerance."""
-    return lambda curve: curve.to_nurbs().rebuild(None, degree, tolerance=tolerance, ends=ends)
+    return lambda curve: curve.to_nurbs().rebuild(None, degree, tolerance=tolerance, ends=ends, cancel=cancel)
 
 
-def fair(tolerance, ends):
-    return lambda curve: curve.to_nurbs().fair(tolerance, ends=ends)
+def fair(tolerance, ends, cancel=None):
+    return lambda curve: curve.to_nurbs().fair(tolerance, ends=ends, cancel=cancel)
 
 
 # Parts ---------------------------------------------------------------------------------------------

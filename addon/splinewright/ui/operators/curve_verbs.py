@@ -1,5 +1,7 @@
 """Verbs of curve shapes: knots, degree, parts, parameters, ends and kinds, in Object Mode."""
 
+from functools import partial
+
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatVectorProperty, IntProperty
 
@@ -111,7 +113,7 @@ class SPLINEWRIGHT_OT_lower_degree(pieces.WithinTolerance, OnCurves, bpy.types.O
         return verbs.lower_degree(self.times, self.allowed)
 
 
-class _Fitted(OnCurves):
+class _Fitted(pieces.LongOnPieces, OnCurves):
     """What of the ends stays."""
 
     keep_tangents: BoolProperty(name="Keep End Tangents", description="Open curves keep their first derivatives at the ends")
@@ -141,10 +143,10 @@ class SPLINEWRIGHT_OT_rebuild(_Fitted, bpy.types.Operator):
     def settings(self):
         return ['by', 'count' if self.by == 'COUNT' else 'tolerance', 'degree', 'keep_tangents']
 
-    def verb(self):
+    def verb_with(self):
         if self.by == 'COUNT':
-            return verbs.rebuild(self.count, self.degree, self.ends)
-        return verbs.rebuild_within(self.length, self.degree, self.ends)
+            return partial(verbs.rebuild, self.count, self.degree, self.ends)
+        return partial(verbs.rebuild_within, self.length, self.degree, self.ends)
 
 
 class SPLINEWRIGHT_OT_fair(_Fitted, bpy.types.Operator):
@@ -158,8 +160,8 @@ class SPLINEWRIGHT_OT_fair(_Fitted, bpy.types.Operator):
     def settings(self):
         return ['tolerance', 'keep_tangents']
 
-    def verb(self):
-        return verbs.fair(self.length, self.ends)
+    def verb_with(self):
+        return partial(verbs.fair, self.length, self.ends)
 
 
 class SPLINEWRIGHT_OT_split_curve(_AtParameter, bpy.types.Operator):

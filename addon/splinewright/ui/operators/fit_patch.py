@@ -13,10 +13,11 @@ from .. import editing, progress
 from . import new_shapes, reports
 from .add_patch import draw_pairs
 from .adding import Repeatable, add_in_front, count_property, degree_property, require_place, resolution_property
+from .long_work import LongWork
 
 
-class PatchOfVertices(new_shapes.Faces, Repeatable):
-    """Adds a patch for each mesh, which approximation() makes of its selection."""
+class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
+    """Adds a patch for each mesh, near or through the points of its selection."""
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
@@ -41,9 +42,9 @@ class PatchOfVertices(new_shapes.Faces, Repeatable):
             require_place(context)
             for ob in context.objects_in_mode_unique_data:
                 with progress.shown(context, shape.STEPS) as step:
-                    patch, error = self.approximation(ob.data)
-                    data = shape.new_data(f"{ob.name} Patch", patch, new_shapes.start(self), step)
-                made.append((bpy.data.objects.new(data.name, data), ob, error))
+                    found = self.result_of(ob.name, self.task(ob.data))
+                    data = shape.new_data(f"{ob.name} Patch", found.value, new_shapes.start(self), step)
+                made.append((bpy.data.objects.new(data.name, data), ob, found.error))
         except FAILURES as error:
             bpy.data.batch_remove([new.data for new, _, _ in made])
             return reports.failed(self, error)
@@ -53,8 +54,12 @@ class PatchOfVertices(new_shapes.Faces, Repeatable):
             add_in_front(context, new, context.selected_objects if new == made[0][0] else [])
         return self.finished(context, reports.Said(self.said(max(error for _, _, error in made))))
 
-    def approximation(self, mesh):
-        raise NotImplementedError("approximation: each operator says which patch it makes")
+    def tasks(self, context):
+        return {ob.name: self.task(ob.data) for ob in context.objects_in_mode_unique_data}
+
+    def task(self, mesh):
+        """A function that gives the library's Approximation for a `cancel` as the library takes it. Raises Refusal."""
+        raise NotImplementedError("task: each operator says which patch it makes")
 
     def said(self, error):
         return ""
@@ -71,14 +76,15 @@ class SPLINEWRIGHT_OT_patch_through_grid(PatchOfVertices, bpy.types.Operator):
         ('chordal', "Chordal", "Steps by the distances of the points"),
         ('centripetal', "Centripetal", "Steps by the roots of the distances: calm where the points are uneven")))
 
-    def approximation(self, mesh):
+    def task(self, mesh):
         bm = bmesh.from_edit_mesh(mesh)
         bm.verts.index_update()
         bm.verts.ensure_lookup_table()
         rows, closed = vertex_grid.in_grid([[vertex.index for vertex in face.verts] for face in bm.faces if face.select])
         points = np.array([[bm.verts[vertex].co for vertex in row] for row in rows.tolist()], dtype=np.float64)
         degrees = tuple(min(degree, count - 1) for degree, count in zip((self.degree_u, self.degree_v), rows.shape))
-        return _parts(sc.fit.interpolate_patch(points, degrees, self.parametrisation, closed=closed))
+        parametrisation = self.parametrisation
+        return lambda cancel: sc.fit.interpolate_patch(points, degrees, parametrisation, closed=closed, cancel=cancel)
 
     def draw(self, context):
         layout = self.layout
@@ -105,15 +111,15 @@ class SPLINEWRIGHT_OT_fit_patch(PatchOfVertices, bpy.types.Operator):
     corrections: IntProperty(name="Corrections", description="So often at most the vertices' places on the patch are improved",
                              default=8, min=0, soft_max=20, max=1000)
 
-    def approximation(self, mesh):
+    def task(self, mesh):
         bm = bmesh.from_edit_mesh(mesh)
         points = np.array([vertex.co for vertex in bm.verts if vertex.select], dtype=np.float64).reshape(-1, 3)
         if len(points) < 3:
             raise Refusal("select three vertices or more")
         wanted = {'counts': (self.count_u, self.count_v)} if self.by == 'COUNT' else {'tolerance': decimals.typed(self.tolerance)}
-        return _parts(sc.fit.approximate_scattered(
-            points, degrees=(self.degree_u, self.degree_v), smoothing=decimals.typed(self.smoothing),
-            corrections=self.corrections, **wanted))
+        wanted |= {'degrees': (self.degree_u, self.degree_v), 'smoothing': decimals.typed(self.smoothing),
+                   'corrections': self.corrections}
+        return lambda cancel: sc.fit.approximate_scattered(points, **wanted, cancel=cancel)
 
     def said(self, error):
         return f"no vertex is farther than {decimals.text_of(error, 3)}"
@@ -130,10 +136,6 @@ class SPLINEWRIGHT_OT_fit_patch(PatchOfVertices, bpy.types.Operator):
         layout.prop(self, "smoothing")
         layout.prop(self, "corrections")
         new_shapes.draw(self, layout)
-
-
-def _parts(approximation):
-    return approximation.value, approximation.error
 
 
 CLASSES = (SPLINEWRIGHT_OT_patch_through_grid, SPLINEWRIGHT_OT_fit_patch)

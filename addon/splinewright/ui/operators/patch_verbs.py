@@ -3,6 +3,8 @@
 They are those of curves, done along u, along v, or along both, one after the other.
 """
 
+from functools import partial
+
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty
 
@@ -152,7 +154,7 @@ class SPLINEWRIGHT_OT_patch_lower_degree(_WithinTolerance, _Along, bpy.types.Ope
         return verbs.lower_degree(self.times, self.left(spent))
 
 
-class SPLINEWRIGHT_OT_patch_rebuild(OnPatches, bpy.types.Operator):
+class SPLINEWRIGHT_OT_patch_rebuild(pieces.LongOnPieces, OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.patch_rebuild"
     bl_label = "Rebuild"
     bl_description = ("Take the nearest patch with so many points on even knots, and say how far it lies from the present "
@@ -166,8 +168,8 @@ class SPLINEWRIGHT_OT_patch_rebuild(OnPatches, bpy.types.Operator):
     degree_u: IntProperty(name="Degree U", description="Of the new patch along u", default=3, min=1, soft_max=9)
     degree_v: IntProperty(name="V", description="Of the new patch along v", default=3, min=1, soft_max=9)
 
-    def verb(self):
-        return patch_verbs.rebuild((self.count_u, self.count_v), (self.degree_u, self.degree_v))
+    def verb_with(self):
+        return partial(patch_verbs.rebuild, (self.count_u, self.count_v), (self.degree_u, self.degree_v))
 
 
 class SPLINEWRIGHT_OT_patch_fair(OnPatches, bpy.types.Operator):

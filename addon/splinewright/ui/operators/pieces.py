@@ -14,6 +14,7 @@ from ...core import decimals, verbs
 from ...core.failures import FAILURES
 from .. import editing, hand
 from . import reports
+from .long_work import LongWork
 from .pick_piece import draw_number
 from .selected import OnSelected
 
@@ -115,9 +116,12 @@ class OnPieces(OnSelected):
     def do(self, ob, verb):
         """Do a verb with the piece of a shape, or with all; the definition before and the verbs.Changed."""
         outcome = replacing.do(ob.data, self.piece, verb, self.already)
-        hand.keep(ob.data, outcome[1].parents)
-        hand.note(self, 'piece', ob, [parent + 1 for parent in outcome[1].parents])
+        self._note(ob, outcome[1])
         return outcome
+
+    def _note(self, ob, changed):
+        hand.keep(ob.data, changed.parents)
+        hand.note(self, 'piece', ob, [parent + 1 for parent in changed.parents])
 
     def after(self, context):
         """Nets that are edited come out again, of the shapes as they are now."""
@@ -140,6 +144,34 @@ class OnPieces(OnSelected):
             else:
                 self.layout.prop(self, name)
         draw_number(self.layout, self, 'piece')
+
+
+class LongOnPieces(LongWork, OnPieces):
+    """OnPieces whose verb may take long."""
+
+    def verb_with(self):
+        """A function that gives verb() for a `cancel` as the library takes it."""
+        raise NotImplementedError
+
+    def verb(self):
+        return self.verb_with()(None)
+
+    def invoke(self, context, event):
+        return OnPieces.invoke(self, context, event)
+
+    def tasks(self, context):
+        return {ob.name: self._task(ob, replacing.read(ob.data)) for ob in self.chosen(context) if replacing.can_change(ob.data)}
+
+    def _task(self, ob, before):
+        verb_with, number, already = self.verb_with(), self.piece, self.already
+        return lambda cancel: verbs.changed(before, number, verb_with(cancel), already)
+
+    def work(self, context, ob):
+        before = replacing.read(ob.data)
+        changed = self.result_of(ob.name, self._task(ob, before))
+        replacing.put(ob.data, before, changed)
+        self._note(ob, changed)
+        return before, changed
 
 
 def told(outcomes):

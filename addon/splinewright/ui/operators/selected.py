@@ -35,6 +35,10 @@ class OnSelected:
 
     def invoke(self, context, event):
         self.by_hand = True
+        return self.start(context)
+
+    def start(self, context):
+        """What invoke() returns."""
         return self.execute(context)
 
     def can_work(self, ob):
