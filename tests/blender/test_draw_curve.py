@@ -7,6 +7,7 @@ import pytest
 from shapes import op, require_exact
 from support import splinecore as sc
 from test_curve_through import value
+from test_menus import drawn
 
 T = np.linspace(0, 1, 60)
 DRAWN = np.stack([4 * T, np.sin(6 * T), 0.2 * T], -1)
@@ -32,6 +33,18 @@ def test_what_is_no_stroke_is_refused(stroke):
     with pytest.raises(RuntimeError, match="stroke"):
         op(bpy.ops.splinewright.draw_curve, stroke=stroke)
     assert (len(bpy.data.objects), len(bpy.data.curves)) == before
+
+
+def test_there_are_two_pens_in_the_menus():
+    def begins(name):
+        return getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}").begins_on_surface
+    assert [begins('draw_curve'), begins('draw_on_surface')] == [False, True]
+    for menu in ("VIEW3D_MT_object", "VIEW3D_MT_curve_add"):
+        assert {'draw_curve', 'draw_on_surface'} <= set(drawn(menu))
+    op(bpy.ops.splinewright.draw_on_surface, stroke=text_of(DRAWN), tolerance=0.0625)
+    first = value(bpy.context.object)
+    op(bpy.ops.splinewright.draw_curve, stroke=text_of(DRAWN), tolerance=0.0625)
+    assert value(bpy.context.object) == first
 
 
 def test_one_undo_takes_it_back():

@@ -24,9 +24,9 @@ def curves():
     return [ob for ob in bpy.data.objects if ob.type == 'CURVE']
 
 
-def take_pen(view):
+def take_pen(view, name='draw_curve'):
     with view.override():
-        bpy.ops.splinewright.draw_curve('INVOKE_DEFAULT', True)
+        getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True)
     yield from redrawn()
 
 
@@ -68,17 +68,19 @@ def steps():
         bpy.ops.mesh.primitive_plane_add(size=100, location=(0, 0, -2))
         bpy.ops.ed.undo_push(message="plane")
     yield from redrawn()
-    yield from take_pen(view)
-    view.press('S')
-    yield from view.drag(LOOP)
-    view.release()
-    yield from redrawn()
-    yield from until(lambda: len(curves()) == 1, "a closed curve")
-    value = curves()[0].data.splinewright.value
-    assert value.periodic and np.allclose(np.array(value.points)[:, 2], -2, atol=1e-4)
-    picture("closed")
-    view.press('Z', ctrl=True)
-    yield from until(lambda: not curves(), "one undo")
+    for name, keys in (('draw_curve', 'S'), ('draw_on_surface', '')):
+        yield from take_pen(view, name)
+        for key in keys:
+            view.press(key)
+        yield from view.drag(LOOP)
+        view.release()
+        yield from redrawn()
+        yield from until(lambda: len(curves()) == 1, "a closed curve")
+        value = curves()[0].data.splinewright.value
+        assert value.periodic and np.allclose(np.array(value.points)[:, 2], -2, atol=1e-4)
+        picture(f"closed-{name}-{keys}")
+        view.press('Z', ctrl=True)
+        yield from until(lambda: not curves(), "one undo")
     assert [ob.type for ob in bpy.data.objects] == ['MESH']
     print("pen", flush=True)
 

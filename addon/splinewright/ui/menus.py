@@ -37,7 +37,12 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
         layout.separator()
         layout.operator("splinewright.curve_through_points", text=tools.text_of("curve_through_points"), icon='SNAP_VERTEX')
         layout.operator("splinewright.fit_curve", text=tools.text_of("fit_curve"), icon='GREASEPENCIL')
-        layout.operator("splinewright.draw_curve", text=tools.text_of("draw_curve"), icon='GREASEPENCIL')
+        _draw_pens(layout)
+
+
+def _draw_pens(layout):
+    for name in ('draw_curve', 'draw_on_surface'):
+        layout.operator(f"splinewright.{name}", icon='GREASEPENCIL')
 
 
 class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
@@ -151,6 +156,8 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
 
     def draw(self, context):
         _draw_entries(self.layout, kinds.ALL, context.selected_objects)
+        self.layout.separator()
+        _draw_pens(self.layout)
 
 
 class SPLINEWRIGHT_MT_object_context(bpy.types.Menu):

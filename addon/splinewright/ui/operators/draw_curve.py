@@ -2,7 +2,7 @@
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy.props import FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
@@ -24,29 +24,28 @@ _TOO_SHORT = "the stroke is too short: press the left mouse button, drag and rel
 _SHORTEST, _MEETING = 10.0, 12.0
 
 
-class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
-    bl_idname = "splinewright.draw_curve"
-    bl_label = "Draw Curve"
-    bl_description = ("Draw a stroke in the view with the left mouse button, which becomes a clean curve within a tolerance; "
-                      "a stroke that comes back to its start is closed")
+class _Pen:
+    """A stroke is drawn, and becomes a curve."""
+
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     stroke: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
     pixels: FloatProperty(name="Tolerance in Pixels", description="How far the next stroke may lie from its curve, as it is seen",
                           default=4.0, min=0.1, soft_max=50.0)
-    on_surface: BoolProperty(name="On Surface", default=False, description="Draw the next stroke on what is under the mouse; "
-                             "else on the plane through the 3D cursor that faces the view")
     tolerance: recipe_props.property_of(_PARAMETERS['tolerance'], options={'SKIP_SAVE'})
     degree: recipe_props.property_of(_PARAMETERS['degree'])
     closed: recipe_props.property_of(_PARAMETERS['closed'], options={'SKIP_SAVE'})
     resolution_u: resolution_property(default=_SPLINE.resolution)
+
+    #: Whether it begins on what is under the mouse; else on the plane through the 3D cursor that faces the view.
+    begins_on_surface = False
 
     @classmethod
     def poll(cls, context):
         return can_add(cls, context)
 
     def invoke(self, context, event):
-        self._pixels, self._view = [], None
+        self._pixels, self._view, self._on_surface = [], None, self.begins_on_surface
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('PAINT_BRUSH')
         self._hint(context)
@@ -92,7 +91,6 @@ class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
         layout.separator()
         layout.label(text="Next Stroke")
         layout.prop(self, "pixels")
-        layout.prop(self, "on_surface")
 
     def _values(self):
         given = {name: parameters.as_typed(_PARAMETERS[name], getattr(self, name)) for name in ('tolerance', 'degree', 'closed')}
@@ -100,14 +98,14 @@ class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
 
     def _hint(self, context):
         context.workspace.status_text_set("Left mouse: press, drag and release to draw; S: on surface "
-                                          f"({'on' if self.on_surface else 'off'}); Esc or right mouse: cancel")
+                                          f"({'on' if self._on_surface else 'off'}); Esc or right mouse: cancel")
 
     def _wait(self, context, event):
         """modal() until the stroke begins."""
         if event.type in PASSED:
             return {'PASS_THROUGH'}
         if event.type == 'S' and event.value == 'PRESS':
-            self.on_surface = not self.on_surface
+            self._on_surface = not self._on_surface
             self._hint(context)
         if event.type == 'LEFTMOUSE' and event.value == 'PRESS':
             self._view = picking.view_at(event.mouse_x, event.mouse_y)
@@ -121,7 +119,7 @@ class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
         pixel = Vector((event.mouse_x - region.x, event.mouse_y - region.y))
         if self._pixels and pixel == self._pixels[-1]:
             return
-        seen = self.on_surface and picking.face_seen(
+        seen = self._on_surface and picking.face_seen(
             context, region, view, pixel, context.evaluated_depsgraph_get(), ())
         self._depth = seen[2] if seen else view3d_utils.region_2d_to_location_3d(region, view, pixel, self._depth)
         self._pixels.append(pixel)
@@ -143,6 +141,21 @@ class SPLINEWRIGHT_OT_draw_curve(bpy.types.Operator):
         return self.execute(context)
 
 
+class SPLINEWRIGHT_OT_draw_curve(_Pen, bpy.types.Operator):
+    bl_idname = "splinewright.draw_curve"
+    bl_label = "Draw Curve"
+    bl_description = ("Draw a stroke in the view with the left mouse button, which becomes a clean curve within a tolerance; "
+                      "a stroke that comes back to its start is closed")
+
+
+class SPLINEWRIGHT_OT_draw_on_surface(_Pen, bpy.types.Operator):
+    bl_idname = "splinewright.draw_on_surface"
+    bl_label = "Draw Curve on Surface"
+    bl_description = ("Draw a stroke on what is under the mouse with the left mouse button, which becomes a clean curve within a "
+                      "tolerance; a stroke that comes back to its start is closed")
+    begins_on_surface = True
+
+
 def _points_of(text):
     """(n, 3) of the numbers of a stroke. Raises Refusal."""
     try:
@@ -155,4 +168,4 @@ def _points_of(text):
     return points
 
 
-CLASSES = (SPLINEWRIGHT_OT_draw_curve,)
+CLASSES = (SPLINEWRIGHT_OT_draw_curve, SPLINEWRIGHT_OT_draw_on_surface)
