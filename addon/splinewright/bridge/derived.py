@@ -12,20 +12,36 @@ from .native import read_native
 def result(recipe, values, sources, owner, depsgraph, frames=()):
     """What a recipe makes from objects, in the space of the object `owner`, or of the world where it is None; frames as of
     recipes.Stored. Raises Refusal or an error of the library."""
+    return work(recipe, values, sources, owner, depsgraph, frames)(None)
+
+
+def work(recipe, values, sources, owner, depsgraph, frames=()):
+    """A function that gives result() for a `cancel` as the library takes it, and reads nothing of Blender's any more. Raises
+    Refusal."""
     if recipe.has_places:
-        return recipe.make(np.array([matrix_in(frame, owner, depsgraph)[:3, 3] for frame in frames]), **values)
+        return recipe.work(np.array([matrix_in(frame, owner, depsgraph)[:3, 3] for frame in frames]), values)
     inputs = [definition_of(source, depsgraph) for source in sources]
     space = None if recipe.is_measured else owner
     if not recipe.is_beside:
         inputs = [_moved(definition, source, space, depsgraph) for definition, source in zip(inputs, sources)]
     placed = {'frame': matrix_in(frame, owner, depsgraph) for frame in frames}
-    made = recipe.make(inputs, **values, **placed)
-    return made._replace(value=_moved(made.definition, None, owner, depsgraph)) if recipe.is_measured else made
+    make = recipe.work(inputs, {**values, **placed})
+    if not recipe.is_measured:
+        return make
+    back = matrix_in(None, owner, depsgraph)
+
+    def moved_back(cancel):
+        made = make(cancel)
+        return made._replace(value=_under(made.definition, back))
+    return moved_back
 
 
 def _moved(definition, source, owner, depsgraph):
     """A definition of one object in the space of another. Raises Refusal where that has no room for it."""
-    matrix = matrix_in(source, owner, depsgraph)
+    return _under(definition, matrix_in(source, owner, depsgraph))
+
+
+def _under(definition, matrix):
     return definition if (matrix == np.eye(4)).all() else transform.transformed(definition, matrix)
 
 

@@ -39,14 +39,15 @@ def _is_live(data):
     return recipes.follows(data) and not data.library
 
 
-def new_object(recipe, values, sources, resolution, depsgraph, frames=()):
+def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result=None):
     """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies, or at the
     origin where places alone count.
 
-    frames: as of recipes.Stored. Raises Refusal or an error of the library if it cannot be result.
+    frames: as of recipes.Stored; result: of derived.result(), where that is known. Raises Refusal or an error of the library if
+    it cannot be made.
     """
     first = next(iter(sources), None)
-    result = derived.result(recipe, values, sources, first, depsgraph, frames)
+    result = result or derived.result(recipe, values, sources, first, depsgraph, frames)
     made = recipe.label if recipe.parameters else "Exact"
     data = shape.new_data(f"{first.name} {made}" if first else made, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)

@@ -23,9 +23,9 @@ def _construction(inputs, piece, position, scheme, marker):
     return Result(teaching.construction(teaching.nurbs_of(inputs[0], piece), position, scheme, marker))
 
 
-def _projected(inputs, tolerance):
+def _projected(inputs, tolerance, cancel=None):
     curves, pieces = map(verbs.pieces_of, inputs)
-    made = [projecting.curve_on(pieces, curve, tolerance) for curve in curves]
+    made = [projecting.curve_on(pieces, curve, tolerance, cancel) for curve in curves]
     values, errors = zip(*made)
     return Result(list(values) if len(values) > 1 else values[0], max(errors))
 
@@ -46,5 +46,6 @@ RECIPES = (
     Recipe("projected", "Project Curve",
            "The curve of the nearest points on a surface, within a tolerance; it follows the curve and the surface",
            (Parameter("tolerance", "Tolerance", "How far the curve may lie from the nearest points, in the scene", 0.001, 1e-9,
-                      unit='LENGTH'),), _projected, resolution=24, inputs=("one curve", "one surface"), is_measured=True),
+                      unit='LENGTH'),), _projected, resolution=24, inputs=("one curve", "one surface"), is_measured=True,
+           takes_cancel=True),
 )

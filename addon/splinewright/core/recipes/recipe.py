@@ -55,11 +55,16 @@ class Recipe:
                                         # make() takes their matrix (4, 4) in the space of the shape, or None, as `frame`
     is_measured: bool = False           # distances count: make() takes inputs in the world, and what it makes comes back
     has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
+    takes_cancel: bool = False          # it may take long: make() takes a `cancel` as the library does
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one
 
     @property
     def defaults(self):
         return {parameter.name: parameter.default for parameter in self.parameters}
+
+    def work(self, given, values):
+        """A function that gives what make() does of points, places or inputs, for a `cancel` as the library takes it."""
+        return lambda cancel: self.make(given, **values, **({'cancel': cancel} if self.takes_cancel else {}))
 
     @property
     def can_gain_points(self):

@@ -14,6 +14,7 @@ from ...core.recipes.table import DERIVED, FOLLOW
 from .. import hand, recipe_props
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, can_add, resolution_property
+from .long_work import LongWork
 from .pick_piece import draw_number
 
 #: Kinds of recipes that are called by what they do.
@@ -22,7 +23,7 @@ _VERBS = ('revolve', 'extrude', 'projected')
 _MORE = {'piece': {'options': {'SKIP_SAVE'}}}
 
 
-class _FromObjects(Repeatable):
+class _FromObjects(LongWork, Repeatable):
     """`recipe` is what it makes, from the selected objects, the active one first."""
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
@@ -49,7 +50,17 @@ class _FromObjects(Repeatable):
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
             hand.begin(self, _sources(context, self.recipe))
-        return self.execute(context)
+        return self.start(context) if self.recipe.takes_cancel else self.execute(context)
+
+    def tasks(self, context):
+        sources = _sources(context, self.recipe)
+        if self._lacking(sources):
+            raise Refusal(self._lacking(sources))
+        return {'result': self._task(context, sources)}
+
+    def _task(self, context, sources):
+        return derived.work(self.recipe, recipe_props.typed(self.recipe, self), sources, sources[0],
+                            context.evaluated_depsgraph_get(), self._frames(context))
 
     def execute(self, context):
         sources, recipe = _sources(context, self.recipe), self.recipe
@@ -65,8 +76,9 @@ class _FromObjects(Repeatable):
             self._suggest_axis(sources[0], context)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
+            result = self.result_of('result', self._task(context, sources))
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get(),
-                                   self._frames(context))
+                                   self._frames(context), result)
         except FAILURES as error:
             return reports.failed(self, error, sources[0].name)
         if recipe.is_beside:

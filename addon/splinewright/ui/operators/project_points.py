@@ -10,9 +10,10 @@ from ...core.failures import FAILURES, Refusal
 from .. import progress
 from . import reports
 from .adding import Repeatable, can_add
+from .long_work import LongWork
 
 
-class SPLINEWRIGHT_OT_project_points(Repeatable, bpy.types.Operator):
+class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.project_points"
     bl_label = "Project Points"
     bl_description = ("Bring the vertices of the other selected meshes to the nearest places of the active shape, exactly, as "
@@ -31,13 +32,13 @@ class SPLINEWRIGHT_OT_project_points(Repeatable, bpy.types.Operator):
         cls.poll_message_set("Select meshes, and then the shape onto which their points go")
         return False
 
+    def tasks(self, context):
+        return {'feet': _task(context.object, self._chosen(context))}
+
     def execute(self, context):
         onto = context.object
         try:
-            sources = _meshes(context)
-            if not shape.has_shape(onto) or not sources:
-                raise Refusal("select meshes, and then the shape onto which their points go")
-            new, distances = self._projected(context, onto, sources)
+            new, distances = self._projected(context, onto, self._chosen(context))
         except FAILURES as error:
             return reports.failed(self, error, onto.name if onto else "")
         if new:
@@ -51,23 +52,25 @@ class SPLINEWRIGHT_OT_project_points(Repeatable, bpy.types.Operator):
         return self.finished(context, reports.Said(
             f"{len(distances)} points, largest distance {words[0]}, mean {words[1]}"))
 
-    def _projected(self, context, onto, sources):
-        """(new objects, none where vertices move themselves; all distances in the scene). Nothing moves where one is refused."""
-        pieces = measured.moved(store.read(onto.data), np.array(onto.matrix_world)).pieces
+    def _chosen(self, context):
+        """The _Points that are meant. Raises Refusal."""
+        sources = _meshes(context)
+        if not shape.has_shape(context.object) or not sources:
+            raise Refusal("select meshes, and then the shape onto which their points go")
         chosen = [_Points(ob, self.selected_only) for ob in sources]
-        total = sum(len(points.world) for points in chosen)
-        if not total:
+        if not any(len(points.world) for points in chosen):
             raise Refusal("no vertices are selected" if self.selected_only else "the meshes have no vertices")
         if self.in_place:
             for points in chosen:
                 points.require_free()
-        distances = []
-        with progress.shown(context, total) as told:
-            for points in chosen:
-                done = sum(map(len, distances))
-                feet, of_one = projecting.feet(pieces, points.world, lambda count: told(done + count))
-                distances.append(of_one)
-                points.move(feet)
+        return chosen
+
+    def _projected(self, context, onto, chosen):
+        """(new objects, none where vertices move themselves; all distances in the scene). Nothing moves where one is refused."""
+        with progress.shown(context, sum(len(points.world) for points in chosen)) as told:
+            feet, distances = self.result_of('feet', _task(onto, chosen, told))
+        for points, of_one in zip(chosen, feet):
+            points.move(of_one)
         new = [points.put(self.in_place) for points in chosen]
         return [ob for ob in new if ob is not None], np.concatenate(distances)
 
@@ -80,6 +83,20 @@ class SPLINEWRIGHT_OT_project_points(Repeatable, bpy.types.Operator):
 def _meshes(context):
     return [ob for ob in context.selected_objects
             if ob.type == 'MESH' and ob != context.object and not shape.has_shape(ob)]
+
+
+def _task(onto, chosen, told=lambda done: None):
+    """A function that gives the nearest points, and their distances, on a shape of each of the _Points, for a `cancel` as the
+    library takes it."""
+    pieces = measured.moved(store.read(onto.data), np.array(onto.matrix_world)).pieces
+    worlds = [points.world for points in chosen]
+    firsts = np.cumsum([0, *map(len, worlds)]).tolist()
+
+    def feet(cancel):
+        found = [projecting.feet(pieces, world, lambda count: told(first + count), cancel)
+                 for first, world in zip(firsts, worlds)]
+        return tuple(zip(*found))
+    return feet
 
 
 class _Points:
