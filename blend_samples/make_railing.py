@@ -42,6 +42,6 @@ foot.select_set(True)
 bpy.context.view_layer.objects.active = foot
 bpy.ops.splinewright.divide_equally(make='COPIES', source=one.name, count=POSTS, turned='standing')
 stage.ground(-0.02, color='paper')
-stage.camera((4.6, -7.4, 4.9), (0.1, 0.0, 0.55), lens=46)
+stage.camera((4.6, -7.4, 4.9), (-0.35, 0.0, 0.5), lens=38)
 stage.smooth()
 stage.finish("railing", samples=48)
