@@ -65,6 +65,17 @@ def follow(operator, sources, name, color='snow', **settings):
     return _named(name, color, operator, started)
 
 
+def fitted(cloud, name, color='snow', **settings):
+    """What Fit Patch makes near all vertices of a mesh."""
+    started = time.perf_counter()
+    bpy.context.view_layer.objects.active = cloud
+    cloud.select_set(True)
+    bpy.ops.object.mode_set(mode='EDIT')
+    bpy.ops.mesh.select_all(action='SELECT')
+    bpy.ops.splinewright.fit_patch(**settings)
+    return _named(name, color, 'fit_patch', started)
+
+
 def _named(name, color, operator, started):
     ob = bpy.context.object
     ob.name = ob.data.name = name

@@ -15,7 +15,7 @@ NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.
 
 def test_there_are_samples():
     assert {'gallery', 'teapot', 'vase', 'solids', 'cups', 'conics', 'moebius', 'knots', 'points', 'runge',
-            'joins'} <= set(NAMES)
+            'joins', 'railing', 'scan'} <= set(NAMES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -196,3 +196,15 @@ def test_the_path_lies_on_the_hill_and_its_posts_stand_at_equal_parts():
     places = foot.evaluate(foot.divide(len(posts) - 1))
     assert len(posts) == 25
     assert np.allclose(posts[np.argsort(posts[:, 0])], places[np.argsort(places[:, 0])], atol=1e-5)
+
+
+def test_the_fitted_patch_is_near_the_scan_and_farthest_at_the_fold():
+    patch = opened('scan')["Fitted patch"]
+    points = vertices(bpy.data.objects["Scan"].data)
+    distances = patch.nearest(points).distances
+    at_fold = np.abs(points[:, 1] - 0.3 * points[:, 0] + 0.55) < 0.16
+    assert patch.points.shape[:2] == (16, 12) and distances[points[:, 0] < -1].mean() < 0.02
+    assert distances[at_fold & (points[:, 0] > 0.5)].mean() > 2 * distances[~at_fold].mean()
+    sights = bpy.context.scene.splinewright_sights
+    assert sights.deviation and sights.deviation_object == bpy.data.objects["Scan"]
+    assert len(bpy.data.objects["Fitted patch"].data.attributes["Distance"].data) == len(bpy.data.objects["Fitted patch"].data.vertices)
