@@ -9,9 +9,10 @@ from . import recipes, shape, store
 from .net import free_net
 
 
-def new_data(name, recipe, values, points, resolution):
-    """A new Curve that a recipe makes of points. Raises Refusal or an error of the library."""
-    result = recipe.make(points, **values)
+def new_data(name, recipe, values, points, resolution, result=None):
+    """A new Curve that a recipe makes of points. result: what it makes, where that is known. Raises Refusal or an error of the
+    library."""
+    result = result or recipe.make(points, **values)
     data = shape.new_data(name, result.value, resolution, around=points if recipe.is_endless else None)
     recipes.write_made(data, recipe, values, points, result.error)
     return data

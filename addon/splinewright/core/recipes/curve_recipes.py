@@ -52,12 +52,12 @@ def _interpolating(points, degree, parametrisation, knots, closed):
 _CORRECTIONS = 3
 
 
-def _approximating(points, by, tolerance, control_points, degree, parametrisation, closed):
+def _approximating(points, by, tolerance, control_points, degree, parametrisation, closed, cancel=None):
     degree = min(degree, len(points) - 1)
     least, most = (max(degree, 3) if closed else degree + 1), len(points)
     options = {'tolerance': tolerance} if by == 'tolerance' else {'count': min(max(control_points, least), most)}
     return Result(*sc.fit.approximate(points, degree=degree, parameters=parametrisation, closed=closed,
-                                      corrections=_CORRECTIONS, **options))
+                                      corrections=_CORRECTIONS, cancel=cancel, **options))
 
 
 def _polynomial(points, parametrisation, spline):
@@ -168,7 +168,7 @@ RECIPES = (
                ("count", "Control Points", "So many"))),
             Parameter("tolerance", "Tolerance", "How far points may lie from the curve", 0.05, 1e-9, unit='LENGTH'),
             Parameter("control_points", "Control Points", "Of the curve; no more than there are points", 8, 2, 10_000),
-            _DEGREE, _PARAMETERS, _CLOSED), _approximating, _WAVE, True, 24),
+            _DEGREE, _PARAMETERS, _CLOSED), _approximating, _WAVE, True, 24, takes_cancel=True),
     Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbours",
            (_PARAMETERS, _TENSION, _CLOSED, _ENDS), _catmull_rom, _WAVE, True, 16),
     Recipe("kochanek_bartels", "Kochanek-Bartels Spline", "A Catmull-Rom spline with tension, continuity and bias",

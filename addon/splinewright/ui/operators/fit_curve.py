@@ -37,7 +37,7 @@ class SPLINEWRIGHT_OT_fit_curve(CurvesFromPoints, bpy.types.Operator):
         cls.poll_message_set(cls.needs)
         return False
 
-    def of_objects(self, context):
+    def lines_of_objects(self, context):
         drawn = [ob for ob in context.selected_objects if strokes.is_drawn(ob)]
         frame = context.scene.frame_current
         found = ([(ob, *stroke) for ob in drawn for stroke in strokes.of_object(ob, frame)] if drawn else
@@ -46,7 +46,7 @@ class SPLINEWRIGHT_OT_fit_curve(CurvesFromPoints, bpy.types.Operator):
         lines = [line for line in lines if len(line[1]) > 1]
         if not lines:
             raise Refusal("there are no strokes" if drawn else self.needs)
-        return self.new_objects(lines)
+        return lines
 
     def draw(self, context):
         layout = self.layout

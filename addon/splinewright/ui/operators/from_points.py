@@ -10,9 +10,10 @@ from ...core.failures import FAILURES, Refusal
 from .. import editing, recipe_props
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, require_place
+from .long_work import LongWork
 
 
-class CurvesFromPoints(Repeatable):
+class CurvesFromPoints(LongWork, Repeatable):
     """Adds what curves() makes. `recipe` makes a curve of points, `shape_name` names it."""
 
     recipe, shape_name = None, ""
@@ -32,6 +33,17 @@ class CurvesFromPoints(Repeatable):
         """poll() in Object Mode."""
         return True
 
+    def start(self, context):
+        return super().start(context) if self.recipe.takes_cancel else self.execute(context)
+
+    def tasks(self, context):
+        found = self.lines_of_objects(context) if context.mode == 'OBJECT' else _lines_of_vertices(context)
+        return {i: self.recipe.work(np.array(points, dtype=np.float64), self._values(closed))
+                for i, (_, points, closed) in enumerate(found)}
+
+    def _values(self, closed):
+        return {**recipe_props.typed(self.recipe, self), 'closed': self.closed or closed}
+
     def execute(self, context):
         new_shapes.settle(self)
         try:
@@ -43,19 +55,20 @@ class CurvesFromPoints(Repeatable):
             add_in_front(context, ob, context.selected_objects if ob == new[0] else [])
         return self.finished(context, reports.Said(warnings=self.warnings(new)))
 
+    def lines_of_objects(self, context):
+        """[(object or None, points in its space, whether they close)] in Object Mode. Raises Refusal."""
+        raise NotImplementedError("lines_of_objects: each operator says what it takes of objects")
+
     def of_objects(self, context):
         """New objects, in Object Mode. Raises Refusal."""
-        raise NotImplementedError("of_objects: each operator says what it takes of objects")
+        return self.new_objects(self.lines_of_objects(context))
 
     def warnings(self, new):
         return ()
 
     def _of_vertices(self, context):
         """One curve for each chain of vertices. Leaves Edit Mode where nothing is refused."""
-        found = [(ob, *chain) for ob in context.objects_in_mode_unique_data for chain in _chains(ob.data)]
-        if not found:
-            raise Refusal("no vertices are selected")
-        new = self.new_objects(found)
+        new = self.new_objects(_lines_of_vertices(context))
         bpy.ops.object.mode_set(mode='OBJECT')
         return new
 
@@ -63,9 +76,8 @@ class CurvesFromPoints(Repeatable):
         """One for each (source, points in its space, whether they close), in its place; none where one is refused."""
         new = []
         try:
-            for source, points, closed in found:
-                values = {**recipe_props.typed(self.recipe, self), 'closed': self.closed or closed}
-                new.append(self.new_object(f"{source.name} Curve" if source else self.shape_name, values, points))
+            for i, (source, points, closed) in enumerate(found):
+                new.append(self.new_object(f"{source.name} Curve" if source else self.shape_name, self._values(closed), points, i))
                 if source:
                     new[-1].matrix_world = source.matrix_world
         except FAILURES:
@@ -73,11 +85,22 @@ class CurvesFromPoints(Repeatable):
             raise
         return new
 
-    def new_object(self, name, values, points):
+    def new_object(self, name, values, points, number=0):
+        """number: of the task that makes it."""
         if len(points) < 2:
             raise Refusal("one point is no curve: select more")
-        data = remaking.new_data(name, self.recipe, values, np.array(points, dtype=np.float64), new_shapes.start(self))
+        points = np.array(points, dtype=np.float64)
+        result = self.result_of(number, self.recipe.work(points, values))
+        data = remaking.new_data(name, self.recipe, values, points, new_shapes.start(self), result)
         return bpy.data.objects.new(data.name, data)
+
+
+def _lines_of_vertices(context):
+    """[(object, points in its space, whether they close)] of the selected vertices. Raises Refusal."""
+    found = [(ob, *chain) for ob in context.objects_in_mode_unique_data for chain in _chains(ob.data)]
+    if not found:
+        raise Refusal("no vertices are selected")
+    return found
 
 
 def _chains(mesh):
