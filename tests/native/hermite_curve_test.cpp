@@ -111,7 +111,7 @@ TEST(HermiteCurveMake, NamesWhatIsWrong) {
   EXPECT_EQ(refused(points, tangents, {0, nan}), "parameters[1] = nan is not finite");
   EXPECT_EQ(refused(points, tangents, {1, 1}), "parameters[1] = 1 does not increase from 1");
   EXPECT_EQ(refused(points, tangents, {-1e308, 1e308}),
-            "knots from -1e+308 to 1e+308 overflow: their distance is not a finite number");
+            "parameters from -1e+308 to 1e+308 overflow: their distance is not a finite number");
   const HermiteCurve curve = HermiteCurve::make(points, tangents);
   EXPECT_EQ(refusal([&] { split(curve, 1); }), "u = 1 is not inside the domain (0, 1)");
   EXPECT_EQ(refusal([&] { split(curve, nan); }), "u = nan is not inside the domain (0, 1)");

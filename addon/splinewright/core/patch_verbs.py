@@ -115,11 +115,11 @@ def rebuild(counts, degrees, cancel=None):
     return verb
 
 
-def fair(tolerance, ends):
-    """ends: 'points', borders stay, or 'tangents', the derivatives across them, too."""
+def fair(tolerance, ends, cancel=None):
+    """ends: 'points', borders stay, or 'tangents', the derivatives across them, too. cancel: as the library takes it."""
     def verb(patch):
         given = patch.to_nurbs()
-        made = given.fair(tolerance, ends=ends)
+        made = given.fair(tolerance, ends=ends, cancel=cancel)
         if made.value == given:
             return patch
         return verbs.Near(verbs.Part(made.value, places.Place()), made.error)

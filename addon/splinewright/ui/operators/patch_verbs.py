@@ -172,7 +172,7 @@ class SPLINEWRIGHT_OT_patch_rebuild(pieces.LongOnPieces, OnPatches, bpy.types.Op
         return partial(patch_verbs.rebuild, (self.count_u, self.count_v), (self.degree_u, self.degree_v))
 
 
-class SPLINEWRIGHT_OT_patch_fair(OnPatches, bpy.types.Operator):
+class SPLINEWRIGHT_OT_patch_fair(pieces.LongOnPieces, OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.patch_fair"
     bl_label = "Fair"
     bl_description = ("Move inner control points so that the patch bends as little as a tolerance allows; "
@@ -183,8 +183,8 @@ class SPLINEWRIGHT_OT_patch_fair(OnPatches, bpy.types.Operator):
     keep_tangents: BoolProperty(name="Keep Border Tangents", description="Patches go on as smoothly across their borders: "
                                 "the derivatives there stay")
 
-    def verb(self):
-        return patch_verbs.fair(self.length, 'tangents' if self.keep_tangents else 'points')
+    def verb_with(self):
+        return partial(patch_verbs.fair, self.length, 'tangents' if self.keep_tangents else 'points')
 
 
 class SPLINEWRIGHT_OT_patch_split(AtParameters, _Along, bpy.types.Operator):
