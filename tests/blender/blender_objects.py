@@ -148,3 +148,36 @@ def _linked(data):
 
 def _single(values):
     return np.ascontiguousarray(values, np.float32).ravel()
+
+
+def grease_pencil(*lines, closed=False, hidden=False):
+    """A selected Grease Pencil object, alone, with these strokes on one layer."""
+    if hasattr(bpy.data, 'grease_pencils_v3') or bpy.app.version >= (5, 0):
+        kept = bpy.data.grease_pencils_v3 if hasattr(bpy.data, 'grease_pencils_v3') else bpy.data.grease_pencils
+        data = kept.new("drawn")
+        layer = data.layers.new("L")
+        drawing = layer.frames.new(1).drawing
+        if lines:                       # Blender crashes where it is to add none
+            drawing.add_strokes([len(line) for line in lines])
+        for stroke, line in zip(drawing.strokes, lines):
+            stroke.cyclic = closed
+            for point, place in zip(stroke.points, line):
+                point.position = place
+    else:
+        data = bpy.data.grease_pencils.new("drawn")
+        layer = data.layers.new("L")
+        frame = layer.frames.new(1)
+        for line in lines:
+            stroke = frame.strokes.new()
+            stroke.use_cyclic = closed
+            stroke.points.add(len(line))
+            for point, place in zip(stroke.points, line):
+                point.co = place
+    layer.hide = hidden
+    ob = bpy.data.objects.new("drawn", data)
+    bpy.context.scene.collection.objects.link(ob)
+    for other in bpy.context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    return ob

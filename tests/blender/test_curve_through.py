@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 import pytest
 
+from blender_objects import grease_pencil
 from layouts import drawn
 from shapes import activate, enter, op, require_exact, shown
 from support import part, splinecore as sc
@@ -175,6 +176,27 @@ def test_what_is_no_curve_is_refused_and_nothing_is_lost(points, chosen, word):
     with pytest.raises(RuntimeError, match=word):
         run()
     assert bpy.context.mode == 'EDIT_MESH' and (len(bpy.data.objects), len(bpy.data.curves)) == before
+
+
+def test_it_goes_through_all_points_of_each_stroke():
+    lines = PLACES.astype(np.float32).astype(np.float64), (PLACES + 1).astype(np.float32).astype(np.float64)
+    source = grease_pencil(*lines)
+    source.location = (1, 2, 3)
+    bpy.context.view_layer.update()
+    before = set(bpy.data.objects)
+    run()
+    made = sorted(set(bpy.data.objects) - before, key=lambda ob: ob.name)
+    assert len(made) == 2 and source.name in bpy.data.objects
+    for ob, line in zip(made, lines):
+        assert np.array_equal(recipes.points(ob.data), line) and tuple(ob.location) == (1, 2, 3)
+        assert value(ob).nearest(line).distances.max() < 1e-14
+        require_exact(ob)
+
+
+def test_strokes_of_none_are_said():
+    grease_pencil()
+    with pytest.raises(RuntimeError, match="no strokes"):
+        run()
 
 
 def test_vertices_in_no_order_are_refused():

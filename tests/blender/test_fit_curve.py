@@ -6,7 +6,8 @@ import bpy
 import numpy as np
 import pytest
 
-from shapes import activate, op, require_exact
+from blender_objects import grease_pencil
+from shapes import op, require_exact
 from support import part, splinecore as sc
 from test_curve_through import mesh_object, select_vertices, value
 
@@ -14,36 +15,6 @@ recipes, strokes, store = (part(f'bridge.{name}') for name in ('recipes', 'strok
 
 T = np.linspace(0, 1, 60)
 DRAWN = np.stack([4 * T, np.sin(6 * T) + 0.01 * np.sin(200 * T), 0.2 * T], -1).astype(np.float32).astype(np.float64)
-
-
-def grease_pencil(*lines, closed=False, hidden=False):
-    """An object with these strokes on one layer."""
-    if hasattr(bpy.data, 'grease_pencils_v3') or bpy.app.version >= (5, 0):
-        kept = bpy.data.grease_pencils_v3 if hasattr(bpy.data, 'grease_pencils_v3') else bpy.data.grease_pencils
-        data = kept.new("drawn")
-        layer = data.layers.new("L")
-        drawing = layer.frames.new(1).drawing
-        if lines:                       # Blender crashes where it is to add none
-            drawing.add_strokes([len(line) for line in lines])
-        for stroke, line in zip(drawing.strokes, lines):
-            stroke.cyclic = closed
-            for point, place in zip(stroke.points, line):
-                point.position = place
-    else:
-        data = bpy.data.grease_pencils.new("drawn")
-        layer = data.layers.new("L")
-        frame = layer.frames.new(1)
-        for line in lines:
-            stroke = frame.strokes.new()
-            stroke.use_cyclic = closed
-            stroke.points.add(len(line))
-            for point, place in zip(stroke.points, line):
-                point.co = place
-    layer.hide = hidden
-    ob = bpy.data.objects.new("drawn", data)
-    bpy.context.scene.collection.objects.link(ob)
-    activate(ob)
-    return ob
 
 
 def run(**settings):

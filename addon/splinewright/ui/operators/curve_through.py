@@ -1,20 +1,21 @@
-"""A curve through what is selected: vertices of a mesh in Edit Mode, or the origins of objects, which it follows."""
+"""A curve through what is selected: vertices of a mesh in Edit Mode, the points of strokes, or the origins of objects, which
+it follows."""
 
 import re
 
 import bpy
 from bpy.props import BoolProperty
 
-from ...bridge import follow
+from ...bridge import follow, strokes
 from ...core.failures import Refusal
 from ...core.recipes.table import RECIPES, THROUGH_OBJECTS
 from .. import recipe_props
 from . import new_shapes
 from .adding import resolution_property
-from .from_points import CurvesFromPoints
+from .from_points import CurvesFromPoints, are_strokes_there, lines_of_strokes
 
 _SPLINE = RECIPES['interpolating']
-_FEW = "Select two objects or more"
+_FEW = "Select two objects or more, or draw with Grease Pencil or Annotate"
 _MORE = {'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the first point; loops of edges always do"}}
 
 
@@ -22,7 +23,8 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
     bl_idname = "splinewright.curve_through_points"
     bl_label = "Add Curve Through Points"
     bl_description = ("Add a spline through the selected vertices of a mesh in Edit Mode, along its edges or in the order in "
-                      "which they were selected, or through the selected objects in the order of their names, which it follows")
+                      "which they were selected; through each stroke of selected Grease Pencil objects, or of annotations where "
+                      "nothing is selected; or through the selected objects in the order of their names, which it follows")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     recipe, shape_name = _SPLINE, "Curve Through Points"
     __annotations__ = {
@@ -34,16 +36,21 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
 
     @classmethod
     def can_take_objects(cls, context):
-        if len(context.selected_objects) < 2:
-            cls.poll_message_set(_FEW)
-            return False
-        return True
+        if len(context.selected_objects) > 1 or _takes_strokes(context) and are_strokes_there(context):
+            return True
+        cls.poll_message_set(_FEW)
+        return False
 
     def warnings(self, new):
         degree = min(ob.data.splinewright.value.degree for ob in new)
         return (f"the degree is {degree}: there are no points for more",) if degree < self.degree else ()
 
+    def lines_of_objects(self, context):
+        return lines_of_strokes(context, _FEW)
+
     def of_objects(self, context):
+        if _takes_strokes(context):
+            return super().of_objects(context)
         if len(context.selected_objects) < 2:
             raise Refusal(_FEW)
         places = sorted(context.selected_objects, key=lambda ob: _in_numbers(ob.name))
@@ -59,6 +66,10 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
             layout.prop(self, parameter.name)
         layout.prop(self, "live")
         new_shapes.draw(self, layout)
+
+
+def _takes_strokes(context):
+    return not context.selected_objects or any(map(strokes.is_drawn, context.selected_objects))
 
 
 def _in_numbers(name):

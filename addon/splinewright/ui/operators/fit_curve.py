@@ -2,14 +2,11 @@
 
 import bpy
 
-from ...bridge import strokes
-from ...core import polylines
-from ...core.failures import Refusal
 from ...core.recipes.table import RECIPES
 from .. import recipe_props
 from . import new_shapes
 from .adding import resolution_property
-from .from_points import CurvesFromPoints
+from .from_points import CurvesFromPoints, are_strokes_there, lines_of_strokes
 
 _SPLINE = RECIPES['approximating']
 _MORE = {'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the first point; loops of edges and closed "
@@ -32,21 +29,13 @@ class SPLINEWRIGHT_OT_fit_curve(CurvesFromPoints, bpy.types.Operator):
 
     @classmethod
     def can_take_objects(cls, context):
-        if any(map(strokes.is_drawn, context.selected_objects)) or strokes.has_annotations(context):
+        if are_strokes_there(context):
             return True
         cls.poll_message_set(cls.needs)
         return False
 
     def lines_of_objects(self, context):
-        drawn = [ob for ob in context.selected_objects if strokes.is_drawn(ob)]
-        frame = context.scene.frame_current
-        found = ([(ob, *stroke) for ob in drawn for stroke in strokes.of_object(ob, frame)] if drawn else
-                 [(None, *stroke) for stroke in strokes.of_annotations(context)])
-        lines = [(source, polylines.without_repeats(points), closed) for source, points, closed in found]
-        lines = [line for line in lines if len(line[1]) > 1]
-        if not lines:
-            raise Refusal("there are no strokes" if drawn else self.needs)
-        return lines
+        return lines_of_strokes(context, self.needs)
 
     def draw(self, context):
         layout = self.layout

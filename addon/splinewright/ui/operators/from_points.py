@@ -4,8 +4,8 @@ import bmesh
 import bpy
 import numpy as np
 
-from ...bridge import remaking
-from ...core import vertex_order
+from ...bridge import remaking, strokes
+from ...core import polylines, vertex_order
 from ...core.failures import FAILURES, Refusal
 from .. import editing, recipe_props
 from . import new_shapes, reports
@@ -93,6 +93,25 @@ class CurvesFromPoints(LongWork, Repeatable):
         result = self.result_of(number, self.recipe.work(points, values))
         data = remaking.new_data(name, self.recipe, values, points, new_shapes.start(self), result)
         return bpy.data.objects.new(data.name, data)
+
+
+def are_strokes_there(context):
+    """Whether lines_of_strokes() has something to look at."""
+    return any(map(strokes.is_drawn, context.selected_objects)) or strokes.has_annotations(context)
+
+
+def lines_of_strokes(context, needs):
+    """[(object or None, points in its space, whether they close)] of the selected Grease Pencil objects, or of the annotations
+    where none is selected. Raises Refusal; `needs` says what there must be."""
+    drawn = [ob for ob in context.selected_objects if strokes.is_drawn(ob)]
+    frame = context.scene.frame_current
+    found = ([(ob, *stroke) for ob in drawn for stroke in strokes.of_object(ob, frame)] if drawn else
+             [(None, *stroke) for stroke in strokes.of_annotations(context)])
+    lines = [(source, polylines.without_repeats(points), closed) for source, points, closed in found]
+    lines = [line for line in lines if len(line[1]) > 1]
+    if not lines:
+        raise Refusal("there are no strokes" if drawn else needs)
+    return lines
 
 
 def _lines_of_vertices(context):
