@@ -23,7 +23,7 @@ namespace splinecore {
 template <std::size_t kCount>
 struct MeasuredPiece {
   SurfacePiece piece;
-  std::size_t patch;  ///< the how manieth it is of
+  std::size_t patch;  ///< the number of the one that it belongs to
   IntegralSums<kCount> found;
 };
 
