@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 
 from ..core import checksum
+from . import mesh_layers
 
 
 def of(data):
@@ -60,8 +61,11 @@ def _of_mesh(mesh):
         mesh.attributes['position'].data.foreach_get('vector', positions)
     else:
         mesh.vertices.foreach_get('co', positions)
-    corners = np.empty(len(mesh.loops), np.int32)      # in Edit Mode, too, where attributes of corners cannot be read
-    mesh.loops.foreach_get('vertex_index', corners)
+    if mesh.is_editmode:                # attributes of corners cannot be read then
+        corners = np.empty(len(mesh.loops), np.int32)
+        mesh.loops.foreach_get('vertex_index', corners)
+    else:
+        corners = np.ascontiguousarray(mesh_layers.corner_vertices(mesh))
     starts = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('loop_start', starts)
     return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners),
