@@ -2,16 +2,15 @@
 
 from typing import NamedTuple
 
-import blf
 import bpy
 import numpy as np
 
 from ..bridge.file_state import state
 from ..core import measured
-from . import colors, messages, picking, strokes
+from . import colors, messages, mouse_words, picking, strokes
 
-#: In pixels of an interface that is not scaled: of an arm, of text, between its lines, and between the mouse and it.
-_ARM, _SIZE, _LINE, _BESIDE = 70, 15, 20, 18
+#: Of an arm, in pixels of an interface that is not scaled.
+_ARM = 70
 #: Of the point, where there is no other colour for it.
 _COLOR = (0.35, 1.0, 0.5, 1.0)
 
@@ -40,15 +39,6 @@ def draw():
 
 def draw_words():
     """Called by Blender for each 3D view."""
-    shown, region = state.measured, bpy.context.region
-    if shown is None or shown.region != region.as_pointer():
-        return
-    scale = bpy.context.preferences.system.ui_scale
-    blf.size(0, _SIZE * scale)
-    blf.enable(0, blf.SHADOW)
-    blf.shadow(0, 3, 0.0, 0.0, 0.0, 0.9)
-    blf.color(0, *(messages.NOTE if shown.place else messages.WARNING))
-    for i, text in enumerate(reversed(shown.words)):
-        blf.position(0, shown.x - region.x + _BESIDE * scale, shown.y - region.y + (_BESIDE + i * _LINE) * scale, 0)
-        blf.draw(0, text)
-    blf.disable(0, blf.SHADOW)
+    shown = state.measured
+    if shown is not None and shown.region == bpy.context.region.as_pointer():
+        mouse_words.draw(shown.x, shown.y, shown.words, messages.NOTE if shown.place else messages.WARNING)

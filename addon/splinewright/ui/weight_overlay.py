@@ -2,13 +2,10 @@
 
 from typing import NamedTuple
 
-import blf
 import bpy
 
 from ..bridge.file_state import state
-from . import messages
-
-_SIZE, _BESIDE = 15, 18
+from . import messages, mouse_words
 
 
 class Weighing(NamedTuple):
@@ -23,14 +20,6 @@ class Weighing(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    shown, region = state.weighing, bpy.context.region
-    if shown is None or shown.region != region.as_pointer():
-        return
-    scale = bpy.context.preferences.system.ui_scale
-    blf.size(0, _SIZE * scale)
-    blf.enable(0, blf.SHADOW)
-    blf.shadow(0, 3, 0.0, 0.0, 0.0, 0.9)
-    blf.color(0, *(messages.WARNING if shown.is_warning else messages.NOTE))
-    blf.position(0, shown.x - region.x + _BESIDE * scale, shown.y - region.y + _BESIDE * scale, 0)
-    blf.draw(0, shown.text)
-    blf.disable(0, blf.SHADOW)
+    shown = state.weighing
+    if shown is not None and shown.region == bpy.context.region.as_pointer():
+        mouse_words.draw(shown.x, shown.y, (shown.text,), messages.WARNING if shown.is_warning else messages.NOTE)
