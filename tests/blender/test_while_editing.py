@@ -36,6 +36,16 @@ def test_a_mesh_changed_by_hand_while_its_net_is_out_is_not_overwritten():
     assert shape.is_touched(ob.data) and np.array_equal(vertices(ob.data), changed)
 
 
+@pytest.mark.parametrize('kind', sorted(VALUES))
+def test_the_result_itself_in_edit_mode_is_not_changed_by_hand(kind):
+    ob = add(VALUES[kind]())
+    bpy.ops.object.mode_set(mode='EDIT')
+    assert bpy.context.mode in ('EDIT_MESH', 'EDIT_CURVE') and not shape.is_touched(ob.data)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    assert not shape.is_touched(ob.data)
+    require_exact(ob)
+
+
 def test_a_value_given_while_the_net_is_out_is_not_lost():
     ob = add(VALUES['nurbs patch']())
     held = enter()

@@ -133,12 +133,19 @@ def column(mesh, collection, field, attribute, dtype):
 
 def corner_vertices(mesh):
     """(c,) the vertex of each corner."""
-    return column(mesh, 'loops', 'vertex_index', '.corner_vert', np.int32)
+    return _of_corners(mesh, 'vertex_index', '.corner_vert')
 
 
 def corner_edges(mesh):
     """(c,) the edge from each corner to the next of its face."""
-    return column(mesh, 'loops', 'edge_index', '.corner_edge', np.int32)
+    return _of_corners(mesh, 'edge_index', '.corner_edge')
+
+
+def _of_corners(mesh, field, attribute):
+    """A column() that every mesh has; a mesh in Edit Mode has no attribute for it."""
+    if mesh.is_editmode:
+        return read(mesh.loops, field, 1, np.int32)[:, 0]
+    return column(mesh, 'loops', field, attribute, np.int32)
 
 
 def of_users(mesh):

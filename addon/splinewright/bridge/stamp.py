@@ -61,11 +61,7 @@ def _of_mesh(mesh):
         mesh.attributes['position'].data.foreach_get('vector', positions)
     else:
         mesh.vertices.foreach_get('co', positions)
-    if mesh.is_editmode:                # attributes of corners cannot be read then
-        corners = np.empty(len(mesh.loops), np.int32)
-        mesh.loops.foreach_get('vertex_index', corners)
-    else:
-        corners = np.ascontiguousarray(mesh_layers.corner_vertices(mesh))
+    corners = np.ascontiguousarray(mesh_layers.corner_vertices(mesh))
     starts = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('loop_start', starts)
     return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners),
