@@ -1,8 +1,21 @@
-"""Hypothesis tries the same examples in every run."""
+"""Every run tries the same random numbers and examples; `--seed N` tries others."""
 
+import numpy as np
 from hypothesis import HealthCheck, settings
 
-settings.register_profile(
-    "same", derandomize=True, database=None, deadline=None, max_examples=100,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
-settings.load_profile("same")
+SLOW_IS_WELL = [HealthCheck.too_slow, HealthCheck.filter_too_much]
+settings.register_profile("same", derandomize=True, database=None, deadline=None, max_examples=100,
+                          suppress_health_check=SLOW_IS_WELL)
+settings.register_profile("other", database=None, deadline=None, max_examples=100, suppress_health_check=SLOW_IS_WELL)
+
+
+def pytest_addoption(parser):
+    parser.addoption("--seed", type=int, default=0, metavar="N", help="other random numbers than those of every run")
+
+
+def pytest_configure(config):
+    seed = config.getoption("seed")
+    settings.load_profile("other" if seed else "same")
+    if seed:
+        of_every_run = np.random.default_rng
+        np.random.default_rng = lambda given: of_every_run([seed, *np.atleast_1d(given)])
