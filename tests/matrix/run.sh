@@ -21,7 +21,8 @@ make_root() { "$here/root.sh" make "$1" "$cache/$1" >"$build/root-$1.log" 2>&1; 
 
 build_module() {
   in_root "$1" sh -c "
-    cmake -S /project -B $inside/roots/$1 -G Ninja -DCMAKE_BUILD_TYPE=Release -DSPLINEWRIGHT_TESTS=OFF &&
+    cmake -S /project -B $inside/roots/$1 -G Ninja -DCMAKE_BUILD_TYPE=Release -DSPLINEWRIGHT_TESTS=OFF \
+      -DSPLINECORE_PRECOMPILED=ON &&
     cmake --build $inside/roots/$1 --target _splinecore &&
     cp -u $inside/roots/$1/python/splinecore/_splinecore.*.so $inside/modules/" >"$build/module-$1.log" 2>&1 ||
     { tail -n 40 "$build/module-$1.log" >&2; return 1; }

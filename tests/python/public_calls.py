@@ -211,7 +211,7 @@ HERMITE_PATCH = {
 def solid(one, at):
     """The set, or where it encloses nothing a patch and one beside it with the same sides, which do where the degree is
     more than 1."""
-    if abs(one.volume(tolerance=1e-1)) > 1e-3 * at.size**3:
+    if abs(one.volume(tolerance=1e-1)) / at.size / at.size > 1e-3 * at.size:
         return one
     points = np.array(at.patch.points)
     points[1, 1] += at.size

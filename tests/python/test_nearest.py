@@ -245,7 +245,8 @@ def test_a_whole_curve_of_nearest_places_ends():
         places = np.r_[queries(rng, patch.points.reshape(-1, 3), 6), 0.3 * direction[None]]
         found = patch.nearest(places)
         least = least_of_patch(patch, places)
-        assert (found.distances <= least + 1e-7).all() and (found.distances >= least - 1e-6).all()
+        size = np.abs(patch.points).max() + found.distances
+        assert (found.distances <= least + 1e-7 * size).all() and (found.distances >= least - 1e-6).all()
         on_patch = patch.evaluate(found.parameters[:, 0], found.parameters[:, 1])
         assert np.allclose(on_patch, found.points, atol=1e-9)
 

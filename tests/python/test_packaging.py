@@ -61,6 +61,13 @@ print(sc.__version__)
 """
 
 
+def compiled_before():
+    """Settings with which what the build has compiled in the same way is taken from ccache, where there is one."""
+    if not shutil.which("ccache"):
+        return {}
+    return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON"}
+
+
 def test_pip_install_gives_a_package_that_works_in_a_plain_python(tmp_path):
     code, output = run(sys.executable, "-m", "venv", tmp_path / "venv")
     if code:
@@ -70,7 +77,7 @@ def test_pip_install_gives_a_package_that_works_in_a_plain_python(tmp_path):
                        "-d", tmp_path / "download", "scikit-build-core")
     if code:
         pytest.skip(f"PyPI cannot be reached, so there is no scikit-build-core: {output[-200:]}")
-    must(python, "-m", "pip", "install", "-q", NATIVE)
+    must(python, "-m", "pip", "install", "-q", NATIVE, env=compiled_before())
     assert must(python, "-c", WHEEL_USE, cwd=tmp_path).strip() == version_of_cmake()
 
 
