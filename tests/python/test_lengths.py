@@ -47,8 +47,9 @@ def random_curves(rng):
 
 def dense(curve, parts=313):
     """By Gauss's rule on many parts of every span, ever shorter towards its ends, where wild weights have their peaks."""
-    near_ends = 0.5 ** np.linspace(40, 1, parts)
-    places = np.concatenate([[0.0], near_ends, 1 - near_ends[-2::-1], [1.0]])
+    near_ends = np.r_[0.0, 0.5 ** np.linspace(40, 1, parts)]
+    places = np.r_[near_ends, 1 - near_ends[-2::-1]]
+    widths = np.r_[np.diff(near_ends), np.diff(near_ends)[::-1]]
     start, end = curve.domain
     knots = np.unique(np.concatenate([curve.knots, [start, end]]))
     knots = knots[(knots >= start) & (knots <= end)]
@@ -56,7 +57,7 @@ def dense(curve, parts=313):
     total = 0.0
     for a, b in zip(knots[:-1], knots[1:]):
         edges = a + (b - a) * places
-        half = np.diff(edges)[:, None] / 2
+        half = (b - a) * widths[:, None] / 2
         u = edges[:-1, None] + half * (1 + nodes)
         total += (half * weights * np.linalg.norm(curve.derivatives(u, 1)[..., 1, :], axis=-1)).sum()
     return total
@@ -64,8 +65,10 @@ def dense(curve, parts=313):
 
 def test_lengths_are_those_of_a_dense_rule_whatever_the_knots_and_the_degree():
     for curve in random_curves(np.random.default_rng(1)):
+        # The rule's places are rounded, and its peaks as narrow as the weights are different.
+        allowed = 1e-11 + 2.0**-50 * np.ptp(curve.weights) / curve.weights.min()
         length = curve.length()
-        assert near(length, dense(curve), 1e-11) or near(length, dense(curve, 40000), 1e-11), curve
+        assert near(length, dense(curve), allowed) or near(length, dense(curve, 40000), allowed), curve
 
 
 def test_a_wide_tolerance_is_kept():
