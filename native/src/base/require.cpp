@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "splinecore/base/errors.hpp"
@@ -24,9 +25,9 @@ bool are_finite(const double* values, std::size_t count) {
 
 /// Without an end before the last: comparisons that wait for nothing are done several at once.
 bool are_increasing(std::span<const double> values) {
-  bool increase = true;
-  for (std::size_t i = 1; i < values.size(); ++i) increase &= values[i - 1] < values[i];
-  return increase;
+  std::int64_t falls = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) falls += values[i - 1] >= values[i] ? 1 : 0;
+  return falls == 0;
 }
 
 }  // namespace

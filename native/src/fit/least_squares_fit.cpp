@@ -85,7 +85,8 @@ void LeastSquaresFit::require_points() const {
   for (std::size_t j = held_.start; j < end; ++j) {
     const bool is_first = chain[j] == chain[j + degree];
     const bool is_last = chain[j + 1] == chain[j + degree + 1];
-    while (i < parameters_.size() && (parameters_[i] < chain[j] || (parameters_[i] == chain[j] && !is_first))) ++i;
+    i = first_from(parameters_, i, chain[j]);
+    if (i < parameters_.size() && parameters_[i] == chain[j] && !is_first) ++i;
     const bool is_there = i < parameters_.size() && (parameters_[i] < chain[j + degree + 1] ||
                                                      (is_last && parameters_[i] == chain[j + degree + 1]));
     if (!is_there) {

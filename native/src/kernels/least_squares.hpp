@@ -1,8 +1,28 @@
 // Kernels of least squares. Included in the namespace of each set of instructions: see set.hpp.
 
+// Sums are kept in registers, as many at once as one holds.
+#if defined(SPLINECORE_WIDE_LANES)
+typedef WideLanes SumLanes;
+#else
+typedef OwnLanes SumLanes;
+#endif
+inline constexpr std::size_t kSums = sizeof(SumLanes) / sizeof(double);
+
 /// x, y, z of neighbouring points, one lane each.
-#if defined(__FMA__) && defined(__AVX2__)
-SPLINECORE_INLINE void load_triples(const double* from, OwnLanes* xyz) {
+#if defined(SPLINECORE_WIDE_LANES)
+SPLINECORE_INLINE void load_triples(const double* from, SumLanes* xyz) {
+  const WideLanes a = load<WideLanes>(from);
+  const WideLanes b = load<WideLanes>(from + 8);
+  const WideLanes c = load<WideLanes>(from + 16);
+  const WideLanes x = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
+  const WideLanes y = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
+  const WideLanes z = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
+  xyz[0] = __builtin_shufflevector(x, c, 0, 1, 2, 3, 4, 5, 10, 13);
+  xyz[1] = __builtin_shufflevector(y, c, 0, 1, 2, 3, 4, 8, 11, 14);
+  xyz[2] = __builtin_shufflevector(z, c, 0, 1, 2, 3, 4, 9, 12, 15);
+}
+#elif defined(__FMA__) && defined(__AVX2__)
+SPLINECORE_INLINE void load_triples(const double* from, SumLanes* xyz) {
   const Lanes a = load(from);                                      // x0 y0 z0 x1
   const Lanes b = load(from + 4);                                  // y1 z1 x2 y2
   const Lanes c = load(from + 8);                                  // z2 x3 y3 z3
@@ -14,41 +34,45 @@ SPLINECORE_INLINE void load_triples(const double* from, OwnLanes* xyz) {
   xyz[2] = __builtin_shufflevector(second, third, 0, 5, 2, 7);
 }
 #else
-SPLINECORE_INLINE void load_triples(const double* from, OwnLanes* xyz) {
-  for (int c = 0; c < 3; ++c) xyz[c] = OwnLanes{from[c], from[c + 3]};
+SPLINECORE_INLINE void load_triples(const double* from, SumLanes* xyz) {
+  for (int c = 0; c < 3; ++c) xyz[c] = SumLanes{from[c], from[c + 3]};
 }
+#endif
+
+#if defined(SPLINECORE_WIDE_LANES)
+SPLINECORE_INLINE double sum_of(SumLanes a) { return sum_of(lower(a) + upper(a)); }
 #endif
 
 /// t^j s^(degree - j), where t and s are the parts of a span before and behind a place.
 template <int kDegree>
-SPLINECORE_INLINE void power_products(OwnLanes t, OwnLanes s, OwnLanes* out) {
+SPLINECORE_INLINE void power_products(SumLanes t, SumLanes s, SumLanes* out) {
   out[kDegree] = t;
   for (int j = 1; j <= kDegree; ++j) out[j] = j == 1 ? t : out[j - 1] * t;
-  OwnLanes power = s;
+  SumLanes power = s;
   for (int j = kDegree - 1; j > 0; --j, power *= s) out[j] *= power;
   out[0] = power;
 }
 
-/// Takes kOwn points at a time of a span; those that the last ones are filled up with have the weight 0.
+/// Takes kSums points at a time of a span; those that the last ones are filled up with have the weight 0.
 /// @param take  a function of t, s, weights and points
 template <class Take>
 SPLINECORE_INLINE void each_few(const SpanPoints& span, Take&& take) {
-  const auto at = [&](const double* u, OwnLanes weight, const double* points) __attribute__((always_inline)) {
-    const OwnLanes places = loaded(u);
-    take((places - same(span.start)) * same(span.share), (same(span.end) - places) * same(span.share), weight, points);
+  const auto at = [&](const double* u, SumLanes weight, const double* points) __attribute__((always_inline)) {
+    const SumLanes places = load<SumLanes>(u);
+    take((places - all<SumLanes>(span.start)) * all<SumLanes>(span.share), (all<SumLanes>(span.end) - places) * all<SumLanes>(span.share), weight, points);
   };
   const bool has_points = span.points != nullptr;
   const bool has_weights = span.weights != nullptr;
   std::size_t i = 0;
-  for (; i + kOwn <= span.count; i += kOwn) {
-    at(span.parameters + i, has_weights ? loaded(span.weights + i) * same(span.weight_scale) : same(1.0),
+  for (; i + kSums <= span.count; i += kSums) {
+    at(span.parameters + i, has_weights ? load<SumLanes>(span.weights + i) * all<SumLanes>(span.weight_scale) : all<SumLanes>(1.0),
        has_points ? span.points + 3 * i : nullptr);
   }
   if (i == span.count) return;
-  double parameters[kOwn];
-  double points[3 * kOwn] = {};
-  OwnLanes weights{};
-  for (std::size_t k = 0; k < kOwn; ++k) {
+  double parameters[kSums];
+  double points[3 * kSums] = {};
+  SumLanes weights{};
+  for (std::size_t k = 0; k < kSums; ++k) {
     const std::size_t from = i + k < span.count ? i + k : i;
     parameters[k] = span.parameters[from];
     for (std::size_t c = 0; has_points && c < 3; ++c) points[3 * k + c] = span.points[3 * from + c];
@@ -60,10 +84,10 @@ SPLINECORE_INLINE void each_few(const SpanPoints& span, Take&& take) {
 template <int kDegree>
 void power_sums(const SpanPoints& span, double* sums) {
   constexpr int kCount = 2 * kDegree + 1;
-  OwnLanes lanes[kCount] = {};
-  each_few(span, [&](OwnLanes t, OwnLanes s, OwnLanes weight, const double*)
+  SumLanes lanes[kCount] = {};
+  each_few(span, [&](SumLanes t, SumLanes s, SumLanes weight, const double*)
                      __attribute__((always_inline)) {
-    OwnLanes row[kCount];
+    SumLanes row[kCount];
     power_products<kCount - 1>(t, s, row);
     for (int k = 0; k < kCount; ++k) lanes[k] = mul_add(weight, row[k], lanes[k]);
   });
@@ -73,23 +97,23 @@ void power_sums(const SpanPoints& span, double* sums) {
 template <int kDegree>
 double residual_sums(const SpanPoints& span, const double* piece, double* sums) {
   constexpr int kCount = kDegree + 1;
-  OwnLanes lanes[kCount][3] = {};
-  OwnLanes most{};
-  each_few(span, [&](OwnLanes t, OwnLanes s, OwnLanes weight, const double* points)
+  SumLanes lanes[kCount][3] = {};
+  SumLanes most{};
+  each_few(span, [&](SumLanes t, SumLanes s, SumLanes weight, const double* points)
                      __attribute__((always_inline)) {
-    OwnLanes row[kCount];
+    SumLanes row[kCount];
     power_products<kDegree>(t, s, row);
-    OwnLanes left[3];
+    SumLanes left[3];
     load_triples(points, left);
     for (int j = 0; j < kCount; ++j) {
-      for (int c = 0; c < 3; ++c) left[c] = mul_add(row[j], same(piece[3 * j + c]), left[c]);
+      for (int c = 0; c < 3; ++c) left[c] = mul_add(row[j], all<SumLanes>(piece[3 * j + c]), left[c]);
     }
     for (int j = 0; j < kCount; ++j) {
-      const OwnLanes factor = weight * row[j];
+      const SumLanes factor = weight * row[j];
       for (int c = 0; c < 3; ++c) lanes[j][c] = mul_add(factor, left[c], lanes[j][c]);
     }
-    const OwnLanes scale = same(span.scale);
-    OwnLanes square = same(0.0);
+    const SumLanes scale = all<SumLanes>(span.scale);
+    SumLanes square = all<SumLanes>(0.0);
     for (int c = 0; c < 3; ++c) square = mul_add(left[c] * scale, left[c] * scale, square);
     most = square > most ? square : most;
   });
@@ -97,6 +121,6 @@ double residual_sums(const SpanPoints& span, const double* piece, double* sums) 
     for (int c = 0; c < 3; ++c) sums[3 * j + c] = sum_of(lanes[j][c]);
   }
   double largest = most[0];
-  for (std::size_t k = 1; k < kOwn; ++k) largest = most[k] > largest ? most[k] : largest;
+  for (std::size_t k = 1; k < kSums; ++k) largest = most[k] > largest ? most[k] : largest;
   return largest;
 }
