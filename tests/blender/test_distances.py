@@ -1,6 +1,8 @@
 """Distances of shapes from other objects: right, whatever the matrices; measured again when something changed, and not else;
 and a sentence where there is nothing to measure to."""
 
+import time
+
 import bpy
 import numpy as np
 import pytest
@@ -49,9 +51,18 @@ def measured(ob, other, is_still=True):
     target = targets.of(other)
     found = deviations.of(ob, target, False)
     if is_still:
-        found = deviations.of(ob, target, True)
-        assert found[1:] == (True, False)
+        found = in_the_end(ob, target)
     return found[0]
+
+
+def in_the_end(ob, target):
+    """What is known when nothing changes any more, and how many looks that takes."""
+    for looks in range(1, 1000):
+        found, share, is_new = deviations.of(ob, target, True)
+        assert not is_new
+        if share == 1.0:
+            return found, looks
+    raise AssertionError("no end")
 
 
 def world_points(ob):
@@ -172,12 +183,38 @@ def test_a_change_is_shown_at_once_by_few_places_and_in_the_end_by_many(chosen):
     calls = []
     distances = target.geometry.distances
     target.geometry.distances = lambda points, rounds: calls.append(len(points)) or distances(points, rounds)
-    quick, is_measured, is_new = deviations.of(ob, target, True)
-    assert not is_measured and is_new and sum(calls) <= 2500
-    assert deviations.of(ob, target, False) == (quick, False, False) and sum(calls) <= 2500
-    final, is_measured, is_new = deviations.of(ob, target, True)
-    assert is_measured and not is_new and sum(calls) > 2500
+    quick, share, is_new = deviations.of(ob, target, True)
+    assert share == 0.0 and is_new and sum(calls) <= 2500
+    assert deviations.of(ob, target, False) == (quick, 0.0, False) and sum(calls) <= 2500
+    final, _ = in_the_end(ob, target)
+    assert sum(calls) > 2500
     assert np.abs(final.values - quick.values).max() < 0.05 and abs(final.mean - quick.mean) < 0.01
+
+
+def test_what_takes_long_is_measured_in_many_looks_and_a_change_begins_anew(chosen):
+    other, ob = plane(-2.0), add(VALUES['nurbs patch']())
+    ob.data.splinewright.set_resolution(24, 24)
+    bpy.context.view_layer.update()
+    target = targets.of(other)
+    distances = target.geometry.distances
+    calls = []
+
+    def slow(points, rounds):
+        calls.append(len(points))
+        time.sleep(0.04)
+        return distances(points, rounds)
+    target.geometry.distances = slow
+    nothing, share, is_new = deviations.of(ob, target, False)
+    assert nothing is None and share == 0.0 and is_new and len(calls) < 5, "what is not quick is not measured at once"
+    shares = [deviations.of(ob, target, True)[1] for _ in range(3)]
+    assert 0.0 < shares[0] < shares[1] < shares[2] < 1.0
+    found, looks = in_the_end(ob, target)
+    assert looks > 10 and np.abs(found.values - (world_points(ob)[:, 2] + 2)).max() < 0.01
+    count = len(calls)
+    assert deviations.of(ob, target, True) == (found, 1.0, False) and len(calls) == count
+    ob.location.z = 1.0
+    bpy.context.view_layer.update()
+    assert deviations.of(ob, target, False)[1:] == (0.0, True)
 
 
 def test_what_an_object_moves_or_undo_brings_back_counts(chosen):
@@ -280,7 +317,7 @@ def test_a_damaged_or_flat_one_breaks_nothing(chosen):
     assert deviations.problem(bpy.context.scene, [ob])
     good = plane()
     ob.data[part('bridge.store').KEY]['structure'] = "no"
-    assert deviations.of(ob, targets.of(good), True)[0] is None
+    assert deviations.of(ob, targets.of(good), True)[0] is None and in_the_end(ob, targets.of(good)) == (None, 1)
     flat = add(sphere(), "flat")
     flat.scale = (0, 0, 0)
     bpy.context.view_layer.update()

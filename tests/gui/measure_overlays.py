@@ -15,7 +15,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, into_net, nets, out_of_net, part, redrawn, run, until
+from window import View, distances_measured, empty_file, into_net, nets, out_of_net, part, redrawn, run, until
 
 drawing, sights, sc = part('ui.drawing'), part('bridge.sights'), part('core.library').sc
 state = part('bridge.file_state').state
@@ -115,7 +115,7 @@ def with_switch(view, what, switch, **numbers):
     setattr(chosen, switch, True)
     yield from redrawn()
     if switch == 'deviation':
-        yield from until(lambda: state.is_still, "distances measured in the end")
+        yield from until(distances_measured, "distances measured in the end")
         yield from redrawn()
     yield from report(what, view, lambda: setattr(chosen, switch, False))
 

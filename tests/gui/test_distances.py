@@ -38,6 +38,7 @@ def measured(name, is_so, what):
     def is_there():
         found = deviation(name)
         return found is not None and is_so(found)
+    yield from redrawn()
     yield from until(is_there, what)
     yield from redrawn()
 

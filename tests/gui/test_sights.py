@@ -8,8 +8,8 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import (View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture,
-                    select_points, until)
+from window import (View, distances_measured, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run,
+                    save_picture, select_points, until)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: Of a picture, where shapes are and neither regions nor the legend.
@@ -192,7 +192,7 @@ def one_switch(view, switch):
     setattr(chosen(), switch, True)
     yield from redrawn()
     if switch == 'deviation':
-        yield from until(lambda: part('bridge.file_state').state.is_still, "distances measured in the end")
+        yield from until(distances_measured, "distances measured in the end")
     yield from redrawn()
     made = count_made()
     yield from redrawn()

@@ -34,6 +34,11 @@ def until(is_so, what):
         yield
 
 
+def distances_measured():
+    """Whether the distances of a shape from another object are known in the end."""
+    return any(what[0] == 'deviation' for known in part('bridge.file_state').state.sights.values() for what in known)
+
+
 def redrawn():
     """Steps until Blender has handled the events so far, and drawn what came of them."""
     before = _draws

@@ -5,8 +5,9 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-closest, deviations, faces, lengths = (core(name) for name in (
-    'sights.closest', 'sights.deviations', 'sights.faces', 'lengths'))
+closest, deviations, faces, lengths, measuring = (core(name) for name in (
+    'sights.closest', 'sights.deviations', 'sights.faces', 'lengths', 'sights.measuring'))
+all_at_once = measuring.all_at_once
 
 
 def hits(known, points):
@@ -111,7 +112,7 @@ def test_a_sheet_has_its_heights_by_all_places_or_few(most, error):
     def counted(at):
         calls.append(len(at))
         return height(at)
-    values = deviations.at_places(patch_set, places, counted, most)
+    values = all_at_once(deviations.at_places(patch_set, places, most), counted)
     assert np.abs(values - 0.5 * shown.positions[:, 0]).max() < error
     assert most == 10**6 or sum(calls) <= 121
     summed = over_faces(values, shown.positions, shown.triangles)
@@ -138,7 +139,7 @@ def test_what_has_no_distance_does_not_count_and_nothing_has_no_mean():
     zero = over_faces(np.zeros(4), positions, triangles)
     assert (zero.largest, zero.mean) == (0, 0)
     empty = np.empty((0, 2, 3))
-    assert np.isnan(deviations.over_lines(deviations.along_lines(height, empty, 10), empty).largest)
+    assert np.isnan(deviations.over_lines(all_at_once(deviations.along_lines(empty, 10), height), empty).largest)
 
 
 @pytest.mark.parametrize('most', (4, 10, 1000))
@@ -147,7 +148,7 @@ def test_lines_have_the_heights_of_their_ends_and_gaps_stay_gaps(most):
     line = np.stack([x, 0 * x, 0 * x], -1)
     one = np.stack([line[:-1], line[1:]], 1)
     pairs = np.concatenate([one, one + (5, 0, 0)])
-    found = deviations.along_lines(height, pairs, most)
+    found = all_at_once(deviations.along_lines(pairs, most), height)
     assert np.allclose(found, 0.5 * pairs[:, :, 0], atol=1e-12)
     summed = deviations.over_lines(found, pairs)
     assert summed.largest == pytest.approx(3) and summed.mean == pytest.approx(1.5) and summed.extent == pytest.approx(2)
@@ -168,3 +169,16 @@ def test_several_have_the_mean_of_all_their_area():
     (1.0, 'METRIC', 'FEET', 1.0, "1 m")))
 def test_lengths_are_said_in_the_units_of_the_scene(length, system, wanted, scale, text):
     assert lengths.text(length, lengths.unit_for(length, system, wanted, scale)) == text
+
+
+def test_what_is_measured_a_part_at_a_time_is_what_is_measured_at_once():
+    patch_set = sc.PatchSet.from_patches([sheet()])
+    _, places = faces.placed(sc.Tessellation(patch_set, 40), patch_set)
+    plan = deviations.at_places(patch_set, places, 5000)
+    some = measuring.Measuring(plan, height)
+    shares = [some.share]
+    while not some.go_on(1e-5):
+        shares.append(some.share)
+    assert shares[0] == 0.0 and some.share == 1.0 and len(shares) > 2 and (np.diff(shares) > 0).all()
+    assert np.array_equal(some.values(), all_at_once(plan, height))
+    assert measuring.Measuring(deviations.along_lines(np.empty((0, 2, 3)), 10), height).share == 1.0

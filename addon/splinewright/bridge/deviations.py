@@ -1,5 +1,5 @@
-"""How far shapes lie from another object, worked out when either of them changes: at some places at once, and at all that
-are wanted when nothing has changed for a while."""
+"""How far shapes lie from another object, worked out when either of them changes: at some places at once, where that is
+quick, and at all that are wanted when nothing has changed for a while, a part of them at every look."""
 
 import bpy
 import numpy as np
@@ -7,10 +7,13 @@ import numpy as np
 from ..core import definition as definitions
 from ..core.failures import FAILURES, Refusal
 from ..core.sights import closest, deviations, faces
+from ..core.sights.measuring import Measuring
 from . import deviation_targets, fineness, sights, store
 
 #: Places that are measured at once, and in the end.
 _AT_ONCE, _IN_THE_END = 2000, 30_000
+#: Seconds after which places are no longer measured at once, and that one look takes of those in the end.
+_QUICK, _LOOK = 0.1, 0.05
 
 
 def problem(scene, obs):
@@ -39,17 +42,22 @@ def target(scene):
 
 
 def of(ob, other, is_still):
-    """(the core.sights.deviations.Deviation of a shape from a Target, whether it is measured in the end, whether something
-    changed since it was asked for last); the first is None where it cannot be.
+    """(the core.sights.deviations.Deviation of a shape from a Target, what share of it is measured in the end, whether
+    something changed since it was asked for last); the first is None where it cannot be, or takes long.
 
     is_still: whether nothing has changed for a while.
     """
     numbers = (other, *deviation_targets.flat(ob.matrix_world))
     in_the_end, at_once = ('deviation', ob.name), ('deviation at once', ob.name)
     was_known = sights.is_known(ob.data, at_once, numbers)
-    if sights.is_known(ob.data, in_the_end, numbers) or (was_known and is_still):
-        return sights.kept(ob.data, in_the_end, numbers, _in_the_end), True, False
-    return sights.kept(ob.data, at_once, numbers, _at_once), False, not was_known
+    quick = sights.kept(ob.data, at_once, numbers, _at_once)
+    is_over = sights.is_known(ob.data, in_the_end, numbers)
+    if not (is_over or (was_known and is_still)):
+        return quick, 0.0, not was_known
+    measuring = sights.kept(ob.data, ('measuring', ob.name), numbers, _measuring)
+    if is_over or _has_ended(measuring):
+        return sights.kept(ob.data, in_the_end, numbers, lambda *given: _summed(*given, measuring)), 1.0, False
+    return quick, measuring.share, False
 
 
 def faces_of(data):
@@ -63,31 +71,54 @@ def lines_of(data):
     return sights.curves_of(data)
 
 
-def _in_the_end(data, *numbers):
-    return _measured(data, _IN_THE_END, closest.ALL, *numbers)
-
-
-def _at_once(data, *numbers):
-    return _measured(data, _AT_ONCE, closest.FEW, *numbers)
-
-
-def _measured(data, most, rounds, other, *matrix):
+def _measuring(data, other, *matrix, most=_IN_THE_END, rounds=closest.ALL):
     frame = other.frame(np.reshape(matrix, (4, 4)))
 
     def distances(points):
         return other.geometry.distances(points @ frame[:, :3].T + frame[:, 3], rounds) * other.unit
     if isinstance(data, bpy.types.Curve):
-        pairs = sights.kept(data, 'lines', (), lines_of)
-        if pairs is None:
-            raise Refusal("its lines cannot be drawn")
-        return deviations.over_lines(deviations.along_lines(distances, pairs, most), pairs @ frame[:, :3].T)
+        return Measuring(deviations.along_lines(_lines_known(data), most), distances)
+    _, places, patch_set = _faces_known(data)
+    return Measuring(deviations.at_places(patch_set, places, most), distances)
+
+
+def _has_ended(measuring):
+    """Whether there is nothing more to measure, after another look."""
+    try:
+        return measuring is None or measuring.go_on(_LOOK)
+    except FAILURES:
+        return True
+
+
+def _at_once(data, other, *matrix):
+    measuring = _measuring(data, other, *matrix, most=_AT_ONCE, rounds=closest.FEW)
+    return _summed(data, other, *matrix, measuring) if measuring.go_on(_QUICK) else None
+
+
+def _summed(data, other, *numbers):
+    *matrix, measuring = numbers
+    if measuring is None or measuring.share < 1.0:
+        return None
+    linear = other.frame(np.reshape(matrix, (4, 4)))[:, :3]
+    values = measuring.values()
+    if isinstance(data, bpy.types.Curve):
+        return deviations.over_lines(values, _lines_known(data) @ linear.T)
+    areas = sights.kept(data, 'areas', tuple(linear.ravel().tolist()), _areas)
+    return deviations.over_faces(values, _faces_known(data)[0].triangles, *areas)
+
+
+def _lines_known(data):
+    pairs = sights.kept(data, 'lines', (), lines_of)
+    if pairs is None:
+        raise Refusal("its lines cannot be drawn")
+    return pairs
+
+
+def _faces_known(data):
     known = sights.kept(data, 'placed', (), faces_of)
     if known is None:
         raise Refusal("its faces cannot be drawn")
-    shown, places, patch_set = known
-    values = deviations.at_places(patch_set, places, distances, most)
-    areas = sights.kept(data, 'areas', tuple(frame[:, :3].ravel().tolist()), _areas)
-    return deviations.over_faces(values, shown.triangles, *areas)
+    return known
 
 
 def _areas(data, *linear):

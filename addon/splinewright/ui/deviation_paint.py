@@ -13,8 +13,8 @@ from ..core.failures import FAILURES
 from ..core.sights import deviations as measures
 from . import legend, strokes, surface_shader
 
-#: Seconds after the last change until distances are measured in the end.
-_SETTLE = 0.3
+#: Seconds after the last change until distances are measured in the end, and from one part of that to the next.
+_SETTLE, _NEXT = 0.3, 0.01
 #: Of lines, and of surfaces as of surface_paint.
 _WIDTH, _PART = 4.0, 0.5
 #: Characters of a name in the legend.
@@ -27,7 +27,7 @@ class Shown(NamedTuple):
     obs: list                           # [(object, its core.sights.deviations.Deviation)]
     words: str                          # of bridge.deviation_targets
     reach: float                        # the distance that has the last colour
-    is_final: bool
+    share: float                        # how much is measured in the end, of 1
 
 
 def draw(chosen, obs):
@@ -61,18 +61,31 @@ def draw_legend(context, chosen, obs):
     system = context.scene.unit_settings
     unit = lengths.unit_for(shown.reach, system.system, system.length_unit, system.scale_length)
     name = chosen.deviation_object.name
-    largest, mean = measures.over_all([deviation for _, deviation in shown.obs])
-    about = "" if shown.is_final else "≈ "
-    notes = [f"Largest {about}{lengths.text(largest, unit)}"]
-    if len({ob.type for ob, _ in shown.obs}) == 1:
-        notes.append(f"Mean {about}{lengths.text(mean, unit)}")
+    numbers = [lengths.text(part / 4 * shown.reach, unit) for part in range(5)] if shown.obs else []
     legend.draw(context, ["Distance to", name if len(name) <= _NAME else f"{name[:_NAME - 1]}…", f"({shown.words})"],
-                [lengths.text(part / 4 * shown.reach, unit) for part in range(5)], surface_shader.DISTANCES, notes)
+                numbers, surface_shader.DISTANCES, _notes(shown, unit))
 
 
 def settle():
     """Nothing has changed for a while."""
     state.is_still = True
+    _redraw()
+
+
+def _notes(shown, unit):
+    notes = []
+    if shown.obs:
+        largest, mean = measures.over_all([deviation for _, deviation in shown.obs])
+        about = "" if shown.share == 1.0 else "≈ "
+        notes.append(f"Largest {about}{lengths.text(largest, unit)}")
+        if len({ob.type for ob, _ in shown.obs}) == 1:
+            notes.append(f"Mean {about}{lengths.text(mean, unit)}")
+    if shown.share < 1.0 and (shown.share > 0.0 or not shown.obs):
+        notes.append(f"Measuring: {100 * shown.share:.0f} %")
+    return notes
+
+
+def _redraw():
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == 'VIEW_3D':
@@ -90,26 +103,34 @@ def _shown(chosen, obs):
         target = deviations.target(bpy.context.scene)
     except FAILURES:
         return None                     # the popover says it
-    found, is_final = [], True
+    found, shares = [], []
     for ob in obs:
         if ob != other:
-            deviation, is_measured, is_new = deviations.of(ob, target, state.is_still)
+            deviation, share, is_new = deviations.of(ob, target, state.is_still)
             if is_new:
                 _wait()
             if deviation is not None and np.isfinite(deviation.largest):
                 found.append((ob, deviation))
-                is_final = is_final and is_measured
-    if not found:
+            if deviation is not None or share < 1.0:
+                shares.append(share)
+    share = sum(shares) / len(shares) if shares else 1.0
+    if state.is_still and share < 1.0:
+        _restart(_redraw, _NEXT)
+    if not found and share == 1.0:
         return None
-    reach = chosen.deviation_range or max(deviation.largest for _, deviation in found)
-    return Shown(found, target.geometry.words, reach, is_final)
+    reach = chosen.deviation_range or max([deviation.largest for _, deviation in found], default=0.0)
+    return Shown(found, target.geometry.words, reach, share)
 
 
 def _wait():
     state.is_still = False
-    if bpy.app.timers.is_registered(settle):
-        bpy.app.timers.unregister(settle)
-    bpy.app.timers.register(settle, first_interval=_SETTLE)
+    _restart(settle, _SETTLE)
+
+
+def _restart(timer, seconds):
+    if bpy.app.timers.is_registered(timer):
+        bpy.app.timers.unregister(timer)
+    bpy.app.timers.register(timer, first_interval=seconds)
 
 
 def _surface(data, deviation):

@@ -15,11 +15,11 @@ _STEPS = 64
 
 
 def draw(context, title, numbers, colors, notes=()):
-    """In pixels. title, notes: lines above the bar and below it; numbers: texts beside it, from its lower end on."""
+    """In pixels. title, notes: lines above the bar and below it; numbers: texts beside it, from its lower end on, if any."""
     scale = context.preferences.system.ui_scale
     width, height, margin, line = *(size * scale for size in (*_BAR, _MARGIN)), 1.4 * _TEXT * scale
     blf.size(0, _TEXT * scale)
-    room = max([1.5 * width + max(_width(text) for text in numbers), *map(_width, (*title, *notes))])
+    room = max([1.5 * width + max(map(_width, numbers), default=0.0), *map(_width, (*title, *notes))])
     left, bottom = _right_of_view(context) - margin - room, 2.0 * margin + line * len(notes) + knot_strip_overlay.top(context)
     _draw_bar(left, bottom, width, height, colors)
     blf.enable(0, blf.SHADOW)

@@ -7,7 +7,7 @@ import numpy as np
 from .. import parameters
 from ..patch_verbs import Along
 from . import closest
-
+from .measuring import Plan
 
 #: Points that are measured of a patch, at least.
 _LEAST = 9
@@ -23,36 +23,39 @@ class Deviation:
     extent: float = 0.0                 # the area or the length of all that has distances
 
 
-def at_places(patch_set, places, distances, most):
-    """(n,): the distances of core.sights.faces.Places of patches, from distances of points; of about no more points than so
-    many."""
+def at_places(patch_set, places, most):
+    """The core.sights.measuring.Plan of core.sights.faces.Places of patches: about no more points than so many."""
     most = max(most // len(patch_set), _LEAST)
     order = np.argsort(places.patches, kind='stable')
     numbers, starts = np.unique(places.patches[order], return_index=True)
     rows = np.split(order, starts[1:])
     plans = [_plan(patch_set[int(number)], places.parts[here], most) for number, here in zip(numbers, rows)]
-    measured = distances(np.concatenate([points for points, _ in plans]))
-    found = np.empty(len(order))
-    for here, (points, spread), values in zip(
-            rows, plans, np.split(measured, np.cumsum([len(points) for points, _ in plans])[:-1])):
-        found[here] = spread(values)
-    return found
+    ends = np.cumsum([len(points) for points, _ in plans])
+
+    def spread(measured):
+        found = np.empty(len(order))
+        for here, (_, spread_one), values in zip(rows, plans, np.split(measured, ends[:-1])):
+            found[here] = spread_one(values)
+        return found
+    return Plan(np.concatenate([points for points, _ in plans]), spread)
 
 
-def along_lines(distances, pairs, most):
-    """(n, 2): the distances of the ends of lines (n, 2, 3) that go on from one another; of no more points than so many."""
+def along_lines(pairs, most):
+    """The Plan of the ends (n, 2) of lines (n, 2, 3) that go on from one another: no more points than so many."""
     if not len(pairs):
-        return np.empty((0, 2))
+        return Plan(np.empty((0, 3)), lambda measured: np.empty((0, 2)))
     is_first = np.append(True, (pairs[1:, 0] != pairs[:-1, 1]).any(1))
     step = -(-2 * len(pairs) // most)
     chosen = np.unique(np.concatenate([np.flatnonzero(is_first), np.flatnonzero(np.append(is_first[1:], True)),
                                        np.arange(0, len(pairs), step)]))
-    of_ends = distances(pairs[chosen, 1])
     starts = np.flatnonzero(is_first)
-    ends = np.interp(np.arange(len(pairs)), chosen, of_ends)
-    before = np.append(np.nan, ends[:-1])
-    before[starts] = distances(pairs[starts, 0])
-    return np.stack([before, ends], -1)
+
+    def spread(measured):
+        ends = np.interp(np.arange(len(pairs)), chosen, measured[:len(chosen)])
+        before = np.append(np.nan, ends[:-1])
+        before[starts] = measured[len(chosen):]
+        return np.stack([before, ends], -1)
+    return Plan(np.concatenate([pairs[chosen, 1], pairs[starts, 0]]), spread)
 
 
 def areas(positions, triangles):
