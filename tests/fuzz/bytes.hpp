@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -76,11 +76,9 @@ class Bytes {
 
  private:
   double of_eight_bytes() noexcept {
-    std::array<std::uint8_t, sizeof(double)> raw;
-    for (std::uint8_t& part : raw) part = byte();
-    double value;
-    std::memcpy(&value, raw.data(), sizeof value);
-    return value;
+    std::uint64_t bits = 0;
+    for (unsigned shift = 0; shift < 64; shift += 8) bits |= std::uint64_t{byte()} << shift;
+    return std::bit_cast<double>(bits);
   }
 
   Input data_;
