@@ -86,14 +86,25 @@ def test_no_normal_is_missing(degree):
 
 def settled(patch, point, start, sign):
     """The value at the minimum, or for sign -1 the maximum, that a search goes to."""
-    def value(at):
-        at = [low + (x - low) % (high - low) if periodic else min(max(x, low), high)
-              for x, (low, high), periodic in zip(at, patch.domain, patch.periodic)]
-        return sign * float(lengths(patch.evaluate(*at) - point))
+    def inside(at):
+        return np.array([low + (x - low) % (high - low) if periodic else min(max(x, low), high)
+                         for x, (low, high), periodic in zip(at, patch.domain, patch.periodic)])
 
-    simplex = np.array([start, start + (1e-3, 0), start + (0, 1e-3)])
-    return sign * minimize(value, start, method="Nelder-Mead",
-                           options={"xatol": 1e-10, "fatol": 1e-13, "maxiter": 2000, "initial_simplex": simplex}).fun
+    def value(at):
+        return sign * float(lengths(patch.evaluate(*inside(at)) - point))
+
+    def searched(at, size):
+        return minimize(value, at, method="Nelder-Mead", options={
+            "xatol": 1e-10, "fatol": 1e-13, "maxiter": 2000,
+            "initial_simplex": at + size * np.array([(0, 0), (1, 0), (0, 1)])})
+
+    # A simplex that collapses on a border or a crease stops short of the end: a new one goes on.
+    at, least = start, math.inf
+    while True:
+        best = min((searched(at, size) for size in (1e-3, -1e-3, 1e-2, -1e-2)), key=lambda end: end.fun)
+        if not best.fun < least - 1e-9:
+            return sign * min(least, best.fun)
+        at, least = inside(best.x), best.fun
 
 
 @pytest.mark.parametrize("seed", range(12))
