@@ -147,12 +147,30 @@ def test_where_nothing_may_move_it_stays():
     assert error == 0 and made == flat.to_nurbs()
 
 
+def plane_on(patch):
+    """The control points of a plane whose points are linear in the parameters."""
+    u, v = (np.array([np.mean(knots[i + 1:i + 1 + p]) for i in range(len(knots) - p - 1)])
+            for p, knots in zip(patch.degree, patch.knots))
+    return np.stack(np.broadcast_arrays(4 * u[:, None], 3 * v[None], 1.0 + u[:, None] - v[None]), -1)
+
+
+@pytest.mark.parametrize('degrees', [(3, 3), (2, 5), (4, 4)])
+@pytest.mark.parametrize('near', [1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9])
+def test_a_plane_stays_however_near_knots_lie(degrees, near):
+    inner = [0.3, 0.3 + near, 0.3 + 2 * near, 0.5, 0.5, 0.8]
+    knots = tuple([0.0] * (p + 1) + inner + [1.0] * (p + 1) for p in degrees)
+    counts = tuple(len(k) - p - 1 for k, p in zip(knots, degrees))
+    patch = sc.NurbsPatch(degrees, knots, np.zeros((*counts, 3)))
+    plane = plane_on(patch)
+    made, error = patch.with_points(plane).fair(0.1)
+    assert error < 1e-11 and np.abs(made.points - plane).max() < 1e-11
+
+
 def test_a_plane_stays_and_noise_goes():
     patch = patch_of(counts=(20, 20))
-    u, v = (np.array([np.mean(knots[i + 1:i + 4]) for i in range(20)]) for knots in patch.knots)
-    plane = np.stack(np.broadcast_arrays(4 * u[:, None], 3 * v[None], 1.0 + u[:, None] - v[None]), -1)
+    plane = plane_on(patch)
     made, error = patch.with_points(plane).fair(0.1)
-    assert error < 1e-8 and np.abs(made.points - plane).max() < 1e-8
+    assert error < 1e-14 and np.abs(made.points - plane).max() < 1e-14
     noise = np.zeros_like(plane)
     noise[1:-1, 1:-1] = 1e-3 * RNG.standard_normal((18, 18, 3))
     made, error = patch.with_points(plane + noise).fair(1e-2)

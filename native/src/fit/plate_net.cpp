@@ -5,7 +5,6 @@
 #include <string>
 
 #include "basis/banded_cholesky.hpp"
-#include "gram.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 
@@ -37,31 +36,6 @@ std::vector<glm::dvec3> exchanged(std::span<const glm::dvec3> net, std::size_t r
 
 }  // namespace
 
-PlateNet::Direction::Direction(const PlateAxis& axis, bool is_outer)
-    : count(static_cast<std::size_t>(axis.knots.count())), degree(static_cast<std::size_t>(axis.knots.degree())),
-      is_periodic(axis.knots.periodic()), is_folded(is_outer && is_periodic), held(axis.held) {
-  const double stretch = axis.length / axis.knots.domain().length();
-  for (int order = 0; order <= 2; ++order) {
-    const std::vector<double> rows = gram_rows(axis.knots, order);
-    const double factor = std::pow(stretch, 1 - 2 * order) / axis.length;
-    Band band{std::vector<double>(count * (2 * degree + 1), 0.0), 2 * degree + 1};
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k <= degree; ++k) {
-        band.values[i * band.width + degree + k] = factor * rows[i * (degree + 1) + k];
-        if (i + k < count || is_periodic) {
-          band.values[(i + k) % count * band.width + degree - k] = factor * rows[i * (degree + 1) + k];
-        }
-      }
-    }
-    bands.push_back(std::move(band));
-  }
-}
-
-std::size_t PlateNet::Direction::place(std::size_t i) const noexcept {
-  if (!is_folded) return i - held.start;
-  return 2 * i < count ? 2 * i : 2 * (count - 1 - i) + 1;
-}
-
 PlateNet::PlateNet(const PlateAxis& u, const PlateAxis& v, std::vector<glm::dvec3> net)
     : is_swapped_(width_of(v, u) < width_of(u, v)), outer_(is_swapped_ ? v : u, true),
       inner_(is_swapped_ ? u : v, false) {
@@ -75,15 +49,56 @@ PlateNet::PlateNet(const PlateAxis& u, const PlateAxis& v, std::vector<glm::dvec
   pull_ = energy_of(is_swapped_ ? exchanged(net, inner_.count) : std::move(net));
 }
 
-/// The product of the net with integrals of derivatives of these orders.
+/// The product of the net with means of products of derivatives of these orders, both halves of it by differences.
 std::vector<glm::dvec3> PlateNet::product(std::size_t outer, std::size_t inner, std::span<const glm::dvec3> net) const {
   breathe(3 * net.size() * (outer_.bands[0].width + inner_.bands[0].width));
+  std::vector<glm::dvec3> out(net.begin(), net.end());
+  for (std::size_t k = 0; k < outer; ++k) out = differences(outer_.steps[k], {}, out);
+  for (std::size_t k = 0; k < inner; ++k) out = differences({}, inner_.steps[k], out);
+  out = between_functions(outer_.masses[outer], inner_.masses[inner], out);
+  for (std::size_t k = inner; k-- > 0;) out = sums_of_differences({}, inner_.steps[k], out);
+  for (std::size_t k = outer; k-- > 0;) out = sums_of_differences(outer_.steps[k], {}, out);
+  return out;
+}
+
+/// The control points of the derivative along the direction that has steps.
+std::vector<glm::dvec3> PlateNet::differences(std::span<const double> outer, std::span<const double> inner,
+                                              std::span<const glm::dvec3> net) const {
+  std::vector<glm::dvec3> out(net.size());
+  for (std::size_t i = 0; i < outer_.count; ++i) {
+    for (std::size_t j = 0; j < inner_.count; ++j) {
+      const std::size_t at = i * inner_.count + j;
+      out[at] = inner.empty() ? outer[i] * (net[at] - net[outer_.previous(i) * inner_.count + j])
+                              : inner[j] * (net[at] - net[i * inner_.count + inner_.previous(j)]);
+    }
+  }
+  return out;
+}
+
+/// What differences() is, transposed.
+std::vector<glm::dvec3> PlateNet::sums_of_differences(std::span<const double> outer, std::span<const double> inner,
+                                                      std::span<const glm::dvec3> net) const {
+  std::vector<glm::dvec3> out(net.size());
+  for (std::size_t i = 0; i < outer_.count; ++i) {
+    const std::size_t below = outer_.next(i);
+    for (std::size_t j = 0; j < inner_.count; ++j) {
+      const std::size_t at = i * inner_.count + j;
+      const std::size_t right = inner_.next(j);
+      out[at] = inner.empty() ? outer[i] * net[at] - outer[below] * net[below * inner_.count + j]
+                              : inner[j] * net[at] - inner[right] * net[i * inner_.count + right];
+    }
+  }
+  return out;
+}
+
+std::vector<glm::dvec3> PlateNet::between_functions(const PlateBand& outer, const PlateBand& inner,
+                                                    std::span<const glm::dvec3> net) const {
   std::vector<glm::dvec3> along(net.size(), glm::dvec3(0.0));
   for (std::size_t i = 0; i < outer_.count; ++i) {
-    for (std::size_t k = 0; k < outer_.bands[outer].width; ++k) {
+    for (std::size_t k = 0; k < outer.width; ++k) {
       if (!outer_.has(i, k)) continue;
       const glm::dvec3* const from = &net[outer_.partner(i, k) * inner_.count];
-      const double factor = outer_.bands[outer].at(i, k);
+      const double factor = outer.at(i, k);
       for (std::size_t j = 0; j < inner_.count; ++j) along[i * inner_.count + j] += factor * from[j];
     }
   }
@@ -91,8 +106,8 @@ std::vector<glm::dvec3> PlateNet::product(std::size_t outer, std::size_t inner, 
   for (std::size_t i = 0; i < outer_.count; ++i) {
     const glm::dvec3* const row = &along[i * inner_.count];
     for (std::size_t j = 0; j < inner_.count; ++j) {
-      for (std::size_t k = 0; k < inner_.bands[inner].width; ++k) {
-        if (inner_.has(j, k)) out[i * inner_.count + j] += inner_.bands[inner].at(j, k) * row[inner_.partner(j, k)];
+      for (std::size_t k = 0; k < inner.width; ++k) {
+        if (inner_.has(j, k)) out[i * inner_.count + j] += inner.at(j, k) * row[inner_.partner(j, k)];
       }
     }
   }
