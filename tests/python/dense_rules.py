@@ -3,6 +3,7 @@
 import numpy as np
 
 NODES, SHARES = np.polynomial.legendre.leggauss(16)
+LAST = np.polynomial.legendre.legvander(NODES, 15)[:, 14:] * SHARES[:, None]  # the last polynomials that the nodes tell
 
 
 def unrolled(degree, knots, points, weights, axes):
@@ -74,18 +75,21 @@ def settled(integral, boxes, rounds=60, most=4000):
     """The sum of an integral over boxes that are halved where this changes it, and what the last changes amount to.
 
     Two rules on all of a domain may be wrong by more than they differ, where the speed or the normal comes near to
-    zero: by chance the errors of parts cancel. Here each part answers for itself, and no two errors cancel.
+    zero: by chance the errors of parts cancel. Here each part answers for itself, and no two errors cancel. Of a
+    hundred thousand parts one may agree with its halves by chance, too: so each doubts itself as well. Coefficients of
+    Legendre's polynomials fall as powers do, and the rule's error is one of twice the degree of the last that it sees.
+    @param integral  of boxes: what it is, and how large those last ones are
     """
-    whole = integral(boxes)
+    whole, _ = integral(boxes)
     allowed = 1e-14 * whole.sum()
     found = unsure = 0.0
     for last in range(rounds, -1, -1):
         boxes = halved(boxes)
-        parts = integral(boxes).reshape(len(whole), -1)
-        change = np.abs(parts.sum(1) - whole)
-        is_wrong = (change > allowed) & (last > 0 and np.count_nonzero(change > allowed) <= most)
+        parts, tails = (each.reshape(len(whole), -1) for each in integral(boxes))
+        doubt = np.maximum(np.abs(parts.sum(1) - whole), (tails**2 / np.maximum(parts, 1e-300)).sum(1))
+        is_wrong = (doubt > allowed) & (last > 0 and np.count_nonzero(doubt > allowed) <= most)
         found += parts[~is_wrong].sum()
-        unsure += change[~is_wrong].sum()
+        unsure += doubt[~is_wrong].sum()
         boxes = boxes.reshape(*parts.shape, *boxes.shape[1:])[is_wrong].reshape(-1, *boxes.shape[1:])
         whole = parts[is_wrong].ravel()
         if not len(whole):
@@ -93,13 +97,13 @@ def settled(integral, boxes, rounds=60, most=4000):
 
 
 def at_boxes(knots, degree, boxes):
-    """The functions (n, degree + 1) in (n, 2) boxes, their values and slopes at Gauss's nodes, and the nodes' shares."""
+    """The functions (n, degree + 1) in (n, 2) boxes, their values and slopes at Gauss's nodes, and half the widths."""
     half = np.diff(boxes) / 2
     nodes = boxes[:, :1] + half * (1 + NODES)
     there = np.searchsorted(knots, nodes[:, 0], side="right")[:, None] - 1 - degree + np.arange(degree + 1)
     both = (np.take_along_axis(each.reshape(*nodes.shape, -1), there[:, None], 2)
             for each in basis(knots, degree, nodes.ravel()))
-    return there, *both, half * SHARES
+    return there, *both, half
 
 
 def settled_length(degree, knots, points, weights, periodic):
@@ -107,8 +111,9 @@ def settled_length(degree, knots, points, weights, periodic):
     plain, net = unrolled([degree], [knots], points, weights, [periodic])
 
     def of_boxes(boxes):
-        there, values, slopes, shares = at_boxes(plain[0], degree, boxes[:, 0])
-        return (np.linalg.norm(quotient(slopes @ net[there], values @ net[there]), axis=-1) * shares).sum(1)
+        there, values, slopes, half = at_boxes(plain[0], degree, boxes[:, 0])
+        speed = np.linalg.norm(quotient(slopes @ net[there], values @ net[there]), axis=-1) * half
+        return speed @ SHARES, np.abs(speed @ LAST).sum(-1)
 
     return settled(of_boxes, boxes_of(plain, [degree]))
 
@@ -118,15 +123,18 @@ def settled_area(degree, knots, points, weights, periodic):
     plain, net = unrolled(degree, knots, points, weights, periodic)
 
     def of_few(boxes):
-        (i, bu, du, shares_u), (j, bv, dv, shares_v) = (at_boxes(plain[k], degree[k], boxes[:, k]) for k in range(2))
+        (i, bu, du, half_u), (j, bv, dv, half_v) = (at_boxes(plain[k], degree[k], boxes[:, k]) for k in range(2))
         near = net[i[:, :, None], j[:, None]].reshape(*i.shape, -1)
         at, along_u, along_v = (b[:, None] @ (a @ near).reshape(*a.shape[:2], *j.shape[1:], 4)
                                 for a, b in ((bu, bv), (du, bv), (bu, dv)))
         normals = np.cross(quotient(along_u, at), quotient(along_v, at))
-        return np.einsum("nuv,nu,nv->n", np.linalg.norm(normals, axis=-1), shares_u, shares_v)
+        sizes = np.linalg.norm(normals, axis=-1) * (half_u * half_v)[..., None]
+        tails = [np.abs(each @ LAST).sum(-1) @ SHARES for each in (sizes, np.swapaxes(sizes, 1, 2))]
+        return sizes @ SHARES @ SHARES, sum(tails)
 
     def of_boxes(boxes):
-        return np.concatenate([of_few(boxes[i:i + 64]) for i in range(0, len(boxes), 64)])
+        few = [of_few(boxes[i:i + 64]) for i in range(0, len(boxes), 64)]
+        return [np.concatenate(each) for each in zip(*few)]
 
     return settled(of_boxes, boxes_of(plain, degree))
 
