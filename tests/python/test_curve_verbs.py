@@ -137,12 +137,35 @@ def test_points_far_from_a_removed_knot_keep_every_bit():
     assert np.array_equal(result.points[5:], curve.points[6:])
 
 
+def can_all_go(curve, inserted, tolerance):
+    """Whether inserted knots can go one after the other: near a pole rounding alone may move points farther."""
+    fine = left = curve.refine(inserted)
+    for u in inserted:
+        left = left.remove_knot(u).value
+    return fine.largest_distance(left) <= tolerance
+
+
 def test_removed_knots_are_those_that_were_inserted():
+    could = 0
     for index, curve in enumerate(random_curves(26, 200)):
         after = refined_and_cleared(curve, np.random.default_rng(index))
-        assert len(after.points) <= len(curve.points)
+        rng = np.random.default_rng(index)
+        if can_all_go(curve, [within(curve, rng) for _ in range(3)], 1e-7):
+            assert len(after.points) <= len(curve.points), index
+            could += 1
         if (curve.weights > 0).all():
             assert sampled_distance(curve, after) <= 1e-7 * (1 + 1e-9)
+    assert could > 190
+
+
+@pytest.mark.parametrize("inserted", [[2.9, 1.9, 0.8], [2.1, 0.1, 1.5], [1.3, 0.2, 0.5], [1.6, 2.2, 0.3]])
+def test_inserted_knots_go_from_beside_a_weight_that_is_zero_but_for_rounding(inserted):
+    """The first knots that go leave a rounding in place of the weight of zero, and its point far away."""
+    points = [(4, -1, 2), (1, 1, 1), (-3, 5, 0), (2, 7, -6), (8, -4, 3), (1, 2, 9)]
+    curve = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], points, [1.5, 0, 1, 3, 0.5, 0.25])
+    assert can_all_go(curve, inserted, 1e-9)
+    after, error = curve.refine(inserted).remove_knots(1e-9)
+    assert len(after.points) == 6 and error <= 1e-9
 
 
 def inner_knots(curve):

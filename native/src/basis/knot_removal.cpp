@@ -13,7 +13,7 @@ namespace splinecore {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 double largest(const glm::dvec4& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
@@ -41,10 +41,11 @@ class LineCost {
   void add_new(const glm::dvec4& point) { is_of_one_sign_ = is_of_one_sign_ && point.w * least_ > 0.0; }
 
   double result() const {
-    constexpr double kRounding = 64.0 * kEpsilon;
-    if (is_of_one_sign_ && least_ * most_ > 0.0) return way_ / std::min(std::abs(least_), std::abs(most_));
-    // Where the weight may be zero lengths tell nothing, but what is rounding is nothing.
     const double weight = std::max(std::abs(least_), std::abs(most_));
+    const double smallest = std::min(std::abs(least_), std::abs(most_));
+    const bool is_sure = is_of_one_sign_ && least_ * most_ > 0.0 && smallest > kRounding * weight;
+    if (is_sure) return way_ / smallest;
+    // Where the weight may be zero, but for rounding, lengths tell nothing, but what is rounding is nothing.
     return biggest_ <= kRounding * size_ && weight > 0.0 ? biggest_ / weight : HUGE_VAL;
   }
 
@@ -88,10 +89,11 @@ bool KnotList::is_inner(int i) const noexcept {
 }
 
 double KnotList::rounding() const {
-  constexpr double kRounding = 64.0 * kEpsilon;
+  double weight = 0.0;
+  for (const glm::dvec4& p : rows_) weight = std::max(weight, std::abs(p.w));
   double largest = 0.0;
   for (const glm::dvec4& p : rows_) {
-    if (p.w == 0.0) continue;
+    if (std::abs(p.w) <= kRounding * weight) continue;
     for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis] / p.w));
   }
   return kRounding * largest;
