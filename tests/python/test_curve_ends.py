@@ -78,14 +78,21 @@ def test_unclamping_keeps_points_that_the_ends_have_no_part_in():
 
 
 def test_a_cut_periodic_curve_becomes_the_periodic_one_again():
+    """Where weights differ, rounding may cut a curve farther off than by the few roundings that are the default."""
+    default, beyond = 2.0**-46, 0
     for index, curve in enumerate(random_curves(33, COUNT, ends="periodic", positive=True)):
-        size = np.abs(curve.points).max()
-        for tolerance in (None, 1e-6):
-            value, bound = curve.clamped().to_periodic(tolerance)
+        size, cut = np.abs(curve.points).max(), curve.clamped()
+        loose, strict = (cut.to_periodic(tolerance) for tolerance in (1e-6, None))
+        assert len(loose.value.points) == len(curve.points), index
+        assert strict.error <= default * size
+        is_beyond = loose.error > default * size
+        assert is_beyond or len(strict.value.points) == len(curve.points), index
+        beyond += is_beyond
+        for value, bound in (loose, strict):
             assert value.periodic and bound <= 1e-13 * size
-            assert len(value.points) == len(curve.points), index
             assert error(curve, value) <= 1e-14
             assert sampled_distance(curve, value, 20) <= bound + 1e-13 * size
+    assert beyond < COUNT / 100
 
 
 def test_a_cut_periodic_curve_of_any_weights_becomes_the_same_curve_again():
