@@ -102,11 +102,18 @@ def moebius_error(curve, after, rho):
     return far.max() / np.abs(curve.homogeneous_points).max(), (far / np.abs(one).max(axis=1)).max()
 
 
+def knot_rounding(curve):
+    """How far rounding a knot may move a point, as a share of it: by degree over the shortest span."""
+    knots = np.unique(np.r_[curve.domain, inner_knots(curve)])
+    return curve.degree * np.finfo(float).eps * np.abs(knots).max() / np.diff(knots).min()
+
+
 def test_moebius_moves_parameters_along_the_same_curve():
     for index, curve in enumerate(random_curves(24, COUNT)):
         rho = 2 ** np.random.default_rng(index).uniform(-2, 2)
-        far, locally = moebius_error(curve, curve.moebius(rho), rho)
-        assert far <= 1e-12 and locally <= 2e-12, index
+        after = curve.moebius(rho)
+        far, locally = moebius_error(curve, after, rho)
+        assert far <= 1e-12 and locally <= 1e-12 + knot_rounding(curve) + knot_rounding(after), index
 
 
 def test_the_standard_form_is_a_moebius_map():
