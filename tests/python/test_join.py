@@ -38,6 +38,17 @@ def test_the_joint_has_the_continuity_that_was_asked_for(kind):
             assert (value.knots == first.domain[1]).sum() <= value.degree - c
 
 
+def test_second_derivatives_meet_where_a_curve_has_a_short_span_at_its_end():
+    rng = np.random.default_rng(63)
+    for _ in range(200):
+        steps = np.r_[np.ones(5), rng.uniform(0.5, 1), 10 ** rng.uniform(-3, -1), np.ones(5)]
+        first = sc.NurbsCurve(5, np.cumsum(np.r_[0, steps]), rng.uniform(-10, 10, (7, 3)))
+        second = sc.NurbsCurve(5, [0] * 6 + [1] * 6, rng.uniform(-10, 10, (6, 3)))
+        value, _ = first.join(second, "C2")
+        joint = first.domain[1]
+        assert value.continuity(joint).c >= 2 and (value.knots == joint).sum() == 3
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_error_is_how_far_the_curves_moved(kind):
     for first, second in pairs(61, 60):

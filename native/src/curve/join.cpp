@@ -224,6 +224,7 @@ Approximation<NurbsCurve> joined_near_one(NurbsCurve a, NurbsCurve b, Smoothness
     align(a, b);
   } else {
     meet(a, b, conditions_of(smoothness));
+    meet(a, b, conditions_of(smoothness));  // what rounding left
   }
   const double error = std::max(largest_distance(old_a, a), largest_distance(old_b, b));
   auto [value, rounding] = without_needless_copies(in_a_row(a, b), a.domain().end);
