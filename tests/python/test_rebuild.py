@@ -228,3 +228,23 @@ def test_the_poles_of_a_sphere_stay_points():
             old, new = (shape.isocurve(axis, end).points for shape in (sphere, made))
             if np.ptp(old, axis=0).max() < 1e-12:
                 assert np.ptp(new, axis=0).max() < 1e-12
+
+
+@pytest.mark.parametrize('degree', [2, 3, 5, 7])
+@pytest.mark.parametrize('step', [1e-2, 1e-4, 1e-6, 1e-9])
+def test_a_faired_line_stays_a_line_however_near_its_knots_lie(degree, step):
+    knots = np.r_[np.zeros(degree + 1), 1, 1 + step, 2, 3, np.full(degree + 1, 4)]
+    middles = np.array([knots[i + 1:i + 1 + degree].mean() for i in range(len(knots) - degree - 1)])
+    line = np.stack([middles, 2 * middles, -middles], 1)
+    made, error = sc.NurbsCurve(degree, knots, line).fair(0.1)
+    assert error < 1e-13 and np.abs(made.points - line).max() < 1e-13
+
+
+@pytest.mark.parametrize('degree', [2, 3, 5, 7])
+@pytest.mark.parametrize('step', [1e-2, 1e-4])
+def test_smoothing_leaves_a_line_where_knots_lie_near_each_other(degree, step):
+    t = np.linspace(0, 4, 60)
+    points = np.stack([t, 2 * t, -t], 1)
+    knots = np.r_[np.zeros(degree + 1), 1, 1 + step, 2, 3, np.full(degree + 1, 4)]
+    curve, error = sc.fit.approximate(points, degree=degree, parameters=t, knots=knots, smoothing=1.0)
+    assert error < 1e-11 and np.abs(curve.evaluate(t) - points).max() < 1e-11

@@ -68,7 +68,7 @@ class Fairing {
     const double factor = std::exp2(exponent) * std::pow(knots_.domain().length(), 3);
     std::vector<double> controls = controls_;
     try {
-      const LeastSquaresFit fit(knots_, nodes_.parameters, nodes_.weights, {factor, 2}, held_);
+      const LeastSquaresFit fit(knots_, nodes_.parameters, nodes_.weights, factor, held_);
       fit.solve_points(values_, controls);
     } catch (const InvalidShape&) {
       return {};

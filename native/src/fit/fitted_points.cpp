@@ -109,7 +109,7 @@ FittedPoints fitted_once(std::span<const glm::dvec3> points, std::span<const dou
     write_end(knots, points.front(), options.start, false, controls);
     write_end(knots, points.back(), options.end, true, controls);
   }
-  const LeastSquaresFit fit(knots, parameters, options.weights, {options.smoothing, 2}, held);
+  const LeastSquaresFit fit(knots, parameters, options.weights, options.smoothing, held);
   std::vector<double> span_errors = fit.solve_points(numbers(points), numbers(controls));
   FittedPoints made{knots, std::move(controls), std::move(span_errors), 0.0};
   made.error = *std::ranges::max_element(made.span_errors);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "curve/rescale.hpp"
 #include "gram.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -14,6 +15,9 @@
 namespace splinecore {
 
 namespace {
+
+/// The order of the derivative that smoothing keeps small.
+constexpr int kBent = 2;
 
 /// Several, because each waits for itself.
 double largest_of(std::span<const double> values) {
@@ -48,10 +52,15 @@ std::size_t first_from(std::span<const double> parameters, std::size_t begin, do
 }  // namespace
 
 LeastSquaresFit::LeastSquaresFit(KnotVector knots, std::span<const double> parameters, std::span<const double> weights,
-                                 const Energy& energy, const Held& held)
+                                 double smoothing, const Held& held)
     : knots_(std::move(knots)), parameters_(parameters), weights_(weights), weight_scale_(scale_of(largest_of(weights))),
-      energy_(energy), held_(held) {
-  if (energy_.factor > 0.0) bending_ = bending_matrix(knots_.degree(), energy_.order);
+      smoothing_(smoothing), held_(held) {
+  if (smoothing_ > 0.0) {
+    bending_ = bending_matrix(knots_.degree(), kBent);
+    const auto [exponent, near] = near_one(knots_);
+    slope_.emplace(near);
+    slope_factor_ = energy_of(std::ldexp(1.0, exponent));
+  }
   place();
   require_points();
   add_products();
@@ -77,7 +86,7 @@ SpanParameters LeastSquaresFit::parameters_of(std::size_t span) const {
 /// Each control point that is not held needs a parameter of its own (Schoenberg and Whitney 1953). Of periodic
 /// functions it is the solution that tells.
 void LeastSquaresFit::require_points() const {
-  if (knots_.periodic() || energy_.factor > 0.0) return;
+  if (knots_.periodic() || smoothing_ > 0.0) return;
   const auto chain = knots_.knots();
   const auto degree = static_cast<std::size_t>(knots_.degree());
   const std::size_t end = static_cast<std::size_t>(knots_.count()) - held_.end;
@@ -98,12 +107,11 @@ void LeastSquaresFit::require_points() const {
   }
 }
 
-/// Of the integral over a span, beside that over [0, 1].
-double LeastSquaresFit::energy_of(std::size_t span) const {
-  const Interval at = knots_.span_interval(static_cast<int>(span));
-  const double share = energy_.factor * weight_scale_ / std::pow(at.end - at.start, 2 * energy_.order - 1);
+/// Of the integral over a length of parameters, beside that over 1.
+double LeastSquaresFit::energy_of(double length) const {
+  const double share = smoothing_ * weight_scale_ / std::pow(length, 2 * kBent - 1);
   if (std::isfinite(share)) return share;
-  throw InvalidShape("the weight of the energy, " + text_of(energy_.factor) + ", is too large for knots so near");
+  throw InvalidShape("the weight of the energy, " + text_of(smoothing_) + ", is too large for knots so near");
 }
 
 void LeastSquaresFit::add_products() {
@@ -115,7 +123,7 @@ void LeastSquaresFit::add_products() {
     if (at.parameters.empty() && bending_.empty()) continue;
     breathe(2 * width * width * (width + at.parameters.size()));
     write_products(at, sums);
-    const double energy = bending_.empty() ? 0.0 : energy_of(s);
+    const double energy = bending_.empty() ? 0.0 : energy_of(knots_.span_interval(static_cast<int>(s)).length());
     for (std::size_t a = 0; a < width; ++a) {
       for (std::size_t b = a; b < width; ++b) {
         if (!bending_.empty()) sums[a * width + b] += energy * bending_[a * width + b];
@@ -166,18 +174,10 @@ void LeastSquaresFit::bezier_points(std::size_t span, std::span<const double> co
   }
 }
 
-/// What all points of a piece have in common has no energy.
-void LeastSquaresFit::add_bending(std::size_t span, std::size_t columns, std::span<const double> piece,
-                                  std::span<double> sums) const {
-  if (bending_.empty()) return;
-  const std::size_t width = this->width();
-  const double energy = energy_of(span);
-  for (std::size_t j = 0; j < width; ++j) {
-    for (std::size_t l = 0; l < width; ++l) {
-      const double factor = energy * bending_[j * width + l];
-      for (std::size_t c = 0; c < columns; ++c) sums[j * columns + c] -= factor * (piece[l * columns + c] - piece[c]);
-    }
-  }
+void LeastSquaresFit::add_bending(std::size_t columns, std::span<const double> controls, std::span<double> right) const {
+  if (!slope_) return;
+  const std::vector<double> slope = slope_->slope(controls, columns);
+  for (std::size_t k = 0; k < right.size(); ++k) right[k] -= slope_factor_ * slope[k];
 }
 
 /// Half the gradient, downhill: each control point's sum of its function times what is left of the values.
@@ -192,11 +192,10 @@ void LeastSquaresFit::residual_sums(std::size_t columns, std::span<const double>
   std::ranges::fill(right, 0.0);
   for (std::size_t s = 0; s < ends_.size(); ++s) {
     const SpanParameters at = parameters_of(s);
-    if (at.parameters.empty() && bending_.empty()) continue;
+    if (at.parameters.empty()) continue;
     breathe(2 * width * (width + columns) * (width + at.parameters.size()));
     bezier_points(s, controls, columns, piece);
     write_sums(s, at, std::span<const double>(piece), std::span(sums));
-    add_bending(s, columns, piece, sums);
     const SquareRows matrix = knots_.bezier_matrix(static_cast<int>(s));
     for (std::size_t a = 0; a < width; ++a) {
       double* const to = right.data() + (first_of(s) + a) % count * columns;
@@ -205,6 +204,7 @@ void LeastSquaresFit::residual_sums(std::size_t columns, std::span<const double>
       }
     }
   }
+  add_bending(columns, controls, right);
 }
 
 /// @returns the largest change of a control point in the last round

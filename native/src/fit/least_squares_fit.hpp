@@ -1,27 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "basis/banded.hpp"
+#include "bending.hpp"
+#include "held.hpp"
 #include "span_sums.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
-
-/// The energy that is added to a sum of squares: factor times the integral of the squared derivative of this order.
-struct Energy {
-  double factor = 0.0;
-  int order = 2;
-};
-
-/// How many control points at each end of a plain curve stay as they are.
-struct Held {
-  std::size_t start = 0;
-  std::size_t end = 0;
-};
 
 /// Control points by least squares of values at parameters, for any number of columns at once, in time linear in the
 /// parameters (The NURBS Book, §9.4.1).
@@ -32,8 +23,9 @@ class LeastSquaresFit {
  public:
   /// @param parameters  in order, in the domain; they stay where they are as long as this
   /// @param weights     of the squares, positive ones, or none for 1 each
+  /// @param smoothing   times the integral of the squared second derivative is added to the sum of squares
   LeastSquaresFit(KnotVector knots, std::span<const double> parameters, std::span<const double> weights,
-                  const Energy& energy, const Held& held);
+                  double smoothing, const Held& held);
 
   /// Improves control points, `columns` numbers each, until rounding is left.
   /// @throws InvalidShape if the values do not determine them.
@@ -50,7 +42,7 @@ class LeastSquaresFit {
   std::size_t width() const noexcept { return static_cast<std::size_t>(knots_.degree()) + 1; }
   std::size_t first_of(std::size_t span) const { return static_cast<std::size_t>(knots_.spans()[span]) + 1 - width(); }
   SpanParameters parameters_of(std::size_t span) const;
-  double energy_of(std::size_t span) const;
+  double energy_of(double length) const;
   void place();
   void add_products();
   void require_points() const;
@@ -62,15 +54,17 @@ class LeastSquaresFit {
                      const Sums& sums_of) const;
   void bezier_points(std::size_t span, std::span<const double> controls, std::size_t columns,
                      std::span<double> out) const;
-  void add_bending(std::size_t span, std::size_t columns, std::span<const double> piece, std::span<double> sums) const;
+  void add_bending(std::size_t columns, std::span<const double> controls, std::span<double> right) const;
 
   KnotVector knots_;
   std::span<const double> parameters_;
   std::span<const double> weights_;
   double weight_scale_ = 1.0;
-  Energy energy_;
+  double smoothing_;
   Held held_;
-  std::vector<double> bending_;    ///< of one piece over [0, 1]
+  std::vector<double> bending_;    ///< of one piece over [0, 1]; none without smoothing
+  std::optional<Bending> slope_;   ///< of knots near 1
+  double slope_factor_ = 0.0;      ///< what it is multiplied by
   std::vector<std::size_t> ends_;  ///< of each span the index behind its last parameter
   std::vector<double> products_;   ///< row i: of function i with itself and the next `degree` ones
 };

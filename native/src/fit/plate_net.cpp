@@ -91,7 +91,7 @@ std::vector<glm::dvec3> PlateNet::sums_of_differences(std::span<const double> ou
   return out;
 }
 
-std::vector<glm::dvec3> PlateNet::between_functions(const PlateBand& outer, const PlateBand& inner,
+std::vector<glm::dvec3> PlateNet::between_functions(const ProductBand& outer, const ProductBand& inner,
                                                     std::span<const glm::dvec3> net) const {
   std::vector<glm::dvec3> along(net.size(), glm::dvec3(0.0));
   for (std::size_t i = 0; i < outer_.count; ++i) {

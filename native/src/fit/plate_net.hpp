@@ -35,7 +35,7 @@ class PlateNet {
                                       std::span<const glm::dvec3> net) const;
   std::vector<glm::dvec3> sums_of_differences(std::span<const double> outer, std::span<const double> inner,
                                               std::span<const glm::dvec3> net) const;
-  std::vector<glm::dvec3> between_functions(const PlateBand& outer, const PlateBand& inner,
+  std::vector<glm::dvec3> between_functions(const ProductBand& outer, const ProductBand& inner,
                                             std::span<const glm::dvec3> net) const;
   std::vector<glm::dvec3> energy_of(std::span<const glm::dvec3> net) const;
   std::size_t place(std::size_t i, std::size_t j) const noexcept {

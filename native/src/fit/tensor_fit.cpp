@@ -10,7 +10,7 @@ namespace splinecore {
 std::vector<double> fitted_rows(const FittedAxis& axis, std::span<const double> values, std::size_t columns) {
   const bool holds_ends = axis.fixed_ends && !axis.knots.periodic();
   const Held held = holds_ends ? Held{1, 1} : Held{};
-  const LeastSquaresFit fit(axis.knots, axis.parameters, axis.weights, {axis.smoothing, 2}, held);
+  const LeastSquaresFit fit(axis.knots, axis.parameters, axis.weights, axis.smoothing, held);
   std::vector<double> controls;
   controls.reserve(axis.count() * columns);
   for (std::size_t i = 0; i < axis.count(); ++i) {
