@@ -193,10 +193,7 @@ def one_switch(view, switch):
     yield from redrawn()
     if switch == 'deviation':
         yield from until(distances_measured, "distances measured in the end")
-    yield from redrawn()
-    made = count_made()
-    yield from redrawn()
-    assert made() == 0, f"{switch} is worked out though nothing changed"
+    made = yield from nothing_made(switch)
     with view.override():
         bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0.1, 0.4))
     yield from redrawn()
@@ -204,6 +201,18 @@ def one_switch(view, switch):
         yield from until(lambda: made() > 0, f"{switch} follows")
     setattr(chosen(), switch, False)
     yield from redrawn()
+
+
+def nothing_made(switch):
+    """Steps until a redraw works nothing out, as soon as what the drag before left for a pause is done; count_made() from
+    then on."""
+    for _ in range(20):
+        yield from redrawn()
+        made = count_made()
+        yield from redrawn()
+        if made() == 0:
+            return made
+    raise AssertionError(f"{switch} is worked out though nothing changed")
 
 
 def count_drawn():
