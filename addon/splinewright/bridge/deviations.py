@@ -56,7 +56,7 @@ def of(ob, other, is_still):
         return quick, 0.0, not was_known
     measuring = sights.kept(ob.data, ('measuring', ob.name), numbers, _measuring)
     if is_over or _has_ended(measuring):
-        return sights.kept(ob.data, in_the_end, numbers, lambda *given: _summed(*given, measuring)), 1.0, False
+        return sights.kept(ob.data, in_the_end, numbers, lambda *_: _summed(ob.data, other, numbers[1:], measuring)), 1.0, False
     return quick, measuring.share, False
 
 
@@ -92,11 +92,10 @@ def _has_ended(measuring):
 
 def _at_once(data, other, *matrix):
     measuring = _measuring(data, other, *matrix, most=_AT_ONCE, rounds=closest.FEW)
-    return _summed(data, other, *matrix, measuring) if measuring.go_on(_QUICK) else None
+    return _summed(data, other, matrix, measuring) if measuring.go_on(_QUICK) else None
 
 
-def _summed(data, other, *numbers):
-    *matrix, measuring = numbers
+def _summed(data, other, matrix, measuring):
     if measuring is None or measuring.share < 1.0:
         return None
     linear = other.frame(np.reshape(matrix, (4, 4)))[:, :3]

@@ -8,7 +8,7 @@ from bpy.app.handlers import persistent
 
 from ..bridge import shape
 from ..bridge.file_state import state
-from . import editing
+from . import editing, timers
 
 _TOGGLES = {'OBJECT_OT_editmode_toggle', 'OBJECT_OT_mode_set'}
 
@@ -19,16 +19,15 @@ def updated(scene, depsgraph):
     if bpy.app.background or state.suspended:
         return
     is_in = editing.is_in_result(bpy.context)
-    if is_in and not state.was_in_result and not bpy.app.timers.is_registered(_go):
-        bpy.app.timers.register(_go, first_interval=0.0)
+    if is_in and not state.was_in_result:
+        timers.soon(_go)
     state.was_in_result = is_in
 
 
 @persistent
 def undone(*_):
     state.was_in_result = editing.is_in_result(bpy.context)
-    if bpy.app.timers.is_registered(_go):
-        bpy.app.timers.unregister(_go)
+    timers.call_off(_go)
 
 
 def _go():
@@ -69,5 +68,4 @@ def unregister():
     bpy.app.handlers.depsgraph_update_post.remove(updated)
     bpy.app.handlers.undo_post.remove(undone)
     bpy.app.handlers.redo_post.remove(undone)
-    if bpy.app.timers.is_registered(_go):
-        bpy.app.timers.unregister(_go)
+    timers.call_off(_go)

@@ -11,7 +11,7 @@ from ..bridge.file_state import state
 from ..core import lengths
 from ..core.failures import FAILURES
 from ..core.sights import deviations as measures
-from . import legend, strokes, surface_shader
+from . import legend, strokes, surface_shader, timers
 
 #: Seconds after the last change until distances are measured in the end, and from one part of that to the next.
 _SETTLE, _NEXT = 0.3, 0.01
@@ -69,7 +69,7 @@ def draw_legend(context, chosen, obs):
 def settle():
     """Nothing has changed for a while."""
     state.is_still = True
-    _redraw()
+    redraw()
 
 
 def _notes(shown, unit):
@@ -85,7 +85,7 @@ def _notes(shown, unit):
     return notes
 
 
-def _redraw():
+def redraw():
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == 'VIEW_3D':
@@ -115,7 +115,7 @@ def _shown(chosen, obs):
                 shares.append(share)
     share = sum(shares) / len(shares) if shares else 1.0
     if state.is_still and share < 1.0:
-        _restart(_redraw, _NEXT)
+        timers.later(redraw, _NEXT)
     if not found and share == 1.0:
         return None
     reach = chosen.deviation_range or max([deviation.largest for _, deviation in found], default=0.0)
@@ -124,13 +124,7 @@ def _shown(chosen, obs):
 
 def _wait():
     state.is_still = False
-    _restart(settle, _SETTLE)
-
-
-def _restart(timer, seconds):
-    if bpy.app.timers.is_registered(timer):
-        bpy.app.timers.unregister(timer)
-    bpy.app.timers.register(timer, first_interval=seconds)
+    timers.later(settle, _SETTLE)
 
 
 def _surface(data, deviation):

@@ -7,7 +7,7 @@ from ..bridge import deviation_targets, follow, keyed, recipes, versions
 from ..bridge.file_state import ended_operators, forget, key, look_again, state
 from ..bridge.net import live
 from ..bridge.net.growing import Moment
-from . import deviation_paint, editing, errands, messages, saving, texts
+from . import deviation_paint, editing, errands, messages, saving, texts, timers
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -166,14 +166,14 @@ def _follow_nets(changed):
                 written.add(changed_now)
                 is_draft = is_draft or changed_now is None and live.is_draft(ob)
                 if live.note(ob):
-                    _soon(editing.hand_over, 0.0)
+                    timers.soon(editing.hand_over)
                 if live.is_waiting(ob):
                     _take_up_after(None if is_idle else ended_operators())
         elif key(ob) not in state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
-            _soon(editing.sweep, 0.0)
+            timers.soon(editing.sweep)
     written.discard(None)
     if written or is_draft:
-        _later(editing.settle)
+        timers.later(editing.settle, _SETTLE)
     return written
 
 
@@ -186,7 +186,7 @@ def _is_idle():
 def _take_up_after(ended):
     """Let nets take up what waits when other operators have ended than these."""
     state.awaited = ended
-    _soon(editing.take_up, 0.0)
+    timers.soon(editing.take_up)
 
 
 def _put_back_after_failure():
@@ -217,24 +217,11 @@ def _pull_all():
         if ob.mode == 'EDIT':
             live.pull(ob, Moment.TOLD)
             if live.note(ob):
-                _soon(editing.hand_over_now, 0.0)
+                timers.soon(editing.hand_over_now)
             if live.is_waiting(ob):
                 _take_up_after(None)
         else:
-            _soon(editing.sweep, 0.0)
-
-
-def _soon(function, seconds):
-    """Call a function once, outside this handler. Timers never run in background."""
-    if not bpy.app.timers.is_registered(function):
-        bpy.app.timers.register(function, first_interval=seconds)
-
-
-def _later(function):
-    """Call a function when nothing has happened for a while."""
-    if bpy.app.timers.is_registered(function):
-        bpy.app.timers.unregister(function)
-    bpy.app.timers.register(function, first_interval=_SETTLE)
+            timers.soon(editing.sweep)
 
 
 CLASSES = ()
@@ -259,7 +246,7 @@ def register():
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(handler)
     state.is_scanned = False            # a file is open already; bpy.data may be out of reach now
-    _soon(_first_look, 0.0)
+    timers.soon(_first_look)
     if not bpy.app.background:
         bpy.app.timers.register(_serve, persistent=True)
 
@@ -270,6 +257,5 @@ def unregister():
         getattr(bpy.app.handlers, name).remove(handler)
     messages.take_back()
     for function in (_first_look, _serve, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
-                     editing.take_up, deviation_paint.settle):
-        if bpy.app.timers.is_registered(function):
-            bpy.app.timers.unregister(function)
+                     editing.take_up, deviation_paint.settle, deviation_paint.redraw):
+        timers.call_off(function)

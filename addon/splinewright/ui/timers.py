@@ -1,0 +1,20 @@
+"""Functions that are called outside of what goes on at the moment. In background Blender never calls them."""
+
+import bpy
+
+
+def soon(function, seconds=0.0):
+    """Call a function once: where it is to be called already, then."""
+    if not bpy.app.timers.is_registered(function):
+        bpy.app.timers.register(function, first_interval=seconds)
+
+
+def later(function, seconds):
+    """Call a function when nobody has asked for it for so many seconds."""
+    call_off(function)
+    bpy.app.timers.register(function, first_interval=seconds)
+
+
+def call_off(function):
+    if bpy.app.timers.is_registered(function):
+        bpy.app.timers.unregister(function)
