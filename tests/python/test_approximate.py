@@ -173,6 +173,38 @@ def test_smoothing_agrees_with_scipy(weight):
         np.testing.assert_allclose(curve.evaluate(u)[:, axis], theirs(u), rtol=0, atol=rounding)
 
 
+@pytest.mark.parametrize('degree', [2, 3, 5, 7])
+@pytest.mark.parametrize('gap', 10.0**-np.arange(1, 13))
+def test_smoothing_leaves_a_straight_line_beside_short_spans(degree, gap):
+    """It has no energy, however large that is of what bends there."""
+    knots = np.r_[[0.0] * (degree + 1), 1, 1 + gap, 2, 3, [4.0] * (degree + 1)]
+    u = np.linspace(0, 4, 60)
+    points = np.outer(u, [1, 2, -1])
+    for weight in (1e-6, 1e-3, 1.0):
+        for fixed_ends in (True, False):
+            try:
+                made = fit.approximate(points, None, degree, u, knots=knots, smoothing=weight, fixed_ends=fixed_ends)
+            except sc.InvalidShape as refused:
+                assert "less smoothing" in str(refused) and weight / gap**3 > 1e8
+            else:
+                np.testing.assert_allclose(made.value.evaluate(u), points, rtol=0, atol=1e-5)
+                assert made.error < 1e-5
+
+
+@pytest.mark.parametrize('gap', 10.0**-np.arange(1, 13))
+def test_smoothing_leaves_what_stays_in_one_place_beside_short_spans(gap):
+    u = np.linspace(0, 4, 62)
+    knots = np.array([0, 1, 1 + gap, 2, 3, 3.5, 4])
+    points = np.outer(np.ones(61), [1, 2, -1])
+    for weight in (1e-6, 1.0):
+        try:
+            made = fit.approximate(points, None, 3, u, knots=knots, smoothing=weight, closed=True).value
+        except sc.InvalidShape as refused:
+            assert "less smoothing" in str(refused) and weight / gap**3 > 1e8
+        else:
+            np.testing.assert_allclose(made.evaluate(u[:-1]), points, rtol=0, atol=1e-5)
+
+
 def energy(curve):
     u = np.linspace(*curve.domain, 20001)
     return np.mean(np.sum(curve.derivatives(u, 2)[..., 2, :]**2, -1))

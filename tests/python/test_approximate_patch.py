@@ -157,6 +157,30 @@ def test_both_directions_are_alike_and_long_nets_are_ordinary():
     assert long.points.shape == (5, 2000, 3)
 
 
+@pytest.mark.parametrize('degree', [2, 3, 5])
+@pytest.mark.parametrize('gap', 10.0**-np.arange(1, 13))
+def test_smoothing_leaves_a_plane_beside_short_spans(degree, gap):
+    """It has no energy, however large that is of what bends there: it was moved by 1e-5 where spans were 1e-4 long."""
+    u, v = RNG.uniform(0, 1, (2, 2000))
+    points = np.stack([u, v, 2 * u - v], -1)
+    knots = np.r_[[0.0] * (degree + 1), 0.3, 0.3 + gap, 0.6, [1.0] * (degree + 1)]
+    for weight in (1e-6, 1e-3, 1.0):
+        try:
+            made = fit.approximate_scattered(points, None, degree, parameters=np.stack([u, v], -1), knots=(knots, knots),
+                                             smoothing=weight, corrections=0).value
+        except sc.InvalidShape as refused:
+            assert "less smoothing" in str(refused) and weight / gap**3 > 1e8
+        else:
+            np.testing.assert_allclose(made.evaluate(u, v), points, rtol=0, atol=1e-5 if weight / gap**3 > 1e10 else 1e-11)
+
+
+def test_points_in_one_line_of_parameters_are_refused_with_smoothing_too():
+    t = np.linspace(0, 1, 50)
+    points = np.stack([t, t, np.sin(t)], -1)
+    with pytest.raises(sc.InvalidShape, match="more than one line"):
+        fit.approximate_scattered(points, 6, parameters=np.stack([t, t], -1), smoothing=1e-6)
+
+
 def test_nets_beyond_all_memory_are_refused():
     for counts, degrees in (((3000, 3000), 3), ((100_000, 100_000), 1), (256, 255)):
         with pytest.raises(sc.InvalidShape, match="is too large for scattered points"):

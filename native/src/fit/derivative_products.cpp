@@ -1,5 +1,6 @@
 #include "derivative_products.hpp"
 
+#include <algorithm>
 #include <span>
 
 #include "gram.hpp"
@@ -57,6 +58,38 @@ std::vector<double> difference_steps(const KnotVector& knots, int order) {
     if (length > 0.0) steps[i] = reach / length;
   }
   return steps;
+}
+
+void write_differences(std::span<const double> steps, std::size_t columns, std::span<const double> from,
+                       std::span<double> to) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::size_t before = (i > 0 ? i : steps.size()) - 1;
+    for (std::size_t c = 0; c < columns; ++c) {
+      to[i * columns + c] = steps[i] * (from[i * columns + c] - from[before * columns + c]);
+    }
+  }
+}
+
+void write_sums_of_differences(std::span<const double> steps, std::size_t columns, std::span<const double> from,
+                               std::span<double> to) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::size_t after = i + 1 < steps.size() ? i + 1 : 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+      to[i * columns + c] = steps[i] * from[i * columns + c] - steps[after] * from[after * columns + c];
+    }
+  }
+}
+
+void write_products(const ProductBand& band, std::size_t columns, std::span<const double> from, std::span<double> to) {
+  std::ranges::fill(to, 0.0);
+  for (std::size_t i = 0; i < band.count; ++i) {
+    for (std::size_t k = 0; k < band.width; ++k) {
+      if (!band.has(i, k)) continue;
+      const double factor = band.at(i, k);
+      const double* const other = &from[band.partner(i, k) * columns];
+      for (std::size_t c = 0; c < columns; ++c) to[i * columns + c] += factor * other[c];
+    }
+  }
 }
 
 }  // namespace splinecore

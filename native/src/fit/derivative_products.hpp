@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "splinecore/basis/knot_vector.hpp"
@@ -38,6 +39,18 @@ ProductBand difference_products(const KnotVector& knots, int order);
 /// By these the differences of control point i of the derivative of this order from the one before are control points of
 /// the next derivative. None reaches over the ends, or over knots where a function ends before it starts.
 std::vector<double> difference_steps(const KnotVector& knots, int order);
+
+// Of `columns` numbers for each control point, into as many others.
+
+/// The control points of the next derivative, by difference_steps().
+void write_differences(std::span<const double> steps, std::size_t columns, std::span<const double> from,
+                       std::span<double> to);
+
+/// What write_differences() is, transposed.
+void write_sums_of_differences(std::span<const double> steps, std::size_t columns, std::span<const double> from,
+                               std::span<double> to);
+
+void write_products(const ProductBand& band, std::size_t columns, std::span<const double> from, std::span<double> to);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include "gram.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
+#include "straight.hpp"
 #include "system.hpp"
 
 namespace splinecore {
@@ -64,6 +65,7 @@ LeastSquaresFit::LeastSquaresFit(KnotVector knots, std::span<const double> param
   place();
   require_points();
   add_products();
+  if (slope_) require_energy_leaves_points();
 }
 
 void LeastSquaresFit::place() {
@@ -207,6 +209,47 @@ void LeastSquaresFit::residual_sums(std::size_t columns, std::span<const double>
   add_bending(columns, controls, right);
 }
 
+InvalidShape LeastSquaresFit::undetermined() const {
+  if (!slope_) {
+    return InvalidShape("the points do not determine the shape as far as numbers can tell: fewer control points, a lower "
+                        "degree or smoothing are needed");
+  }
+  return InvalidShape("beside the energy of the shortest spans, smoothing = " + text_of(smoothing_) +
+                      " leaves nothing of the points: knots farther from each other or less smoothing are needed");
+}
+
+/// What writes the sums of a span for values of `columns` numbers each.
+auto LeastSquaresFit::rows_of(std::span<const double> values, std::size_t columns) const {
+  return [this, values, columns](std::size_t s, const SpanParameters& at, std::span<const double> piece,
+                                 std::span<double> sums) {
+    const std::size_t begin = ends_[s] - at.parameters.size();
+    write_residuals(at, values.subspan(begin * columns, at.parameters.size() * columns), columns, piece, sums);
+  };
+}
+
+/// What bends nowhere is to come out of the system as it went in.
+/// @throws InvalidShape if it does not.
+void LeastSquaresFit::require_energy_leaves_points() const {
+  const std::size_t columns = knots_.periodic() ? 1 : 2;  // 1 and the parameter
+  const auto count = static_cast<std::size_t>(knots_.count());
+  const std::vector<double> along = knots_.periodic() ? std::vector<double>() : straight_controls(knots_);
+  std::vector<double> straight(count * columns, 0.0);
+  for (std::size_t i = held_.start; i + held_.end < count; ++i) {
+    straight[i * columns] = 1.0;
+    if (columns > 1) straight[i * columns + 1] = along[i];
+  }
+  const std::size_t begin = held_.start * columns;
+  const std::size_t free = (count - held_.start - held_.end) * columns;
+  const std::vector<double> nothing(parameters_.size() * columns, 0.0);
+  std::vector<double> left(straight.size());
+  residual_sums(columns, straight, left, rows_of(nothing, columns));
+  const std::span<double> found = std::span(left).subspan(begin, free);
+  if (free > 0) splinecore::solve(knots_, free_rows(), found, columns);
+  for (std::size_t k = 0; k < free; ++k) {
+    if (!(std::abs(found[k] + straight[begin + k]) <= kMostLost)) throw undetermined();
+  }
+}
+
 /// @returns the largest change of a control point in the last round
 template <class Sums>
 double LeastSquaresFit::improve(std::size_t columns, double size, std::span<double> controls,
@@ -232,16 +275,11 @@ double LeastSquaresFit::improve(std::size_t columns, double size, std::span<doub
     if (round > 0 && share <= kDone) return change;
   }
   if (share <= kDetermined) return change;
-  throw InvalidShape("the points do not determine the shape as far as numbers can tell: fewer control points, a lower degree or "
-                     "smoothing are needed");
+  throw undetermined();
 }
 
 void LeastSquaresFit::solve(std::span<const double> values, std::size_t columns, std::span<double> controls) const {
-  improve(columns, largest_of(values), controls,
-          [&](std::size_t s, const SpanParameters& at, std::span<const double> piece, std::span<double> sums) {
-            const std::size_t begin = ends_[s] - at.parameters.size();
-            write_residuals(at, values.subspan(begin * columns, at.parameters.size() * columns), columns, piece, sums);
-          });
+  improve(columns, largest_of(values), controls, rows_of(values, columns));
 }
 
 std::vector<double> LeastSquaresFit::solve_points(std::span<const double> points, std::span<double> controls) const {

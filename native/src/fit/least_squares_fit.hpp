@@ -9,6 +9,7 @@
 #include "bending.hpp"
 #include "held.hpp"
 #include "span_sums.hpp"
+#include "splinecore/base/errors.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -46,6 +47,9 @@ class LeastSquaresFit {
   void place();
   void add_products();
   void require_points() const;
+  void require_energy_leaves_points() const;
+  InvalidShape undetermined() const;
+  auto rows_of(std::span<const double> values, std::size_t columns) const;
   BandedRows free_rows() const;
   template <class Sums>
   double improve(std::size_t columns, double size, std::span<double> controls, const Sums& residual_sums) const;

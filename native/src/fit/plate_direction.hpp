@@ -27,8 +27,6 @@ struct PlateDirection {
   std::size_t partner(std::size_t i, std::size_t k) const noexcept { return bands[0].partner(i, k); }
   bool has(std::size_t i, std::size_t k) const noexcept { return bands[0].has(i, k); }
   std::size_t place(std::size_t i) const noexcept;
-  std::size_t next(std::size_t i) const noexcept { return i + 1 < count ? i + 1 : 0; }
-  std::size_t previous(std::size_t i) const noexcept { return i > 0 ? i - 1 : count - 1; }
 
   std::size_t count;
   bool is_folded;           ///< a period's functions in the order 0, n - 1, 1, n - 2, …: neighbours stay near

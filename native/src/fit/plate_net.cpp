@@ -5,6 +5,7 @@
 #include <string>
 
 #include "basis/banded_cholesky.hpp"
+#include "plate_energy.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 
@@ -46,80 +47,7 @@ PlateNet::PlateNet(const PlateAxis& u, const PlateAxis& v, std::vector<glm::dvec
     throw InvalidShape("a net of " + std::to_string(u.knots.count()) + " x " + std::to_string(v.knots.count()) +
                        " control points is too large to be faired");
   }
-  pull_ = energy_of(is_swapped_ ? exchanged(net, inner_.count) : std::move(net));
-}
-
-/// The product of the net with means of products of derivatives of these orders, both halves of it by differences.
-std::vector<glm::dvec3> PlateNet::product(std::size_t outer, std::size_t inner, std::span<const glm::dvec3> net) const {
-  breathe(3 * net.size() * (outer_.bands[0].width + inner_.bands[0].width));
-  std::vector<glm::dvec3> out(net.begin(), net.end());
-  for (std::size_t k = 0; k < outer; ++k) out = differences(outer_.steps[k], {}, out);
-  for (std::size_t k = 0; k < inner; ++k) out = differences({}, inner_.steps[k], out);
-  out = between_functions(outer_.masses[outer], inner_.masses[inner], out);
-  for (std::size_t k = inner; k-- > 0;) out = sums_of_differences({}, inner_.steps[k], out);
-  for (std::size_t k = outer; k-- > 0;) out = sums_of_differences(outer_.steps[k], {}, out);
-  return out;
-}
-
-/// The control points of the derivative along the direction that has steps.
-std::vector<glm::dvec3> PlateNet::differences(std::span<const double> outer, std::span<const double> inner,
-                                              std::span<const glm::dvec3> net) const {
-  std::vector<glm::dvec3> out(net.size());
-  for (std::size_t i = 0; i < outer_.count; ++i) {
-    for (std::size_t j = 0; j < inner_.count; ++j) {
-      const std::size_t at = i * inner_.count + j;
-      out[at] = inner.empty() ? outer[i] * (net[at] - net[outer_.previous(i) * inner_.count + j])
-                              : inner[j] * (net[at] - net[i * inner_.count + inner_.previous(j)]);
-    }
-  }
-  return out;
-}
-
-/// What differences() is, transposed.
-std::vector<glm::dvec3> PlateNet::sums_of_differences(std::span<const double> outer, std::span<const double> inner,
-                                                      std::span<const glm::dvec3> net) const {
-  std::vector<glm::dvec3> out(net.size());
-  for (std::size_t i = 0; i < outer_.count; ++i) {
-    const std::size_t below = outer_.next(i);
-    for (std::size_t j = 0; j < inner_.count; ++j) {
-      const std::size_t at = i * inner_.count + j;
-      const std::size_t right = inner_.next(j);
-      out[at] = inner.empty() ? outer[i] * net[at] - outer[below] * net[below * inner_.count + j]
-                              : inner[j] * net[at] - inner[right] * net[i * inner_.count + right];
-    }
-  }
-  return out;
-}
-
-std::vector<glm::dvec3> PlateNet::between_functions(const ProductBand& outer, const ProductBand& inner,
-                                                    std::span<const glm::dvec3> net) const {
-  std::vector<glm::dvec3> along(net.size(), glm::dvec3(0.0));
-  for (std::size_t i = 0; i < outer_.count; ++i) {
-    for (std::size_t k = 0; k < outer.width; ++k) {
-      if (!outer_.has(i, k)) continue;
-      const glm::dvec3* const from = &net[outer_.partner(i, k) * inner_.count];
-      const double factor = outer.at(i, k);
-      for (std::size_t j = 0; j < inner_.count; ++j) along[i * inner_.count + j] += factor * from[j];
-    }
-  }
-  std::vector<glm::dvec3> out(net.size(), glm::dvec3(0.0));
-  for (std::size_t i = 0; i < outer_.count; ++i) {
-    const glm::dvec3* const row = &along[i * inner_.count];
-    for (std::size_t j = 0; j < inner_.count; ++j) {
-      for (std::size_t k = 0; k < inner.width; ++k) {
-        if (inner_.has(j, k)) out[i * inner_.count + j] += inner.at(j, k) * row[inner_.partner(j, k)];
-      }
-    }
-  }
-  return out;
-}
-
-std::vector<glm::dvec3> PlateNet::energy_of(std::span<const glm::dvec3> net) const {
-  std::vector<glm::dvec3> sum = product(2, 0, net);
-  const std::vector<glm::dvec3> mixed = product(1, 1, net);
-  const std::vector<glm::dvec3> other = product(0, 2, net);
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += 2.0 * mixed[i] + other[i];
-  return sum;
+  pull_ = plate_bending(outer_, inner_, is_swapped_ ? exchanged(net, inner_.count) : std::move(net));
 }
 
 /// Of the control points that may move, in rows of the upper triangle.
@@ -165,8 +93,8 @@ std::optional<std::vector<glm::dvec3>> PlateNet::moves(double factor) const {
     }
   };
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<glm::dvec3> bent = energy_of(moves);
-    const std::vector<glm::dvec3> moved = product(0, 0, moves);
+    const std::vector<glm::dvec3> bent = plate_bending(outer_, inner_, moves);
+    const std::vector<glm::dvec3> moved = plate_product(outer_, inner_, {0, 0}, moves);
     for_free([&](std::size_t at, std::size_t row) { right[row] = -factor * (pull_[at] + bent[at]) - moved[at]; });
     cholesky.solve({&right.front().x, 3 * right.size()}, 3);
     for_free([&](std::size_t at, std::size_t row) { moves[at] += right[row]; });

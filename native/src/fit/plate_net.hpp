@@ -30,14 +30,6 @@ class PlateNet {
 
  private:
   std::vector<double> system(double factor) const;
-  std::vector<glm::dvec3> product(std::size_t outer, std::size_t inner, std::span<const glm::dvec3> net) const;
-  std::vector<glm::dvec3> differences(std::span<const double> outer, std::span<const double> inner,
-                                      std::span<const glm::dvec3> net) const;
-  std::vector<glm::dvec3> sums_of_differences(std::span<const double> outer, std::span<const double> inner,
-                                              std::span<const glm::dvec3> net) const;
-  std::vector<glm::dvec3> between_functions(const ProductBand& outer, const ProductBand& inner,
-                                            std::span<const glm::dvec3> net) const;
-  std::vector<glm::dvec3> energy_of(std::span<const glm::dvec3> net) const;
   std::size_t place(std::size_t i, std::size_t j) const noexcept {
     return outer_.place(i) * inner_.free() + inner_.place(j);
   }

@@ -1,9 +1,13 @@
 #include "thin_plate_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <string>
 
 #include "gram.hpp"
+#include "straight.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 
@@ -90,16 +94,37 @@ std::vector<double> with_products(std::vector<double> rows, std::size_t count, s
   return rows;
 }
 
+double largest_of(std::span<const glm::dvec3> vectors) {
+  double largest = 0.0;
+  for (const glm::dvec3& each : vectors) largest = std::max({largest, std::abs(each.x), std::abs(each.y), std::abs(each.z)});
+  return largest;
+}
+
+InvalidShape hidden_by_energy() {
+  return InvalidShape("the points do not determine the shape beside the energy of its shortest spans: knots farther from "
+                      "each other, less smoothing, or points whose parameters lie in more than one line are needed");
+}
+
 }  // namespace
+
+ThinPlateFit::Plate ThinPlateFit::plate_of(const KnotVector& u, const KnotVector& v, double energy) {
+  const double length_u = u.domain().length();
+  const double length_v = v.domain().length();
+  return {PlateDirection({u, length_u, {}}, false), PlateDirection({v, length_v, {}}, false), energy * length_u * length_v};
+}
 
 ThinPlateFit::ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<const glm::dvec2> parameters,
                            std::span<const double> weights, double energy)
     : count_u_(static_cast<std::size_t>(u.count())), count_v_(static_cast<std::size_t>(v.count())),
       width_(width_of(u, v)),
       u_(samples_of(u, parameters, 0)), v_(samples_of(v, parameters, 1)), weights_(weights),
-      energy_(energy_rows(u, v, width_, energy)),
-      system_(with_products(energy_, count_u_ * count_v_, width_, count_v_, u_, v_, weights_), width_) {
+      plate_(energy > 0.0 ? std::optional<Plate>(plate_of(u, v, energy)) : std::nullopt),
+      system_(with_products(energy_rows(u, v, width_, energy), count_u_ * count_v_, width_, count_v_, u_, v_, weights_), width_) {
   const auto dependent = system_.dependent_row();
+  if (plate_) {
+    if (dependent) throw hidden_by_energy();
+    require_energy_leaves_points(u, v);
+  }
   if (!dependent) return;
   throw InvalidShape("the points do not determine control point (" + std::to_string(*dependent / count_v_) + ", " +
                      std::to_string(*dependent % count_v_) + "): fewer control points or smoothing are needed");
@@ -129,27 +154,42 @@ void ThinPlateFit::add_residuals(std::span<const glm::dvec3> points, std::span<c
       for (std::size_t b = 0; b < v_.weights(i).size(); ++b) row[b] += u_.weights(i)[a] * v_.weights(i)[b] * left;
     }
   }
-  for (std::size_t i = 0; i < net.size() && !energy_.empty(); ++i) {
-    const std::size_t reach = std::min(width_, net.size() - i);
-    breathe(reach);
-    const double* const row = &energy_[i * width_];
-    right[i] -= row[0] * net[i];
-    for (std::size_t k = 1; k < reach; ++k) {
-      right[i] -= row[k] * net[i + k];
-      right[i + k] -= row[k] * net[i];
-    }
+  if (!plate_) return;
+  const std::vector<glm::dvec3> bent = plate_bending(plate_->u, plate_->v, net);
+  for (std::size_t i = 0; i < net.size(); ++i) right[i] -= plate_->factor * bent[i];
+}
+
+/// What bends nowhere is to come out of the system as it went in.
+/// @throws InvalidShape if it does not.
+void ThinPlateFit::require_energy_leaves_points(const KnotVector& u, const KnotVector& v) const {
+  std::vector<glm::dvec3> flat;
+  flat.reserve(count_u_ * count_v_);
+  const std::vector<double> along_v = straight_controls(v);
+  for (const double at_u : straight_controls(u)) {
+    for (const double at_v : along_v) flat.emplace_back(1.0, at_u, at_v);
+  }
+  const std::vector<glm::dvec3> nothing(u_.size(), glm::dvec3(0.0));
+  std::vector<glm::dvec3> found(flat.size(), glm::dvec3(0.0));
+  add_residuals(nothing, flat, found);
+  system_.solve({&found.front().x, 3 * found.size()}, 3);
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const glm::dvec3 lost = flat[i] + found[i];
+    if (glm::all(glm::lessThanEqual(glm::abs(lost), glm::dvec3(kMostLost)))) continue;
+    throw hidden_by_energy();
   }
 }
 
 std::vector<glm::dvec3> ThinPlateFit::net(std::span<const glm::dvec3> points) const {
-  constexpr int kRounds = 3;
+  constexpr int kMostRounds = 12;
+  constexpr double kDone = 1e-12;
   std::vector<glm::dvec3> net(count_u_ * count_v_, glm::dvec3(0.0));
   std::vector<glm::dvec3> right(net.size());
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMostRounds; ++round) {
     std::ranges::fill(right, glm::dvec3(0.0));
     add_residuals(points, net, right);
     system_.solve({&right.front().x, 3 * right.size()}, 3);
     for (std::size_t i = 0; i < net.size(); ++i) net[i] += right[i];
+    if (round > 0 && largest_of(right) <= kDone * largest_of(net)) break;
   }
   return net;
 }

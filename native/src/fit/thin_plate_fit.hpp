@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "basis/banded_cholesky.hpp"
+#include "plate_energy.hpp"
 #include "splinecore/basis/samples.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -26,6 +28,14 @@ class ThinPlateFit {
   std::vector<glm::dvec3> net(std::span<const glm::dvec3> points) const;
 
  private:
+  struct Plate {
+    PlateDirection u;
+    PlateDirection v;
+    double factor;  ///< of the mean
+  };
+
+  static Plate plate_of(const KnotVector& u, const KnotVector& v, double energy);
+  void require_energy_leaves_points(const KnotVector& u, const KnotVector& v) const;
   glm::dvec3 at(std::size_t i, std::span<const glm::dvec3> net) const;
   void add_residuals(std::span<const glm::dvec3> points, std::span<const glm::dvec3> net,
                      std::span<glm::dvec3> right) const;
@@ -37,7 +47,7 @@ class ThinPlateFit {
   Samples u_;
   Samples v_;
   std::span<const double> weights_;
-  std::vector<double> energy_;  ///< in such rows; none where it has no weight
+  std::optional<Plate> plate_;  ///< none where the energy has no weight
   BandedCholesky system_;
 };
 
