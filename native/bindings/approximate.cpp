@@ -70,7 +70,8 @@ splinecore::CurveFunction called(const py::object& function) {
   }
   return [&function](std::span<const double> parameters, std::span<glm::dvec3> points) {
     const py::gil_scoped_acquire locked;
-    const py::array_t<double> at(static_cast<py::ssize_t>(parameters.size()), parameters.data());
+    // pybind11 before 2.12 reads the size of an item in the wrong place from NumPy 2: the stride says it.
+    const py::array_t<double> at({parameters.size()}, {sizeof(double)}, parameters.data());
     const GivenPoints given(function(at), "the values of function", 1);
     if (given.points().size() != points.size()) {
       throw InvalidShape("function has " + std::to_string(given.points().size()) + " points for " +
