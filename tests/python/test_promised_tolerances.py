@@ -97,7 +97,8 @@ def of_scattered_points(rng):
     except sc.ToleranceNotReached as refused:          # more control points than points decide about
         assert "do not determine" in str(refused)
         return
-    keeps(made.value.nearest(points).distances.max(), made.error, tolerance, 1.0)
+    # Where a single point decides about a control point that one may lie far away, and its rounding counts.
+    keeps(made.value.nearest(points).distances.max(), made.error, tolerance, max(1.0, np.abs(made.value.points).max()))
 
 
 def long(rng):
@@ -152,9 +153,12 @@ def test_every_promise_is_kept(kind, part):
 
 
 MEMORY = """
-import resource, sys
+import re, sys
+from pathlib import Path
 import numpy as np
 from splinecore import fit
+def most():                                             # that of resource begins with what the parent had
+    return int(re.search(r"VmHWM:\\s+(\\d+)", Path("/proc/self/status").read_text())[1])
 t = np.linspace(0, 1, 200_000)
 points = np.stack([np.cos(40 * t), np.sin(30 * t), t], -1)
 calls = {"interpolate": lambda p: fit.interpolate(p), "count": lambda p: fit.approximate(p, 200),
@@ -162,9 +166,9 @@ calls = {"interpolate": lambda p: fit.interpolate(p), "count": lambda p: fit.app
          "scattered": lambda p: fit.approximate_scattered(np.random.default_rng(1).uniform(0, 1, p.shape) * [1, 1, 0.01], 20)}
 call = calls[sys.argv[1]]
 call(points[::100])
-before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+before = most()
 call(points[::200_000 // int(sys.argv[2])])
-print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
+print(most() - before)
 """
 
 
@@ -173,4 +177,4 @@ def test_memory_grows_as_the_points_do(call):
     """In kilobytes: 100,000 points take no more than their share of what 200,000 take, and 500 bytes each."""
     taken = [int(subprocess.run([sys.executable, "-c", MEMORY, call, str(count)], capture_output=True, text=True,
                                 check=True).stdout) for count in (100_000, 200_000)]
-    assert taken[0] <= 50_000 and taken[1] <= 2.3 * taken[0] + 4_000
+    assert 0 < taken[0] <= 50_000 and taken[1] <= 2.3 * taken[0] + 4_000
