@@ -56,7 +56,8 @@ def of(ob, other, is_still):
         return quick, 0.0, not was_known
     measuring = sights.kept(ob.data, ('measuring', ob.name), numbers, _measuring)
     if is_over or _has_ended(measuring):
-        return sights.kept(ob.data, in_the_end, numbers, lambda *_: _summed(ob.data, other, numbers[1:], measuring)), 1.0, False
+        deviation = sights.kept(ob.data, in_the_end, numbers, lambda *_: _summed(ob.data, other, numbers[1:], measuring))
+        return deviation, 1.0, False
     return quick, measuring.share, False
 
 

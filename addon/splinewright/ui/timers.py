@@ -3,10 +3,10 @@
 import bpy
 
 
-def soon(function, seconds=0.0):
+def soon(function):
     """Call a function once: where it is to be called already, then."""
     if not bpy.app.timers.is_registered(function):
-        bpy.app.timers.register(function, first_interval=seconds)
+        bpy.app.timers.register(function, first_interval=0.0)
 
 
 def later(function, seconds):

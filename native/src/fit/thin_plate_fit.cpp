@@ -6,10 +6,9 @@
 #include <glm/vector_relational.hpp>
 #include <string>
 
-#include "gram.hpp"
-#include "straight.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
+#include "straight.hpp"
 
 namespace splinecore {
 
@@ -20,43 +19,6 @@ Samples samples_of(const KnotVector& knots, std::span<const glm::dvec2> paramete
   along.reserve(parameters.size());
   for (const glm::dvec2& place : parameters) along.push_back(place[axis]);
   return Samples::make(knots, along, 0, Side::right, axis == 0 ? "u" : "v");
-}
-
-/// Numbers of two symmetric matrices in rows of their upper triangles.
-struct Rows {
-  std::vector<double> values;
-  std::size_t width;
-
-  double at(std::size_t i, std::size_t j) const { return values[std::min(i, j) * width + (i < j ? j - i : i - j)]; }
-};
-
-/// The energy's matrix on the net: products of both directions' integrals.
-std::vector<double> energy_rows(const KnotVector& u, const KnotVector& v, std::size_t width, double factor) {
-  const auto count_u = static_cast<std::size_t>(u.count());
-  const auto count_v = static_cast<std::size_t>(v.count());
-  if (factor == 0.0) return {};
-  std::vector<double> rows(count_u * count_v * width, 0.0);
-  const auto p = static_cast<std::size_t>(u.degree());
-  const auto q = static_cast<std::size_t>(v.degree());
-  for (int k = 0; k <= 2; ++k) {
-    const Rows along_u{gram_rows(u, k), p + 1};
-    const Rows along_v{gram_rows(v, 2 - k), q + 1};
-    const double share = factor * (k == 1 ? 2.0 : 1.0);
-    for (std::size_t i = 0; i < count_u; ++i) {
-      for (std::size_t j = 0; j < count_v; ++j) {
-        double* const row = &rows[(i * count_v + j) * width];
-        breathe(8 * (p + 1) * (q + 1));
-        for (std::size_t a = i; a < std::min(count_u, i + p + 1); ++a) {
-          const double of_u = share * along_u.at(i, a);
-          const std::size_t first = a == i ? j : j > q ? j - q : 0;
-          for (std::size_t b = first; b < std::min(count_v, j + q + 1); ++b) {
-            row[(a - i) * count_v + b - j] += of_u * along_v.at(j, b);
-          }
-        }
-      }
-    }
-  }
-  return rows;
 }
 
 /// How long a row of the system is. @throws InvalidShape where all rows are a gigabyte or more.
@@ -96,7 +58,7 @@ std::vector<double> with_products(std::vector<double> rows, std::size_t count, s
 
 double largest_of(std::span<const glm::dvec3> vectors) {
   double largest = 0.0;
-  for (const glm::dvec3& each : vectors) largest = std::max({largest, std::abs(each.x), std::abs(each.y), std::abs(each.z)});
+  for (const glm::dvec3& v : vectors) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return largest;
 }
 
@@ -110,7 +72,34 @@ InvalidShape hidden_by_energy() {
 ThinPlateFit::Plate ThinPlateFit::plate_of(const KnotVector& u, const KnotVector& v, double energy) {
   const double length_u = u.domain().length();
   const double length_v = v.domain().length();
-  return {PlateDirection({u, length_u, {}}, false), PlateDirection({v, length_v, {}}, false), energy * length_u * length_v};
+  return {PlateDirection({u, length_u, {}}, false), PlateDirection({v, length_v, {}}, false),
+          energy * length_u * length_v};
+}
+
+/// The energy's matrix on the net: products of both directions' means. None where it has no weight.
+std::vector<double> ThinPlateFit::energy_rows() const {
+  if (!plate_) return {};
+  const auto& [u, v, factor] = *plate_;
+  const std::size_t p = u.bands[0].degree;
+  const std::size_t q = v.bands[0].degree;
+  std::vector<double> rows(count_u_ * count_v_ * width_, 0.0);
+  for (std::size_t k = 0; k <= 2; ++k) {
+    const double share = factor * (k == 1 ? 2.0 : 1.0);
+    for (std::size_t i = 0; i < count_u_; ++i) {
+      for (std::size_t j = 0; j < count_v_; ++j) {
+        double* const row = &rows[(i * count_v_ + j) * width_];
+        breathe(8 * (p + 1) * (q + 1));
+        for (std::size_t a = i; a < std::min(count_u_, i + p + 1); ++a) {
+          const double of_u = share * u.bands[k].at(i, p + a - i);
+          const std::size_t first = a == i ? j : j > q ? j - q : 0;
+          for (std::size_t b = first; b < std::min(count_v_, j + q + 1); ++b) {
+            row[(a - i) * count_v_ + b - j] += of_u * v.bands[2 - k].at(j, q + b - j);
+          }
+        }
+      }
+    }
+  }
+  return rows;
 }
 
 ThinPlateFit::ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<const glm::dvec2> parameters,
@@ -119,7 +108,7 @@ ThinPlateFit::ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<c
       width_(width_of(u, v)),
       u_(samples_of(u, parameters, 0)), v_(samples_of(v, parameters, 1)), weights_(weights),
       plate_(energy > 0.0 ? std::optional<Plate>(plate_of(u, v, energy)) : std::nullopt),
-      system_(with_products(energy_rows(u, v, width_, energy), count_u_ * count_v_, width_, count_v_, u_, v_, weights_), width_) {
+      system_(with_products(energy_rows(), count_u_ * count_v_, width_, count_v_, u_, v_, weights_), width_) {
   const auto dependent = system_.dependent_row();
   if (plate_) {
     if (dependent) throw hidden_by_energy();

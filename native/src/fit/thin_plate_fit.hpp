@@ -35,6 +35,7 @@ class ThinPlateFit {
   };
 
   static Plate plate_of(const KnotVector& u, const KnotVector& v, double energy);
+  std::vector<double> energy_rows() const;
   void require_energy_leaves_points(const KnotVector& u, const KnotVector& v) const;
   glm::dvec3 at(std::size_t i, std::span<const glm::dvec3> net) const;
   void add_residuals(std::span<const glm::dvec3> points, std::span<const glm::dvec3> net,
