@@ -387,7 +387,7 @@ def test_a_closed_hermite_patch_keeps_its_seam():
 
 def test_a_tangent_that_serves_several_corners_stays():
     """Ferguson's patch on a merged pool: all twists are one row."""
-    grid = np.stack(np.meshgrid([0.0, 1.0], [0.0, 1.0], indexing="ij") + [np.zeros((2, 2))], -1)
+    grid = np.stack([*np.meshgrid([0.0, 1.0], [0.0, 1.0], indexing="ij"), np.zeros((2, 2))], -1)
     tangent = np.tile((1.0, 0.0, 0.0), (2, 2, 1))
     tangents_v = np.random.default_rng(3).uniform(-1, 1, (2, 2, 3))
     patches = sc.PatchSet.from_patches([sc.HermitePatch(grid, tangent, tangents_v)])
