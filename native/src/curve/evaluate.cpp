@@ -206,7 +206,7 @@ class Batch {
 
   /// As many parameters from i on as lie strictly inside a half, so many at once.
   std::size_t run_from(std::size_t i, int half) {
-    constexpr std::size_t kMost = std::size_t{1} << 12;
+    constexpr std::size_t kMost = std::size_t{1} << 15;
     const auto part = u_.subspan(i, std::min(kMost, end_ - i));
     const Interval range = locator_.range(half);
     int found = 0;

@@ -66,12 +66,13 @@ SPLINECORE_INLINE void project(Derivatives<V, kOrder>& d, V x, V f, int degree) 
     }
   } else {
     const V weight = d.at[0].w;
-    const V r = reciprocal(weight);
+    const V rough = rough_reciprocal(weight);
     PointsOf<V>& p = d.at[0];
-    p.x = quotient(p.x, weight, r);
-    p.y = quotient(p.y, weight, r);
-    p.z = quotient(p.z, weight, r);
+    p.x = quotient(p.x, weight, rough);
+    p.y = quotient(p.y, weight, rough);
+    p.z = quotient(p.z, weight, rough);
     if constexpr (kOrder > 0) {
+      const V r = nearer_reciprocal(weight, rough);
       // 1 / f is 1 + x.
       const V g = all<V>(1.0) + x;
       PointsOf<V>& q = d.at[1];
@@ -161,16 +162,25 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
   for (int k = 0; k <= kOrder; ++k) rows[k] = first_row(half.rows, half.step, degree, k);
   V doubts = all<V>(0.0);
   std::size_t i = 0;
-  for (; i + kWide <= count; i += kWide) {
-    const V at = load<V>(u + i);
-    if (any(!((at > all<V>(low)) & (at < all<V>(high))))) break;
-    const V left = far - at;
-    const V x = (at - near) / left;
+  // The way to a point is long: the next place is found before it is gone.
+  V left;
+  V x;
+  const auto place = [&](std::size_t first) {
+    if (first + kWide > count) return false;
+    const V at = load<V>(u + first);
+    left = far - at;
+    x = (at - near) / left;
+    return is_between(low, high, at);
+  };
+  for (bool goes_on = place(0); goes_on; i += kWide) {
+    const V here = x;
+    const V rest = left;
+    goes_on = place(i + kWide);
     Derivatives<V, kOrder> d;
     for (int k = 0; k <= kOrder; ++k) {
-      d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], half.step, degree - k, x, kRational);
+      d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], half.step, degree - k, here, kRational);
     }
-    project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
+    project<kRational>(d, here, factor_left<kRational>(rest, far - near), degree);
     doubts = doubt(doubts, d);
     store_all(d, out + 3 * (kOrder + 1) * i);
   }

@@ -88,6 +88,18 @@ SPLINECORE_INLINE bool is_any_at_most(V a, V most) {
   return any(a <= most);
 }
 
+/// Whether all lie strictly between the two.
+template <class V>
+SPLINECORE_INLINE bool is_between(double low, double high, V a) {
+#if defined(SPLINECORE_WIDE_LANES)
+  if constexpr (sizeof(V) == sizeof(WideLanes)) {
+    const __mmask8 above = _mm512_cmp_pd_mask(a, all<V>(low), _CMP_GT_OQ);
+    return _mm512_mask_cmp_pd_mask(above, a, all<V>(high), _CMP_LT_OQ) == 0xff;
+  }
+#endif
+  return !any(!((a > all<V>(low)) & (a < all<V>(high))));
+}
+
 /// 1 / a and 1 / sqrt(a), within two roundings; of numbers near the least and the largest perhaps not a number. The
 /// only divider is slower than steps from a first guess, where there is one: the same steps for
 /// lanes of every width, so that they give the same bits.
@@ -98,10 +110,16 @@ SPLINECORE_INLINE Lanes guessed_reciprocal_root(Lanes a) { return _mm256_maskz_r
 SPLINECORE_INLINE WideLanes guessed_reciprocal_root(WideLanes a) { return _mm512_maskz_rsqrt14_pd(0xff, a); }
 
 template <class V>
-SPLINECORE_INLINE V reciprocal(V a) {
-  V r = guessed_reciprocal(a);
-  r = mul_add(r, mul_add(-a, r, all<V>(1.0)), r);
+SPLINECORE_INLINE V nearer_reciprocal(V a, V r) {
   return mul_add(r, mul_add(-a, r, all<V>(1.0)), r);
+}
+template <class V>
+SPLINECORE_INLINE V rough_reciprocal(V a) {
+  return nearer_reciprocal(a, guessed_reciprocal(a));
+}
+template <class V>
+SPLINECORE_INLINE V reciprocal(V a) {
+  return nearer_reciprocal(a, rough_reciprocal(a));
 }
 template <class V>
 SPLINECORE_INLINE V reciprocal_root(V a) {
@@ -114,6 +132,8 @@ SPLINECORE_INLINE V reciprocal_root(V a) {
 }
 #else
 SPLINECORE_INLINE Lanes reciprocal(Lanes a) { return all(1.0) / a; }
+SPLINECORE_INLINE Lanes rough_reciprocal(Lanes a) { return reciprocal(a); }
+SPLINECORE_INLINE Lanes nearer_reciprocal(Lanes, Lanes r) { return r; }
 SPLINECORE_INLINE Lanes reciprocal_root(Lanes a) { return all(1.0) / square_root(a); }
 #endif
 

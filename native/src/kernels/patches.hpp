@@ -53,7 +53,7 @@ SPLINECORE_INLINE void collapse(const GridForm& form, const GridRow& row, const 
 template <bool kRational, class V>
 SPLINECORE_INLINE void project_point(PointsOf<V>& p) {
   if (!kRational) return;
-  const V r = reciprocal(p.w);
+  const V r = rough_reciprocal(p.w);
   p.x = quotient(p.x, p.w, r);
   p.y = quotient(p.y, p.w, r);
   p.z = quotient(p.z, p.w, r);
