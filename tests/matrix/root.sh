@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Makes (once) and enters a root of another Debian release.
-#   root.sh make SUITE ROOT            debootstrap and packages; nothing to do where ROOT is complete
+#   root.sh make SUITE ROOT            debootstrap and packages; nothing to do where ROOT has them all
 #   root.sh run ROOT PROJECT COMMAND…  COMMAND inside ROOT, with PROJECT mounted at /project
 set -euo pipefail
 
-packages=(blender g++ cmake ninja-build libglm-dev nlohmann-json3-dev pybind11-dev python3-dev
-          python3-pytest python3-numpy xvfb xauth libgl1-mesa-dri libglx-mesa0 libegl1 libegl-mesa0)
+packages=(blender g++ cmake ninja-build libeigen3-dev libglm-dev nlohmann-json3-dev pybind11-dev
+          python3-dev python3-pytest python3-numpy xvfb xauth libgl1-mesa-dri libglx-mesa0 libegl1 libegl-mesa0)
 
 mirror_of_host() {
   local mirror
@@ -39,7 +39,8 @@ leave() {
 
 make_root() {
   local suite=$1 root=$2
-  [ -f "$root/.complete" ] && return 0
+  [ "$suite" != sid ] || packages+=(python3-cattr python3-requests)   # Blender 5.2's own add-ons import them
+  [ "$(cat "$root/.complete" 2>/dev/null)" != "${packages[*]}" ] || return 0
   leave "$root"
   mkdir -p "$root"
   [ -f "$root/.debootstrapped" ] || {
@@ -50,13 +51,12 @@ make_root() {
   lend_network_settings "$root"
   trap "leave '$root'" EXIT
   if [ "$suite" = sid ]; then
-    packages+=(python3-cattr python3-requests)   # Blender 5.2's own add-ons import them
     # A mirror may lag behind unstable's short-lived release files.
     echo 'Acquire::Check-Valid-Until "false";' > "$root/etc/apt/apt.conf.d/90stale-mirror"
   fi
   enter "$root" apt-get update
   enter "$root" apt-get install -y --no-install-recommends "${packages[@]}"
-  touch "$root/.complete"
+  echo "${packages[*]}" > "$root/.complete"
 }
 
 run_in_root() {

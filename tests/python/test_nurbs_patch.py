@@ -130,13 +130,3 @@ def test_pairs_are_the_same_bits_in_any_batch_and_order():
     assert np.array_equal(together[3, 4], patch.evaluate(u[3, 4], v[3, 4]))
     slopes = patch.derivatives(u, v, 2)
     assert np.array_equal(slopes[5, 6], patch.derivatives(u[5, 6], v[5, 6], 2))
-
-
-def test_pairs_and_grids_agree_to_4_ulp_of_the_largest_coordinate():
-    patch = wavy_patch()
-    u, v = grid_of(patch, 9)
-    pairs = patch.evaluate(u[:, None], v)
-    slack = 4 * np.spacing(np.abs(patch.points).max())
-    assert np.abs(patch.evaluate_grid(u, v) - pairs).max() <= slack
-    assert np.abs(patch.evaluate_grid_with_normals(u, v)[0] - pairs).max() <= slack
-    assert np.abs(patch.derivatives(u[:, None], v, 0)[..., 0, 0, :] - pairs).max() <= slack

@@ -1,8 +1,7 @@
+#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <limits>
 
 #include "base/require.hpp"
@@ -14,35 +13,15 @@ namespace splinecore {
 
 namespace {
 
-/// Jacobi's method: turns a symmetric matrix until it is diagonal. @returns its eigenvectors as columns
-glm::dmat3 eigenvectors(glm::dmat3 matrix) {
-  constexpr int kSweeps = 30;
-  glm::dmat3 vectors(1.0);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (const auto& [p, q] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
-      if (matrix[p][q] == 0.0) continue;
-      const double angle = 0.5 * std::atan2(2.0 * matrix[p][q], matrix[p][p] - matrix[q][q]);
-      glm::dmat3 turn(1.0);
-      turn[p][p] = turn[q][q] = std::cos(angle);
-      turn[p][q] = std::sin(angle);
-      turn[q][p] = -std::sin(angle);
-      matrix = glm::transpose(turn) * matrix * turn;
-      matrix[p][q] = matrix[q][p] = 0.0;
-      vectors = vectors * turn;
-    }
-  }
-  return vectors;
-}
-
 /// The direction in which points spread least, with its upper side up.
 glm::dvec3 normal_of(std::span<const glm::dvec3> points) {
-  glm::dmat3 spread(0.0);
-  for (const glm::dvec3& point : points) spread += glm::outerProduct(point, point);
-  const glm::dmat3 axes = eigenvectors(spread);
-  int least = 0;
-  const auto along = [&](int k) { return glm::dot(axes[k], spread * axes[k]); };
-  for (int k = 1; k < 3; ++k) least = along(k) < along(least) ? k : least;
-  const glm::dvec3 normal = axes[least];
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const glm::dvec3& point : points) {
+    const Eigen::Vector3d at(point.x, point.y, point.z);
+    spread += at * at.transpose();
+  }
+  const Eigen::Vector3d least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  const glm::dvec3 normal(least.x(), least.y(), least.z());
   constexpr double kTells = 1e-9;
   for (const int axis : {2, 0, 1}) {
     if (std::abs(normal[axis]) > kTells) return normal[axis] > 0.0 ? normal : -normal;
