@@ -40,8 +40,8 @@ BOUNDS = {
     "W6 elevate": Bound(30, 3, 72, "3 new points a span, each a sum of 4 points and its 4 coefficients, 10 operations; "
                         "72 bytes"),
     "W6 Beziers": Bound(12, 3, 96, "3 new points a span, each 2 steps of de Boor of 2 operations; 96 bytes"),
-    **{f"W7 curve {count}": Bound(40, 1.75, 104, "a row of functions in lanes of 4, 3; "
-                                  "elimination of 2 columns and 3 right sides, substitution, distance 37; 7 divisions; "
+    **{f"W7 curve {count}": Bound(31, 2.5, 104, "chord 8; twice a row of functions in lanes of 4, 4; elimination 7, "
+                                  "substitution 2, distance 6; 10 divisions and roots in lanes of 4; "
                                   "points read, parameters, knots, factors, points written: 104 bytes")
        for count in ("1e3", "1e4", "1e5")},
     "W7 surface": Bound(15, 0, 136, "2 × (2 + 2 columns and a product) in lanes of 4, distance 4; grid, two nets and the "

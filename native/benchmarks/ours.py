@@ -128,11 +128,11 @@ def beziers(run):
 
 
 def interpolated_curve(run, count):
-    """What is kept is the curve at the parameters of its points."""
+    """With the knots that SISL takes. What is kept is the curve at the parameters of its points."""
     rows = run.input(f"coil{count}", -1, 3)
-    run.time("interpolate", count, lambda: fit.interpolate(rows))
+    run.time("interpolate", count, lambda: fit.interpolate(rows, ends="not_a_knot"))
     steps = np.linalg.norm(np.diff(rows, axis=0), axis=1)
-    curve = fit.interpolate(rows).value
+    curve = fit.interpolate(rows, ends="not_a_knot").value
     parameters = np.clip(np.concatenate([[0.0], np.cumsum(steps)]), *curve.domain)
     run.keep("interpolate", curve.evaluate(parameters), 7)
 

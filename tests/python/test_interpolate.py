@@ -264,6 +264,41 @@ def test_as_scipy():
         compare(averaged, interpolate.make_interp_spline(u, points, degree, t=averaged.knots))
 
 
+@pytest.mark.parametrize('count', [5, 6, 16, 17, 18, 19, 20, 21, 65, 66, 67, 68, 69, 70, 131, 132, 133, 400])
+@pytest.mark.parametrize('ends', ['not_a_knot', 'natural', 'clamped'])
+def test_cubics_with_knots_at_their_points_as_scipy(count, ends):
+    interpolate = pytest.importorskip('scipy.interpolate', reason='python3-scipy is not installed')
+    points, u = walk(count), np.concatenate([[0.0], np.cumsum(RNG.uniform(0.5, 1.5, count - 1))])
+    if ends == 'clamped':
+        slopes = RNG.normal(size=(2, 3))
+        found = fit.interpolate(points, 3, u, start=slopes[0], end=slopes[1])
+        wanted = interpolate.CubicSpline(u, points, bc_type=((1, slopes[0]), (1, slopes[1])))
+    else:
+        found = fit.interpolate(points, 3, u, ends=ends)
+        wanted = interpolate.CubicSpline(u, points, bc_type=ends.replace('_', '-'))
+    at = np.linspace(u[0], u[-1], 5 * count)
+    size = np.abs(wanted(at)).max()
+    np.testing.assert_allclose(found.value.evaluate(at), wanted(at), rtol=0, atol=1e-12 * size)
+    left = np.linalg.norm(found.value.evaluate(u) - points, axis=1).max()
+    assert max(left, found.error) <= 4e-15 * size and abs(left - found.error) <= 4e-15 * size
+
+
+@pytest.mark.parametrize('least', [1e-3, 1e-8, 1e-14])
+@pytest.mark.parametrize('ends', ['not_a_knot', 'natural'])
+def test_cubics_with_knots_at_their_points_at_steps_of_many_sizes(ends, least):
+    for count in (20, 70, 300):
+        points, steps = walk(count), 10 ** RNG.uniform(np.log10(least), 0, count - 1)
+        u = np.concatenate([[0.0], np.cumsum(steps)])
+        try:
+            found = fit.interpolate(points, 3, u, ends=ends)
+        except sc.InvalidShape as refused:
+            assert least < 1e-3, refused
+            continue
+        size = np.abs(found.value.points).max()
+        left = np.linalg.norm(found.value.evaluate(u) - points, axis=1).max()
+        assert found.error <= 1e-6 * np.abs(points).max() and abs(left - found.error) <= 1e-14 * size
+
+
 BAD = [
     (dict(points=[[0, 0, 0]]), 'points has 1 rows'),
     (dict(points=[[0, 0], [1, 0], [2, 0]]), '3 conditions are too few for degree 3'),

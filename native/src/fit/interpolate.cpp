@@ -6,6 +6,7 @@
 
 #include "basis/blossom.hpp"
 #include "basis/span_tables.hpp"
+#include "knot_points.hpp"
 #include "near_points.hpp"
 #include "splinecore/base/pause.hpp"
 #include "system.hpp"
@@ -13,6 +14,9 @@
 namespace splinecore {
 
 namespace {
+
+/// Of a solution without exchanges: the largest distance beside the largest coordinate.
+constexpr double kAccurate = 1e-13;
 
 std::vector<glm::dvec4> solved(const KnotVector& knots, System system) {
   solve(knots, system.rows, system.right, 3);
@@ -96,12 +100,22 @@ std::optional<Approximation<NurbsCurve>> near_curve(std::span<const glm::dvec3> 
   const auto count = static_cast<std::size_t>(knots.count());
   const bool are_spans = chain[degree] < chain[degree + 1] && chain[count - 1] < chain[count];
   if (!are_spans || chain[degree] != parameters.front() || chain[count] != parameters.back()) return {};
-  const std::size_t inner = points.size() - 2;
-  NearPoints system{options.degree, chain, parameters.subspan(1, inner), points.subspan(1, inner),
+  // The point that stands next to an end without a knot belongs to it.
+  const std::size_t last = points.size() - 1;
+  const bool are_beside = degree == 3 && count == points.size() && last > 4 && chain[4] == parameters[2] &&
+                          chain[count - 1] == parameters[last - 2];
+  const std::size_t taken = are_beside ? 2 : 1;
+  const std::size_t inner = points.size() - 2 * taken;
+  NearPoints system{options.degree, chain, parameters.subspan(taken, inner), points.subspan(taken, inner),
                     end_rows(&chain[degree], parameters.front(), points.front(), options.start, options),
                     end_rows(&chain[count - 1], parameters.back(), points.back(), options.end, options), largest};
+  if (are_beside) {
+    system.start.push_back(end_row(&chain[3], 3, parameters[1], 0, points[1]));
+    system.end.push_back(end_row(&chain[count - 1], 3, parameters[last - 1], 0, points[last - 1]));
+  }
   std::ranges::reverse(system.end);
-  std::optional<NearSolution> found = solve_near(system);
+  std::optional<NearSolution> found = solve_at_knots(system);
+  if (!found || !(found->error <= kAccurate * largest)) found = solve_near(system);
   if (!found) return {};
   return Approximation<NurbsCurve>{NurbsCurve::make(std::move(knots), std::move(found->points)), found->error};
 }
@@ -122,7 +136,6 @@ Approximation<NurbsCurve> general_curve(std::span<const glm::dvec3> points, std:
 Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                       const InterpolationOptions& options) {
   require_interpolation(points, parameters, options);
-  constexpr double kAccurate = 1e-13;
   const double largest = largest_coordinate(points);
   auto near = near_curve(points, parameters, options, largest);
   if (near && near->error <= kAccurate * largest) return *std::move(near);

@@ -188,9 +188,7 @@ class NearSystem {
   }
 
   double largest_distance() const {
-    // Squares stay in the range of numbers beside those of the largest coordinate.
-    const double largest = given_.largest;
-    const double scale = largest > 0.0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
+    const double scale = scale_of_distances(given_.largest);
     double square = 0.0;
     bool are_numbers = true;
     const auto compare = [&](const glm::dvec3& point, const glm::dvec3& wanted) {
@@ -234,6 +232,10 @@ std::optional<NearSolution> solve_degree(const NearPoints& system) {
 }
 
 }  // namespace
+
+double scale_of_distances(double largest) {
+  return largest > 0.0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
+}
 
 std::optional<NearSolution> solve_near(const NearPoints& system) {
   switch (system.degree) {

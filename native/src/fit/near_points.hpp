@@ -33,6 +33,10 @@ struct NearSolution {
   double error;  ///< the largest distance of the curve from one of the points
 };
 
+/// What distances are multiplied by so that their squares stay in the range of numbers beside those of the largest
+/// coordinate.
+double scale_of_distances(double largest);
+
 /// The control points, by elimination from both ends at once, which meet in the middle: each step waits for the one
 /// before it, and two wait together.
 /// @returns nothing where the degree is none from 2 to 9, parameters lie elsewhere, or numbers run out of their range:

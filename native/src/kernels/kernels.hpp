@@ -213,6 +213,13 @@ struct alignas(64) BoxGroup {
 /// How many rows lie side by side.
 inline constexpr std::size_t kNearRows = 64;
 
+/// A tridiagonal matrix: what each row has before the diagonal, at it and behind it.
+struct TridiagonalRows {
+  double* before;
+  double* at;
+  double* after;
+};
+
 /// Values at neighbouring parameters of a span.
 struct SpanPoints {
   double start;  ///< of the span
@@ -296,6 +303,25 @@ struct Kernels {
   /// @param near  knot 0, with degree - 2 before it and count + 2 degree - 2 behind it
   /// @returns whether all parameters lie so
   bool (*near_rows[8])(const double* near, const double* parameters, std::size_t count, double* out);
+
+  /// Rows of cubic functions at simple knots, of which two lie before them and two behind.
+  /// @param count  `lanes` at least
+  void (*knot_rows)(const double* knots, std::size_t count, const TridiagonalRows&);
+
+  /// Gaussian elimination without exchanges goes on from the row before, whose factor and point stand before the others:
+  /// x[i] + factors[i] x[i + 1] = points[i] is what is left of row i.
+  /// @param right  three numbers a row, and one behind them that is read
+  /// @param points  four numbers a row, of which the last one is anything
+  void (*eliminate)(const TridiagonalRows&, std::size_t count, const double* right, double* factors, double* points);
+
+  /// Writes x over the points, and 1 behind each, from the point behind them on.
+  void (*substitute)(const double* factors, std::size_t count, double* points);
+
+  /// The largest square of a distance times the scale of rows' sums of points from their right sides; infinity where
+  /// one is no number.
+  /// @param count  4 at least
+  double (*largest_left)(const TridiagonalRows&, std::size_t count, const double* points, const double* right,
+                         double scale);
 
   /// Of degree 1 + index: sums over the points of a span of weight t^k s^(2 degree - k), where t and s are the parts of
   /// the span before and behind: 2 degree + 1 numbers.

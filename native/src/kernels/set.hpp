@@ -23,6 +23,7 @@ namespace {
 #include "functions.hpp"
 #include "patches.hpp"
 #include "near_rows.hpp"
+#include "tridiagonal.hpp"
 #include "least_squares.hpp"
 
 }  // namespace
@@ -38,6 +39,7 @@ const Kernels SPLINECORE_SET{
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
     pair_sums, pair_points, pair_slopes, pair_normals,
     {near_rows<2>, near_rows<3>, near_rows<4>, near_rows<5>, near_rows<6>, near_rows<7>, near_rows<8>, near_rows<9>},
+    knot_rows, eliminate, substitute, largest_left,
     {power_sums<1>, power_sums<2>, power_sums<3>, power_sums<4>, power_sums<5>, power_sums<6>, power_sums<7>, power_sums<8>, power_sums<9>},
     {residual_sums<1>, residual_sums<2>, residual_sums<3>, residual_sums<4>, residual_sums<5>,
      residual_sums<6>, residual_sums<7>, residual_sums<8>, residual_sums<9>}};

@@ -1,0 +1,148 @@
+#include "knot_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+
+#include "kernels/kernels.hpp"
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr std::size_t kEnd = 2;  // rows at each end
+constexpr std::size_t kFewest = 16;
+
+/// Whether a row says where the first control point is, or where the last one.
+bool is_point(const EndRow& row, std::size_t which) {
+  for (std::size_t k = 0; k < row.functions.size(); ++k) {
+    if (row.functions[k] != (k == which ? 1.0 : 0.0)) return false;
+  }
+  return row.order == 0;
+}
+
+bool are_at_knots(const NearPoints& system) {
+  if (system.degree != 3 || system.start.size() != kEnd || system.end.size() != kEnd) return false;
+  const std::size_t inner = system.points.size();
+  return inner >= kFewest && is_point(system.start.front(), 0) && is_point(system.end.back(), 3) &&
+         std::ranges::equal(system.parameters, system.knots.subspan(4, inner));
+}
+
+/// So many rows of one after the other: to make them again takes less time than to keep them all.
+class RowBlock {
+ public:
+  static constexpr std::size_t kMost = 64;
+
+  /// Rows first … first + count - 1 of points, and where they are few those before them, too.
+  TridiagonalRows write(const NearPoints& system, std::size_t first, std::size_t count) {
+    breathe(32 * kMost);
+    const std::size_t before = count < kFewest ? kFewest - count : 0;
+    const TridiagonalRows all = from(0);
+    kernels().knot_rows(&system.knots[4 + first - before], count + before, all);
+    return from(before);
+  }
+
+ private:
+  TridiagonalRows from(std::size_t i) { return {&numbers_[i], &numbers_[i + kMost], &numbers_[i + 2 * kMost]}; }
+
+  std::array<double, 3 * kMost> numbers_;
+};
+
+class KnotSystem {
+ public:
+  explicit KnotSystem(const NearPoints& given)
+      : given_(given), inner_(given.points.size()), count_(inner_ + 2 * kEnd),
+        factors_(std::make_unique_for_overwrite<double[]>(count_)), points_(count_) {}
+
+  std::optional<NearSolution> solution() {
+    eliminate();
+    kernels().substitute(factors_.get(), count_ - 1, &points_.front().x);
+    const double error = largest_distance();
+    if (!std::isfinite(error)) return {};
+    return NearSolution{std::move(points_), error};
+  }
+
+ private:
+  /// Calls take(rows, i, count) for one block of the points after the other.
+  template <class Take>
+  void for_each_block(Take take) const {
+    RowBlock block;
+    for (std::size_t i = 0; i < inner_; i += RowBlock::kMost) {
+      const std::size_t count = std::min(RowBlock::kMost, inner_ - i);
+      take(block.write(given_, i, count), i, count);
+    }
+  }
+
+  void eliminate() {
+    points_.front() = {given_.start.front().value, 1.0};
+    points_.back() = {given_.end.back().value, 1.0};
+    factors_[0] = 0.0;
+    for_each_block([&](const TridiagonalRows& rows, std::size_t i, std::size_t count) {
+      if (i == 0) take_start(rows);
+      kernels().eliminate(rows, count, &given_.points[i].x, &factors_[i + kEnd], &points_[i + kEnd].x);
+      const std::size_t last = count - 1;
+      if (i + count == inner_) take_end({rows.before + last, rows.at + last, rows.after + last});
+    });
+  }
+
+  /// Takes the second row, which four functions may be in: a multiple of the next one is taken away.
+  void take_start(const TridiagonalRows& next) {
+    const std::vector<double>& row = given_.start.back().functions;
+    const double share = row[3] / *next.after;
+    take(1, row[0], row[1] - share * *next.before, row[2] - share * *next.at,
+         given_.start.back().value - share * given_.points.front());
+  }
+
+  void take_end(const TridiagonalRows& next) {
+    const std::vector<double>& row = given_.end.front().functions;
+    const double share = row[0] / *next.before;
+    take(count_ - kEnd, row[1] - share * *next.at, row[2] - share * *next.after, row[3],
+         given_.end.front().value - share * given_.points.back());
+  }
+
+  void take(std::size_t i, double before, double at, double after, const glm::dvec3& value) {
+    const double inverse = 1.0 / (at - before * factors_[i - 1]);
+    factors_[i] = after * inverse;
+    points_[i] = {inverse * (value - before * glm::dvec3(points_[i - 1])), 1.0};
+  }
+
+  double largest_distance() const {
+    const double scale = scale_of_distances(given_.largest);
+    double square = 0.0;
+    for_each_block([&](const TridiagonalRows& rows, std::size_t i, std::size_t count) {
+      // Few rows are looked at together with those before them.
+      const std::size_t more = count < 4 ? 4 - count : 0;
+      const TridiagonalRows all{rows.before - more, rows.at - more, rows.after - more};
+      const double found = kernels().largest_left(all, count + more, &points_[i + kEnd - more].x,
+                                                  &given_.points[i - more].x, scale);
+      square = std::max(square, found);
+    });
+    const auto compare = [&](const EndRow& row, const glm::dvec4* first) {
+      glm::dvec3 left = row.value;
+      for (std::size_t k = 0; k < row.functions.size(); ++k) left -= row.functions[k] * glm::dvec3(first[k]);
+      left *= scale;
+      if (row.order == 0) square = std::max(square, glm::dot(left, left));
+    };
+    for (const EndRow& row : given_.start) compare(row, points_.data());
+    for (const EndRow& row : given_.end) compare(row, &points_[count_ - 4]);
+    return std::sqrt(square) / scale;
+  }
+
+  const NearPoints& given_;
+  std::size_t inner_;
+  std::size_t count_;
+  std::unique_ptr<double[]> factors_;
+  std::vector<glm::dvec4> points_;
+};
+
+}  // namespace
+
+std::optional<NearSolution> solve_at_knots(const NearPoints& system) {
+  if (!are_at_knots(system)) return {};
+  return KnotSystem(system).solution();
+}
+
+}  // namespace splinecore
