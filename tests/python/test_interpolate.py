@@ -172,13 +172,14 @@ def test_tangents_at_points(degree, closed, which):
 
 @pytest.mark.parametrize('scale', [1e-150, 1e-30, 1.0, 1e30, 1e150])
 @pytest.mark.parametrize('ends', ['averaged', 'natural', 'not_a_knot', 'closed'])
-def test_it_does_not_depend_on_the_scale(scale, ends):
-    points = walk(16)
+@pytest.mark.parametrize('count', [16, 150])
+def test_it_does_not_depend_on_the_scale(scale, ends, count):
+    points = walk(count)
     options = {'closed': True} if ends == 'closed' else {'ends': ends}
     exact = 2.0**round(np.log2(scale))
     near, far = (fit.interpolate(points * factor, **options).value for factor in (1.0, exact))
     np.testing.assert_allclose(far.points, near.points * exact, rtol=1e-12, atol=1e-12 * exact)
-    u = np.arange(17.0 if ends == 'closed' else 16.0)
+    u = np.arange(count + 1.0 if ends == 'closed' else float(count))
     near, far = (fit.interpolate(points, 3, u * factor, **options).value for factor in (1.0, exact))
     np.testing.assert_allclose(far.points, near.points, rtol=0, atol=1e-12)
     np.testing.assert_allclose(far.knots, near.knots * exact, rtol=1e-15)

@@ -1,6 +1,8 @@
 #include "splinecore/build/parametrisation.hpp"
 
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "base/distance.hpp"
 #include "base/require.hpp"
@@ -16,18 +18,13 @@ double step(const glm::dvec3& from, const glm::dvec3& to, Parametrisation kind) 
   return kind == Parametrisation::chordal ? distance : std::sqrt(distance);
 }
 
-/// Chord lengths summed up, or nothing where one of them needs a second look.
-bool write_plain_chords(std::span<const glm::dvec3> points, std::vector<double>& parameters) {
-  double sum = 0.0;
-  bool are_plain = true;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const glm::dvec3 chord = points[i] - points[i - 1];
-    const double square = chord.x * chord.x + chord.y * chord.y + chord.z * chord.z;
-    const double next = sum + std::sqrt(square);
-    are_plain &= is_plain_square(square) & (next > sum);
-    parameters[i] = sum = next;
-  }
-  return are_plain;
+[[noreturn]] void refuse_step(const std::vector<double>& parameters, std::size_t count) {
+  std::size_t i = 1;
+  while (parameters[i] > parameters[i - 1] && std::isfinite(parameters[i])) ++i;
+  const std::string place = "points" + index_text(i % count);
+  const std::string before = " points" + index_text(i - 1);
+  if (!std::isfinite(parameters[i])) throw InvalidShape(place + " is too far from" + before + ": their distance overflows");
+  throw InvalidShape(place + " is too close to" + before + ": their distance is no step of the parameter");
 }
 
 }  // namespace
@@ -37,21 +34,13 @@ std::vector<double> parameters_of(std::span<const glm::dvec3> points, Parametris
   if (points.empty()) return {};
   const std::size_t count = points.size() + (closing == Closing::closed ? 1 : 0);
   std::vector<double> parameters(count);
-  const bool is_plain = kind == Parametrisation::chordal && closing == Closing::open;
-  if (is_plain && write_plain_chords(points, parameters)) return parameters;
+  bool are_steps = true;
   for (std::size_t i = 1; i < count; ++i) {
     const glm::dvec3& point = points[i < points.size() ? i : 0];
-    const double next = parameters[i - 1] + step(points[i - 1], point, kind);
-    if (!std::isfinite(next)) {
-      throw InvalidShape("points" + index_text(i % points.size()) + " is too far from points" + index_text(i - 1) +
-                         ": their distance overflows");
-    }
-    if (!(next > parameters[i - 1])) {
-      throw InvalidShape("points" + index_text(i % points.size()) + " is too close to points" + index_text(i - 1) +
-                         ": their distance is no step of the parameter");
-    }
-    parameters[i] = next;
+    parameters[i] = parameters[i - 1] + step(points[i - 1], point, kind);
+    are_steps &= parameters[i] > parameters[i - 1] && parameters[i] <= std::numeric_limits<double>::max();
   }
+  if (!are_steps) refuse_step(parameters, points.size());
   return parameters;
 }
 

@@ -79,41 +79,55 @@ std::vector<EndRow> end_rows(const double* knot, double u, const glm::dvec3& poi
   return rows;
 }
 
+/// The parameters, and those of the ends once more for each condition there.
+std::vector<double> repeated(std::span<const double> parameters, std::size_t at_start, std::size_t at_end) {
+  std::vector<double> sites(at_start, parameters.front());
+  sites.insert(sites.end(), parameters.begin(), parameters.end());
+  sites.insert(sites.end(), at_end, parameters.back());
+  return sites;
+}
+
+NearPoints near_points(const KnotVector& knots, std::span<const glm::dvec3> points, std::span<const double> parameters,
+                       const InterpolationOptions& options, double largest) {
+  const std::span<const double> chain = knots.knots();
+  const double* const first = &chain[knots.degree()];
+  const double* const final = &chain[knots.count() - 1];
+  const std::size_t last = points.size() - 1;
+  // Not-a-knot cubics: the point next to an end is in its span, and belongs to its rows.
+  const bool are_beside = knots.degree() == 3 && static_cast<std::size_t>(knots.count()) == points.size() && last > 4 &&
+                          first[1] == parameters[2] && *final == parameters[last - 2];
+  const std::size_t taken = are_beside ? 2 : 1;
+  const std::size_t inner = points.size() - 2 * taken;
+  NearPoints system{options.degree, chain, parameters.subspan(taken, inner), points.subspan(taken, inner),
+                    end_rows(first, parameters.front(), points.front(), options.start, options),
+                    end_rows(final, parameters.back(), points.back(), options.end, options), largest};
+  if (are_beside) {
+    system.start.push_back(end_row(first, 3, parameters[1], 0, points[1]));
+    system.end.push_back(end_row(final, 3, parameters[last - 1], 0, points[last - 1]));
+  }
+  std::ranges::reverse(system.end);
+  return system;
+}
+
 /// Open curves whose conditions lie near the knots of their control points: nearly all. Where several derivatives of
 /// order above 1 follow none, or lie inside, rows may have to be exchanged, which general systems do.
 std::optional<Approximation<NurbsCurve>> near_curve(std::span<const glm::dvec3> points,
-                                                    std::span<const double> parameters, const InterpolationOptions& options, double largest) {
+                                                    std::span<const double> parameters,
+                                                    const InterpolationOptions& options, double largest) {
   const auto degree = static_cast<std::size_t>(options.degree);
   const std::size_t zeros = count_of_zeros(options);
   const bool is_plain = options.closing == Closing::open && options.tangents.empty() && zeros <= 1;
   if (!is_plain || points.size() <= degree) return {};
-  std::vector<double> repeated;
-  std::span<const double> sites = parameters;
+  std::vector<double> more;
   if (!options.start.empty() || !options.end.empty() || zeros > 0) {
-    repeated.assign(options.start.size() + zeros, parameters.front());
-    repeated.insert(repeated.end(), parameters.begin(), parameters.end());
-    repeated.insert(repeated.end(), options.end.size() + zeros, parameters.back());
-    sites = repeated;
+    more = repeated(parameters, options.start.size() + zeros, options.end.size() + zeros);
   }
-  KnotVector knots = knots_for(sites, parameters, options);
+  KnotVector knots = knots_for(more.empty() ? parameters : more, parameters, options);
   const std::span<const double> chain = knots.knots();
   const auto count = static_cast<std::size_t>(knots.count());
   const bool are_spans = chain[degree] < chain[degree + 1] && chain[count - 1] < chain[count];
   if (!are_spans || chain[degree] != parameters.front() || chain[count] != parameters.back()) return {};
-  // The point that stands next to an end without a knot belongs to it.
-  const std::size_t last = points.size() - 1;
-  const bool are_beside = degree == 3 && count == points.size() && last > 4 && chain[4] == parameters[2] &&
-                          chain[count - 1] == parameters[last - 2];
-  const std::size_t taken = are_beside ? 2 : 1;
-  const std::size_t inner = points.size() - 2 * taken;
-  NearPoints system{options.degree, chain, parameters.subspan(taken, inner), points.subspan(taken, inner),
-                    end_rows(&chain[degree], parameters.front(), points.front(), options.start, options),
-                    end_rows(&chain[count - 1], parameters.back(), points.back(), options.end, options), largest};
-  if (are_beside) {
-    system.start.push_back(end_row(&chain[3], 3, parameters[1], 0, points[1]));
-    system.end.push_back(end_row(&chain[count - 1], 3, parameters[last - 1], 0, points[last - 1]));
-  }
-  std::ranges::reverse(system.end);
+  const NearPoints system = near_points(knots, points, parameters, options, largest);
   std::optional<NearSolution> found = solve_at_knots(system);
   if (!found || !(found->error <= kAccurate * largest)) found = solve_near(system);
   if (!found) return {};

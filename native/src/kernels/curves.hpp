@@ -151,6 +151,14 @@ SPLINECORE_INLINE V factor_left(V far, V whole) {
   return kRational ? far : far / whole;
 }
 
+/// Where parameters lie in their half, and what is left of the span before the far end.
+template <class V>
+struct Place {
+  V x;
+  V left;
+  bool is_inside;
+};
+
 template <int kDegree, bool kRational, int kOrder, class Real>
 std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double high, const double* u,
                 std::size_t count, Real* out, int* found) {
@@ -162,25 +170,21 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
   for (int k = 0; k <= kOrder; ++k) rows[k] = first_row(half.rows, half.step, degree, k);
   V doubts = all<V>(0.0);
   std::size_t i = 0;
-  // The way to a point is long: the next place is found before it is gone.
-  V left;
-  V x;
-  const auto place = [&](std::size_t first) {
-    if (first + kWide > count) return false;
+  // Each place is found while the points before it are still on their way.
+  const auto place = [&](std::size_t first) -> Place<V> {
+    if (first + kWide > count) return {V{}, V{}, false};
     const V at = load<V>(u + first);
-    left = far - at;
-    x = (at - near) / left;
-    return is_between(low, high, at);
+    const V left = far - at;
+    return {(at - near) / left, left, is_between(low, high, at)};
   };
-  for (bool goes_on = place(0); goes_on; i += kWide) {
-    const V here = x;
-    const V rest = left;
-    goes_on = place(i + kWide);
+  for (Place<V> next = place(0); next.is_inside; i += kWide) {
+    const auto [x, left, is_inside] = next;
+    next = place(i + kWide);
     Derivatives<V, kOrder> d;
     for (int k = 0; k <= kOrder; ++k) {
-      d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], half.step, degree - k, here, kRational);
+      d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], half.step, degree - k, x, kRational);
     }
-    project<kRational>(d, here, factor_left<kRational>(rest, far - near), degree);
+    project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
     doubts = doubt(doubts, d);
     store_all(d, out + 3 * (kOrder + 1) * i);
   }

@@ -1,6 +1,6 @@
 // Kernels of tridiagonal systems. Included in the namespace of each set of instructions: see set.hpp.
 
-/// Cubic functions at knots. Each quotient is of lengths, so that no product of knots leaves the numbers.
+/// Cubic functions at knots, by quotients of lengths, so that no product of knots leaves the numbers.
 void knot_rows(const double* knots, std::size_t count, const TridiagonalRows& rows) {
   for (std::size_t i = 0; i < count; i += kWide) {
     // The last ones are written once more.
@@ -11,12 +11,12 @@ void knot_rows(const double* knots, std::size_t count, const TridiagonalRows& ro
     const WideLanes both = knot(1) - knot(-1);
     const WideLanes low = behind / both;
     const WideLanes high = before / both;
-    const WideLanes wide_low = all<WideLanes>(1.0) / (knot(1) - knot(-2));
-    const WideLanes wide_high = all<WideLanes>(1.0) / (knot(2) - knot(-1));
-    const WideLanes at = low * ((knot(0) - knot(-2)) * wide_low) + high * ((knot(2) - knot(0)) * wide_high);
-    store(low * (behind * wide_low), rows.before + first);
+    const WideLanes three_low = knot(1) - knot(-2);
+    const WideLanes three_high = knot(2) - knot(-1);
+    const WideLanes at = low * ((knot(0) - knot(-2)) / three_low) + high * ((knot(2) - knot(0)) / three_high);
+    store(low * (behind / three_low), rows.before + first);
     store(at, rows.at + first);
-    store(high * (before * wide_high), rows.after + first);
+    store(high * (before / three_high), rows.after + first);
   }
 }
 
