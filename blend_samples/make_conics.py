@@ -26,8 +26,9 @@ for weight, kind in SERIES:
     ob.data.splinewright.reach = 6.0 if kind == 'ellipse' else 2.4
     stage.tube(ob, 0.03)
     if weight != -1:
-        stage.label(f"w = {weight:.3g}", (0, HALF * weight / (1 + weight) + (0.1 if weight == 1 else -0.13)), 0.17, 'CENTER')
-stage.label("w = -1 and w = -3 go on through infinity", (0, -4.9), 0.2, 'CENTER')
+        place = HALF * weight / (1 + weight) + (0.1 if weight == 1 else -0.17)
+        stage.label(f"w = {weight:.3g}", (0, place), 0.2, 'CENTER')
+stage.label("w = -1 and w = -3 go on through infinity", (0, -5.0), 0.3, 'CENTER')
 corners = [(-HALF, 0, 0), (0, HALF, 0), (HALF, 0, 0)]
 stage.polygon(corners, "Triangle")
 stage.beads(corners, "Its corners", radius=0.07)
@@ -35,13 +36,13 @@ stage.beads(corners, "Its corners", radius=0.07)
 points = 1.3 * np.array([(-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0)])
 stage.tube(stage.add('add_five_points', "Through five points", (7, 1.9, 0), color='moss', size=1.3), 0.03)
 stage.beads(points, "Five points", (7, 1.9, 0), radius=0.08)
-stage.label("through five points", (7, 0.5), 0.2, 'CENTER')
+stage.label("through five points", (7, 0.45), 0.3, 'CENTER')
 for distance, color in ((2.4, 'sea'), (3.0, 'sea'), (0.8, 'clay')):
     ob = stage.add('add_foci', f"Sum or difference {distance}", (7, -2, 0), color=color, distance=distance)
     ob.data.splinewright.reach = 1.2
     stage.tube(ob, 0.03)
 stage.beads([(-1, 0, 0), (1, 0, 0)], "Foci", (7, -2, 0), radius=0.08)
-stage.label("by two foci", (7, -4.0), 0.2, 'CENTER')
+stage.label("by two foci", (7, -4.35), 0.3, 'CENTER')
 bpy.context.view_layer.update()
 stage.drawing((2.5, -0.6), 14.4)
 stage.finish("conics", samples=16, size=(1100, 760))

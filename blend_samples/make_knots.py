@@ -33,7 +33,7 @@ for row, (inner, color) in enumerate(zip(MERGED, ('sea', 'moss', 'sand', 'clay',
     basis.location = (-4.8, y + 0.02, 0)
     basis.data.materials.append(stage.paint(color))
     stage.polygon([(-4.9, y, 0), (-0.1, y, 0)], f"Axis {row + 1}")
-    stage.label("inner knots " + " ".join(map(str, inner)), (-4.0, y + 0.85), 0.15, 'CENTER')
+    stage.label("inner knots " + " ".join(map(str, inner)), (-2.5, y + 1.12), 0.2, 'CENTER')
 bpy.context.view_layer.update()
 stage.drawing((0, -2.45), 10.4)
 stage.finish("knots", samples=16, size=(1000, 800))

@@ -48,8 +48,8 @@ for number, name in enumerate(('C0', 'G1', 'C1', 'G2')):
     ob.data.splinewright.value = sc.PatchSet.from_patches([joined.first, joined.second])
     ob.data.materials[0] = stripes
     found = sc.seam_continuity(joined.first, 'u_end', joined.second, 'u_start')
-    stage.label(f"{name}: C{found.c} G{found.g}, angle {np.degrees(found.angle):.1f}°, curvature "
-                f"{found.curvature_difference:.2f}", (place[0], place[1] - 0.45), 0.2, 'CENTER')
+    stage.label(f"{name}: C{found.c} G{found.g}\nangle {np.degrees(found.angle):.1f}°, curvature "
+                f"{found.curvature_difference:.2f}", (place[0], place[1] - 0.55), 0.28, 'CENTER')
 stage.ground(stage.PAPER, color='snow')
 for color in ('snow', 'ink'):
     stage.flatten(bpy.data.materials[color])

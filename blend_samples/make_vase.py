@@ -56,9 +56,10 @@ for x, name, caption, make, color, steps in (
         radius, height = points[MOVED]
         point = radius * np.cos(turn), radius * np.sin(turn), height
         stage.beads([point], f"Point: {name}{suffix}", place, radius=0.055)
-    stage.label(caption, (x, -1.85), 0.3, 'CENTER', 0.004)
+    label = stage.label(caption, (x, -1.8), 0.36, 'CENTER', 0.2)
+    label.rotation_euler.x, label.visible_shadow = np.radians(70), False    # towards who looks
 stage.ground()
 stage.lamp((-6, -5, 8), (0, 0, 1), 120, 3)
-stage.camera((0, -19.0, 8.6), (0, -0.15, 1.15), 53)
+stage.camera((0, -19.0, 8.6), (0, -0.15, 1.1), 50)
 stage.smooth()
 stage.finish("vase", samples=64, size=(1100, 520))
