@@ -150,7 +150,7 @@ def _picture(source):
         if picture.width > _WIDTH:
             picture = picture.resize((_WIDTH, round(picture.height * _WIDTH / picture.width)), Image.LANCZOS)
         made = io.BytesIO()
-        picture.save(made, 'WEBP', quality=_QUALITY, method=4)
+        picture.save(made, 'WEBP', quality=_QUALITY, method=6)
         return made.getvalue()
 
 
