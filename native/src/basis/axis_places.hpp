@@ -18,48 +18,45 @@ class AxisPlaces {
   /// @param order  of the highest derivative wanted, 2 at most
   AxisPlaces(const KnotVector& knots, int order, const char* name)
       : knots_(knots), tables_(knots.tables()), domain_(knots.domain()), order_(order), name_(name),
-        rows_(tables_.all_rows(knots, order)), size_(tables_.size(order)), bounds_(tables_.finder.bounds()),
-        starts_(knots.spans().data()), degree_(knots.degree()) {}
+        found_{nullptr, spans_.data(), tables_.finder.bounds(), knots.spans().data(), tables_.all_rows(knots, order),
+               tables_.size(order), rows_.data()} {}
+  AxisPlaces(const AxisPlaces&) = delete;
+  AxisPlaces& operator=(const AxisPlaces&) = delete;
 
-  /// Finds the spans of up to kMost parameters. @param first  the number of the first one
-  void locate(std::span<const double> u, std::size_t first, Side side) {
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      const bool is_inside = u[i] > domain_.start && u[i] < domain_.end;
-      u_[i] = is_inside ? u[i] : knots_.admit(u[i], side, first + i, name_);
+  /// Finds the spans of up to kMost parameters, which stay where they are. @param first  the number of the first one
+  const ScatteredSpans& locate(std::span<const double> u, std::size_t first, Side side) {
+    found_.u = u.data();
+    if (!kernels().are_between(domain_.start, domain_.end, u.data(), u.size())) {
+      for (std::size_t i = 0; i < u.size(); ++i) moved_[i] = admitted(u[i], side, first + i);
+      found_.u = moved_.data();
     }
-    tables_.finder.find_all(u_.data(), u.size(), side, spans_.data());
+    tables_.finder.find_all(found_.u, u.size(), side, spans_.data());
+    for (std::size_t i = 0; found_.table == nullptr && i < u.size(); ++i) {
+      rows_[i] = tables_.rows(knots_, spans_[i], order_);
+    }
+    return found_;
   }
 
   /// One of them, moved into the domain.
-  double parameter(std::size_t i) const noexcept { return u_[i]; }
+  double parameter(std::size_t i) const noexcept { return found_.u[i]; }
 
   /// The first control point that it depends on.
-  int first(std::size_t i) const noexcept { return starts_[spans_[i]] - degree_; }
-
-  void write(std::size_t i, BasisPlace& place) const {
-    using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-    const std::int32_t span = spans_[i];
-    const double start = bounds_[span];
-    const double end = bounds_[span + 1];
-    const Pair parts = Pair{u_[i] - start, end - u_[i]} / Pair{end - start, end - start};
-    place.t = parts[0];
-    place.s = parts[1];
-    place.rows = rows_ != nullptr ? rows_ + static_cast<std::size_t>(span) * size_ : tables_.rows(knots_, span, order_);
-  }
+  int first(std::size_t i) const noexcept { return found_.knots[spans_[i]] - knots_.degree(); }
 
  private:
+  double admitted(double u, Side side, std::size_t i) const {
+    return u > domain_.start && u < domain_.end ? u : knots_.admit(u, side, i, name_);
+  }
+
   const KnotVector& knots_;
   KnotTables& tables_;
   Interval domain_;
   int order_;
   const char* name_;
-  const double* rows_;
-  std::size_t size_;
-  const double* bounds_;
-  const int* starts_;
-  int degree_;
-  std::array<double, kMost> u_;
+  ScatteredSpans found_;
+  std::array<double, kMost> moved_;
   std::array<std::int32_t, kMost> spans_;
+  std::array<const double*, kMost> rows_;
 };
 
 }  // namespace splinecore

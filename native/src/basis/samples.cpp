@@ -30,6 +30,14 @@ void write_high_orders(const double* start, int degree, int order, double u, std
   }
 }
 
+/// Those from number i on.
+ScatteredSpans from(ScatteredSpans places, std::size_t i) {
+  places.u += i;
+  places.span += i;
+  places.rows += i;
+  return places;
+}
+
 }  // namespace
 
 Samples Samples::make(const KnotVector& knots, std::span<const double> parameters, int order,
@@ -42,25 +50,23 @@ Samples Samples::make(const KnotVector& knots, std::span<const double> parameter
   const std::size_t row = samples.width_ * (static_cast<std::size_t>(order) + 1);
   samples.weights_.resize(parameters.size() * row);
   AxisPlaces places(knots, std::min(order, kTables), name);
-  std::array<BasisPlace, AxisPlaces::kMost> found;
   const auto side_at = [&](std::size_t i) { return sides[sides.size() == 1 ? 0 : i]; };
   for (std::size_t begin = 0, end = 0; begin < parameters.size(); begin = end) {
     const Side side = side_at(begin);
-    for (end = begin + 1; end < std::min(begin + found.size(), parameters.size()) && side_at(end) == side;) ++end;
-    places.locate(parameters.subspan(begin, end - begin), begin, side);
+    for (end = begin + 1; end < std::min(begin + AxisPlaces::kMost, parameters.size()) && side_at(end) == side;) ++end;
+    const ScatteredSpans& found = places.locate(parameters.subspan(begin, end - begin), begin, side);
     breathe((end - begin) * (4 * static_cast<std::size_t>(order) + 1) * samples.width_ * samples.width_);
     for (std::size_t i = 0; i < end - begin; ++i) {
-      places.write(i, found[i]);
       samples.places_.push_back({places.parameter(i), side, places.first(i)});
     }
     double* const weights = samples.weights_.data() + begin * row;
     if (order <= kTables) {
-      kernels().functions(knots.degree(), order, found.data(), end - begin, weights);
+      kernels().functions(knots.degree(), order, found, end - begin, weights);
       continue;
     }
     for (std::size_t i = 0; i < end - begin; ++i) {
       const double* start = knots.unrolled().data() + places.first(i) + knots.degree();
-      kernels().functions(knots.degree(), kTables, &found[i], 1, weights + i * row);
+      kernels().functions(knots.degree(), kTables, from(found, i), 1, weights + i * row);
       write_high_orders(start, knots.degree(), order, places.parameter(i), samples.width_, weights + i * row);
     }
   }
@@ -74,12 +80,10 @@ Stencil::Stencil(const KnotVector& knots, int order)
 void Stencil::move_to(double u, Side side) {
   breathe((4 * static_cast<std::size_t>(order_) + 1) * size_ * size_);
   AxisPlaces places(knots_, std::min(order_, kTables), "u");
-  places.locate({&u, 1}, 0, side);
-  BasisPlace place;
-  places.write(0, place);
+  const ScatteredSpans& found = places.locate({&u, 1}, 0, side);
   first_ = places.first(0);
   const int degree = knots_.degree();
-  kernels().functions(degree, std::min(order_, kTables), &place, 1, weights_.data());
+  kernels().functions(degree, std::min(order_, kTables), found, 1, weights_.data());
   write_high_orders(knots_.unrolled().data() + first_ + degree, degree, order_, u, width_, weights_.data());
 }
 

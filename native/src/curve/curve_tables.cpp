@@ -16,12 +16,17 @@ void fill_rows(const NurbsCurve& curve, std::size_t span, int order, double* out
   const std::size_t count = static_cast<std::size_t>(degree) + 1;
   const glm::dvec4* points = curve.homogeneous_points().data() + knots.spans()[span] - degree;
   const double* table = knots.tables().rows(knots, static_cast<int>(span), order);
-  for (int k = 0; k <= std::min(order, degree); ++k) {
+  const int orders = std::min(order, degree);
+  double* from_end = out + 4 * rows_to(degree, order);
+  for (int k = 0; k <= orders; ++k) {
     breathe(4 * count * count);
-    for (int j = 0; j <= degree - k; ++j, table += width, out += 4) {
-      const glm::dvec4 sum = binomial(degree - k, j) * weighted_sum({table, count}, points);
-      for (int axis = 0; axis < 4; ++axis) out[axis] = sum[axis];
+    const int last = degree - k;
+    for (int j = 0; j <= last; ++j, table += width) {
+      const glm::dvec4 sum = binomial(last, j) * weighted_sum({table, count}, points);
+      for (int axis = 0; axis < 4; ++axis) out[4 * j + axis] = from_end[4 * (last - j) + axis] = sum[axis];
     }
+    out += 4 * (last + 1);
+    from_end += 4 * (last + 1);
   }
 }
 

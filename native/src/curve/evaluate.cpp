@@ -41,60 +41,51 @@ int scattered_of(const CurveForm& form, const ScatteredHalves& halves, std::size
   return kernels().curve_scattered_single(form, halves, begin, end, out);
 }
 
+/// How many parameters are located together.
+constexpr std::size_t kSome = 64;
+
+/// Parameters that were located.
+struct Located {
+  ScatteredHalves halves;
+  std::array<double, kSome> moved;
+  std::array<std::int32_t, kSome> half;
+  std::array<const double*, kSome> rows;
+};
+
 /// Finds the halves of spans that parameters lie in.
 class Locator {
  public:
   Locator(const NurbsCurve& curve, int order, Side side)
       : curve_(curve), knots_(curve.knot_vector()), tables_(curve.tables()), domain_(knots_.domain()), order_(order),
-        side_(side), halves_{knots_.tables().finder.for_kernels(), knots_.tables().finder.middles(),
-                             tables_.all_rows(curve, order), tables_.size(order), 4 * knots_.degree(),
-                             taken_by(knots_).start, taken_by(knots_).end} {}
+        side_(side), halves_(knots_.tables().finder.halves(side)), all_rows_(tables_.all_rows(curve, order)),
+        size_(tables_.size(order)) {}
 
   double admitted(double u, std::size_t i) const {
     return u > domain_.start && u < domain_.end ? u : knots_.admit(u, side_, i);
   }
 
   /// @param first  the number of the first parameter
-  void locate(std::span<const double> u, std::size_t first, ScatteredHalves& found) const {
-    const bool at = side_ == Side::right;
-    if (!kernels().find_halves(halves_, at, u.data(), u.size(), found)) {
-      std::array<double, kScattered> moved;
-      for (std::size_t i = 0; i < u.size(); ++i) moved[i] = admitted(u[i], first + i);
-      HalfTable whole = halves_;
-      whole.low = domain_.start;
-      whole.high = domain_.end;
-      kernels().find_halves(whole, at, moved.data(), u.size(), found);
+  void locate(std::span<const double> u, std::size_t first, Located& found) const {
+    found.halves = {u.data(), found.half.data(), halves_.ends(), all_rows_, size_, found.rows.data()};
+    if (!kernels().are_between(domain_.start, domain_.end, u.data(), u.size())) {
+      for (std::size_t i = 0; i < u.size(); ++i) found.moved[i] = admitted(u[i], first + i);
+      found.halves.u = found.moved.data();
     }
-    for (std::size_t i = 0; halves_.rows == nullptr && i < u.size(); ++i) found.rows[i] = rows(found.half[i]);
-  }
-
-  /// The ends of the span of a half.
-  const double* ends(int half) const { return halves_.parts.bounds + (half >> 1); }
-
-  /// The row at the near end.
-  const double* rows(int half) const {
-    const double* const span = halves_.rows != nullptr ? halves_.rows + static_cast<std::size_t>(half >> 1) * halves_.size
-                                                       : tables_.rows(curve_, half >> 1, order_);
-    return span + (half & 1) * halves_.last_row;
+    halves_.find_all(found.halves.u, u.size(), side_, found.half.data());
+    for (std::size_t i = 0; all_rows_ == nullptr && i < u.size(); ++i) found.rows[i] = rows(found.half[i]);
   }
 
   CurveHalf form(int half) const {
-    const int second = half & 1;
-    return {ends(half)[second], ends(half)[1 - second], rows(half), 4 - 8 * second};
+    const double* const ends = halves_.ends() + 2 * half;
+    return {ends[0], ends[1], rows(half)};
   }
 
   /// The parameters of a half.
-  Interval range(int half) const {
-    const double middle = halves_.middles[half >> 1];
-    return (half & 1) == 0 ? Interval{ends(half)[0], middle} : Interval{middle, ends(half)[1]};
-  }
+  Interval range(int half) const { return halves_.range(half); }
 
  private:
-  /// Where periodic the ends may stand for each other.
-  static Interval taken_by(const KnotVector& knots) {
-    const Interval domain = knots.domain();
-    if (!knots.periodic()) return domain;
-    return {std::nextafter(domain.start, domain.end), std::nextafter(domain.end, domain.start)};
+  const double* rows(int half) const {
+    return all_rows_ != nullptr ? all_rows_ + static_cast<std::size_t>(half) * size_ : tables_.rows(curve_, half, order_);
   }
 
   const NurbsCurve& curve_;
@@ -103,7 +94,9 @@ class Locator {
   Interval domain_;
   int order_;
   Side side_;
-  HalfTable halves_;
+  const SpanHalves& halves_;
+  const double* all_rows_;  ///< of all halves, size_ numbers each; or nullptr
+  std::size_t size_;
 };
 
 /// Derivatives of any order at one parameter after the other. The domain is divided by a power of two about its length, so
@@ -170,7 +163,7 @@ class Batch {
   void run(std::size_t begin, std::size_t end) {
     end_ = end;
     for (std::size_t i = begin; i < end;) {
-      const std::size_t count = std::min(kScattered, end - i);
+      const std::size_t count = std::min(kSome, end - i);
       i += in_order_of_errors(i, count, [&](std::size_t first, std::size_t some) {
         locator_.locate(u_.subspan(first, some), first, found_);
         return advance(first, some);
@@ -181,6 +174,7 @@ class Batch {
  private:
   /// Writes the values of the parameters that were located, from i on, and perhaps more; returns how many.
   std::size_t advance(std::size_t i, std::size_t count) {
+    constexpr std::size_t kStep = 4;  // a run that begins between is found a little later
     std::size_t scattered = 0;
     for (std::size_t done = 0; done < count;) {
       const std::size_t run = begins_run(done, count) ? run_from(i + done, found_.half[done]) : 0;
@@ -188,18 +182,15 @@ class Batch {
         write_scattered(i, scattered, done);
         scattered = done + run;
       }
-      done += std::max<std::size_t>(run, 1);
-      if (done >= count) {
-        write_scattered(i, scattered, std::min(done, count));
-        return done;
-      }
+      done += run > 0 ? run : kStep;
     }
-    return count;
+    write_scattered(i, scattered, count);
+    return std::max(scattered, count);
   }
 
   /// Whether as many parameters as a kernel takes at once lie in one half.
   bool begins_run(std::size_t at, std::size_t count) const {
-    const std::int32_t* const half = found_.half + at;
+    const std::int32_t* const half = found_.half.data() + at;
     return at + lanes_ <= count && half[1] == half[0] &&
            std::ranges::all_of(half + 2, half + lanes_, [&](auto other) { return other == *half; });
   }
@@ -221,7 +212,7 @@ class Batch {
   void write_scattered(std::size_t i, std::size_t begin, std::size_t end) {
     if (begin >= end) return;
     breathe((end - begin) * columns_ * static_cast<std::size_t>(form_.degree + 2));
-    const int found = scattered_of(form_, found_, begin, end, out_.data() + columns_ * (i + begin));
+    const int found = scattered_of(form_, found_.halves, begin, end, out_.data() + columns_ * (i + begin));
     if (found != 0) settle_all(i + begin, i + end);
   }
 
@@ -235,7 +226,7 @@ class Batch {
   CurveForm form_;
   EvaluateOptions options_;
   Locator locator_;
-  ScatteredHalves found_;
+  Located found_;
   std::span<const double> u_;
   std::span<Real> out_;
   std::size_t columns_;

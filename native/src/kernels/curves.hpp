@@ -8,34 +8,24 @@ struct Derivatives {
 
 SPLINECORE_INLINE std::ptrdiff_t rows_of(int degree, int k) { return degree - k < 0 ? 0 : degree + 1 - k; }
 
-/// The first row of derivative k, counted from the near end.
-SPLINECORE_INLINE const double* first_row(const double* rows, std::ptrdiff_t step, int degree, int k) {
-  // Rows of all derivatives lie one after the other from the start of the span on.
-  const std::ptrdiff_t forward = 4;
-  if (step > 0) {
-    for (int i = 0; i < k; ++i) rows += forward * rows_of(degree, i);
-  } else {
-    for (int i = 1; i <= k; ++i) rows += forward * rows_of(degree, i);
-  }
+/// The first row of derivative k.
+SPLINECORE_INLINE const double* first_row(const double* rows, int degree, int k) {
+  for (int i = 0; i < k; ++i) rows += 4 * rows_of(degree, i);
   return rows;
 }
 
-SPLINECORE_INLINE Lanes horner(const double* row, std::ptrdiff_t step, int degree, double x) {
-  row += step * degree;
-  Lanes sum = load(row);
-  for (int i = degree; i-- > 0;) {
-    row -= step;
-    sum = mul_add(sum, all(x), load(row));
-  }
+SPLINECORE_INLINE Lanes horner(const double* rows, int degree, double x) {
+  Lanes sum = load(rows + 4 * degree);
+  for (int i = degree; i-- > 0;) sum = mul_add(sum, all(x), load(rows + 4 * i));
   return sum;
 }
 
 template <class V>
-SPLINECORE_INLINE PointsOf<V> horner(const double* row, std::ptrdiff_t step, int degree, V x, bool with_weight) {
-  row += step * degree;
+SPLINECORE_INLINE PointsOf<V> horner(const double* rows, int degree, V x, bool with_weight) {
+  const double* row = rows + 4 * degree;
   PointsOf<V> sum{all<V>(row[0]), all<V>(row[1]), all<V>(row[2]), all<V>(row[3])};
   for (int i = degree; i-- > 0;) {
-    row -= step;
+    row -= 4;
     sum.x = mul_add(sum.x, x, all<V>(row[0]));
     sum.y = mul_add(sum.y, x, all<V>(row[1]));
     sum.z = mul_add(sum.z, x, all<V>(row[2]));
@@ -137,14 +127,6 @@ SPLINECORE_INLINE void store_all(const Derivatives<WideLanes, kOrder>& d, Real* 
 }
 #endif
 
-template <int kOrder, class Real>
-SPLINECORE_INLINE void store_points(const Derivatives<Lanes, kOrder>& d, int count, Real* out) {
-  if (count == 4) return store_all(d, out);
-  for (int k = 0; k <= kOrder; ++k) {
-    store_triples(d.at[k].x, d.at[k].y, d.at[k].z, count, 3 * (kOrder + 1), out + 3 * k);
-  }
-}
-
 /// The part of the span that is left, as a factor. @param far  the way to the far end
 template <bool kRational, class V>
 SPLINECORE_INLINE V factor_left(V far, V whole) {
@@ -167,7 +149,7 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
   const V near = all<V>(half.near);
   const V far = all<V>(half.far);
   const double* rows[kOrder + 1];
-  for (int k = 0; k <= kOrder; ++k) rows[k] = first_row(half.rows, half.step, degree, k);
+  for (int k = 0; k <= kOrder; ++k) rows[k] = first_row(half.rows, degree, k);
   V doubts = all<V>(0.0);
   std::size_t i = 0;
   // Each place is found while the points before it are still on their way.
@@ -182,7 +164,7 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
     next = place(i + kWide);
     Derivatives<V, kOrder> d;
     for (int k = 0; k <= kOrder; ++k) {
-      d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], half.step, degree - k, x, kRational);
+      d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], degree - k, x, kRational);
     }
     project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
     doubts = doubt(doubts, d);
@@ -192,34 +174,49 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
   return i;
 }
 
+/// Up to four points from number i on; lanes without one repeat the first.
+template <int kDegree, bool kRational, int kOrder>
+SPLINECORE_INLINE Derivatives<Lanes, kOrder> four_scattered(int given, const ScatteredHalves& halves, std::size_t i,
+                                                            int count) {
+  const int degree = kDegree > 0 ? kDegree : given;
+  const auto number = [&](int lane) { return count == 4 ? i + lane : i; };
+  const auto half_of = [&](int lane) { return static_cast<std::size_t>(halves.half[number(lane)]); };
+  const auto ends_of = [&](int lane) { return load_pair(halves.ends + 2 * half_of(lane)); };
+  const auto [near, far] = columns(ends_of(0), ends_of(1), ends_of(2), ends_of(3));
+  const Lanes at = count == 4 ? load(halves.u + i) : all(halves.u[i]);
+  const Lanes left = far - at;
+  const Lanes x = (at - near) / left;
+  const double* rows[4];
+  for (int lane = 0; lane < 4; ++lane) {
+    rows[lane] = halves.table != nullptr ? halves.table + halves.size * half_of(lane) : halves.rows[number(lane)];
+  }
+  Derivatives<Lanes, kOrder> d;
+  for (int k = 0; k <= kOrder; ++k) {
+    if (degree < k) {
+      d.at[k] = Points{};
+      continue;
+    }
+    Lanes sums[4];
+    for (int lane = 0; lane < 4; ++lane) sums[lane] = horner(first_row(rows[lane], degree, k), degree - k, x[lane]);
+    d.at[k] = transposed(sums[0], sums[1], sums[2], sums[3]);
+  }
+  project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
+  return d;
+}
+
 template <int kDegree, bool kRational, int kOrder, class Real>
 int scattered(const CurveForm& form, const ScatteredHalves& halves, std::size_t begin, std::size_t end, Real* out) {
-  const int degree = kDegree > 0 ? kDegree : form.degree;
   Lanes doubts = all(0.0);
-  for (std::size_t i = begin, lanes = 4; i < end; i += lanes) {
-    // Four at once; the last ones each for itself, in all lanes.
-    if (end - i < 4) lanes = 1;
-    const Lanes near = lanes == 4 ? load(halves.near + i) : all(halves.near[i]);
-    const Lanes far = lanes == 4 ? load(halves.far + i) : all(halves.far[i]);
-    const Lanes at = lanes == 4 ? load(halves.u + i) : all(halves.u[i]);
-    const Lanes left = far - at;
-    const Lanes x = (at - near) / left;
-    Derivatives<Lanes, kOrder> d;
-    for (int k = 0; k <= kOrder; ++k) {
-      if (degree < k) {
-        d.at[k] = Points{};
-        continue;
-      }
-      Lanes sums[4];
-      for (int lane = 0; lane < 4; ++lane) {
-        const std::size_t j = lanes == 4 ? i + lane : i;
-        sums[lane] = horner(first_row(halves.rows[j], halves.step[j], degree, k), halves.step[j], degree - k, x[lane]);
-      }
-      d.at[k] = transposed(sums[0], sums[1], sums[2], sums[3]);
-    }
-    project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
+  std::size_t i = begin;
+  for (; i + 4 <= end; i += 4, out += 12 * (kOrder + 1)) {
+    const auto d = four_scattered<kDegree, kRational, kOrder>(form.degree, halves, i, 4);
     doubts = doubt(doubts, d);
-    store_points(d, static_cast<int>(lanes), out + 3 * (kOrder + 1) * (i - begin));
+    store_all(d, out);
+  }
+  for (; i < end; ++i, out += 3 * (kOrder + 1)) {
+    const auto d = four_scattered<kDegree, kRational, kOrder>(form.degree, halves, i, 1);
+    doubts = doubt(doubts, d);
+    for (int k = 0; k <= kOrder; ++k) store_triples(d.at[k].x, d.at[k].y, d.at[k].z, 1, 0, out + 3 * k);
   }
   return is_certain(doubts) ? 0 : kNotFinite;
 }

@@ -1,9 +1,39 @@
 // Kernels of B-spline functions. Included in the namespace of each set of instructions: see set.hpp.
 
+inline constexpr int kMostDegree = 255;
+
+/// What parts of the spans of four parameters lie before and behind them.
+struct FourPlaces {
+  Lanes t;
+  Lanes s;
+};
+
+/// Numbers of up to four neighbours, of which lanes without one repeat the last.
+struct FourNumbers {
+  std::size_t of[4];
+
+  SPLINECORE_INLINE FourNumbers(std::size_t first, std::size_t end) {
+    for (std::size_t lane = 0; lane < 4; ++lane) of[lane] = first + lane < end ? first + lane : end - 1;
+  }
+};
+
+/// @param rows  of the spans
+SPLINECORE_INLINE FourPlaces four_places(const ScatteredSpans& at, const FourNumbers& numbers, const double** rows) {
+  const std::size_t* const i = numbers.of;
+  const auto ends_of = [&](int lane) { return load_pair(at.bounds + at.span[i[lane]]); };
+  const auto [start, end] = columns(ends_of(0), ends_of(1), ends_of(2), ends_of(3));
+  const Lanes u{at.u[i[0]], at.u[i[1]], at.u[i[2]], at.u[i[3]]};
+  const Lanes length = end - start;
+  for (int lane = 0; lane < 4; ++lane) {
+    rows[lane] = at.table != nullptr ? at.table + at.size * static_cast<std::size_t>(at.span[i[lane]]) : at.rows[i[lane]];
+  }
+  return {(u - start) / length, (end - u) / length};
+}
+
 /// The Bernstein polynomials of a degree where t and s are the parts before and behind.
-SPLINECORE_INLINE void bernstein(int degree, double t, double s, const double* choose, double* out) {
-  double power = 1.0;
-  for (int i = 0; i <= degree; ++i, power *= t) out[i] = choose[i] * power;
+SPLINECORE_INLINE void bernstein(int degree, Lanes t, Lanes s, const double* choose, Lanes* out) {
+  Lanes power = all(1.0);
+  for (int i = 0; i <= degree; ++i, power *= t) out[i] = all(choose[i]) * power;
   power = s;
   for (int i = degree - 1; i >= 0; --i, power *= s) out[i] *= power;
 }
@@ -14,34 +44,49 @@ SPLINECORE_INLINE const double* choices(int degree) {
   return degree < 4 ? kFew[degree] : binomials(degree);
 }
 
-/// Up to four functions of a place, one lane each.
-SPLINECORE_INLINE Lanes function_lanes(const double* rows, std::size_t width, int degree, const double* bernstein) {
-  Lanes sum = all(bernstein[0]) * load(rows);
-  for (int k = 1; k <= degree; ++k) sum = mul_add(all(bernstein[k]), load(rows + k * width), sum);
-  return sum;
+/// What functions and their derivatives 0 … kOrder of four parameters are sums of.
+template <int kOrder>
+struct FourBernstein {
+  Lanes values[kOrder + 1][kMostDegree + 1];
+};
+
+template <int kOrder>
+SPLINECORE_INLINE void bernstein(int degree, const FourPlaces& places, FourBernstein<kOrder>& out) {
+  for (int k = 0; k <= kOrder && k <= degree; ++k) {
+    bernstein(degree - k, places.t, places.s, choices(degree - k), out.values[k]);
+  }
 }
 
-inline constexpr int kMostDegree = 255;
-
-/// table_width(degree) numbers of one derivative.
-SPLINECORE_INLINE void functions_of(int degree, int order, const BasisPlace& place, double* out) {
+/// table_width(degree) numbers of derivative `order` in one of the lanes.
+SPLINECORE_INLINE void functions_of(int degree, int order, const double* rows, const Lanes* values, int lane, double* out) {
   const std::size_t width = table_width(degree);
-  if (order > degree) {
-    for (std::size_t i = 0; i < width; i += 4) store(all(0.0), out + i);
-    return;
-  }
-  double values[kMostDegree + 1];
-  const double* rows = place.rows;
   for (int k = 0; k < order; ++k) rows += static_cast<std::size_t>(degree + 1 - k) * width;
-  bernstein(degree - order, place.t, place.s, choices(degree - order), values);
   for (std::size_t i = 0; i < width; i += 4) {
-    store(function_lanes(rows + i, width, degree - order, values), out + i);
+    Lanes sum = all(0.0);
+    if (order <= degree) sum = all(values[0][lane]) * load(rows + i);
+    for (int k = 1; k <= degree - order; ++k) sum = mul_add(all(values[k][lane]), load(rows + i + k * width), sum);
+    store(sum, out + i);
   }
 }
 
-void functions(int degree, int order, const BasisPlace* places, std::size_t count, double* out) {
+template <int kOrder>
+SPLINECORE_INLINE void functions_to(int degree, const ScatteredSpans& places, std::size_t count, double* out) {
   const std::size_t width = table_width(degree);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (int k = 0; k <= order; ++k, out += width) functions_of(degree, k, places[i], out);
+  FourBernstein<kOrder> values;
+  for (std::size_t i = 0; i < count; i += 4) {
+    const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
+    const double* rows[4];
+    bernstein(degree, four_places(places, {i, count}, rows), values);
+    for (int lane = 0; lane < lanes; ++lane) {
+      for (int k = 0; k <= kOrder; ++k, out += width) {
+        functions_of(degree, k, rows[lane], values.values[k], lane, out);
+      }
+    }
   }
+}
+
+void functions(int degree, int order, const ScatteredSpans& places, std::size_t count, double* out) {
+  if (order == 0) return functions_to<0>(degree, places, count, out);
+  if (order == 1) return functions_to<1>(degree, places, count, out);
+  functions_to<2>(degree, places, count, out);
 }

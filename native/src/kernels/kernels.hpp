@@ -17,43 +17,29 @@ namespace splinecore {
 /// The row of Pascal's triangle, up to degree 255 at least.
 const double* binomials(int degree) noexcept;
 
-/// The spans of a domain, which is cut into equal parts that know their first one.
+/// The spans of a domain, which is cut into equal parts that know how many spans start before them.
 struct SpanParts {
-  const double* bounds;  ///< where the spans start, the end of the last, and infinity
-  std::int32_t count;
-  double scale;               ///< from a parameter behind the start to its part
+  const double* starts;  ///< of the spans; minus infinity for the first, and infinity behind the last
   const std::int32_t* first;  ///< of each part: how many spans start in those before it
-  bool is_crowded;            ///< some parts have many starts
+  double begin;               ///< of the domain
+  double scale;               ///< from a parameter behind it to its part
 };
 
 /// Half of a span of a curve, for derivatives 0 … order.
 struct CurveHalf {
   double near;         ///< the end of the span in this half
   double far;          ///< the other end
-  const double* rows;  ///< the row at the near end; derivative k has degree + 1 - k rows
-  std::ptrdiff_t step;  ///< from row to row: 4 or -4
+  const double* rows;  ///< from the near end on; those of derivative k, degree + 1 - k, behind those of the ones before
 };
 
-/// The halves of all spans of a curve.
-struct HalfTable {
-  SpanParts parts;
-  const double* middles;  ///< of each span: a parameter above it is nearer to the end
-  const double* rows;     ///< of all spans, `size` numbers each; or nullptr
-  std::size_t size;
-  std::ptrdiff_t last_row;  ///< where the row at the end of a span begins
-  double low;               ///< and `high`: parameters between them are in the domain as they are
-  double high;
-};
-
-/// Up to so many parameters, each with a half of its own: twice the span, and 1 more in its second half.
-inline constexpr std::size_t kScattered = 64;
+/// Parameters, each with a half of its own: twice the span, and 1 more in its second half.
 struct ScatteredHalves {
-  double u[kScattered];
-  std::int32_t half[kScattered];
-  double near[kScattered];
-  double far[kScattered];
-  const double* rows[kScattered];
-  std::ptrdiff_t step[kScattered];
+  const double* u;
+  const std::int32_t* half;
+  const double* ends;         ///< the near and the far one of every half
+  const double* table;        ///< the rows of all halves, `size` numbers each; or nullptr
+  std::size_t size;
+  const double* const* rows;  ///< those of each parameter where there is no table
 };
 
 /// What all parameters of a batch on a curve have in common.
@@ -63,11 +49,16 @@ struct CurveForm {
   bool rational;  ///< or every w is 1
 };
 
-/// A parameter on B-spline functions: the table of its span, and its place in it.
-struct BasisPlace {
-  const double* rows;  ///< of derivative k degree + 1 - k, one derivative after the other, table_width() numbers each
-  double t;            ///< from the start, as a part of the span
-  double s;            ///< to its end
+/// Parameters on B-spline functions, each with the span that it lies in.
+struct ScatteredSpans {
+  const double* u;
+  const std::int32_t* span;
+  const double* bounds;       ///< where the spans start, and the end of the last
+  const int* knots;           ///< of each span: the number of the knot that it starts at
+  const double* table;        ///< the rows of all spans, `size` numbers each; or nullptr
+  std::size_t size;
+  const double* const* rows;  ///< those of each parameter where there is no table: of derivative k degree + 1 - k, one
+                              ///< derivative after the other, table_width() numbers each
 };
 
 /// Numbers of a row of B-spline functions: those of a degree, filled up to whole lanes.
@@ -133,10 +124,9 @@ struct NormalForm {
 };
 
 /// Pairs of parameters.
-struct PairPlace {
-  BasisPlace u;
-  BasisPlace v;
-  const double* corner;  ///< the first of the points that it depends on
+struct ScatteredPairs {
+  ScatteredSpans u;
+  ScatteredSpans v;
 };
 
 /// A rule for the length of a piece over [0, 1] whose speed is |N| / W², both in Bernstein's form.
@@ -237,12 +227,11 @@ struct Kernels {
   const char* name;
   std::size_t lanes;  ///< 4 or 8
 
-  /// The last span that starts before each parameter, or `at` it; of one before them all the first.
-  void (*find_spans)(const SpanParts&, bool at, const double* u, std::size_t count, std::int32_t* spans);
+  /// Whether all numbers lie strictly between the two.
+  bool (*are_between)(double low, double high, const double* u, std::size_t count);
 
-  /// The halves of spans that parameters lie in, but for the rows where the table has none. False, and they may not be
-  /// written, where one is not taken.
-  bool (*find_halves)(const HalfTable&, bool at, const double* u, std::size_t count, ScatteredHalves& halves);
+  /// The last span that starts before each parameter, or `at` it. All lie in the domain.
+  void (*find_spans)(const SpanParts&, bool at, const double* u, std::size_t count, std::int32_t* spans);
 
   /// As many of the parameters as lie, `lanes` at once, strictly inside the half whose parameters are from low to high.
   /// Writes 3 (order + 1) numbers for each. @returns how many; `found` takes kNotFinite.
@@ -251,7 +240,7 @@ struct Kernels {
   std::size_t (*curve_run_single)(const CurveForm&, const CurveHalf&, double low, double high, const double* u,
                                   std::size_t count, float* out, int* found);
 
-  /// The same for parameters that are scattered, from `begin` to `end`.
+  /// The same for parameters that are scattered, from number `begin` to `end`.
   int (*curve_scattered)(const CurveForm&, const ScatteredHalves&, std::size_t begin, std::size_t end, double* out);
   int (*curve_scattered_single)(const CurveForm&, const ScatteredHalves&, std::size_t begin, std::size_t end,
                                 float* out);
@@ -272,8 +261,8 @@ struct Kernels {
   /// The squares of the least distances that points of the boxes may have from x, y, z, up to rounding.
   void (*box_distances)(const BoxGroup&, const double* from, double* squares);
 
-  /// The functions of a degree and their derivatives 0 … order at places, table_width() numbers for each derivative.
-  void (*functions)(int degree, int order, const BasisPlace* places, std::size_t count, double* out);
+  /// The functions of a degree and their derivatives 0 … order, table_width() numbers for each derivative.
+  void (*functions)(int degree, int order, const ScatteredSpans&, std::size_t count, double* out);
 
   /// x, y, z of a row of the grid; scratch has 4 numbers for each of GridBlocks::width.
   int (*grid_points)(const GridForm&, const GridRow&, const GridBlocks&, double* scratch, double* out);
@@ -290,11 +279,11 @@ struct Kernels {
   void (*pair_sums)(const GridForm&, int order, const double* corner, const double* u, const double* v, double* out);
 
   /// x, y, z of pairs; with their first derivatives 3 * 3 numbers each: point, along u, along v.
-  int (*pair_points)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
-  int (*pair_slopes)(const GridForm&, const PairPlace* pairs, std::size_t count, double* out);
+  int (*pair_points)(const GridForm&, const ScatteredPairs&, std::size_t count, double* out);
+  int (*pair_slopes)(const GridForm&, const ScatteredPairs&, std::size_t count, double* out);
 
   /// And unit normals.
-  int (*pair_normals)(const GridForm&, const NormalForm&, const PairPlace* pairs, std::size_t count, double* out,
+  int (*pair_normals)(const GridForm&, const NormalForm&, const ScatteredPairs&, std::size_t count, double* out,
                       double* normals);
 
   /// Of degree 2 + index: `count` rows of functions at parameters, from 4 to kNearRows of them, of which the one of row i

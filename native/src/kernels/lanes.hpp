@@ -100,6 +100,37 @@ SPLINECORE_INLINE bool is_between(double low, double high, V a) {
   return !any(!((a > all<V>(low)) & (a < all<V>(high))));
 }
 
+/// Two times four doubles.
+#if defined(SPLINECORE_WIDE_LANES)
+typedef WideLanes Twice;
+SPLINECORE_INLINE Twice twice(Lanes low, Lanes high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7); }
+SPLINECORE_INLINE Twice load_twice(const double* both) { return _mm512_maskz_broadcast_f64x4(0xff, _mm256_loadu_pd(both)); }
+/// A lane of each half everywhere in this half.
+template <int kLane>
+SPLINECORE_INLINE Twice spread(Twice a) {
+  return _mm512_maskz_permutex_pd(0xff, a, 0x55 * kLane);
+}
+#else
+struct Twice {
+  Lanes low, high;
+};
+SPLINECORE_INLINE Twice twice(Lanes low, Lanes high) { return {low, high}; }
+SPLINECORE_INLINE Twice load_twice(const double* both) { return {load(both), load(both)}; }
+template <int kLane>
+SPLINECORE_INLINE Twice spread(Twice a) {
+  return {all(a.low[kLane]), all(a.high[kLane])};
+}
+SPLINECORE_INLINE Twice operator*(Twice a, Twice b) { return {a.low * b.low, a.high * b.high}; }
+SPLINECORE_INLINE Twice mul_add(Twice a, Twice b, Twice c) {
+  return {mul_add(a.low, b.low, c.low), mul_add(a.high, b.high, c.high)};
+}
+SPLINECORE_INLINE Lanes lower(Twice a) { return a.low; }
+SPLINECORE_INLINE Lanes upper(Twice a) { return a.high; }
+#endif
+SPLINECORE_INLINE Twice spread(Twice a, int lane) {
+  return lane == 0 ? spread<0>(a) : lane == 1 ? spread<1>(a) : lane == 2 ? spread<2>(a) : spread<3>(a);
+}
+
 /// 1 / a and 1 / sqrt(a), within two roundings; of numbers near the least and the largest perhaps not a number. The
 /// only divider is slower than steps from a first guess, where there is one: the same steps for
 /// lanes of every width, so that they give the same bits.
@@ -143,6 +174,23 @@ struct PointsOf {
   V x, y, z, w;
 };
 using Points = PointsOf<Lanes>;
+
+typedef double Pair __attribute__((vector_size(16)));
+SPLINECORE_INLINE Pair load_pair(const double* from) {
+  Pair value;
+  __builtin_memcpy(&value, from, sizeof value);
+  return value;
+}
+
+/// Four pairs as two of their columns.
+struct Columns {
+  Lanes first, second;
+};
+SPLINECORE_INLINE Columns columns(Pair a, Pair b, Pair c, Pair d) {
+  const Lanes ac = __builtin_shufflevector(a, c, 0, 1, 2, 3);
+  const Lanes bd = __builtin_shufflevector(b, d, 0, 1, 2, 3);
+  return {__builtin_shufflevector(ac, bd, 0, 4, 2, 6), __builtin_shufflevector(ac, bd, 1, 5, 3, 7)};
+}
 
 /// Four vectors of four as four of their columns.
 SPLINECORE_INLINE Points transposed(Lanes a, Lanes b, Lanes c, Lanes d) {

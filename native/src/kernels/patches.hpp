@@ -28,6 +28,32 @@ SPLINECORE_INLINE WidePoints row_sum(const double* row, int degree, const double
   return sum;
 }
 
+/// And the one of other functions, which agree with the row's points.
+template <bool kRational>
+SPLINECORE_INLINE void row_sums(const double* row, int degree, const double* values, const double* slopes, WidePoints& p,
+                                WidePoints& d) {
+  const auto everywhere = [](double value) { return all<WideLanes>(value); };
+  WidePoints point{everywhere(row[0]), everywhere(row[1]), everywhere(row[2]), everywhere(row[3])};
+  WideLanes f = load<WideLanes>(values);
+  WideLanes g = load<WideLanes>(slopes);
+  p = {f * point.x, f * point.y, f * point.z, kRational ? f * point.w : everywhere(1.0)};
+  d = {g * point.x, g * point.y, g * point.z, kRational ? g * point.w : everywhere(1.0)};
+  for (int j = 1; j <= degree; ++j) {
+    row += 4;
+    point = {everywhere(row[0]), everywhere(row[1]), everywhere(row[2]), everywhere(row[3])};
+    f = load<WideLanes>(values + kWide * j);
+    g = load<WideLanes>(slopes + kWide * j);
+    p.x = mul_add(f, point.x, p.x);
+    p.y = mul_add(f, point.y, p.y);
+    p.z = mul_add(f, point.z, p.z);
+    d.x = mul_add(g, point.x, d.x);
+    d.y = mul_add(g, point.y, d.y);
+    d.z = mul_add(g, point.z, d.z);
+    if (kRational) p.w = mul_add(f, point.w, p.w);
+    if (kRational) d.w = mul_add(g, point.w, d.w);
+  }
+}
+
 template <int kDegree, bool kSlopes>
 SPLINECORE_INLINE void collapse_of(const GridForm& form, const GridRow& row, const GridBlocks& blocks,
                                    double* scratch) {
@@ -141,9 +167,10 @@ int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& 
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const GridBlock& block = blocks.blocks[b];
     const std::size_t first = 4 * block.first;
-    WidePoints p = row_sum<kRational>(scratch + first, degree, block.values);
+    WidePoints p;
+    WidePoints sv;
+    row_sums<kRational>(scratch + first, degree, block.values, block.slopes, p, sv);
     WidePoints su = row_sum<kRational>(slope_row + first, degree, block.values);
-    WidePoints sv = row_sum<kRational>(scratch + first, degree, block.slopes);
     project_point<kRational>(p);
     if (kRational) {
       su = beside(su, p);
@@ -178,13 +205,6 @@ int grid_normals(const GridForm& form, const GridRow& row, const GridBlocks& blo
   return with(form.rational ? grid_normals_of<0, true, Real> : grid_normals_of<0, false, Real>);
 }
 
-/// The functions of a pair of parameters.
-template <int kOrder>
-struct PairFunctions {
-  double u[kOrder + 1][kMostDegree + 4];
-  double v[kOrder + 1][kMostDegree + 4];
-};
-
 /// The sum over a row of columns, each of them summed.
 SPLINECORE_INLINE Lanes across_sum(const Lanes* columns, int degree, const double* functions) {
   Lanes sum = all(functions[0]) * columns[0];
@@ -208,60 +228,150 @@ void pair_sums(const GridForm& form, int order, const double* corner, const doub
   }
 }
 
-/// Of up to four pairs: homogeneous points, derivatives along u and v, and what the slopes of the functions amount to.
-struct FourPairs {
-  Points point;
-  Points along_u;
-  Points along_v;
-  Lanes size_u;
-  Lanes size_v;
-};
-
 SPLINECORE_INLINE double size_of(const double* functions, int degree) {
   double sum = 0.0;
   for (int i = 0; i <= degree; ++i) sum += functions[i] < 0.0 ? -functions[i] : functions[i];
   return sum;
 }
 
-template <int kDegree, int kOrder>
-SPLINECORE_INLINE FourPairs four_pairs(const GridForm& given, const PairPlace* pairs, int lanes) {
-  GridForm form = given;
-  if (kDegree > 0) form.degree_u = form.degree_v = kDegree;
-  PairFunctions<kOrder> functions;
-  Lanes columns[kMostDegree + 1];
-  Lanes points[4];
+/// Functions and their derivatives 0 … kOrder at one parameter.
+template <int kOrder>
+struct PairFunctions {
+  double values[kOrder + 1][kMostDegree + 4];
+};
+
+/// Of up to four pairs: homogeneous points, derivatives along u and v, and what the slopes of the functions amount to.
+struct FourPairs {
+  Lanes point[4];
   Lanes along_u[4];
   Lanes along_v[4];
-  Lanes size_u = all(0.0);
-  Lanes size_v = all(0.0);
-  for (int lane = 0; lane < 4; ++lane) {
-    // Lanes without a pair repeat the last one.
-    const PairPlace& pair = pairs[lane < lanes ? lane : lanes - 1];
-    for (int k = 0; k <= kOrder; ++k) {
-      functions_of(form.degree_u, k, pair.u, functions.u[k]);
-      functions_of(form.degree_v, k, pair.v, functions.v[k]);
-    }
-    column_sums(form, pair.corner, functions.u[0], columns);
-    points[lane] = across_sum(columns, form.degree_v, functions.v[0]);
-    if constexpr (kOrder > 0) {
-      along_v[lane] = across_sum(columns, form.degree_v, functions.v[1]);
-      column_sums(form, pair.corner, functions.u[1], columns);
-      along_u[lane] = across_sum(columns, form.degree_v, functions.v[0]);
-      size_u[lane] = size_of(functions.u[1], form.degree_u);
-      size_v[lane] = size_of(functions.v[1], form.degree_v);
-    }
-  }
-  const auto turned = [](const Lanes* sums) { return transposed(sums[0], sums[1], sums[2], sums[3]); };
-  if constexpr (kOrder == 0) return {turned(points), Points{}, Points{}, size_u, size_v};
-  return {turned(points), turned(along_u), turned(along_v), size_u, size_v};
+  double size_u[4];
+  double size_v[4];
+};
+
+SPLINECORE_INLINE const double* corner_of(const GridForm& form, const ScatteredPairs& pairs, std::size_t i) {
+  const auto first = [i](const ScatteredSpans& at, int degree) {
+    return static_cast<std::size_t>(at.knots[at.span[i]] - degree);
+  };
+  return form.points + 4 * (first(pairs.u, form.degree_u) * form.width + first(pairs.v, form.degree_v));
 }
 
+SPLINECORE_INLINE Lanes sum_point(const GridForm& form, const double* corner, const double* u, const double* v) {
+  const auto column = [&](int j) { return column_sum(corner + 4 * j, 4 * form.width, form.degree_u, u); };
+  Lanes sum = all(v[0]) * column(0);
+  for (int j = 1; j <= form.degree_v; ++j) sum = mul_add(all(v[j]), column(j), sum);
+  return sum;
+}
+
+/// Functions of a parameter and their derivatives, in the two halves. @param kDegree  3 at most, or 0 for any
+template <int kDegree>
+struct FunctionsTwice {
+  const double* values;
+  const double* slopes;
+  Twice few;
+
+  SPLINECORE_INLINE FunctionsTwice(const double* low, const double* high)
+      : values(low), slopes(high), few(twice(load(low), load(high))) {}
+
+  SPLINECORE_INLINE Twice at(int i) const {
+    return kDegree > 0 ? spread(few, i) : twice(all(values[i]), all(slopes[i]));
+  }
+};
+
+/// A column of points, and one of derivatives along u.
+template <int kDegree>
+SPLINECORE_INLINE Twice column_sums(const double* points, std::size_t stride, int degree, const FunctionsTwice<kDegree>& u) {
+  Twice sum = u.at(0) * load_twice(points);
+  for (int i = 1; i <= degree; ++i) sum = mul_add(u.at(i), load_twice(points + i * stride), sum);
+  return sum;
+}
+
+template <int kDegree>
+SPLINECORE_INLINE void sum_slopes(const GridForm& form, const double* corner, const PairFunctions<1>& at_u,
+                                  const PairFunctions<1>& at_v, int lane, FourPairs& out) {
+  const FunctionsTwice<kDegree> u(at_u.values[0], at_u.values[1]);
+  const FunctionsTwice<kDegree> v(at_v.values[0], at_v.values[0]);
+  const auto column = [&](int j) { return column_sums(corner + 4 * j, 4 * form.width, form.degree_u, u); };
+  const Twice first = column(0);
+  Twice sum = v.at(0) * first;
+  Lanes along_v = all(at_v.values[1][0]) * lower(first);
+  for (int j = 1; j <= form.degree_v; ++j) {
+    const Twice next = column(j);
+    sum = mul_add(v.at(j), next, sum);
+    along_v = mul_add(all(at_v.values[1][j]), lower(next), along_v);
+  }
+  out.point[lane] = lower(sum);
+  out.along_u[lane] = upper(sum);
+  out.along_v[lane] = along_v;
+}
+
+/// What four pairs begin with.
+template <int kOrder>
+struct FourStarts {
+  FourBernstein<kOrder> u;
+  FourBernstein<kOrder> v;
+  const double* rows_u[4];
+  const double* rows_v[4];
+  const double* corners[4];
+};
+
+/// Sums of pairs, four at once. The next ones are begun before, so that nothing waits for their divisions.
+template <int kDegree, int kOrder>
+class SumsOfPairs {
+ public:
+  SPLINECORE_INLINE SumsOfPairs(const GridForm& form, const ScatteredPairs& pairs, std::size_t count)
+      : form_(form), pairs_(pairs), count_(count) {
+    if (kDegree > 0) form_.degree_u = form_.degree_v = kDegree;
+    if (count > 0) begin(0);
+  }
+
+  /// Of pairs from number i on, a multiple of four: each after the one before. Lanes without one repeat the last.
+  SPLINECORE_INLINE void find(std::size_t i, FourPairs& out) {
+    if (i + 4 < count_) begin(i + 4);
+    const FourStarts<kOrder>& at = starts_[i / 4 % 2];
+    for (int lane = 0; lane < 4; ++lane) {
+      PairFunctions<kOrder> u;
+      PairFunctions<kOrder> v;
+      for (int k = 0; k <= kOrder; ++k) {
+        functions_of(form_.degree_u, k, at.rows_u[lane], at.u.values[k], lane, u.values[k]);
+        functions_of(form_.degree_v, k, at.rows_v[lane], at.v.values[k], lane, v.values[k]);
+      }
+      if constexpr (kOrder == 0) {
+        out.point[lane] = sum_point(form_, at.corners[lane], u.values[0], v.values[0]);
+      } else {
+        sum_slopes<kDegree>(form_, at.corners[lane], u, v, lane, out);
+        out.size_u[lane] = size_of(u.values[1], form_.degree_u);
+        out.size_v[lane] = size_of(v.values[1], form_.degree_v);
+      }
+    }
+  }
+
+ private:
+  SPLINECORE_INLINE void begin(std::size_t i) {
+    FourStarts<kOrder>& at = starts_[i / 4 % 2];
+    const FourNumbers numbers(i, count_);
+    bernstein(form_.degree_u, four_places(pairs_.u, numbers, at.rows_u), at.u);
+    bernstein(form_.degree_v, four_places(pairs_.v, numbers, at.rows_v), at.v);
+    for (int lane = 0; lane < 4; ++lane) at.corners[lane] = corner_of(form_, pairs_, numbers.of[lane]);
+  }
+
+  GridForm form_;
+  const ScatteredPairs& pairs_;
+  std::size_t count_;
+  FourStarts<kOrder> starts_[2];
+};
+
+SPLINECORE_INLINE Points turned(const Lanes* sums) { return transposed(sums[0], sums[1], sums[2], sums[3]); }
+
 template <int kDegree, bool kRational>
-int pair_points_of(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+int pair_points_of(const GridForm& form, const ScatteredPairs& pairs, std::size_t count, double* out) {
   Lanes doubts = all(0.0);
+  SumsOfPairs<kDegree, 0> sums(form, pairs, count);
+  FourPairs d;
   for (std::size_t i = 0; i < count; i += 4) {
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
-    Points p = four_pairs<kDegree, 0>(form, pairs + i, lanes).point;
+    sums.find(i, d);
+    Points p = turned(d.point);
     project_point<kRational>(p);
     doubts = doubt(doubts, p);
     store_block(p, lanes, count - i, out + 3 * i);
@@ -269,47 +379,66 @@ int pair_points_of(const GridForm& form, const PairPlace* pairs, std::size_t cou
   return is_certain(doubts) ? 0 : kNotFinite;
 }
 
+/// Three of four numbers; the fourth, too, where there is a place for it.
+SPLINECORE_INLINE void store_triple(Lanes xyz, bool is_last, double* out) {
+  if (is_last) return store_triple(xyz, out);
+  store(xyz, out);
+}
+
 template <int kDegree, bool kRational>
-int pair_slopes_of(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+int pair_slopes_of(const GridForm& form, const ScatteredPairs& pairs, std::size_t count, double* out) {
   Lanes doubts = all(0.0);
+  SumsOfPairs<kDegree, 1> sums(form, pairs, count);
+  FourPairs d;
   for (std::size_t i = 0; i < count; i += 4) {
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
-    FourPairs d = four_pairs<kDegree, 1>(form, pairs + i, lanes);
-    const Lanes r = reciprocal(d.point.w);
-    project_point<kRational>(d.point);
-    if (kRational) {
-      d.along_u = times(beside(d.along_u, d.point), r);
-      d.along_v = times(beside(d.along_v, d.point), r);
+    sums.find(i, d);
+    const Lanes weights = turned(d.point).w;
+    const Lanes rough = rough_reciprocal(weights);
+    const Lanes near = nearer_reciprocal(weights, rough);
+    for (int lane = 0; lane < lanes; ++lane, out += 9) {
+      Lanes point = d.point[lane];
+      Lanes along_u = d.along_u[lane];
+      Lanes along_v = d.along_v[lane];
+      if (kRational) {
+        point = quotient(point, all(weights[lane]), all(rough[lane]));
+        along_u = mul_add(-all(along_u[3]), point, along_u) * all(near[lane]);
+        along_v = mul_add(-all(along_v[3]), point, along_v) * all(near[lane]);
+      }
+      doubts = mul_add(point + (along_u + along_v), all(0.0), doubts);
+      store(point, out);
+      store(along_u, out + 3);
+      store_triple(along_v, i + static_cast<std::size_t>(lane) + 1 == count, out + 6);
     }
-    doubts = doubt(doubt(doubt(doubts, d.point), d.along_u), d.along_v);
-    double* const to = out + 9 * i;
-    store_triples(d.point.x, d.point.y, d.point.z, lanes, 9, to);
-    store_triples(d.along_u.x, d.along_u.y, d.along_u.z, lanes, 9, to + 3);
-    store_triples(d.along_v.x, d.along_v.y, d.along_v.z, lanes, 9, to + 6);
   }
   return is_certain(doubts) ? 0 : kNotFinite;
 }
 
 template <int kDegree, bool kRational>
-int pair_normals_of(const GridForm& form, const NormalForm& normal, const PairPlace* pairs, std::size_t count, double* out,
-                    double* normals) {
+int pair_normals_of(const GridForm& form, const NormalForm& normal, const ScatteredPairs& pairs, std::size_t count,
+                    double* out, double* normals) {
   Lanes doubts = all(0.0);
   Lanes weak = all(0.0);
+  SumsOfPairs<kDegree, 1> sums(form, pairs, count);
+  FourPairs d;
   for (std::size_t i = 0; i < count; i += 4) {
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
-    FourPairs d = four_pairs<kDegree, 1>(form, pairs + i, lanes);
-    project_point<kRational>(d.point);
+    sums.find(i, d);
+    Points point = turned(d.point);
+    const Points along_u = turned(d.along_u);
+    const Points along_v = turned(d.along_v);
+    project_point<kRational>(point);
     const Lanes scale_u = all(normal.scale_u);
     const Lanes scale_v = all(normal.scale_v);
-    const Points su = times(kRational ? beside(d.along_u, d.point) : d.along_u, scale_u);
-    const Points sv = times(kRational ? beside(d.along_v, d.point) : d.along_v, scale_v);
-    const Lanes size_u = d.size_u * scale_u;
-    const Lanes size_v = d.size_v * scale_v;
+    const Points su = times(kRational ? beside(along_u, point) : along_u, scale_u);
+    const Points sv = times(kRational ? beside(along_v, point) : along_v, scale_v);
+    const Lanes size_u = load(d.size_u) * scale_u;
+    const Lanes size_v = load(d.size_v) * scale_v;
     const Lanes plain = all(normal.rounding.plain) * (size_u * size_u) * (size_v * size_v);
     const Points n = normal_of(su, sv, plain, normal.rounding.of_points, size_u, size_v);
-    doubts = doubt(doubts, d.point);
+    doubts = doubt(doubts, point);
     weak += n.x;
-    store_block(d.point, lanes, count - i, out + 3 * i);
+    store_block(point, lanes, count - i, out + 3 * i);
     store_block(n, lanes, count - i, normals + 3 * i);
   }
   return (is_certain(doubts) ? 0 : kNotFinite) | (is_certain(weak) ? 0 : kWeakNormal);
@@ -317,19 +446,19 @@ int pair_normals_of(const GridForm& form, const NormalForm& normal, const PairPl
 
 SPLINECORE_INLINE bool is_bicubic(const GridForm& form) { return form.degree_u == 3 && form.degree_v == 3; }
 
-int pair_points(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+int pair_points(const GridForm& form, const ScatteredPairs& pairs, std::size_t count, double* out) {
   const auto with = [&](auto work) { return work(form, pairs, count, out); };
   if (is_bicubic(form)) return with(form.rational ? pair_points_of<3, true> : pair_points_of<3, false>);
   return with(form.rational ? pair_points_of<0, true> : pair_points_of<0, false>);
 }
 
-int pair_slopes(const GridForm& form, const PairPlace* pairs, std::size_t count, double* out) {
+int pair_slopes(const GridForm& form, const ScatteredPairs& pairs, std::size_t count, double* out) {
   const auto with = [&](auto work) { return work(form, pairs, count, out); };
   if (is_bicubic(form)) return with(form.rational ? pair_slopes_of<3, true> : pair_slopes_of<3, false>);
   return with(form.rational ? pair_slopes_of<0, true> : pair_slopes_of<0, false>);
 }
 
-int pair_normals(const GridForm& form, const NormalForm& normal, const PairPlace* pairs, std::size_t count, double* out,
+int pair_normals(const GridForm& form, const NormalForm& normal, const ScatteredPairs& pairs, std::size_t count, double* out,
                  double* normals) {
   const auto with = [&](auto work) { return work(form, normal, pairs, count, out, normals); };
   if (is_bicubic(form)) return with(form.rational ? pair_normals_of<3, true> : pair_normals_of<3, false>);

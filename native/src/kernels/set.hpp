@@ -31,7 +31,7 @@ namespace {
 extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
-    find_spans, find_halves,
+    are_between, find_spans,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     speed_sums, surface_sums,
     piece_slopes, square_sums, box_distances,

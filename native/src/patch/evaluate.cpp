@@ -43,17 +43,11 @@ void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span
   const GridForm form = form_of(patch);
   AxisPlaces places_u(patch.knot_vector(Axis::u), order, "u");
   AxisPlaces places_v(patch.knot_vector(Axis::v), order, "v");
-  std::array<PairPlace, kPart> part;
   const auto visit_some = [&](std::size_t first, std::size_t count) {
-    places_u.locate(u.subspan(first, count), first, options.side_u);
-    places_v.locate(v.subspan(first, count), first, options.side_v);
-    for (std::size_t i = 0; i < count; ++i) {
-      places_u.write(i, part[i].u);
-      places_v.write(i, part[i].v);
-      part[i].corner = corner_of(form, places_u.first(i), places_v.first(i));
-    }
+    const ScatteredPairs pairs{places_u.locate(u.subspan(first, count), first, options.side_u),
+                               places_v.locate(v.subspan(first, count), first, options.side_v)};
     breathe(count * steps_of_pair(form));
-    visit(form, part.data(), first, count);
+    visit(form, pairs, first, count);
   };
   for (std::size_t first = begin; first < end; first += kPart) {
     const std::size_t count = std::min(kPart, end - first);
@@ -131,7 +125,7 @@ template <class Real>
 void evaluate_pairs(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                     std::span<Real> out, PatchOptions options) {
   for_each_part(patch, u, v, 0, options,
-                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
+                [&](const GridForm& form, const ScatteredPairs& pairs, std::size_t begin, std::size_t count) {
                   std::array<double, 3 * kPart> values;
                   const int found = kernels().pair_points(form, pairs, count, values.data());
                   for (std::size_t i = 0; found != 0 && i < count; ++i) {
@@ -184,7 +178,7 @@ void evaluate_with_normals(const NurbsPatch& patch, std::span<const double> u, s
   const NormalForm normal{finder.rounding(), slope_scale(patch.knot_vector(Axis::u)),
                           slope_scale(patch.knot_vector(Axis::v))};
   for_each_part(finder.seen(), u, v, 1, options,
-                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
+                [&](const GridForm& form, const ScatteredPairs& pairs, std::size_t begin, std::size_t count) {
                   double* const to = &normals[3 * begin];
                   const int found = kernels().pair_normals(form, normal, pairs, count, &points[3 * begin], to);
                   for (std::size_t i = begin; found != 0 && i < begin + count; ++i) {
@@ -202,7 +196,7 @@ void evaluate_with_normals(const NurbsPatch& patch, std::span<const double> u, s
 void first_derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                        std::span<double> out, PatchOptions options) {
   for_each_part(patch, u, v, 1, options,
-                [&](const GridForm& form, const PairPlace* pairs, std::size_t begin, std::size_t count) {
+                [&](const GridForm& form, const ScatteredPairs& pairs, std::size_t begin, std::size_t count) {
                   const int found = kernels().pair_slopes(form, pairs, count, &out[9 * begin]);
                   for (std::size_t i = begin; found != 0 && i < begin + count; ++i) {
                     settle_pair(patch, u[i], v[i], options, out.subspan(9 * i, 9));

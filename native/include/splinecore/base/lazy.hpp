@@ -1,8 +1,7 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
-#include <mutex>
-#include <utility>
 
 namespace splinecore {
 
@@ -10,23 +9,26 @@ namespace splinecore {
 template <class Value>
 class Lazy {
  public:
+  Lazy() = default;
+  ~Lazy() { delete kept_.load(); }
+  Lazy(const Lazy&) = delete;
+  Lazy& operator=(const Lazy&) = delete;
+
   /// What make() returned first as a std::unique_ptr. Threads that come meanwhile make it, too: none waits, as it might for
   /// what itself calls this.
   template <class Make>
   const Value& get(Make make) {
-    {
-      const std::lock_guard lock(keeping_);
-      if (value_) return *value_;
-    }
-    std::shared_ptr<const Value> made = make();
-    const std::lock_guard lock(keeping_);
-    if (!value_) value_ = std::move(made);
-    return *value_;
+    const Kept* known = kept_.load(std::memory_order_acquire);
+    if (known != nullptr) return **known;
+    auto made = std::make_unique<const Kept>(make());
+    if (kept_.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) known = made.release();
+    return **known;
   }
 
  private:
-  std::mutex keeping_;
-  std::shared_ptr<const Value> value_;
+  using Kept = std::shared_ptr<const Value>;  // which ends a value of a type that is not known here
+
+  std::atomic<const Kept*> kept_{nullptr};
 };
 
 }  // namespace splinecore
