@@ -50,6 +50,44 @@ def test_patches_side_by_side_keep_their_short_spans_together(make, gap, turn):
     assert mesh.vertex_count < 2 * alone.vertex_count
 
 
+def ridge(gap, peak, start=0.0, length=2.0):
+    """Along u it runs flat but for a peak inside a span as short as `gap`."""
+    net = np.array([(0, 0, 0), (1, 0, 0), (1, 1, peak), (1, 0, 0), (2, 0, 0)], float)[:, None] + [(0, 0, 0), (0, 1, 0)]
+    net[:, :, 1] = (0, 1)
+    knots = start + length / 2 * np.array([0, 0, 1, 1 + gap / 2, 1 + gap, 2, 2])
+    return sc.NurbsPatch((1, 1), (knots, [0, 0, 1, 1]), net)
+
+
+@pytest.mark.parametrize('gap', (1e-6, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15))
+@pytest.mark.parametrize('turn', (lambda patch: patch, lambda patch: patch.reversed('u'),
+                                  lambda patch: patch.elevate('u')))
+def test_a_peak_on_a_short_span_is_not_taken_for_a_flat_side(gap, turn):
+    flat = ridge(gap, 0)
+    beside = turn(sc.NurbsPatch(flat.degree, flat.knots, flat.points - (0, 1, 0)))
+    plain = turn(sc.BezierPatch([[(0, -1, 0), (0, 0, 0)], [(2, -1, 0), (2, 0, 0)]]).to_nurbs())
+    for other in (beside, plain):
+        for patch_set in (set_of(ridge(gap, 7), other), set_of(other, ridge(gap, 7))):
+            assert patch_set.edge_counts()['shared'] == 0
+            positions, _ = ADAPTIVE(patch_set).evaluate(patch_set)
+            for y in (0, 1):
+                assert np.linalg.norm(positions - (1, y, 7), axis=1).min() < 1e-6
+
+
+@pytest.mark.parametrize('gap', (1e-6, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15))
+@pytest.mark.parametrize('start, length', ((0.0, 2.0), (0.0, 2 / 3), (0.1, 0.7), (-1.0, 2.0), (3.0, 1.0)))
+@pytest.mark.parametrize('turn', (lambda patch: patch, lambda patch: patch.reversed('u'),
+                                  lambda patch: patch.elevate('u')))
+def test_sides_that_are_equal_but_for_the_rounding_of_their_knots_are_one_edge(gap, start, length, turn):
+    gap = max(gap, 8 * np.spacing(abs(start) + length) / length)
+    one, other = ridge(gap, 7), ridge(gap, 7, start, length)
+    beside = turn(sc.NurbsPatch(other.degree, other.knots, other.points + (0, 1, 0)))
+    patch_set = set_of(one, beside)
+    assert patch_set.edge_counts() == {'shared': 1, 'free': 6, 'pole': 0}
+    positions, _ = ADAPTIVE(patch_set).evaluate(patch_set)
+    for y in (0, 1, 2):
+        assert np.linalg.norm(positions - (1, y, 7), axis=1).min() < 1e-6
+
+
 def test_several_knots_one_rounding_apart_keep_all_corners():
     profile = [(0, 0, 0), (1, 0, 0), (1, 0, 7), (3, 0, 7), (3, 0, 2), (4, 0, 0)]
     net = np.array(profile, float)[:, None] + [(0, 0, 0), (0, 1, 0)]

@@ -74,10 +74,10 @@ BernsteinNet<double> weights_of(const BernsteinNet<glm::dvec4>& piece) {
   return weights;
 }
 
-void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out) {
+void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out, int begin) {
   const std::size_t order = knots.degree() + 1;
   const auto matrix = knots.bezier_matrix(span);
-  const glm::dvec4* first = points + knots.spans()[span] - knots.degree();
+  const glm::dvec4* first = points + (knots.spans()[span] - knots.degree() - begin);
   breathe(4 * order * order);
   for (std::size_t j = 0; j < order; ++j) out[j] = weighted_sum(matrix[j], first);
 }

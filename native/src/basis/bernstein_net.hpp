@@ -72,7 +72,8 @@ BernsteinNet<double> weights_of(const BernsteinNet<glm::dvec4>& piece);
 BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points);
 
 /// Writes its degree + 1 values.
-void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out);
+/// @param begin  the number among the unrolled points of the first in `points`
+void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out, int begin = 0);
 
 /// The piece of a patch on one of the spans of each of its knot vectors.
 /// @param points  homogeneous, unrolled, row after row

@@ -1,41 +1,22 @@
 #include "splinecore/patch/panels.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-#include <limits>
 #include <map>
 
 #include "basis/gaps.hpp"
+#include "side_curve.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/curve/evaluate.hpp"
-#include "splinecore/patch/isocurve.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// The curve of a side over the part of its domain that the panel has.
-struct SideCurve {
+/// A side of a panel that is no point.
+struct PlacedSide {
   std::size_t panel;
   int side;
-  NurbsCurve curve;
-  Interval range;
-  double tolerance;  ///< up to which points of its patch are one
-
-  double at(double t, bool reversed) const {
-    const double forward = reversed ? 1.0 - t : t;
-    return forward == 1.0 ? range.end : range.start + forward * range.length();
-  }
-  glm::dvec3 point(double t, bool reversed = false) const {
-    const double u = at(t, reversed);
-    glm::dvec3 found;
-    const Side from = u == range.end ? Side::left : Side::right;
-    evaluate(curve, {&u, 1}, std::span(&found.x, 3), {from, AtInfinity::nan});
-    return found;
-  }
+  SideCurve curve;
 };
 
 /// The parameters where a direction begins, has a gap, or ends.
@@ -55,83 +36,16 @@ double tolerance_of(const NurbsPatch& patch) {
   return std::max(kOneCurve * extent(patch.points()), kUlps * largest_coordinate(patch.points()));
 }
 
-SideCurve side_curve(const PatchSet& set, const Panel& panel, std::size_t number, int side, double tolerance) {
-  const bool is_u = side < 2;
-  const bool is_end = side % 2 == 1;
-  const Interval& across = is_u ? panel.u : panel.v;
-  return {number, side,
-          isocurve(nurbs_of(set.patch(panel.patch)), is_u ? Axis::u : Axis::v, is_end ? across.end : across.start,
-                   is_end ? Side::left : Side::right),
-          is_u ? panel.v : panel.u, tolerance};
-}
-
-std::vector<double> scaled_knots(const SideCurve& side, bool reversed) {
-  std::vector<double> found{0.0, 1.0};
-  for (const double u : side.curve.knot_vector().unrolled()) {
-    if (u <= side.range.start || u >= side.range.end) continue;
-    const double t = (u - side.range.start) / side.range.length();
-    found.push_back(reversed ? 1.0 - t : t);
-  }
-  return found;
-}
-
-bool near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= tolerance;
-}
-
-/// Whether two sides have the very same points on the same knots.
-bool is_same(const SideCurve& a, const SideCurve& b, bool reversed) {
-  const auto points = a.curve.points();
-  const auto others = b.curve.points();
-  if (points.size() != others.size() || a.curve.degree() != b.curve.degree() || a.range != b.range) return false;
-  if (!std::ranges::equal(a.curve.knot_vector().knots(), b.curve.knot_vector().knots())) return false;
-  return !reversed && std::ranges::equal(points, others);
-}
-
-bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed) {
-  if (is_same(a, b, reversed)) return true;
-  constexpr double kOneKnot = 0x1p-40;
-  const double tolerance = std::max(a.tolerance, b.tolerance);
-  std::vector<double> knots = scaled_knots(a, false);
-  const std::vector<double> others = scaled_knots(b, reversed);
-  knots.insert(knots.end(), others.begin(), others.end());
-  std::ranges::sort(knots);
-  const int count = a.curve.degree() + b.curve.degree() + 1;
-  for (std::size_t i = 1; i < knots.size(); ++i) {
-    const double length = knots[i] - knots[i - 1];
-    if (length <= kOneKnot) continue;
-    for (int k = 0; k < count; ++k) {
-      const double t = knots[i - 1] + length * (k + 0.5) / count;
-      if (!near(a.point(t), b.point(t, reversed), tolerance)) return false;
-    }
-  }
-  return near(a.point(0), b.point(0, reversed), tolerance) && near(a.point(1), b.point(1, reversed), tolerance);
-}
-
-/// Whether the side is a point: all that it depends on lies in one place.
-bool is_point(const SideCurve& side) {
-  const auto points = side.curve.points();
-  const bool has_directions = std::ranges::any_of(points, [](const glm::dvec4& p) { return p.w == 0.0; });
-  return !has_directions && extent(points) <= side.tolerance;
-}
-
-/// Where the middle of a side lies along a direction in which few have the same place.
-double middle(const SideCurve& side) {
-  constexpr glm::dvec3 kDirection(0.71, 0.53, 0.46);
-  const double at = glm::dot(kDirection, side.point(0.5));
-  return std::isnan(at) ? std::numeric_limits<double>::infinity() : at;
-}
-
 /// Of each side, in an order by their middles, those before it that may be the same curve, the nearest first. Each side
 /// looks as far as its own tolerance reaches, so that a large one among many small ones costs the others nothing.
-std::vector<std::vector<std::size_t>> candidates(const std::vector<SideCurve>& sides,
+std::vector<std::vector<std::size_t>> candidates(const std::vector<PlacedSide>& sides,
                                                  const std::vector<std::pair<double, std::size_t>>& order) {
   std::vector<std::vector<std::size_t>> found(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const double tolerance = sides[order[i].second].tolerance;
+    const double tolerance = sides[order[i].second].curve.tolerance;
     for (std::size_t k = i; k-- > 0 && order[i].first - order[k].first <= tolerance;) found[i].push_back(k);
     for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= tolerance; ++k) {
-      if (!(order[k].first - order[i].first <= sides[order[k].second].tolerance)) found[k].push_back(i);
+      if (!(order[k].first - order[i].first <= sides[order[k].second].curve.tolerance)) found[k].push_back(i);
     }
   }
   for (std::vector<std::size_t>& before : found) std::ranges::sort(before, std::greater());
@@ -139,20 +53,21 @@ std::vector<std::vector<std::size_t>> candidates(const std::vector<SideCurve>& s
 }
 
 /// Numbers the edges: each side takes the edge of the first side before it that is the same curve.
-void match(std::vector<Panel>& panels, const std::vector<SideCurve>& sides) {
+void match(std::vector<Panel>& panels, const std::vector<PlacedSide>& sides) {
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < sides.size(); ++i) order.emplace_back(middle(sides[i]), i);
+  for (std::size_t i = 0; i < sides.size(); ++i) order.emplace_back(middle(sides[i].curve), i);
   std::ranges::sort(order);
   const auto before = candidates(sides, order);
   int edges = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const SideCurve& side = sides[order[i].second];
+    const PlacedSide& side = sides[order[i].second];
     PanelSide& found = panels[side.panel].sides[side.side];
     for (std::size_t n = 0; n < before[i].size() && found.edge < 0; ++n) {
-      const SideCurve& other = sides[order[before[i][n]].second];
+      const PlacedSide& other = sides[order[before[i][n]].second];
       const PanelSide& known = panels[other.panel].sides[other.side];
       for (const bool reversed : {false, true}) {
-        if (found.edge < 0 && is_one_curve(other, side, reversed)) found = {known.edge, known.reversed != reversed};
+        if (found.edge >= 0 || !is_one_curve(other.curve, side.curve, reversed)) continue;
+        found = {known.edge, known.reversed != reversed};
       }
     }
     if (found.edge < 0) found = {edges++, false};
@@ -173,11 +88,12 @@ std::vector<Panel> panels_of(const PatchSet& set) {
   }
   std::vector<double> tolerances;
   for (std::size_t i = 0; i < set.patches().size(); ++i) tolerances.push_back(tolerance_of(nurbs_of(set.patch(i))));
-  std::vector<SideCurve> sides;
+  std::vector<PlacedSide> sides;
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::size_t patch = panels[i].patch;
     for (int side = 0; side < 4; ++side) {
-      SideCurve curve = side_curve(set, panels[i], i, side, tolerances[panels[i].patch]);
-      if (!is_point(curve)) sides.push_back(std::move(curve));
+      auto curve = side_curve(nurbs_of(set.patch(patch)), panels[i], static_cast<Border>(side), tolerances[patch]);
+      if (curve) sides.push_back({i, side, std::move(*curve)});
     }
   }
   match(panels, sides);

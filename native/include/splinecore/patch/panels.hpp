@@ -32,8 +32,9 @@ inline constexpr double kOneCurve = 1e-10;
 ///
 /// Two sides are one edge where they are one curve at equal parameters, scaled to [0, 1], in one direction or
 /// the other, whatever their degrees, knots and points: a rational curve of degree p and one of degree q are
-/// compared at p + q + 1 places between every two knots of either, where they may differ by kOneCurve. So the
-/// sides of a closed direction are one edge, too.
+/// compared at p + q + 1 places between every two knots of either, however near these are, where they may differ by
+/// kOneCurve. Knots of the two that are equal but for rounding are one. So the sides of a closed direction are one
+/// edge, too.
 std::vector<Panel> panels_of(const PatchSet& set);
 
 /// How many sides each edge has.

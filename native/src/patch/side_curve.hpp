@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <vector>
+
+#include "splinecore/patch/panels.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// The curve of a side of a panel, scaled to [0, 1], as Bezier pieces.
+struct SideCurve {
+  int degree;
+  std::vector<double> breaks;      ///< where its spans begin, and 1
+  std::vector<glm::dvec4> pieces;  ///< degree + 1 homogeneous points of every span, one after another
+  int weight_exponent;
+  double tolerance;                ///< up to which points of its patch are one
+};
+
+/// Nothing where the side is a point: where all that it depends on lies in one place.
+std::optional<SideCurve> side_curve(const NurbsPatch& patch, const Panel& panel, Border border, double tolerance);
+
+/// Where the middle of a side lies along a direction in which few have the same place. Where knots lie so near together
+/// there that rounding may move it from one to another, the middle between the ends is taken.
+double middle(const SideCurve& side);
+
+/// Whether two sides have the same points at equal parameters, or the second has them from its end.
+bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed);
+
+}  // namespace splinecore
+#pragma GCC visibility pop
