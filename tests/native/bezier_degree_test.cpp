@@ -14,7 +14,7 @@ double largest_distance(const BezierCurve& a, const BezierCurve& b, int steps) {
   double distance = 0.0;
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    distance = std::max(distance, glm::distance(point_at(a.nurbs(), t), point_at(b.nurbs(), t)));
+    distance = worse(distance, glm::distance(point_at(a.nurbs(), t), point_at(b.nurbs(), t)));
   }
   return distance;
 }

@@ -18,7 +18,7 @@ double deviation(const NurbsCurve& curve, double radius) {
   double worst = 0.0;
   for (int i = 0; i <= 1000; ++i) {
     const double u = curve.domain().start + curve.domain().length() * i / 1000;
-    worst = std::max(worst, std::abs(glm::length(point_at(curve, u)) - radius));
+    worst = worse(worst, std::abs(glm::length(point_at(curve, u)) - radius));
   }
   return worst;
 }

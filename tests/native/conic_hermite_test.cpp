@@ -34,7 +34,7 @@ double distance_to(const std::vector<glm::dvec3>& chain, const glm::dvec3& p) {
 
 double farthest(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& chain) {
   double worst = 0.0;
-  for (const glm::dvec3& p : points) worst = std::max(worst, distance_to(chain, p));
+  for (const glm::dvec3& p : points) worst = worse(worst, distance_to(chain, p));
   return worst;
 }
 
@@ -43,7 +43,7 @@ TEST(ConicAsHermite, OfACircleIsNoFartherThanItSaysNorMuchNearer) {
     const auto [chain, error] = conic_as_hermite(circle({0, 0, 0}, 1, {0, 0, 1}), tolerance);
     EXPECT_LE(error, tolerance);
     double worst = 0.0;
-    for (const glm::dvec3& p : samples(chain.nurbs(), 100)) worst = std::max(worst, std::abs(glm::length(p) - 1));
+    for (const glm::dvec3& p : samples(chain.nurbs(), 100)) worst = worse(worst, std::abs(glm::length(p) - 1));
     EXPECT_LE(worst, error + 4e-16);
     EXPECT_GE(worst, 0.5 * error);
   }

@@ -17,7 +17,7 @@ double farthest(const NurbsCurve& a, const NurbsCurve& b) {
   for (int i = 0; i <= 60; ++i) {
     const double u = i == 60 ? domain.end : domain.start + domain.length() * i / 60.0;
     const Side side = i == 60 ? Side::left : Side::right;
-    far = std::max(far, largest(homogeneous_at(a, u, side) - homogeneous_at(b, u, side)));
+    far = worse(far, largest(homogeneous_at(a, u, side) - homogeneous_at(b, u, side)));
   }
   return far / size_of(a);
 }

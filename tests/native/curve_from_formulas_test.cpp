@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 
 #include "splinecore/formula/evaluate.hpp"
 #include "support.hpp"
@@ -34,7 +35,7 @@ double distance(const NurbsCurve& curve, const std::vector<std::string>& texts) 
     evaluate(made[axis], parameters, values);
     for (std::size_t i = 0; i < values.size(); ++i) squares[i] += std::pow(points[3 * i + axis] - values[i], 2);
   }
-  return std::sqrt(*std::ranges::max_element(squares));
+  return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0, worse));
 }
 
 TEST(CurveFromFormulas, OfPolynomialsIsOneExactSpan) {

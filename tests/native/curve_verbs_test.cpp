@@ -12,7 +12,7 @@ template <class Map>
 double difference(const NurbsCurve& before, const NurbsCurve& after, std::span<const double> parameters, Map map) {
   double error = 0.0;
   for (const double u : parameters) {
-    error = std::max(error, largest(homogeneous_at(before, u) - homogeneous_at(after, map(u))));
+    error = worse(error, largest(homogeneous_at(before, u) - homogeneous_at(after, map(u))));
   }
   return error / size_of(before);
 }

@@ -24,7 +24,7 @@ double outside(const NurbsCurve& curve, const glm::dvec3& p) {
       low = std::min(low, q[axis]);
       high = std::max(high, q[axis]);
     }
-    distance = std::max({distance, low - p[axis], p[axis] - high});
+    distance = worse(distance, worse(low - p[axis], p[axis] - high));
   }
   return distance;
 }

@@ -118,7 +118,7 @@ TEST(Polylines, EndAtTheReach) {
     double farthest = 0.0;
     for (const Polyline& line : lines) {
       EXPECT_FALSE(line.closed);
-      for (const double x : line.points) farthest = std::max(farthest, std::abs(x));
+      for (const double x : line.points) farthest = worse(farthest, std::abs(x));
     }
     EXPECT_NEAR(farthest, reach + 1, 1e-3 * reach);
   }

@@ -32,7 +32,7 @@ double sampled_distance(const NurbsPatch& a, const NurbsPatch& b) {
   evaluate_grid(a, u, v, std::span(&on_a[0].x, 3 * on_a.size()));
   evaluate_grid(b, u, v, std::span(&on_b[0].x, 3 * on_b.size()));
   double far = 0.0;
-  for (std::size_t i = 0; i < on_a.size(); ++i) far = std::max(far, glm::distance(on_a[i], on_b[i]));
+  for (std::size_t i = 0; i < on_a.size(); ++i) far = worse(far, glm::distance(on_a[i], on_b[i]));
   return far;
 }
 

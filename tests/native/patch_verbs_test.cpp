@@ -34,7 +34,7 @@ double farthest(Random& random, const NurbsPatch& before, const NurbsPatch& afte
   for (int i = 0; i < 6; ++i) {
     const double u = inside(random, before.knot_vector(Axis::u).domain());
     const double v = inside(random, before.knot_vector(Axis::v).domain());
-    far = std::max(far, largest(homogeneous_at(before, u, v) - homogeneous_at(after, u, v)));
+    far = worse(far, largest(homogeneous_at(before, u, v) - homogeneous_at(after, u, v)));
   }
   return far / size_of(before);
 }
@@ -118,7 +118,7 @@ TEST(PatchDomain, IsMappedWithoutMovingAPoint) {
 double misfit(const glm::dvec4& a, const glm::dvec4& b) {
   double far = 0.0;
   for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < i; ++k) far = std::max(far, std::abs(a[i] * b[k] - a[k] * b[i]));
+    for (int k = 0; k < i; ++k) far = worse(far, std::abs(a[i] * b[k] - a[k] * b[i]));
   }
   return far / (largest(a) * largest(b));
 }

@@ -82,7 +82,7 @@ TEST(PolynomialThrough, EqualStepsOscillatesAsRungeFound) {
     }
     const NurbsCurve curve = polynomial_through(points, parameters);
     double peak = 0;
-    for (int i = 0; i <= 1000; ++i) peak = std::max(peak, std::abs(point_at(curve, -1 + i / 500.0).y));
+    for (int i = 0; i <= 1000; ++i) peak = worse(peak, std::abs(point_at(curve, -1 + i / 500.0).y));
     EXPECT_GT(peak, degree == 10 ? 1.9 : degree == 20 ? 50 : 1e4);
     for (int i = 0; i <= degree; ++i) EXPECT_LE(largest(point_at(curve, parameters[i]) - points[i]), 1e-14 * (100 + peak));
   }

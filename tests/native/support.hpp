@@ -182,10 +182,13 @@ inline glm::dvec4 homogeneous_at(const NurbsPatch& patch, double u, double v) {
   return {point_at(patch.with_points(places), u, v), point_at(patch.with_points(weights), u, v).x};
 }
 
+/// The larger of two errors; NaN, which no bound holds for, if one of them is.
+inline double worse(double a, double b) { return a > b || std::isnan(a) ? a : b; }
+
 template <class Vector>
 double largest(const Vector& p) {
   double size = 0.0;
-  for (int axis = 0; axis < p.length(); ++axis) size = std::max(size, std::abs(static_cast<double>(p[axis])));
+  for (int axis = 0; axis < p.length(); ++axis) size = worse(size, std::abs(static_cast<double>(p[axis])));
   return size;
 }
 
@@ -193,7 +196,7 @@ double largest(const Vector& p) {
 template <class Shape>
 double size_of(const Shape& shape) {
   double size = 0.0;
-  for (const glm::dvec4& p : shape.homogeneous_points()) size = std::max(size, largest(p));
+  for (const glm::dvec4& p : shape.homogeneous_points()) size = worse(size, largest(p));
   return std::ldexp(size, shape.weight_exponent());
 }
 
