@@ -177,8 +177,21 @@ def long_sheet(count):
     return set_of(sc.NurbsPatch((3, 1), (knots, [0, 0, 1, 1]), net))
 
 
+def row_of_panels(count):
+    """One patch that falls apart at every knot, and whose parts lie side by side."""
+    knots = np.repeat(np.arange(count + 1.0), 2)
+    net = np.zeros((2 * count, 2, 3))
+    net[..., 0], net[:, 1, 1] = knots[1:-1, None], 1
+    return set_of(sc.NurbsPatch((1, 1), (knots, [0, 0, 1, 1]), net))
+
+
+def test_parts_of_a_patch_that_lie_side_by_side_have_an_edge_in_common():
+    assert row_of_panels(30).edge_counts() == {'shared': 29, 'free': 62, 'pole': 0}
+
+
 @pytest.mark.parametrize('make', (ADAPTIVE, BY_COUNT, lambda patch_set: patch_set.edge_counts()))
-@pytest.mark.parametrize('shape, few, many', ((quilt, 400, 10000), (long_sheet, 2000, 50000)))
+@pytest.mark.parametrize('shape, few, many', ((quilt, 400, 10000), (long_sheet, 2000, 50000),
+                                              (row_of_panels, 2000, 50000)))
 def test_work_grows_with_patches_and_knots_and_not_with_their_square(make, shape, few, many):
     if make is ADAPTIVE and shape is long_sheet:
         make = lambda patch_set: sc.Tessellation.adaptive(patch_set, tolerance=10.0)

@@ -90,16 +90,25 @@ bool is_one_row(const std::vector<int>& rows) {
   return std::ranges::all_of(rows, [&](int row) { return row == rows.front(); });
 }
 
-/// Takes note of every row that a side may depend on.
-void loosen(const PatchSet& set, const Member& member, std::vector<char>& loose) {
-  const std::optional<SideRows> rows = rows_along(set, *member.panel, member.side);
-  for (const int row : rows ? rows->rows : set.patches()[member.panel->patch].indices) loose[row] = 1;
-}
+/// Takes note of what a side may depend on: of rows, or of a whole patch.
+struct Loose {
+  std::vector<char> rows;
+  std::vector<char> patches;
+
+  void add(const PatchSet& set, const Member& member) {
+    const std::optional<SideRows> found = rows_along(set, *member.panel, member.side);
+    if (!found) patches[member.panel->patch] = 1;
+    if (found) add_rows(found->rows);
+  }
+  void add_rows(const std::vector<int>& found) {
+    for (const int row : found) rows[row] = 1;
+  }
+};
 
 }  // namespace
 
 std::vector<char> loose_rows(const PatchSet& set, const std::vector<Panel>& panels) {
-  std::vector<char> loose(set.points().size(), 0);
+  Loose loose{std::vector<char>(set.points().size(), 0), std::vector<char>(set.patches().size(), 0)};
   std::vector<std::vector<Member>> edges;
   for (const Panel& panel : panels) {
     for (int side = 0; side < 4; ++side) {
@@ -110,14 +119,17 @@ std::vector<char> loose_rows(const PatchSet& set, const std::vector<Panel>& pane
         continue;
       }
       const std::optional<SideRows> rows = rows_along(set, panel, side);
-      if (!rows || rows->has_tangents || !is_one_row(rows->rows)) loosen(set, {&panel, side}, loose);
+      if (!rows || rows->has_tangents || !is_one_row(rows->rows)) loose.add(set, {&panel, side});
     }
   }
   for (const std::vector<Member>& members : edges) {
     if (are_all_glued(set, members)) continue;
-    for (const Member& member : members) loosen(set, member, loose);
+    for (const Member& member : members) loose.add(set, member);
   }
-  return loose;
+  for (std::size_t patch = 0; patch < loose.patches.size(); ++patch) {
+    if (loose.patches[patch]) loose.add_rows(set.patches()[patch].indices);
+  }
+  return loose.rows;
 }
 
 }  // namespace splinecore
