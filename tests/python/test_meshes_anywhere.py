@@ -8,7 +8,7 @@ import pytest
 import mesh_checks
 import splinecore as sc
 from sheets import set_of
-from test_adaptive_tessellation import sphere, teapot
+from test_adaptive_tessellation import SHAPES, sphere, teapot
 
 ADAPTIVE = lambda patch_set: sc.Tessellation.adaptive(patch_set, tolerance=1e-6)
 BY_COUNT = lambda patch_set: sc.Tessellation(patch_set, 1)
@@ -214,7 +214,7 @@ def test_the_check_of_faces_finds_every_one_that_is_turned_over(resolution):
     """Also where normals turn by a quarter on a face, as on a sphere of few faces."""
     patch_set = set_of(sphere())
     mesh = mesh_checks.mesh_of(patch_set, sc.Tessellation(patch_set, resolution))
-    assert (mesh_checks.turning(mesh).max() > np.radians(60)) == (resolution == 1)
+    assert (mesh_checks.turning(mesh, mesh_checks.surface_normals(mesh, patch_set)).max() > np.radians(60)) == (resolution == 1)
     mesh_checks.check_faces(mesh, patch_set)
     ends = np.append(mesh.starts[1:], len(mesh.vertex))
     for face in (3, 0, len(mesh.starts) // 2, len(mesh.starts) - 1):
@@ -234,6 +234,18 @@ def test_the_check_of_faces_finds_one_turned_over_that_the_mean_of_its_corners_e
     assert np.abs(mesh_checks.corner_normals(mesh) * mesh.normal).sum(axis=1).max() < 0.4
     with pytest.raises(AssertionError, match="turned from the surface"):
         mesh_checks.check_faces(mesh._replace(vertex=mesh.vertex[::-1]), patch_set)
-    low = mesh._replace(normal=np.where(mesh.uv[:, :1] == 1, -mesh.normal, mesh.normal))
-    with pytest.raises(AssertionError, match="turned from the surface"):
-        mesh_checks.check_faces(low._replace(vertex=mesh.vertex[::-1]), patch_set)
+
+
+@pytest.mark.parametrize('name', ('torus', 'sphere', 'teapot'))
+@pytest.mark.parametrize('make', (lambda patch_set: sc.Tessellation(patch_set, 2),
+                                  lambda patch_set: sc.Tessellation.adaptive(patch_set, tolerance=0.1)))
+@pytest.mark.parametrize('wrong', (-1, np.nan, 0, (1, np.nan, 1)))
+def test_the_check_of_faces_finds_every_normal_that_is_turned_over_or_none(name, make, wrong):
+    patch_set = SHAPES[name]()
+    mesh = mesh_checks.mesh_of(patch_set, make(patch_set))
+    mesh_checks.check_faces(mesh, patch_set)
+    for corner in range(0, len(mesh.vertex), len(mesh.vertex) // 12):
+        normal = mesh.normal.copy()
+        normal[corner] *= wrong
+        with pytest.raises(AssertionError, match="1 normals are not those of the surface"):
+            mesh_checks.check_faces(mesh._replace(normal=normal), patch_set)
