@@ -103,6 +103,22 @@ def test_internal_headers_hide_what_they_declare():
             assert "#pragma GCC visibility push(hidden)" in path.read_text(), path
 
 
+def types_of(path):
+    """Of every type that a file declares outside of others, its name and what it is: an alias what it stands for."""
+    text = re.sub(r'//.*', '', path.read_text())
+    of_its_own = r'^(?:template <.*>\s*)?(?:struct|class|enum class|enum|union) (\w+)\b(?!::|<)[^;{]*\{'
+    yield from ((name, path) for name in re.findall(of_its_own, text, re.M))
+    yield from re.findall(r'^(?:template <.*>\s*)?using (\w+) = ([^;]+);', text, re.M)
+
+
+def test_a_name_of_a_type_means_one_thing_in_the_library():
+    known = {}
+    for room, path in native_files():
+        for name, meaning in types_of(path) if room != 'kernels' else ():
+            other, where = known.setdefault(name, (meaning, path))
+            assert other == meaning, f"{name} is declared in {where} and in {path}"
+
+
 def test_the_library_knows_neither_python_nor_blender():
     for _, path in native_files():
         assert not re.search(r'pybind11|Python\.h|numpy', path.read_text()), path

@@ -112,9 +112,9 @@ void solve_banded(const BandedRows& matrix, std::span<double> right, std::size_t
 namespace {
 
 /// The triangle that rotations make of rows with a short band and a tail: the columns that rows reach over the end.
-class Triangle {
+class TriangularFactor {
  public:
-  Triangle(std::size_t count, std::size_t width, std::size_t columns)
+  TriangularFactor(std::size_t count, std::size_t width, std::size_t columns)
       : inner_(count - std::min(count, width - 1)), width_(width), tail_(count - inner_), columns_(columns),
         stride_(width + tail_ + columns), rows_(count * stride_, 0.0), is_there_(count, false) {}
 
@@ -195,7 +195,7 @@ class Triangle {
 
 void solve_cyclic(const BandedRows& matrix, std::span<double> right, std::size_t columns) {
   const std::size_t count = matrix.count();
-  Triangle triangle(count, matrix.width, columns);
+  TriangularFactor triangle(count, matrix.width, columns);
   const std::size_t inner = triangle.inner();
   std::vector<double> row(triangle.stride());
   const auto add_if = [&](bool wanted) {

@@ -10,12 +10,12 @@ namespace splinecore {
 
 namespace {
 
-using Polynomial = BernsteinNet<double>;
+using BernsteinPolynomial = BernsteinNet<double>;
 
-class Search {
+class RootSearch {
  public:
-  Search(std::span<const double> coefficients, double noise) : whole_(coefficients), noise_(noise) {
-    visit(Polynomial::of_curve({coefficients.begin(), coefficients.end()}), {0.0, 1.0}, 0);
+  RootSearch(std::span<const double> coefficients, double noise) : whole_(coefficients), noise_(noise) {
+    visit(BernsteinPolynomial::of_curve({coefficients.begin(), coefficients.end()}), {0.0, 1.0}, 0);
   }
 
   std::vector<Interval> found() const {
@@ -31,12 +31,12 @@ class Search {
  private:
   static constexpr int kDeepest = 60;
 
-  void visit(Polynomial piece, Interval range, int depth) {
+  void visit(BernsteinPolynomial piece, Interval range, int depth) {
     if (has_one_sign(piece.values, {}, noise_)) return;
     const auto [low, high] = piece.range();
     if ((low >= -noise_ && high <= noise_) || depth == kDeepest) return keep(range);
     if (changes_sign_once(piece.values)) return keep(bisected(range, piece.values.front() < 0.0));
-    Polynomial after;
+    BernsteinPolynomial after;
     piece.halve(Axis::u, after);
     visit(std::move(piece), {range.start, range.middle()}, depth + 1);
     visit(std::move(after), {range.middle(), range.end}, depth + 1);
@@ -80,7 +80,7 @@ class Search {
 }  // namespace
 
 std::vector<Interval> bernstein_zeros(std::span<const double> coefficients, double noise) {
-  return Search(coefficients, noise).found();
+  return RootSearch(coefficients, noise).found();
 }
 
 double bernstein_value(std::span<const double> coefficients, double t) {

@@ -11,7 +11,7 @@ namespace splinecore {
 namespace {
 
 /// A plain vector and its points while their degree grows.
-struct Line {
+struct RaisedLine {
   int degree = 0;
   std::vector<double> knots;
   std::vector<glm::dvec4> points;
@@ -39,7 +39,7 @@ struct Runs {
 };
 
 /// A knot of the raised vector: which copy of which run.
-struct Place {
+struct RunCopy {
   int run;
   int copy;
 
@@ -51,9 +51,9 @@ struct Place {
 };
 
 /// The raised knots from one place to another.
-struct Window {
-  Place first;
-  Place last;
+struct RunWindow {
+  RunCopy first;
+  RunCopy last;
 
   bool is_one_run() const { return first.run == last.run; }
   int count(int run, const Runs& runs) const {
@@ -65,29 +65,29 @@ struct Window {
 /// there with all its copies one is no old knot.
 class Blossoms {
  public:
-  Blossoms(const Line& line, const Runs& runs) : line_(line), runs_(runs), scratch_(line.degree + 1) {
+  Blossoms(const RaisedLine& line, const Runs& runs) : line_(line), runs_(runs), scratch_(line.degree + 1) {
     arguments_.reserve(line.degree + 1);
   }
 
   /// Of one run: which old point they are, each with as many knots of it.
-  int point_in(const Window& window) const {
+  int point_in(const RunWindow& window) const {
     const int run = window.first.run;
     return runs_.begins[run] + std::min(window.first.copy, runs_.count(run) - line_.degree) - 1;
   }
 
-  PairedPoint without_first(const Window& window) {
+  PairedPoint without_first(const RunWindow& window) {
     const int run = window.first.run;
     const int kept = runs_.raised(run) - window.first.copy - 1;
     return at(runs_.begins[run + 1] - kept, runs_.values.data() + run + 1, window.last.run - run - 1 + is_full(window.last));
   }
 
-  PairedPoint without_last(const Window& window) {
+  PairedPoint without_last(const RunWindow& window) {
     const int begin = window.first.run + (window.first.copy == 0 ? 0 : 1);
     return at(shared(window), runs_.values.data() + begin, window.last.run - begin);
   }
 
   /// Without one knot of a run between the first and the last.
-  PairedPoint without(int removed, const Window& window) {
+  PairedPoint without(int removed, const RunWindow& window) {
     arguments_.clear();
     for (int run = window.first.run + (window.first.copy == 0 ? 0 : 1); run < window.last.run; ++run) {
       if (run != removed) arguments_.push_back(runs_.values[run]);
@@ -97,10 +97,10 @@ class Blossoms {
   }
 
  private:
-  int is_full(const Place& last) const { return last.copy == runs_.count(last.run) ? 1 : 0; }
+  int is_full(const RunCopy& last) const { return last.copy == runs_.count(last.run) ? 1 : 0; }
 
   /// The first old knot of a window that keeps those of its first run.
-  int shared(const Window& window) const {
+  int shared(const RunWindow& window) const {
     return std::max(runs_.begins[window.first.run + 1] - (runs_.raised(window.first.run) - window.first.copy),
                     runs_.begins[window.first.run]);
   }
@@ -112,14 +112,14 @@ class Blossoms {
                          scratch_.data());
   }
 
-  const Line& line_;
+  const RaisedLine& line_;
   const Runs& runs_;
   std::vector<double> arguments_;
   std::vector<PairedPoint> scratch_;
 };
 
 /// The knots with one copy more of each, as far as a domain needs them; the place of the first.
-Place raise_knots(const Line& line, const Runs& runs, Interval domain, std::vector<double>& raised) {
+RunCopy raise_knots(const RaisedLine& line, const Runs& runs, Interval domain, std::vector<double>& raised) {
   raised.resize(line.knots.size() + runs.values.size());
   double* end = raised.data();
   for (std::size_t run = 0; run < runs.values.size(); ++run) {
@@ -130,17 +130,17 @@ Place raise_knots(const Line& line, const Runs& runs, Interval domain, std::vect
   const long left_out = after_start - line.degree - 2;
   raised.resize(at_end + line.degree + 2);
   raised.erase(raised.begin(), raised.begin() + left_out);
-  Place first{0, 0};
+  RunCopy first{0, 0};
   for (long i = 0; i < left_out; ++i) first.advance(runs);
   return first;
 }
 
 /// The line in one degree more: each point is the mean of the blossoms without one of its knots.
-Line raised(const Line& line, Interval domain) {
+RaisedLine raised(const RaisedLine& line, Interval domain) {
   constexpr std::size_t kBlock = 256;
   const Runs runs(line.knots);
-  Line made{line.degree + 1, {}, {}, {}};
-  Window window{raise_knots(line, runs, domain, made.knots), {}};
+  RaisedLine made{line.degree + 1, {}, {}, {}};
+  RunWindow window{raise_knots(line, runs, domain, made.knots), {}};
   const std::size_t count = made.knots.size() - made.degree - 1;
   made.points.resize(count);
   made.copied.assign(count, -1);
@@ -180,7 +180,7 @@ Line raised(const Line& line, Interval domain) {
 
 ElevatedPoints elevated(const KnotVector& knots, std::span<const glm::dvec4> points, int times) {
   const auto given = knots.knots();
-  Line line{knots.degree(), {given.begin(), given.end()}, {points.begin(), points.end()}, {}};
+  RaisedLine line{knots.degree(), {given.begin(), given.end()}, {points.begin(), points.end()}, {}};
   line.copied.resize(knots.count());
   std::iota(line.copied.begin(), line.copied.end(), 0);
   for (int i = 0; i < times; ++i) line = raised(line, knots.domain());

@@ -14,7 +14,7 @@ namespace splinecore {
 namespace {
 
 /// A distinct old knot, which has old indices first … first + count - 1 and one copy more afterwards.
-struct Run {
+struct KnotRun {
   double value;
   long first;
   int count;
@@ -26,8 +26,8 @@ struct Copy {
   int copy;
 };
 
-std::vector<Run> runs_of(const OldKnots& old) {
-  std::vector<Run> runs;
+std::vector<KnotRun> runs_of(const OldKnots& old) {
+  std::vector<KnotRun> runs;
   for (std::size_t i = 0; i < old.values.size(); ++i) {
     if (runs.empty() || runs.back().value != old.values[i]) {
       runs.push_back({old.values[i], old.begin + static_cast<long>(i), 0});
@@ -37,7 +37,7 @@ std::vector<Run> runs_of(const OldKnots& old) {
   return runs;
 }
 
-std::vector<Copy> copies_of(const std::vector<Run>& runs) {
+std::vector<Copy> copies_of(const std::vector<KnotRun>& runs) {
   std::vector<Copy> copies;
   for (std::size_t run = 0; run < runs.size(); ++run) {
     for (int copy = 0; copy <= runs[run].count; ++copy) copies.push_back({static_cast<int>(run), copy});
@@ -51,7 +51,7 @@ struct Part {
   long end;
 };
 
-Part plain_part(const KnotVector& knots, const std::vector<Run>& runs, const std::vector<Copy>& copies) {
+Part plain_part(const KnotVector& knots, const std::vector<KnotRun>& runs, const std::vector<Copy>& copies) {
   const int degree = knots.degree() + 1;
   const Interval domain = knots.domain();
   const auto value = [&](const Copy& copy) { return runs[copy.run].value; };
@@ -60,27 +60,27 @@ Part plain_part(const KnotVector& knots, const std::vector<Run>& runs, const std
   return {after_start - copies.begin() - degree - 1, at_end - copies.begin() + degree + 1};
 }
 
-Part periodic_part(const KnotVector& knots, const std::vector<Run>& runs, const std::vector<Copy>& copies) {
-  const auto holds_origin = [](const Run& run) { return run.first <= 0 && 0 < run.first + run.count; };
+Part periodic_part(const KnotVector& knots, const std::vector<KnotRun>& runs, const std::vector<Copy>& copies) {
+  const auto holds_origin = [](const KnotRun& run) { return run.first <= 0 && 0 < run.first + run.count; };
   const auto origin = std::ranges::find_if(runs, holds_origin);
   const int copy = static_cast<int>(-origin->first);
   const auto is_first = [&](const Copy& one) { return one.run == origin - runs.begin() && one.copy == copy; };
   const long begin = std::ranges::find_if(copies, is_first) - copies.begin();
   const auto given = knots.knots();
-  const auto distinct = std::ranges::count_if(runs, [&](const Run& run) {
+  const auto distinct = std::ranges::count_if(runs, [&](const KnotRun& run) {
     return given.front() <= run.value && run.value < given.back();
   });
   return {begin, begin + static_cast<long>(given.size()) + distinct};
 }
 
 /// The runs that a new point's knots come from, and how many of each.
-struct Window {
+struct KnotWindow {
   std::vector<int> runs;
   std::vector<int> counts;
   int first_copy = 0;
 };
 
-void find_window(const std::vector<Copy>& copies, long begin, int size, Window& window) {
+void find_window(const std::vector<Copy>& copies, long begin, int size, KnotWindow& window) {
   window.runs.clear();
   window.counts.clear();
   window.first_copy = copies[begin].copy;
@@ -100,11 +100,12 @@ struct Blossom {
 };
 
 /// The blossom whose arguments are the knots of the window without one copy of a run.
-void find_blossom_without(const Window& window, std::size_t removed, const std::vector<Run>& runs, Blossom& blossom) {
+void find_blossom_without(const KnotWindow& window, std::size_t removed, const std::vector<KnotRun>& runs,
+                          Blossom& blossom) {
   blossom.arguments.clear();
   bool is_begun = false;
   for (std::size_t i = 0; i < window.runs.size(); ++i) {
-    const Run& run = runs[window.runs[i]];
+    const KnotRun& run = runs[window.runs[i]];
     const int count = window.counts[i] - (i == removed ? 1 : 0);
     const int old = std::min(count, run.count);
     if (count > old) blossom.arguments.push_back(run.value);
@@ -120,16 +121,16 @@ void find_blossom_without(const Window& window, std::size_t removed, const std::
 
 /// Memory that is kept from one row to the next.
 struct Scratch {
-  Window window;
+  KnotWindow window;
   Blossom blossom;
   std::vector<long> firsts;
   std::vector<std::vector<double>> parts;
 };
 
 /// Adds rows to the matrix: the weights of old points, from the lowest that any blossom needs.
-void add_row(const std::vector<Run>& runs, const OldKnots& old, int degree, bool periodic, Scratch& scratch,
+void add_row(const std::vector<KnotRun>& runs, const OldKnots& old, int degree, bool periodic, Scratch& scratch,
              PointMatrix::Rows& rows) {
-  const Window& window = scratch.window;
+  const KnotWindow& window = scratch.window;
   std::vector<long>& firsts = scratch.firsts;
   std::vector<std::vector<double>>& parts = scratch.parts;
   firsts.clear();
@@ -160,7 +161,7 @@ PointMatrix elevation(const KnotVector& knots) {
   const int degree = knots.degree();
   if (degree >= kMaxDegree) throw InvalidShape("the degree would exceed " + std::to_string(kMaxDegree));
   const OldKnots old = reachable(knots, 3 * knots.degree() + 3);
-  const std::vector<Run> runs = runs_of(old);
+  const std::vector<KnotRun> runs = runs_of(old);
   const std::vector<Copy> copies = copies_of(runs);
   const bool periodic = knots.periodic();
   const Part part = periodic ? periodic_part(knots, runs, copies) : plain_part(knots, runs, copies);

@@ -137,19 +137,19 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
 namespace {
 
 /// The knots of a refined plain vector, and how many old ones stand before each.
-struct Line {
+struct MergedKnots {
   std::vector<double> knots;
   std::vector<int> old_before;
 };
 
 /// @param inserted  in order; gets an infinity at its end
-Line merged_line(const KnotVector& knots, std::vector<double>& inserted) {
+MergedKnots merged_line(const KnotVector& knots, std::vector<double>& inserted) {
   const auto old = knots.knots();
   // After the old ones of its value, but at the end of the domain before them.
   const std::size_t last = std::ranges::lower_bound(old, knots.domain().end) - old.begin();
   const std::size_t count = old.size() + inserted.size();
   const std::size_t merged = last + inserted.size();
-  Line line{std::vector<double>(count), std::vector<int>(count)};
+  MergedKnots line{std::vector<double>(count), std::vector<int>(count)};
   inserted.push_back(std::numeric_limits<double>::infinity());
   std::size_t taken = 0;
   for (std::size_t i = 0; i < merged; ++i) {
@@ -192,7 +192,7 @@ RefinedPoints refined(const KnotVector& knots, std::span<const glm::dvec4> point
   const int degree = knots.degree();
   const double* const old = knots.knots().data();
   std::vector<double> added = admitted(knots, inserted);
-  Line line = merged_line(knots, added);
+  MergedKnots line = merged_line(knots, added);
   KnotVector made_knots = checked(knots, std::move(line.knots), std::span(added).first(inserted.size()));
   const std::size_t count = made_knots.count();
   std::vector<glm::dvec4> made(count);

@@ -10,7 +10,7 @@ namespace splinecore {
 namespace {
 
 /// A polynomial with integer coefficients, lowest power first.
-using Polynomial = std::vector<double>;
+using IntegerPolynomial = std::vector<double>;
 
 void require_degree(int degree, int most) {
   if (degree >= 0 && degree <= most) return;
@@ -18,7 +18,7 @@ void require_degree(int degree, int most) {
 }
 
 /// into += (constant + slope * t) * factor
-void add_product(const Polynomial& factor, double constant, double slope, Polynomial& into) {
+void add_product(const IntegerPolynomial& factor, double constant, double slope, IntegerPolynomial& into) {
   for (std::size_t k = 0; k < factor.size(); ++k) {
     into[k] += constant * factor[k];
     into[k + 1] += slope * factor[k];
@@ -27,10 +27,10 @@ void add_product(const Polynomial& factor, double constant, double slope, Polyno
 
 /// degree! times the functions that are not zero on a span of knots one apart, by the recursion of row S14
 /// with t from the span's start: function j begins degree - j knots before it.
-std::vector<Polynomial> uniform_functions(int degree) {
-  std::vector<Polynomial> functions{{1.0}};
+std::vector<IntegerPolynomial> uniform_functions(int degree) {
+  std::vector<IntegerPolynomial> functions{{1.0}};
   for (int p = 1; p <= degree; ++p) {
-    std::vector<Polynomial> next(p + 1, Polynomial(p + 1));
+    std::vector<IntegerPolynomial> next(p + 1, IntegerPolynomial(p + 1));
     for (int j = 0; j < p; ++j) {
       add_product(functions[j], p - 1 - j, 1.0, next[j + 1]);
       add_product(functions[j], j + 1, -1.0, next[j]);
@@ -47,9 +47,9 @@ double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }
 BasisMatrix uniform_matrix(int degree) {
   require_degree(degree, kMaxUniformDegree);
   BasisMatrix matrix{degree, {}};
-  const std::vector<Polynomial> functions = uniform_functions(degree);
+  const std::vector<IntegerPolynomial> functions = uniform_functions(degree);
   for (int power = degree; power >= 0; --power) {
-    for (const Polynomial& function : functions) matrix.values.push_back(function[power] / factorial(degree));
+    for (const IntegerPolynomial& function : functions) matrix.values.push_back(function[power] / factorial(degree));
   }
   return matrix;
 }
@@ -57,9 +57,9 @@ BasisMatrix uniform_matrix(int degree) {
 BasisMatrix uniform_to_bezier(int degree) {
   require_degree(degree, kMaxUniformDegree);
   BasisMatrix matrix{degree, {}};
-  const std::vector<Polynomial> functions = uniform_functions(degree);
+  const std::vector<IntegerPolynomial> functions = uniform_functions(degree);
   for (int i = 0; i <= degree; ++i) {
-    for (const Polynomial& function : functions) {
+    for (const IntegerPolynomial& function : functions) {
       double sum = 0.0;
       // The coefficient of t^k is divisible by C(degree, k): it comes from the k-th derivative.
       for (int k = 0; k <= i; ++k) sum += binomial(i, k) * (function[k] / binomial(degree, k));

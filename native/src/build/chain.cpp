@@ -63,7 +63,7 @@ Vector point_of(const BezierCurve& curve, int i) { return Vector(curve.points()[
 double distance(const Vector& a, const Vector& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 
 /// Where two curves of a chain meet, on intervals of lengths a and b.
-struct Joint {
+struct ChainJoint {
   const BezierCurve& q;
   const BezierCurve& r;
   double a;
@@ -75,7 +75,7 @@ struct Joint {
   Vector apex() const { return b <= a ? apex_before() : apex_after(); }
 };
 
-void require_c2(const Joint& joint, std::size_t number, std::optional<double> tolerance) {
+void require_c2(const ChainJoint& joint, std::size_t number, std::optional<double> tolerance) {
   constexpr double kRounding = 1e-12;
   const double size = std::max(largest_coordinate(joint.q.points()), largest_coordinate(joint.r.points()));
   const double ratio = std::max(joint.a / joint.b, joint.b / joint.a);
@@ -129,7 +129,7 @@ std::vector<glm::dvec3> polygon_of_chain(std::span<const BezierCurve> chain, std
   if (tolerance && !(*tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(*tolerance) + " is not 0 or more");
   std::vector<Vector> polygon{point_of(chain.front(), 0), point_of(chain.front(), 1)};
   for (std::size_t i = 1; i < chain.size(); ++i) {
-    const Joint joint{chain[i - 1], chain[i], lengths[i - 1], lengths[i]};
+    const ChainJoint joint{chain[i - 1], chain[i], lengths[i - 1], lengths[i]};
     require_c2(joint, i, tolerance);
     polygon.push_back(joint.apex());
   }

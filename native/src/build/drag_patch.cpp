@@ -16,10 +16,10 @@ namespace {
 constexpr int kNone = -1;
 constexpr int kSeveral = -2;
 
-using Place = std::array<double, 3>;
+using PointKey = std::array<double, 3>;
 
 /// -0 and 0 are one place.
-Place place_of(const glm::dvec4& point) { return {point.x + 0.0, point.y + 0.0, point.z + 0.0}; }
+PointKey place_of(const glm::dvec4& point) { return {point.x + 0.0, point.y + 0.0, point.z + 0.0}; }
 
 std::vector<double> products(const std::vector<double>& u, const std::vector<double>& v) {
   std::vector<double> net;
@@ -90,14 +90,14 @@ PatchInfluence influence_of(const AnyPatch& patch, double u, double v) {
 }
 
 /// Points with weights, and patches that name them.
-struct Pool {
+struct PointPool {
   std::span<const glm::dvec4> points;
   std::span<const IndexedPatch> patches;
 };
 
 /// Points of the pool that lie where one of the patch does move as one with it.
 void tie_points(std::span<const glm::dvec4> points, const IndexedPatch& patch, Movable& movable) {
-  std::map<Place, int> known;
+  std::map<PointKey, int> known;
   for (const int row : patch.indices) {
     if (points[row].w != 0.0) known.emplace(place_of(points[row]), row);
   }
@@ -120,7 +120,7 @@ struct Owners {
   std::vector<int> net;
 };
 
-Owners owners_of(const Pool& pool, const Movable& movable) {
+Owners owners_of(const PointPool& pool, const Movable& movable) {
   Owners owners(pool.points.size());
   for (const IndexedPatch& patch : pool.patches) {
     const bool is_hermite = patch.kind == PatchKind::hermite;
@@ -135,9 +135,9 @@ Owners owners_of(const Pool& pool, const Movable& movable) {
 }
 
 /// Tangents and twists that are equal at one corner move as one. Those of several, and points at infinity, stay.
-void tie_directions(const Pool& pool, Movable& movable) {
+void tie_directions(const PointPool& pool, Movable& movable) {
   const Owners owners = owners_of(pool, movable);
-  std::map<std::pair<std::array<int, 2>, Place>, int> known;
+  std::map<std::pair<std::array<int, 2>, PointKey>, int> known;
   for (std::size_t row = 0; row < pool.points.size(); ++row) {
     if (pool.points[row].w != 0.0) continue;
     movable.is_fixed[row] = owners.corner[row] < 0;
@@ -147,7 +147,7 @@ void tie_directions(const Pool& pool, Movable& movable) {
   }
 }
 
-Movable movable_of(const Pool& pool, const IndexedPatch& patch, const PatchInfluence& influence) {
+Movable movable_of(const PointPool& pool, const IndexedPatch& patch, const PatchInfluence& influence) {
   Movable movable(pool.points.size());
   std::vector<int> uses(pool.points.size(), 0);
   for (std::size_t i = 0; i < patch.indices.size(); ++i) {
@@ -171,7 +171,7 @@ struct At {
 
 /// The points of the pool after a point of one of its patches, which is `value`, was dragged.
 template <class Patch>
-std::vector<glm::dvec4> dragged_points(const Pool& pool, std::size_t number, const Patch& value, At at,
+std::vector<glm::dvec4> dragged_points(const PointPool& pool, std::size_t number, const Patch& value, At at,
                                        const glm::dvec3& by, const Following& following) {
   require_finite(std::span(&by, 1), "by");
   const Movable movable = movable_of(pool, pool.patches[number], influence_of(value, at.u, at.v));

@@ -7,12 +7,12 @@ namespace splinecore {
 
 namespace {
 
-using Coefficients = std::array<double, 5>;
+using Expansion = std::array<double, 5>;
 
 /// c_kl of u^k v^l for k, l <= 2 from expansions along (1, 0), (0, 1), (1, 1), (1, -1): the last two hold
 /// the sums of c_kl over k + l = n, with alternating signs in the second.
-std::array<double, 9> mixed_coefficients(const Coefficients& u, const Coefficients& v, const Coefficients& sum,
-                                         const Coefficients& alternating) {
+std::array<double, 9> mixed_coefficients(const Expansion& u, const Expansion& v, const Expansion& sum,
+                                         const Expansion& alternating) {
   const auto even = [&](int n) { return 0.5 * (sum[n] + alternating[n]); };
   const auto odd = [&](int n) { return 0.5 * (sum[n] - alternating[n]); };
   return {u[0], v[1],           v[2],                  //
@@ -45,7 +45,7 @@ const CornerJet& FormulaSurface::jet(double u, double v) {
   for (std::size_t axis = 0; axis < coordinates_.size(); ++axis) {
     const auto along = [&](double x, double y) {
       const double direction[]{x * scale_.x, y * scale_.y};
-      Coefficients coefficients;
+      Expansion coefficients;
       std::ranges::copy(expansions_[axis].along(origin, direction), coefficients.begin());
       return coefficients;
     };

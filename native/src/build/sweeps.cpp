@@ -17,7 +17,7 @@ namespace {
 constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 /// An axis through a point, of unit length.
-struct Line {
+struct AxisLine {
   glm::dvec3 point;
   glm::dvec3 direction;
 
@@ -25,7 +25,7 @@ struct Line {
 };
 
 /// How far the points of a curve and the axis lie from one another and from the origin, at most.
-double size_of(const NurbsCurve& curve, const Line& axis) {
+double size_of(const NurbsCurve& curve, const AxisLine& axis) {
   double size = glm::length(axis.point);
   for (const glm::dvec4& p : curve.points()) {
     if (p.w != 0.0) size = std::max({size, glm::length(glm::dvec3(p)), glm::length(glm::dvec3(p) - axis.point)});
@@ -33,7 +33,7 @@ double size_of(const NurbsCurve& curve, const Line& axis) {
   return size;
 }
 
-Spoke spoke_of(const glm::dvec4& p, const Line& axis, double size) {
+Spoke spoke_of(const glm::dvec4& p, const AxisLine& axis, double size) {
   const glm::dvec3 from_axis = p.w == 0.0 ? glm::dvec3(p) : glm::dvec3(p) - axis.point;
   const glm::dvec3 once = from_axis - axis.along(from_axis);
   // Twice, because far up the axis the first step leaves a rest along it.
@@ -58,7 +58,7 @@ NurbsPatch between_rows(const KnotVector& knots, std::span<const glm::dvec4> sta
 NurbsPatch revolve(const NurbsCurve& curve, const glm::dvec3& axis_point, const glm::dvec3& axis_direction, Turn turn) {
   require_place(axis_point, "axis_point");
   const double length = require_length(axis_direction, "axis_direction");
-  const Line axis{axis_point, axis_direction / length};
+  const AxisLine axis{axis_point, axis_direction / length};
   std::vector<Spoke> spokes;
   const double size = size_of(curve, axis);
   for (const glm::dvec4& p : curve.points()) spokes.push_back(spoke_of(p, axis, size));

@@ -25,12 +25,12 @@ double cosine_of_steps(int steps) {
   return half <= 6 ? kFirstQuarter[half] : -kFirstQuarter[12 - half];
 }
 
-struct Direction {
+struct CosineAndSine {
   double cosine;
   double sine;
 };
 
-Direction direction_of(double angle) {
+CosineAndSine direction_of(double angle) {
   constexpr double kStep = std::numbers::pi / 12.0;
   const double steps = std::round(angle / kStep);
   if (std::abs(angle - steps * kStep) > 4.0 * kEpsilon * std::abs(angle)) return {std::cos(angle), std::sin(angle)};
@@ -43,7 +43,7 @@ struct Axes {
   glm::dvec3 a;
   glm::dvec3 b;
 
-  glm::dvec3 offset(const Direction& d) const { return d.cosine * a + d.sine * b; }
+  glm::dvec3 offset(const CosineAndSine& d) const { return d.cosine * a + d.sine * b; }
 };
 
 Axes admitted(const glm::dvec3& centre, const glm::dvec3& a, const glm::dvec3& b) {
@@ -92,7 +92,7 @@ NurbsCurve arc(const Axes& axes, double start, double sweep, int spans) {
 }
 
 NurbsCurve single_span(const Axes& axes) {
-  constexpr std::array<Direction, 6> kPoints{{{1, 0}, {1, 4}, {-3, 2}, {-3, -2}, {1, -4}, {1, 0}}};
+  constexpr std::array<CosineAndSine, 6> kPoints{{{1, 0}, {1, 4}, {-3, 2}, {-3, -2}, {1, -4}, {1, 0}}};
   constexpr std::array<double, 6> kWeights{5, 1, 1, 1, 1, 5};
   std::vector<glm::dvec4> points;
   for (std::size_t i = 0; i < 6; ++i) points.emplace_back(axes.centre + axes.offset(kPoints[i]), kWeights[i]);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNoise = 64.0 * kEpsilon;
 
-struct Coefficients {
+struct ConicCoefficients {
   double a, b, c, d, e, f;
 };
 
@@ -33,7 +33,7 @@ struct Spectrum {
   bool is_round;
 };
 
-Spectrum spectrum_of(const Coefficients& k) {
+Spectrum spectrum_of(const ConicCoefficients& k) {
   const double difference = k.a - k.c;
   const double sum = k.a + k.c;
   const double root = std::hypot(difference, k.b);
@@ -50,7 +50,7 @@ Spectrum spectrum_of(const Coefficients& k) {
   return {large, determinant / large, determinant, axis, root <= kNoise * std::abs(sum)};
 }
 
-ConicShape straight(const Coefficients& k) {
+ConicShape straight(const ConicCoefficients& k) {
   const double square = k.d * k.d + k.e * k.e;
   if (square == 0.0) return {.type = ConicType::empty};
   const glm::dvec2 normal(k.d, k.e);
@@ -81,7 +81,7 @@ ConicShape hyperbolic(const Spectrum& s, const glm::dvec2& centre, double value)
   return {ConicType::hyperbola, centre, oriented(across(s.axis)), half / small, half / large};
 }
 
-ConicShape central(const Coefficients& k, const Spectrum& s) {
+ConicShape central(const ConicCoefficients& k, const Spectrum& s) {
   const double x = 0.25 * difference_of_products(k.b, k.e, 2.0 * k.c, k.d) / s.determinant;
   const double y = 0.25 * difference_of_products(k.b, k.d, 2.0 * k.a, k.e) / s.determinant;
   const double from_x = 0.5 * k.d * x;
@@ -100,7 +100,7 @@ ConicShape parallel(const Spectrum& s, double along, double f) {
           oriented(across(s.axis)), 0.0, 0.5 * std::sqrt(root) / std::abs(s.large)};
 }
 
-ConicShape parabolic(const Coefficients& k, const Spectrum& s) {
+ConicShape parabolic(const ConicCoefficients& k, const Spectrum& s) {
   const glm::dvec2 opening = across(s.axis);
   const double along = k.d * s.axis.x + k.e * s.axis.y;
   const double across_it = k.d * opening.x + k.e * opening.y;
@@ -112,7 +112,7 @@ ConicShape parabolic(const Coefficients& k, const Spectrum& s) {
 }
 
 /// Divided by the power of two of the largest quadratic coefficient: no digit changes.
-Coefficients scaled(const std::array<double, 6>& k) {
+ConicCoefficients scaled(const std::array<double, 6>& k) {
   const auto largest = [&](int first, int last) {
     double size = 0.0;
     for (int i = first; i < last; ++i) size = std::max(size, std::abs(k[i]));
@@ -124,7 +124,7 @@ Coefficients scaled(const std::array<double, 6>& k) {
   return {at(0), at(1), at(2), at(3), at(4), at(5)};
 }
 
-ConicShape shape_of(const Coefficients& k) {
+ConicShape shape_of(const ConicCoefficients& k) {
   if (k.a == 0.0 && k.b == 0.0 && k.c == 0.0) return straight(k);
   const Spectrum s = spectrum_of(k);
   return s.determinant == 0.0 ? parabolic(k, s) : central(k, s);

@@ -15,7 +15,7 @@ namespace splinecore {
 
 namespace {
 
-using Points = BernsteinNet<glm::dvec4>;
+using Piece = BernsteinNet<glm::dvec4>;
 
 double length_of(const glm::dvec4& p) { return std::hypot(p.x, p.y, p.z); }
 
@@ -28,7 +28,7 @@ bool is_of_one_sign(const BernsteinNet<Value>& net, Weight weight) {
 }
 
 /// With the largest weight 1, so that products of weights stay in the range of numbers.
-void normalise(Points& net) {
+void normalise(Piece& net) {
   double largest = 0.0;
   for (const glm::dvec4& p : net.values) largest = std::max(largest, std::abs(p.w));
   if (largest == 0.0) return;
@@ -45,20 +45,20 @@ std::vector<double> product_shares(std::size_t count) {
   return shares;
 }
 
-bool are_weights_equal(const Points& a, const Points& b) {
+bool are_weights_equal(const Piece& a, const Piece& b) {
   return std::ranges::equal(a.values, b.values, {}, &glm::dvec4::w, &glm::dvec4::w);
 }
 
 /// A centre from which coordinates are small.
-glm::dvec3 centre_of(const Points& net) {
+glm::dvec3 centre_of(const Piece& net) {
   const auto weight = [](const glm::dvec4& point) { return std::abs(point.w); };
   const glm::dvec4& heaviest = *std::ranges::max_element(net.values, {}, weight);
   return heaviest.w == 0.0 ? glm::dvec3(0.0) : project(heaviest);
 }
 
 /// The homogeneous points of A / W - B / W; `size` takes what the terms amount to.
-Points plain_difference(const Points& a, const Points& b, double& size) {
-  Points result{a.rows, a.columns, a.values};
+Piece plain_difference(const Piece& a, const Piece& b, double& size) {
+  Piece result{a.rows, a.columns, a.values};
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     result.values[i] = glm::dvec4(glm::dvec3(a.values[i]) - glm::dvec3(b.values[i]), a.values[i].w);
     size = std::max(size, length_of(a.values[i]) + length_of(b.values[i]));
@@ -67,12 +67,12 @@ Points plain_difference(const Points& a, const Points& b, double& size) {
 }
 
 /// The homogeneous points (A W_B - B W_A, W_A W_B).
-Points rational_difference(const Points& a, const Points& b, double& size) {
+Piece rational_difference(const Piece& a, const Piece& b, double& size) {
   const glm::dvec3 centre = centre_of(a);
   const auto seen = [&](const glm::dvec4& p) { return glm::dvec4(glm::dvec3(p) - p.w * centre, p.w); };
   const auto shares_u = product_shares(a.rows);
   const auto shares_v = product_shares(a.columns);
-  Points result{2 * a.rows - 1, 2 * a.columns - 1, {}};
+  Piece result{2 * a.rows - 1, 2 * a.columns - 1, {}};
   result.values.assign(result.rows * result.columns, glm::dvec4(0.0));
   std::vector<double> sizes(result.values.size(), 0.0);
   for (std::size_t i = 0; i < a.values.size(); ++i) {
@@ -187,9 +187,9 @@ DifferencePiece difference(BernsteinNet<glm::dvec4> a, BernsteinNet<glm::dvec4> 
 namespace {
 
 /// The search for the largest length, in the piece first that may have it.
-class Search {
+class LengthSearch {
  public:
-  explicit Search(double slack) : slack_(slack) {}
+  explicit LengthSearch(double slack) : slack_(slack) {}
 
   void add(DifferencePiece piece) {
     if (piece.is_left_out()) return;
@@ -233,7 +233,7 @@ class Search {
 }  // namespace
 
 double largest_length(std::vector<DifferencePiece> pieces, double slack) {
-  Search search(slack);
+  LengthSearch search(slack);
   for (DifferencePiece& piece : pieces) search.add(std::move(piece));
   search.run();
   return search.result();

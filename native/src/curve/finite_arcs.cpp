@@ -98,9 +98,9 @@ Noise noise_of(std::span<const glm::dvec4> span, const Room& room) {
 }
 
 /// Finds the parts of one span, over [0, 1], that lie in the room.
-class Search {
+class ArcSearch {
  public:
-  Search(const Piece& span, const Room& room) : room_(room), noise_(noise_of(span.values, room)) {
+  ArcSearch(const Piece& span, const Room& room) : room_(room), noise_(noise_of(span.values, room)) {
     visit(span, {0.0, 1.0}, 0);
   }
 
@@ -190,7 +190,7 @@ std::vector<Chain> chains_of(const NurbsCurve& curve, const Room& room) {
     const Piece points = bezier_piece(curve, i);
     const Interval span = knots.span_interval(i);
     const auto at = [&](double t) { return t == 1.0 ? span.end : span.start + t * span.length(); };
-    const Search search(points, room);
+    const ArcSearch search(points, room);
     for (const Interval& part : search.found()) {
       const Interval range{at(part.start), at(part.end)};
       if (!(range.start < range.end)) continue;

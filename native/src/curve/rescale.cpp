@@ -12,7 +12,7 @@ namespace splinecore {
 namespace {
 
 /// Smallest and largest exponent of numbers that are not zero.
-class Exponents {
+class ExponentRange {
  public:
   void add(double value) {
     if (value == 0.0) return;
@@ -47,9 +47,9 @@ int needed(int exponent) {
 Scales scales_of(const NurbsCurve& curve) { return shared_scales(curve, curve); }
 
 Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b) {
-  Exponents coordinates;
-  Exponents knots;
-  Exponents weights;
+  ExponentRange coordinates;
+  ExponentRange knots;
+  ExponentRange weights;
   for (const NurbsCurve* curve : {&a, &b}) {
     for (const glm::dvec4& point : curve->points()) {
       for (int axis = 0; axis < 3; ++axis) coordinates.add(point[axis]);
@@ -57,7 +57,7 @@ Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b) {
     for (const double knot : curve->knot_vector().knots()) knots.add(knot);
   }
   for (const glm::dvec4& point : a.points()) weights.add(point.w);
-  Exponents sizes;
+  ExponentRange sizes;
   sizes.add(std::max(largest_coordinate(a.points()), largest_coordinate(b.points())));
   const int lengths = std::ilogb(a.domain().length()) + std::ilogb(b.domain().length());
   return {coordinates.without_overflow(needed(sizes.most())), weights.allowed(needed(weights.most())),
@@ -67,7 +67,7 @@ Scales shared_scales(const NurbsCurve& a, const NurbsCurve& b) {
 int scale_of(const KnotVector& knots) {
   const int wanted = needed(std::ilogb(knots.domain().length()));
   if (wanted == 0) return 0;
-  Exponents exponents;
+  ExponentRange exponents;
   for (const double knot : knots.knots()) exponents.add(knot);
   return exponents.allowed(wanted);
 }

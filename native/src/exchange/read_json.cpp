@@ -83,15 +83,15 @@ std::vector<Point> list(const Json& value, const std::string& where) {
 }
 
 template <class Point>
-struct Net {
+struct JsonNet {
   int count_u = 0;
   int count_v = 0;
   std::vector<Point> points;
 };
 
 template <class Point>
-Net<Point> net(const Json& object, const char* name) {
-  Net<Point> grid;
+JsonNet<Point> net(const Json& object, const char* name) {
+  JsonNet<Point> grid;
   for (const Json& item : array(field(object, name), name)) {
     const std::string where = name + index_text(grid.count_u);
     const std::vector<Point> row = list<Point>(item, where);
@@ -152,7 +152,7 @@ NurbsPatch nurbs_patch(const Json& object) {
 }
 
 /// A net of a Hermite patch, of the shape of its points.
-std::vector<glm::dvec3> hermite_net(const Json& object, const char* name, const Net<glm::dvec3>& points) {
+std::vector<glm::dvec3> hermite_net(const Json& object, const char* name, const JsonNet<glm::dvec3>& points) {
   auto values = net<glm::dvec3>(object, name);
   const bool is_empty = values.count_u == 0;
   if (!is_empty && (values.count_u != points.count_u || values.count_v != points.count_v)) {

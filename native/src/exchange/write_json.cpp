@@ -8,17 +8,19 @@ namespace splinecore {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 constexpr std::size_t kStepsOfRow = 500;
 
-Json numbers(std::span<const double> values) { return Json(std::vector<double>(values.begin(), values.end())); }
+OrderedJson numbers(std::span<const double> values) {
+  return OrderedJson(std::vector<double>(values.begin(), values.end()));
+}
 
-Json row(const glm::dvec4& p) { return {p.x, p.y, p.z, p.w}; }
-Json row(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+OrderedJson row(const glm::dvec4& p) { return {p.x, p.y, p.z, p.w}; }
+OrderedJson row(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 template <class Point>
-Json list(std::span<const Point> points) {
-  Json rows = Json::array();
+OrderedJson list(std::span<const Point> points) {
+  OrderedJson rows = OrderedJson::array();
   for (const Point& p : points) {
     breathe(kStepsOfRow);
     rows.push_back(row(p));
@@ -27,31 +29,31 @@ Json list(std::span<const Point> points) {
 }
 
 template <class Point>
-Json net(std::span<const Point> points, int count_v) {
-  Json rows = Json::array();
+OrderedJson net(std::span<const Point> points, int count_v) {
+  OrderedJson rows = OrderedJson::array();
   for (std::size_t i = 0; i < points.size(); i += count_v) rows.push_back(list(points.subspan(i, count_v)));
   return rows;
 }
 
-Json content(const BezierCurve& curve) { return {{"kind", "bezier_curve"}, {"points", list(curve.points())}}; }
+OrderedJson content(const BezierCurve& curve) { return {{"kind", "bezier_curve"}, {"points", list(curve.points())}}; }
 
-Json content(const HermiteCurve& curve) {
-  Json tangents = Json::array();
+OrderedJson content(const HermiteCurve& curve) {
+  OrderedJson tangents = OrderedJson::array();
   for (const Tangents& t : curve.tangents()) tangents.push_back({row(t.incoming), row(t.outgoing)});
   return {{"kind", "hermite_curve"}, {"points", list(curve.points())}, {"tangents", tangents},
           {"parameters", numbers(curve.parameters())}};
 }
 
-Json content(const NurbsCurve& curve) {
+OrderedJson content(const NurbsCurve& curve) {
   return {{"kind", "nurbs_curve"}, {"degree", curve.degree()}, {"periodic", curve.periodic()},
           {"knots", numbers(curve.knot_vector().knots())}, {"points", list(curve.points())}};
 }
 
-Json content(const BezierPatch& patch) {
+OrderedJson content(const BezierPatch& patch) {
   return {{"kind", "bezier_patch"}, {"points", net(patch.points(), patch.count(Axis::v))}};
 }
 
-Json content(const HermitePatch& patch) {
+OrderedJson content(const HermitePatch& patch) {
   const int width = patch.count(Axis::v);
   const auto grid = [&](const std::vector<glm::dvec3>& values) { return net(std::span(values), width); };
   return {{"kind", "hermite_patch"}, {"points", grid(patch.net().points)},
@@ -60,15 +62,15 @@ Json content(const HermitePatch& patch) {
           {"parameters_v", numbers(patch.parameters(Axis::v))}};
 }
 
-Json content(const NurbsPatch& patch) {
+OrderedJson content(const NurbsPatch& patch) {
   const KnotVector& u = patch.knot_vector(Axis::u);
   const KnotVector& v = patch.knot_vector(Axis::v);
   return {{"kind", "nurbs_patch"}, {"degree", {u.degree(), v.degree()}}, {"periodic", {u.periodic(), v.periodic()}},
           {"knots", {numbers(u.knots()), numbers(v.knots())}}, {"points", net(patch.points(), v.count())}};
 }
 
-Json content(const IndexedPatch& patch) {
-  Json item{{"count", {patch.count_u, patch.count_v}}, {"indices", patch.indices}};
+OrderedJson content(const IndexedPatch& patch) {
+  OrderedJson item{{"count", {patch.count_u, patch.count_v}}, {"indices", patch.indices}};
   switch (patch.kind) {
     case PatchKind::bezier: item["kind"] = "bezier"; break;
     case PatchKind::hermite:
@@ -85,18 +87,18 @@ Json content(const IndexedPatch& patch) {
   return item;
 }
 
-Json content(const PatchSet& set) {
-  Json patches = Json::array();
+OrderedJson content(const PatchSet& set) {
+  OrderedJson patches = OrderedJson::array();
   for (const IndexedPatch& patch : set.patches()) patches.push_back(content(patch));
   return {{"kind", "patch_set"}, {"points", list(set.points())}, {"patches", patches}};
 }
 
-Json content(const PowerCurve& curve) {
+OrderedJson content(const PowerCurve& curve) {
   return {{"kind", "power_curve"}, {"origin", curve.origin()},
           {"domain", {curve.domain().start, curve.domain().end}}, {"coefficients", list(curve.coefficients())}};
 }
 
-Json content(const Value& value) {
+OrderedJson content(const Value& value) {
   return std::visit([](const auto& shape) { return content(shape); }, value);
 }
 
@@ -113,11 +115,11 @@ int version_of(const Document& document) {
 }  // namespace
 
 std::string to_json(const Document& document) {
-  Json text{{"format", "splinecore"}, {"version", version_of(document)}};
+  OrderedJson text{{"format", "splinecore"}, {"version", version_of(document)}};
   if (const auto* value = std::get_if<Value>(&document)) {
     text.update(content(*value));
   } else {
-    Json items = Json::array();
+    OrderedJson items = OrderedJson::array();
     for (const Value& item : std::get<std::vector<Value>>(document)) items.push_back(content(item));
     text["items"] = items;
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kNoPoint = std::numeric_limits<std::size_t>::max();
 
 /// The system of one direction; all lines of points along it are right sides.
-struct Direction {
+struct DirectionSystem {
   KnotVector knots;
   BandedRows rows;
   std::vector<std::size_t> points;  ///< of each row; of rows that ask for a derivative of zero none
@@ -33,7 +33,7 @@ InterpolationOptions options_of(const FitDirection& direction) {
   return options;
 }
 
-Direction direction_of(const FitDirection& given, std::size_t count, const char* axis) {
+DirectionSystem direction_of(const FitDirection& given, std::size_t count, const char* axis) {
   try {
     const std::vector<glm::dvec3> places(count, glm::dvec3(0.0));
     const InterpolationOptions options = options_of(given);
@@ -41,7 +41,7 @@ Direction direction_of(const FitDirection& given, std::size_t count, const char*
     const std::vector<Condition> conditions = conditions_of(places, given.parameters, options);
     KnotVector knots = knots_for(sites_of(conditions), given.parameters, options);
     BandedRows rows = system_of(knots, conditions).rows;
-    Direction made{std::move(knots), std::move(rows), {}};
+    DirectionSystem made{std::move(knots), std::move(rows), {}};
     for (const Condition& condition : conditions) {
       made.points.push_back(condition.order == 0 ? condition.point : kNoPoint);
     }
@@ -52,7 +52,7 @@ Direction direction_of(const FitDirection& given, std::size_t count, const char*
 }
 
 /// The grid's rows as right sides along u: control points along u, for each point along v.
-std::vector<glm::dvec3> solved_along_u(const PointGrid& grid, const Direction& u) {
+std::vector<glm::dvec3> solved_along_u(const PointGrid& grid, const DirectionSystem& u) {
   const std::size_t width = grid.count_v;
   std::vector<glm::dvec3> values(u.points.size() * width, glm::dvec3(0.0));
   for (std::size_t i = 0; i < u.points.size(); ++i) {
@@ -63,7 +63,7 @@ std::vector<glm::dvec3> solved_along_u(const PointGrid& grid, const Direction& u
 }
 
 /// Solves along v for some columns of points along u at a time, which lie side by side meanwhile and stay near.
-std::vector<glm::dvec4> control_points(const PointGrid& grid, const Direction& u, const Direction& v) {
+std::vector<glm::dvec4> control_points(const PointGrid& grid, const DirectionSystem& u, const DirectionSystem& v) {
   const std::vector<glm::dvec3> along_u = solved_along_u(grid, u);
   const std::size_t count_u = u.points.size();
   const std::size_t count_v = v.points.size();
@@ -90,7 +90,8 @@ std::vector<glm::dvec4> control_points(const PointGrid& grid, const Direction& u
 }
 
 /// Of the patch from its points: its rows where it passes those of the grid, then their points.
-double largest_distance(const NurbsPatch& patch, const PointGrid& grid, const Direction& u, const Direction& v) {
+double largest_distance(const NurbsPatch& patch, const PointGrid& grid, const DirectionSystem& u,
+                        const DirectionSystem& v) {
   const std::size_t count_u = u.points.size();
   const std::size_t count_v = v.points.size();
   std::vector<glm::dvec3> line(count_v);
@@ -122,8 +123,8 @@ double largest_distance(const NurbsPatch& patch, const PointGrid& grid, const Di
 
 Approximation<NurbsPatch> interpolate(const PointGrid& grid, const FitDirection& u, const FitDirection& v) {
   require_grid(grid);
-  const Direction along_u = direction_of(u, grid.count_u, "u");
-  const Direction along_v = direction_of(v, grid.count_v, "v");
+  const DirectionSystem along_u = direction_of(u, grid.count_u, "u");
+  const DirectionSystem along_v = direction_of(v, grid.count_v, "v");
   NurbsPatch patch = NurbsPatch::make(along_u.knots, along_v.knots, control_points(grid, along_u, along_v));
   const double error = largest_distance(patch, grid, along_u, along_v);
   require_passing(error, largest_coordinate(grid.points));

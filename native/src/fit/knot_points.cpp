@@ -32,7 +32,7 @@ bool are_at_knots(const NearPoints& system) {
 }
 
 /// So many rows of one after the other: to make them again takes less time than to keep them all.
-class RowBlock {
+class KnotRowBlock {
  public:
   static constexpr std::size_t kMost = 64;
 
@@ -69,9 +69,9 @@ class KnotSystem {
   /// Calls take(rows, i, count) for one block of the points after the other.
   template <class Take>
   void for_each_block(Take take) const {
-    RowBlock block;
-    for (std::size_t i = 0; i < inner_; i += RowBlock::kMost) {
-      const std::size_t count = std::min(RowBlock::kMost, inner_ - i);
+    KnotRowBlock block;
+    for (std::size_t i = 0; i < inner_; i += KnotRowBlock::kMost) {
+      const std::size_t count = std::min(KnotRowBlock::kMost, inner_ - i);
       take(block.write(given_, i, count), i, count);
     }
   }

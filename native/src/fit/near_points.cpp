@@ -19,7 +19,7 @@ namespace {
 
 /// So many rows of one after the other, and which they are.
 template <int kDegree>
-class RowBlock {
+class NearRowBlock {
  public:
   static constexpr int kReach = kDegree - 1;
   static constexpr int kWidth = 2 * kReach + 1;
@@ -59,8 +59,8 @@ class RowBlock {
 /// The work of one degree: rows 0 … middle_ - 1 are swept forward, the others backward.
 template <int kDegree>
 class NearSystem {
-  static constexpr int kReach = RowBlock<kDegree>::kReach;
-  static constexpr int kWidth = RowBlock<kDegree>::kWidth;
+  static constexpr int kReach = NearRowBlock<kDegree>::kReach;
+  static constexpr int kWidth = NearRowBlock<kDegree>::kWidth;
   static constexpr long kBlock = kNearRows;
 
  public:
@@ -72,7 +72,7 @@ class NearSystem {
         points_(static_cast<std::size_t>(count_)) {}
 
   std::optional<NearSolution> solution() {
-    const bool is_long = outer_ - inner_ >= std::max<long>(RowBlock<kDegree>::kFewest, 2 * kWidth);
+    const bool is_long = outer_ - inner_ >= std::max<long>(NearRowBlock<kDegree>::kFewest, 2 * kWidth);
     if (!is_long) return {};
     if (!sweep() || !meet()) return {};
     substitute();
@@ -90,8 +90,8 @@ class NearSystem {
     for (long i = count_ - 1; i >= outer_; --i) {
       take_end(backward, i, given_.end[static_cast<std::size_t>(i - outer_)], count_ - 1 - kDegree);
     }
-    RowBlock<kDegree> early;
-    RowBlock<kDegree> late;
+    NearRowBlock<kDegree> early;
+    NearRowBlock<kDegree> late;
     bool fit = true;
     for (long block = 0; block < outer_ - middle_; block += kBlock) {
       const long first = inner_ + block;
@@ -116,7 +116,7 @@ class NearSystem {
   }
 
   template <class Sweep>
-  void take_point(Sweep& sweep, const RowBlock<kDegree>& rows, long i) {
+  void take_point(Sweep& sweep, const NearRowBlock<kDegree>& rows, long i) {
     const std::array<double, kWidth> row = rows.row(i);
     sweep.take(row.data(), given_.points[static_cast<std::size_t>(i - inner_)], factors(i),
                points_[static_cast<std::size_t>(i)]);
@@ -203,7 +203,7 @@ class NearSystem {
     for (const EndRow& row : given_.end) {
       if (row.order == 0) compare(point_at(row.functions.data(), count_ - 1 - kDegree, kDegree + 1), row.value);
     }
-    RowBlock<kDegree> rows;
+    NearRowBlock<kDegree> rows;
     for (long block = inner_; block < outer_; block += kBlock) {
       const long end = std::min(block + kBlock, outer_);
       rows.write(given_, block, end);

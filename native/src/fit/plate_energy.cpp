@@ -9,9 +9,9 @@ namespace splinecore {
 namespace {
 
 /// A net whose numbers are replaced by what is written of them, along one direction at a time.
-class Net {
+class EnergyNet {
  public:
-  Net(const PlateDirection& rows, const PlateDirection& columns, std::span<const glm::dvec3> points)
+  EnergyNet(const PlateDirection& rows, const PlateDirection& columns, std::span<const glm::dvec3> points)
       : rows_(rows.count), row_size_(3 * columns.count), from_(3 * points.size()), to_(from_.size()) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (int c = 0; c < 3; ++c) from_[3 * i + static_cast<std::size_t>(c)] = points[i][c];
@@ -72,7 +72,7 @@ std::vector<glm::dvec3> plate_product(const PlateDirection& rows, const PlateDir
                                       std::array<std::size_t, 2> orders, std::span<const glm::dvec3> net) {
   breathe(3 * net.size() * (rows.bands[0].width + columns.bands[0].width));
   const auto [order, other] = orders;
-  Net out(rows, columns, net);
+  EnergyNet out(rows, columns, net);
   for (std::size_t k = 0; k < order; ++k) out.along_rows(differences(rows.steps[k]));
   for (std::size_t k = 0; k < other; ++k) out.along_columns(differences(columns.steps[k]));
   out.along_rows(products(rows.masses[order]));

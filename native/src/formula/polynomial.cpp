@@ -11,18 +11,18 @@ namespace {
 
 /// Homogeneous in (s, t) for each of two variables: the sum of c_ij s_u^(m-i) t_u^i s_v^(n-j) t_v^j.
 ///
-/// What s and t stand for is decided by Frame alone: sums and products are the same in all forms.
+/// What s and t stand for is decided by LinearForms alone: sums and products are the same in all forms.
 using Polynomial = ScaledBernstein;
 
 /// The linear forms a s + b t that the number 1 and the variable are.
-struct Frame {
+struct LinearForms {
   double one[2];
   double variable[2];
 };
 
-constexpr Frame kPowers{{1.0, 0.0}, {0.0, 1.0}};
+constexpr LinearForms kPowers{{1.0, 0.0}, {0.0, 1.0}};
 
-Frame bernstein_frame(const Interval& domain) { return {{1.0, 1.0}, {domain.start, domain.end}}; }
+LinearForms bernstein_frame(const Interval& domain) { return {{1.0, 1.0}, {domain.start, domain.end}}; }
 
 Polynomial number(double value) { return {0, 0, {value}}; }
 
@@ -56,7 +56,7 @@ bool is_number(const Polynomial& a) { return a.degree_u == 0 && a.degree_v == 0;
 /// Runs a program on polynomials instead of numbers; stops where one of them is none.
 class PolynomialMachine {
  public:
-  PolynomialMachine(std::vector<Frame> frames, int highest_degree)
+  PolynomialMachine(std::vector<LinearForms> frames, int highest_degree)
       : frames_(std::move(frames)), highest_degree_(highest_degree) {}
 
   std::optional<Polynomial> run(const Program& program) {
@@ -74,7 +74,7 @@ class PolynomialMachine {
   bool raise(Polynomial& a, double exponent) const;
   Polynomial elevated(Polynomial a, int degree_u, int degree_v) const;
 
-  std::vector<Frame> frames_;
+  std::vector<LinearForms> frames_;
   int highest_degree_;
   std::vector<Polynomial> stack_;
 };
@@ -155,7 +155,7 @@ std::optional<ScaledBernstein> scaled_bernstein(const Formula& formula, std::spa
     throw InvalidShape("the formula " + quoted(formula.text()) + " has " + std::to_string(count) + " variables and " +
                        std::to_string(domains.size()) + " domains: one or two of each are expected");
   }
-  std::vector<Frame> frames;
+  std::vector<LinearForms> frames;
   for (const Interval& domain : domains) frames.push_back(bernstein_frame(domain));
   return PolynomialMachine(std::move(frames), highest_degree).run(formula.program());
 }

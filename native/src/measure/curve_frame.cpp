@@ -27,7 +27,7 @@ struct Rounded {
   double rounding = 0.0;
 };
 template <class Value>
-using Series = std::array<Rounded<Value>, kTerms>;
+using RoundedSeries = std::array<Rounded<Value>, kTerms>;
 
 double size_of(double x) { return std::abs(x); }
 double size_of(const glm::dvec3& v) { return glm::length(v); }
@@ -39,9 +39,9 @@ bool is_nothing(const Rounded<Value>& x) {
 
 /// The derivatives of a curve about one parameter, in powers of s = (u - u_0) / length of the span.
 struct Local {
-  Series<glm::dvec3> first;
-  Series<glm::dvec3> second;
-  Series<glm::dvec3> third;
+  RoundedSeries<glm::dvec3> first;
+  RoundedSeries<glm::dvec3> second;
+  RoundedSeries<glm::dvec3> third;
 };
 
 Local local_at(const NurbsCurve& curve, double u, Side side) {
@@ -67,8 +67,9 @@ Local local_at(const NurbsCurve& curve, double u, Side side) {
 
 /// The product of two series, with `multiply` for their terms.
 template <class Value, class Multiply>
-Series<Value> product(const Series<glm::dvec3>& a, const Series<glm::dvec3>& b, Multiply multiply) {
-  Series<Value> found;
+RoundedSeries<Value> product(const RoundedSeries<glm::dvec3>& a, const RoundedSeries<glm::dvec3>& b,
+                             Multiply multiply) {
+  RoundedSeries<Value> found;
   for (int i = 0; i < kTerms; ++i) {
     for (int j = 0; i + j < kTerms; ++j) {
       found[i + j].value += multiply(a[i].value, b[j].value);
@@ -80,7 +81,7 @@ Series<Value> product(const Series<glm::dvec3>& a, const Series<glm::dvec3>& b, 
 
 /// The first term that is more than rounding; kTerms if there is none.
 template <class Value>
-int order_of(const Series<Value>& series) {
+int order_of(const RoundedSeries<Value>& series) {
   return static_cast<int>(std::ranges::find_if_not(series, is_nothing<Value>) - series.begin());
 }
 
@@ -92,7 +93,7 @@ double limit(double value, int order) {
 
 /// The leading terms of the first derivative and of its product with the second.
 struct Leading {
-  Series<glm::dvec3> binormals;
+  RoundedSeries<glm::dvec3> binormals;
   int a;
   int b;
 

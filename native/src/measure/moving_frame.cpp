@@ -53,7 +53,7 @@ Vector bent(const Vector& normal, const Vector& from, const Vector& to) {
 }
 
 /// A place of the curve.
-struct Place {
+struct CurvePlace {
   double u;
   Vector point;
   Vector tangent;
@@ -76,16 +76,16 @@ class Carrier {
   template <class Take>
   void pass(int span, std::span<const double> parameters, Take take) {
     const Interval range = curve_.knot_vector().span_interval(span);
-    Place from = place_at(range.start, span);
+    CurvePlace from = place_at(range.start, span);
     normal_ = bent(normal_, tangent_, from.tangent);
     tangent_ = from.tangent;
     std::size_t next = 0;
     halvings_ = 0;
     for (Steps at = 0; at < kAllSteps;) {
-      const Place to = take_step(from, at, range, span);
+      const CurvePlace to = take_step(from, at, range, span);
       // The end of the span is its own, as that of a corner is.
       for (; next < parameters.size() && (parameters[next] < to.u || to.u == range.end); ++next) {
-        const Place place = place_at(parameters[next], span);
+        const CurvePlace place = place_at(parameters[next], span);
         take(next, frame_of(place.tangent, carried(normal_, from, place, span).first));
       }
       normal_ = carried(normal_, from, to, span).first;
@@ -125,8 +125,8 @@ class Carrier {
   }
 
   /// Where the curve stands still the tangent is that of the way in.
-  Place place_at(double u, int span) const {
-    Place place{u, Vector(0.0), Vector(0.0)};
+  CurvePlace place_at(double u, int span) const {
+    CurvePlace place{u, Vector(0.0), Vector(0.0)};
     place.tangent = tangent_at(u, side_in(u, span), span, &place.point);
     if (!is_number(place.tangent)) place.tangent = tangent_;
     return place;
@@ -157,7 +157,7 @@ class Carrier {
   }
 
   /// One double reflection.
-  Vector step(const Vector& normal, const Place& from, const Place& to) const {
+  Vector step(const Vector& normal, const CurvePlace& from, const CurvePlace& to) const {
     const Vector chord = to.point - from.point;
     if (!(glm::length(chord) > step_)) return bent(normal, from.tangent, to.tangent);
     const Vector mirrored = reflected(normal, chord);
@@ -168,12 +168,13 @@ class Carrier {
 
   /// The normal carried from one place to another, and the angle by which two halves of the step change it: more than
   /// any where the curve bends too much to tell.
-  std::pair<Vector, double> carried(const Vector& normal, const Place& from, const Place& to, int span) const {
+  std::pair<Vector, double> carried(const Vector& normal, const CurvePlace& from, const CurvePlace& to,
+                                    int span) const {
     constexpr double kStraight = 0.9;
     constexpr double kUnknown = 4.0;
     const double u = from.u + 0.5 * (to.u - from.u);
     if (!(u > from.u && u < to.u)) return {step(normal, from, to), 0.0};
-    const Place middle = place_at(u, span);
+    const CurvePlace middle = place_at(u, span);
     const Vector whole = step(normal, from, to);
     const Vector halves = step(step(normal, from, middle), middle, to);
     const double change = angle_from(whole, halves, to.tangent);
@@ -187,14 +188,14 @@ class Carrier {
   /// Goes on by one step: spans are halved, at least so often that no symmetry hides anything, and at most to where a
   /// cusp is.
   /// @throws ToleranceNotReached where a span takes too many.
-  Place take_step(const Place& from, Steps& at, const Interval& range, int span) {
+  CurvePlace take_step(const CurvePlace& from, Steps& at, const Interval& range, int span) {
     constexpr double kEnough = 1e-10;
     constexpr int kMostHalvings = 1 << 17;
     const int most = at == 0 ? kDeepest : std::countr_zero(static_cast<std::uint64_t>(at));
     for (int size = std::min(most, kDeepest - least_depth());; --size) {
       const Steps end = at + (Steps{1} << size);
       const double part = static_cast<double>(end) / static_cast<double>(kAllSteps);
-      const Place to = place_at(std::lerp(range.start, range.end, part), span);
+      const CurvePlace to = place_at(std::lerp(range.start, range.end, part), span);
       const double change = size > 0 ? carried(normal_, from, to, span).second : 0.0;
       if (change > kEnough) {
         if (++halvings_ < kMostHalvings) continue;

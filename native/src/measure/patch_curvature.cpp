@@ -21,7 +21,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNegligible = 1e-12;
 
 /// S and its derivatives up to the second at one pair of parameters.
-struct Jet {
+struct SurfaceJet {
   std::array<glm::dvec3, 9> values;
 
   const glm::dvec3& at(int k, int l) const { return values[3 * k + l]; }
@@ -37,7 +37,7 @@ struct PlaneForm {
 };
 
 /// An orthonormal frame of the tangent plane, right-handed about the normal.
-struct Frame {
+struct TangentFrame {
   glm::dvec3 x;
   glm::dvec3 y;
   glm::dvec3 normal;
@@ -61,15 +61,15 @@ class Surface {
     return std::isnan(value) ? value : std::scalbn(value, -u * scales_[0] - v * scales_[1]);
   }
 
-  Jet jet(double u, double v, PatchOptions options) const {
-    Jet jet;
+  SurfaceJet jet(double u, double v, PatchOptions options) const {
+    SurfaceJet jet;
     jet.values.fill(glm::dvec3(kNan));
     evaluate(patch_, {&u, 1}, {&v, 1}, std::span(&jet.values[0].x, 3), options);
     if (is_finite(jet.values[0])) add_derivatives(u, v, options, jet);
     return jet;
   }
 
-  bool is_regular(const Jet& jet) const {
+  bool is_regular(const SurfaceJet& jet) const {
     return glm::length(glm::cross(jet.u(), jet.v())) > kNegligible * (size_ / lengths_[0]) * (size_ / lengths_[1]);
   }
 
@@ -79,7 +79,7 @@ class Surface {
   }
 
   /// The unit normal, at a pole its limit; NaN where there is none.
-  glm::dvec3 normal(double u, double v, const Jet& jet, PatchOptions options) const {
+  glm::dvec3 normal(double u, double v, const SurfaceJet& jet, PatchOptions options) const {
     if (is_regular(jet)) return glm::normalize(glm::cross(jet.u(), jet.v()));
     glm::dvec3 point;
     glm::dvec3 normal;
@@ -90,8 +90,9 @@ class Surface {
   SurfaceCurvature curvature(double u, double v, PatchOptions options) const;
 
  private:
-  void add_derivatives(double u, double v, PatchOptions options, Jet& jet) const;
-  std::optional<PlaneForm> form_at_pole(Axis along, double u, double v, const Frame& frame, PatchOptions options) const;
+  void add_derivatives(double u, double v, PatchOptions options, SurfaceJet& jet) const;
+  std::optional<PlaneForm> form_at_pole(Axis along, double u, double v, const TangentFrame& frame,
+                                        PatchOptions options) const;
 
   Placement placement_;
   std::array<int, 2> scales_;
@@ -102,7 +103,7 @@ class Surface {
 
 /// From control points relative to the point itself: near a pole, where the derivatives fall to zero, their
 /// rounding does so, too.
-void Surface::add_derivatives(double u, double v, PatchOptions options, Jet& jet) const {
+void Surface::add_derivatives(double u, double v, PatchOptions options, SurfaceJet& jet) const {
   const Samples at_u = Samples::make(patch_.knot_vector(Axis::u), {&u, 1}, 2, options.side_u);
   const Samples at_v = Samples::make(patch_.knot_vector(Axis::v), {&v, 1}, 2, options.side_v);
   const glm::dvec3 origin = jet.at(0, 0);
@@ -124,7 +125,7 @@ void Surface::add_derivatives(double u, double v, PatchOptions options, Jet& jet
 }
 
 /// The second form in the frame, from that in S_u and S_v: S_u = p x and S_v = q x + r y.
-PlaneForm regular_form(const Jet& jet, const Frame& frame) {
+PlaneForm regular_form(const SurfaceJet& jet, const TangentFrame& frame) {
   const double p = glm::dot(jet.u(), frame.x);
   const double q = glm::dot(jet.v(), frame.x);
   const double r = glm::dot(jet.v(), frame.y);
@@ -135,7 +136,7 @@ PlaneForm regular_form(const Jet& jet, const Frame& frame) {
 }
 
 /// Curvatures of the form, turned into the frame's space.
-SurfaceCurvature curvature_of(const PlaneForm& form, const Frame& frame) {
+SurfaceCurvature curvature_of(const PlaneForm& form, const TangentFrame& frame) {
   constexpr double kUmbilic = 1e-12;
   const double half = 0.5 * (form.a - form.c);
   const double radius = std::hypot(half, form.b);
@@ -154,7 +155,7 @@ SurfaceCurvature nothing() {
   return {kNan, kNan, {kNan, kNan}, {glm::dvec3(kNan), glm::dvec3(kNan)}};
 }
 
-Frame frame_along(const glm::dvec3& vector, const glm::dvec3& normal) {
+TangentFrame frame_along(const glm::dvec3& vector, const glm::dvec3& normal) {
   const glm::dvec3 x = glm::normalize(vector - glm::dot(vector, normal) * normal);
   return {x, glm::cross(normal, x), normal};
 }
@@ -196,7 +197,7 @@ class EulerFit {
 };
 
 /// The edge along which the axis runs is one point: the lines that leave it are looked at.
-std::optional<PlaneForm> Surface::form_at_pole(Axis along, double u, double v, const Frame& frame,
+std::optional<PlaneForm> Surface::form_at_pole(Axis along, double u, double v, const TangentFrame& frame,
                                                PatchOptions options) const {
   constexpr int kLines = 9;
   constexpr double kTangent = 1e-9;
@@ -205,7 +206,7 @@ std::optional<PlaneForm> Surface::form_at_pole(Axis along, double u, double v, c
   EulerFit fit;
   for (int i = 0; i < kLines; ++i) {
     const double other = domain.start + domain.length() * (i + 0.5) / kLines;
-    const Jet there = is_u ? jet(other, v, options) : jet(u, other, options);
+    const SurfaceJet there = is_u ? jet(other, v, options) : jet(u, other, options);
     const glm::dvec3& slope = is_u ? there.v() : there.u();
     const double speed = glm::length(slope);
     if (!vanishes(is_u ? there.u() : there.v(), along)) return std::nullopt;
@@ -218,16 +219,16 @@ std::optional<PlaneForm> Surface::form_at_pole(Axis along, double u, double v, c
 }
 
 SurfaceCurvature Surface::curvature(double u, double v, PatchOptions options) const {
-  const Jet here = jet(u, v, options);
+  const SurfaceJet here = jet(u, v, options);
   const glm::dvec3 normal_here = normal(u, v, here, options);
   if (!is_finite(normal_here)) return nothing();
   if (is_regular(here)) {
-    const Frame frame = frame_along(here.u(), normal_here);
+    const TangentFrame frame = frame_along(here.u(), normal_here);
     return curvature_of(regular_form(here, frame), frame);
   }
   const bool is_u = vanishes(here.u(), Axis::u);
   if (is_u == vanishes(here.v(), Axis::v)) return nothing();
-  const Frame frame = frame_along(is_u ? here.v() : here.u(), normal_here);
+  const TangentFrame frame = frame_along(is_u ? here.v() : here.u(), normal_here);
   const auto form = form_at_pole(is_u ? Axis::u : Axis::v, u, v, frame, options);
   return form ? curvature_of(*form, frame) : nothing();
 }
@@ -246,7 +247,7 @@ void fundamental_forms(const NurbsPatch& patch, std::span<const double> u, std::
   const Surface surface(patch);
   for (std::size_t i = 0; i < u.size(); ++i) {
     const auto [at_u, at_v] = place_of(surface, patch, u, v, i, options);
-    const Jet jet = surface.jet(at_u, at_v, options);
+    const SurfaceJet jet = surface.jet(at_u, at_v, options);
     const glm::dvec3 normal = is_finite(jet.at(0, 0)) ? surface.normal(at_u, at_v, jet, options) : glm::dvec3(kNan);
     const auto form = [&](double value, int dimension, int by_u, int by_v, const char* name) {
       return finite_size(surface.by_given(value, by_u, by_v), dimension, surface.placement(), name);

@@ -120,7 +120,7 @@ class Source {
 };
 
 /// A piece, or a part of one, that is measured.
-struct Cell {
+struct SourceCell {
   const Source* source;
   int i;
   int j;
@@ -191,7 +191,7 @@ class Adaptive {
   void add_up() {
     sum_ = {};
     double lost = 0.0;  // of many cells: what a sum loses goes into the next one (Kahan 1965)
-    for (const Cell& cell : cells_) {
+    for (const SourceCell& cell : cells_) {
       const double more = cell.found.value - lost;
       const double sum = sum_.value + more;
       lost = (sum - sum_.value) - more;
@@ -208,13 +208,13 @@ class Adaptive {
   /// Halves the cells whose error is more than their share, along the directions where it is. False if there was none.
   bool refine(double target) {
     const double share = 0.5 * target / static_cast<double>(cells_.size());
-    const auto is_wrong = [&](const Cell& cell) {
+    const auto is_wrong = [&](const SourceCell& cell) {
       return cell.found.error() > std::max(share, kRounding * cell.found.terms);
     };
     if (std::ranges::none_of(cells_, is_wrong)) return false;
-    std::vector<Cell> next;
+    std::vector<SourceCell> next;
     next.reserve(cells_.size());
-    for (Cell& cell : cells_) {
+    for (SourceCell& cell : cells_) {
       if (is_wrong(cell)) {
         halve(std::move(cell), share, next);
       } else {
@@ -225,7 +225,7 @@ class Adaptive {
     return true;
   }
 
-  void halve(Cell cell, double share, std::vector<Cell>& out) {
+  void halve(SourceCell cell, double share, std::vector<SourceCell>& out) {
     if (cell.piece.net.values.empty()) cell.piece = cell.source->piece(cell.i, cell.j);
     const auto [u, v] = cell.found.errors;
     const bool is_both = std::min(u, v) > 0.5 * share;
@@ -245,7 +245,7 @@ class Adaptive {
   Integrand integrand_;
   double tolerance_;
   const char* what_;
-  std::vector<Cell> cells_;
+  std::vector<SourceCell> cells_;
   PieceIntegral sum_;
   std::size_t most_ = 0;
   std::size_t points_ = 0;  ///< of all pieces that were cut

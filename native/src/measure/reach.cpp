@@ -12,7 +12,7 @@ namespace splinecore {
 
 namespace {
 
-using Net = BernsteinNet<glm::dvec2>;
+using PlaneNet = BernsteinNet<glm::dvec2>;
 
 double quotient(const glm::dvec2& p) { return p.x / p.y; }
 
@@ -27,22 +27,22 @@ glm::dvec2 value_at(std::span<const glm::dvec2> line, double t) {
 }
 
 /// A part of a patch, and the most that it may reach.
-struct Cell {
-  Net net;
+struct BoundedPart {
+  PlaneNet net;
   double most;
-  bool operator<(const Cell& other) const { return most < other.most; }
+  bool operator<(const BoundedPart& other) const { return most < other.most; }
 };
 
-std::vector<glm::dvec2> line_of(const Net& net, Axis axis, std::size_t i) {
+std::vector<glm::dvec2> line_of(const PlaneNet& net, Axis axis, std::size_t i) {
   std::vector<glm::dvec2> line;
   for (std::size_t j = 0; j < net.count(axis); ++j) line.push_back(axis == Axis::u ? net.at(j, i) : net.at(i, j));
   return line;
 }
 
-std::size_t lines_along(const Net& net, Axis axis) { return net.values.size() / net.count(axis); }
+std::size_t lines_along(const PlaneNet& net, Axis axis) { return net.values.size() / net.count(axis); }
 
 /// By how much the values of neighbours along a direction differ at most.
-double unevenness(const Net& net, Axis axis) {
+double unevenness(const PlaneNet& net, Axis axis) {
   double most = 0.0;
   for (std::size_t i = 0; i < lines_along(net, axis); ++i) {
     const std::vector<glm::dvec2> line = line_of(net, axis, i);
@@ -53,10 +53,10 @@ double unevenness(const Net& net, Axis axis) {
 }
 
 /// Whether A rises or falls along the direction everywhere, where W is the same everywhere.
-bool is_monotone(const Net& net, Axis axis) {
+bool is_monotone(const PlaneNet& net, Axis axis) {
   const auto [low, high] = std::ranges::minmax(net.values, {}, &glm::dvec2::y);
   if (low.y != high.y) return false;
-  const Net slope = net.derivative(axis);
+  const PlaneNet slope = net.derivative(axis);
   double largest = 0.0;
   for (const glm::dvec2& p : net.values) largest = std::max(largest, std::abs(p.x));
   const double noise = 0x1p-48 * net.degree(axis) * largest;
@@ -67,16 +67,16 @@ class Ascent {
  public:
   Ascent(Interval& range, double slack) : range_(range), slack_(slack) {}
 
-  double run(Net whole) {
+  double run(PlaneNet whole) {
     constexpr int kMostCells = 200'000;
     add(std::move(whole));
     for (int cells = 0; !cells_.empty(); ++cells) {
       const double beyond = cells_.top().most - range_.end;
       if (!(beyond > slack_)) return 0.0;
       if (cells == kMostCells) return beyond;
-      Net first = cells_.top().net;
+      PlaneNet first = cells_.top().net;
       cells_.pop();
-      Net second;
+      PlaneNet second;
       first.halve(longer_way(first), second);
       add(std::move(first));
       add(std::move(second));
@@ -85,7 +85,7 @@ class Ascent {
   }
 
  private:
-  static Axis longer_way(const Net& net) {
+  static Axis longer_way(const PlaneNet& net) {
     if (net.columns == 1) return Axis::u;
     const auto weight = [](const glm::dvec2& p) { return p.y; };
     if (!has_one_sign(net.values, weight)) return weight_way(net);
@@ -93,7 +93,7 @@ class Ascent {
   }
 
   /// Along which the weights differ more.
-  static Axis weight_way(const Net& net) {
+  static Axis weight_way(const PlaneNet& net) {
     const auto spread = [&](Axis axis) {
       double most = 0.0;
       for (std::size_t i = 0; i < lines_along(net, axis); ++i) {
@@ -106,7 +106,7 @@ class Ascent {
     return spread(Axis::u) >= spread(Axis::v) ? Axis::u : Axis::v;
   }
 
-  void add(Net net) {
+  void add(PlaneNet net) {
     for (const glm::dvec2& corner : net.corners()) take(range_, quotient(corner));
     const double most = hull_of(net.values).end;
     if (!(most > range_.end + slack_)) return;
@@ -121,7 +121,7 @@ class Ascent {
 
   Interval& range_;
   double slack_;
-  std::priority_queue<Cell> cells_;
+  std::priority_queue<BoundedPart> cells_;
 };
 
 }  // namespace
@@ -144,6 +144,6 @@ void take_line(Interval& range, std::span<const glm::dvec2> line) {
   }
 }
 
-double take_upper(Interval& range, Net net, double slack) { return Ascent(range, slack).run(std::move(net)); }
+double take_upper(Interval& range, PlaneNet net, double slack) { return Ascent(range, slack).run(std::move(net)); }
 
 }  // namespace splinecore

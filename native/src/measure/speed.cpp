@@ -16,13 +16,13 @@ constexpr const auto& kNodes = kKronrod31;
 /// Both halves: the middle is there twice, but counts once.
 constexpr std::size_t kCount = 2 * kNodes.size();
 
-struct Shares {
+struct NodeShares {
   std::array<double, kCount> kronrod{};
   std::array<double, kCount> differences{};
 };
 
-constexpr Shares kShares = [] {
-  Shares shares;
+constexpr NodeShares kShares = [] {
+  NodeShares shares;
   for (std::size_t i = 0; i < kCount; ++i) {
     const KronrodNode& node = kNodes[i < kNodes.size() ? i : kCount - 1 - i];
     if (i == kNodes.size()) continue;

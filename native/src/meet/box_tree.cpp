@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-Box around(std::span<const Box> boxes) {
-  Box all{glm::dvec3(kNowhere), glm::dvec3(-kNowhere)};
-  for (const Box& box : boxes) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+TreeBox around(std::span<const TreeBox> boxes) {
+  TreeBox all{glm::dvec3(kNowhere), glm::dvec3(-kNowhere)};
+  for (const TreeBox& box : boxes) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
   return all;
 }
 
-BoxTree::Group group_of(std::span<const Box> boxes) {
+BoxTree::Group group_of(std::span<const TreeBox> boxes) {
   // Widths so large are infinite, and their sums are numbers.
   constexpr double kEverywhere = 0x1p1000;
   constexpr double kFar = 0x1p500;
@@ -36,11 +36,11 @@ BoxTree::Group group_of(std::span<const Box> boxes) {
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box> leaves) : leaves_(leaves.size()) {
-  std::vector<Box> boxes(leaves.begin(), leaves.end());
+BoxTree::BoxTree(std::span<const TreeBox> leaves) : leaves_(leaves.size()) {
+  std::vector<TreeBox> boxes(leaves.begin(), leaves.end());
   do {
     std::vector<Group> groups;
-    std::vector<Box> outer;
+    std::vector<TreeBox> outer;
     for (std::size_t i = 0; i < boxes.size(); i += kGroup) {
       const auto some = std::span(boxes).subspan(i, std::min(kGroup, boxes.size() - i));
       breathe(kGroup * kGroup);

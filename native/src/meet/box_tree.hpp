@@ -11,7 +11,7 @@
 namespace splinecore {
 
 /// What lies between two corners, which may be infinitely far.
-struct Box {
+struct TreeBox {
   glm::dvec3 low;
   glm::dvec3 high;
 };
@@ -23,7 +23,7 @@ class BoxTree {
   static constexpr std::size_t kGroup = kBoxGroup;
   using Group = BoxGroup;  ///< boxes that are missing at the end of a level lie far away
 
-  explicit BoxTree(std::span<const Box> leaves);
+  explicit BoxTree(std::span<const TreeBox> leaves);
 
   /// Level 0 has the leaves; group i of a level is box i of the next. The last level is one group.
   std::size_t levels() const noexcept { return levels_.size(); }

@@ -94,7 +94,7 @@ void BoxedPieces::put_in_order(std::span<const std::uint64_t> codes) {
   std::ranges::sort(order, {}, [&](std::size_t i) { return codes[i]; });
   std::vector<PiecePart> parts;
   std::vector<glm::dvec4> net_points;
-  std::vector<Box> boxes;
+  std::vector<TreeBox> boxes;
   parts.reserve(parts_.size());
   net_points.reserve(points_.size());
   boxes.reserve(boxes_.size());

@@ -55,7 +55,7 @@ class BoxedPieces {
   std::size_t columns_;
   std::vector<PiecePart> parts_;
   std::vector<glm::dvec4> points_;
-  std::vector<Box> boxes_;
+  std::vector<TreeBox> boxes_;
   BoxTree tree_;
 };
 

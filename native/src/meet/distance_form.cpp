@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kLanes = 4;
 
 /// The least of second differences, and the largest size.
-struct Differences {
+struct SecondDifferences {
   double least = std::numeric_limits<double>::infinity();
   double size = 0.0;
 
@@ -160,20 +160,20 @@ bool DistanceForm::is_convex(double error) const noexcept {
   const std::size_t rows = 2 * rows_ - 1;
   const std::size_t columns = 2 * columns_ - 1;
   const double* const sums = sums_.data();
-  Differences along_v;
+  SecondDifferences along_v;
   for (std::size_t i = 0; i < rows; ++i) {
     const double* const at = sums + i * width_;
     for (std::size_t j = 0; j + 2 < columns; ++j) along_v.add(at[j + 2] - at[j + 1] - (at[j + 1] - at[j]));
   }
   if (!(along_v.least > error)) return false;
-  Differences along_u;
+  SecondDifferences along_u;
   for (std::size_t i = 0; i + 2 < rows; ++i) {
     const double* const at = sums + i * width_;
     const double* const next = at + width_;
     for (std::size_t j = 0; j < columns; ++j) along_u.add(next[j + width_] - next[j] - (next[j] - at[j]));
   }
   if (!(along_u.least > error)) return false;
-  Differences mixed;
+  SecondDifferences mixed;
   for (std::size_t i = 0; i + 1 < rows; ++i) {
     const double* const at = sums + i * width_;
     const double* const next = at + width_;

@@ -27,13 +27,13 @@ struct SpanSide {
 };
 
 /// Where a patch ends or has an edge, and what is on either side.
-using Line = std::vector<SpanSide>;
+using EdgeLine = std::vector<SpanSide>;
 
 /// Borders, and knots of full multiplicity: what lies beside these is one line, or two where the patch is torn.
-std::vector<Line> lines_of(const NearPatch& patch, Axis axis) {
+std::vector<EdgeLine> lines_of(const NearPatch& patch, Axis axis) {
   const KnotVector& knots = patch.knots(axis);
   const std::size_t count = patch.spans(axis);
-  std::vector<Line> lines;
+  std::vector<EdgeLine> lines;
   for (std::size_t i = 0; i < count; ++i) {
     const SpanSide right{axis, i, false};
     const SpanSide left{axis, i > 0 ? i - 1 : count - 1, true};
@@ -66,7 +66,7 @@ int inward_sign(const NearPatch& patch, const SpanSide& side, std::size_t i, dou
 }
 
 /// The signs on the sides of a line: none, one kind or both.
-struct Signs {
+struct LineSigns {
   bool rises = false;
   bool falls = false;
 
@@ -78,7 +78,7 @@ struct Signs {
 
 class LineSearch {
  public:
-  LineSearch(PatchPlaces& places, const Line& line)
+  LineSearch(PatchPlaces& places, const EdgeLine& line)
       : places_(places), patch_(places.patch()), line_(line), along_(line.front().along()) {
     for (std::size_t i = 0; i < patch_.spans(along_); ++i) {
       edges_.push_back(side_of(net(line.front(), i), piece_side(line.front())));
@@ -127,7 +127,7 @@ class LineSearch {
   }
 
   void add(const LinePlace& place) {
-    Signs signs;
+    LineSigns signs;
     for (const SpanSide& side : line_) {
       signs.add(inward_sign(patch_, side, place.piece, place.t));
       const bool goes_on = place.t == 0.0 && place.before != 0;
@@ -143,7 +143,7 @@ class LineSearch {
   void pass_constant(std::size_t i) const {
     if (is_point(i)) return;
     for (const double t : {0.25, 0.5, 0.75}) {
-      Signs signs;
+      LineSigns signs;
       for (const SpanSide& side : line_) signs.add(inward_sign(patch_, side, i, t));
       const PiecePlace place = line_.front().place(i, t);
       if (!(signs.rises && signs.falls) && !places_.is_too_far(place)) places_.refuse_curve(place);
@@ -152,7 +152,7 @@ class LineSearch {
 
   PatchPlaces& places_;
   const NearPatch& patch_;
-  const Line& line_;
+  const EdgeLine& line_;
   Axis along_;
   std::vector<Net> edges_;
 };
@@ -161,13 +161,13 @@ class LineSearch {
 
 void add_poles(PatchPlaces& places) {
   for (const Axis axis : {Axis::u, Axis::v}) {
-    for (const Line& line : lines_of(places.patch(), axis)) LineSearch(places, line).add_pole();
+    for (const EdgeLine& line : lines_of(places.patch(), axis)) LineSearch(places, line).add_pole();
   }
 }
 
 void add_outer_places(PatchPlaces& places) {
   for (const Axis axis : {Axis::u, Axis::v}) {
-    for (const Line& line : lines_of(places.patch(), axis)) LineSearch(places, line).add_places();
+    for (const EdgeLine& line : lines_of(places.patch(), axis)) LineSearch(places, line).add_places();
   }
 }
 

@@ -56,7 +56,7 @@ PieceBox piece_box(const Net& net) {
   return box;
 }
 
-Box box_of(const Net& net) {
+TreeBox box_of(const Net& net) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-low);
   if (!has_one_sign(net.values, &glm::dvec4::w)) return {high, low};

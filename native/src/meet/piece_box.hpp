@@ -34,7 +34,7 @@ struct PieceBox {
 PieceBox piece_box(const BernsteinNet<glm::dvec4>& net);
 
 /// The box of the control points along the axes of coordinates; everywhere if their weights have both signs.
-Box box_of(const BernsteinNet<glm::dvec4>& net);
+TreeBox box_of(const BernsteinNet<glm::dvec4>& net);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

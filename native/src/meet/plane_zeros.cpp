@@ -12,7 +12,7 @@ namespace splinecore {
 
 namespace {
 
-using Net = BernsteinNet<double>;
+using ScalarNet = BernsteinNet<double>;
 
 /// A part no longer than this is not halved.
 constexpr double kShortest = 0x1p-18;
@@ -20,7 +20,7 @@ constexpr double kShortest = 0x1p-18;
 constexpr double kWide = 0x1p-6;
 constexpr std::size_t kMost = 1 << 16;
 
-double size_of(const Net& net) noexcept {
+double size_of(const ScalarNet& net) noexcept {
   const auto [low, high] = net.range();
   return std::max(-low, high);
 }
@@ -33,7 +33,7 @@ bool crosses_zero(const SlopeForm& form) noexcept {
 }
 
 /// The least and the greatest of differences of neighbours along an axis, times the degree.
-std::pair<double, double> slope_range(const Net& net, Axis axis) noexcept {
+std::pair<double, double> slope_range(const ScalarNet& net, Axis axis) noexcept {
   const std::size_t step = axis == Axis::u ? net.columns : 1;
   const std::size_t rows = axis == Axis::u ? net.rows - 1 : net.rows;
   const std::size_t columns = axis == Axis::u ? net.columns : net.columns - 1;
@@ -49,13 +49,13 @@ std::pair<double, double> slope_range(const Net& net, Axis axis) noexcept {
   return {degree * low, degree * high};
 }
 
-double steepness(const Net& net, Axis axis) noexcept {
+double steepness(const ScalarNet& net, Axis axis) noexcept {
   const auto [low, high] = slope_range(net, axis);
   return std::max(-low, high);
 }
 
 /// The mean slope along an axis between the corners.
-double mean_slope(const Net& net, Axis axis) noexcept {
+double mean_slope(const ScalarNet& net, Axis axis) noexcept {
   const auto [a, b, c, d] = net.corners();
   return axis == Axis::u ? 0.5 * (c - a + (d - b)) : 0.5 * (b - a + (d - c));
 }
@@ -92,7 +92,7 @@ bool tells_places_apart(const std::array<SlopeForm, 2>& forms) noexcept {
 }
 
 /// Value and slopes.
-std::array<double, 3> jet_of(const Net& net, const BernsteinRow& u, const BernsteinRow& v) {
+std::array<double, 3> jet_of(const ScalarNet& net, const BernsteinRow& u, const BernsteinRow& v) {
   std::array<double, 3> jet{};
   for (std::size_t i = 0; i < net.rows; ++i) {
     double value = 0.0;
@@ -113,8 +113,8 @@ std::optional<std::array<double, 2>> single_zero(const std::array<SlopeForm, 2>&
   constexpr int kMostSteps = 20;
   constexpr double kLastStep = 0x1p-40;
   constexpr double kSlack = 0x1p-30;
-  const Net& a = forms[0].net;
-  const Net& b = forms[1].net;
+  const ScalarNet& a = forms[0].net;
+  const ScalarNet& b = forms[1].net;
   std::array<double, 2> at{0.5, 0.5};
   for (int i = 0; i < kMostSteps; ++i) {
     const BernsteinRow u(a.degree(Axis::u), at[0]);
@@ -133,9 +133,9 @@ std::optional<std::array<double, 2>> single_zero(const std::array<SlopeForm, 2>&
   return {};
 }
 
-class Search {
+class ZeroSearch {
  public:
-  explicit Search(const std::function<bool(const PlaneRange&)>& is_out) : is_out_(is_out) {}
+  explicit ZeroSearch(const std::function<bool(const PlaneRange&)>& is_out) : is_out_(is_out) {}
 
   void visit(SlopeForm a, SlopeForm b, const PlaneRange& range) {
     if (found_.curve) return;
@@ -181,7 +181,7 @@ class Search {
   }
 
   /// That along which the polynomials change more, if the part is not much longer along the other.
-  static Axis axis_of(const Net& a, const Net& b, const PlaneRange& range) noexcept {
+  static Axis axis_of(const ScalarNet& a, const ScalarNet& b, const PlaneRange& range) noexcept {
     constexpr double kLonger = 16.0;
     if (range[0].length() > kLonger * range[1].length()) return Axis::u;
     if (range[1].length() > kLonger * range[0].length()) return Axis::v;
@@ -238,7 +238,7 @@ SlopeForm near_one(const SlopeForm& form, std::size_t rows, std::size_t columns)
 PlaneZeros plane_zeros(const SlopeForm& a, const SlopeForm& b, const std::function<bool(const PlaneRange&)>& is_out) {
   const std::size_t rows = std::max(a.net.rows, b.net.rows);
   const std::size_t columns = std::max(a.net.columns, b.net.columns);
-  Search search(is_out);
+  ZeroSearch search(is_out);
   search.visit(near_one(a, rows, columns), near_one(b, rows, columns), {});
   return std::move(search).found();
 }

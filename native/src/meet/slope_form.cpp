@@ -17,9 +17,9 @@ constexpr double kRounding = 0x1p-50;
 using Net = BernsteinNet<glm::dvec4>;
 
 /// What the products of two Bernstein polynomials, one of each degree, are of those of the sum of the degrees.
-class Shares {
+class ProductShares {
  public:
-  Shares(std::size_t first, std::size_t second) : width_(second) {
+  ProductShares(std::size_t first, std::size_t second) : width_(second) {
     const int p = static_cast<int>(first) - 1;
     const int q = static_cast<int>(second) - 1;
     for (int i = 0; i <= p; ++i) {
@@ -37,8 +37,8 @@ class Shares {
 template <class A, class B, class Times>
 auto product(const BernsteinNet<A>& a, const BernsteinNet<B>& b, Times times) {
   using Value = decltype(times(a.values[0], b.values[0]));
-  const Shares along(a.rows, b.rows);
-  const Shares across(a.columns, b.columns);
+  const ProductShares along(a.rows, b.rows);
+  const ProductShares across(a.columns, b.columns);
   BernsteinNet<Value> out{a.rows + b.rows - 1, a.columns + b.columns - 1, {}};
   out.values.assign(out.rows * out.columns, Value(0.0));
   for (std::size_t i = 0; i < a.rows; ++i) {
@@ -82,7 +82,7 @@ BernsteinNet<glm::dvec3> plain_direction(const Net& piece) {
 /// W X' - W' X along u: the degree is two less than that of a product, not one, as the leading terms cancel.
 BernsteinNet<glm::dvec3> direction(const Net& piece) {
   if (is_plain(piece)) return plain_direction(piece);
-  const Shares across(piece.columns, piece.columns);
+  const ProductShares across(piece.columns, piece.columns);
   const int p = static_cast<int>(piece.rows) - 1;
   BernsteinNet<glm::dvec3> out{2 * piece.rows - 3, 2 * piece.columns - 1, {}};
   out.values.assign(out.rows * out.columns, glm::dvec3(0.0));

@@ -30,11 +30,11 @@ double ratio_for_both(const LocalRows& a, const LocalRows& b) {
 }
 
 /// What a condition takes of each row of a and then of b.
-using Condition = std::array<double, 2 * kMostRows>;
+using EdgeCondition = std::array<double, 2 * kMostRows>;
 
 /// Brings condition k to right angles with those before it, and to length 1 (Gram and Schmidt).
-void set_upright(std::array<Condition, kMostRows>& conditions, int k) {
-  Condition& own = conditions[k];
+void set_upright(std::array<EdgeCondition, kMostRows>& conditions, int k) {
+  EdgeCondition& own = conditions[k];
   const auto divide = [&](double by) { std::ranges::for_each(own, [by](double& number) { number /= by; }); };
   divide(std::abs(*std::ranges::max_element(own, {}, [](double number) { return std::abs(number); })));
   constexpr int kTwice = 2;  // once leaves rounding where the angle is small
@@ -48,10 +48,11 @@ void set_upright(std::array<Condition, kMostRows>& conditions, int k) {
 }
 
 /// The conditions as unit vectors at right angles, which the same moves meet.
-std::array<Condition, kMostRows> conditions(const LocalRows& a, const LocalRows& b, const Constants& by, int count) {
+std::array<EdgeCondition, kMostRows> conditions(const LocalRows& a, const LocalRows& b, const Constants& by,
+                                                 int count) {
   const std::array<std::array<double, kMostRows>, kMostRows> of_a{
       {{1.0, 0.0, 0.0}, {by.g, by.k, 0.0}, {by.e, by.m + 2.0 * by.g * by.k, by.k * by.k}}};
-  std::array<Condition, kMostRows> found{};
+  std::array<EdgeCondition, kMostRows> found{};
   for (int k = 0; k < count; ++k) {
     for (int i = 0; i < kMostRows; ++i) {
       for (int l = 0; l <= k; ++l) found[k][i] += of_a[k][l] * a.coefficient(l, i);
@@ -63,7 +64,7 @@ std::array<Condition, kMostRows> conditions(const LocalRows& a, const LocalRows&
 }
 
 /// Moves the places of a's rows by their part of the least moves that meet upright conditions.
-void move_first(LocalRows& a, const LocalRows& b, const std::array<Condition, kMostRows>& conditions, int count) {
+void move_first(LocalRows& a, const LocalRows& b, const std::array<EdgeCondition, kMostRows>& conditions, int count) {
   for (std::size_t column = 0; column < a.rows[0].size(); ++column) {
     std::array<glm::dvec3, 2 * kMostRows> places;
     places.fill(glm::dvec3(0.0));

@@ -20,21 +20,21 @@ std::vector<glm::dvec4> line_of(std::span<const glm::dvec4> net, const Lines& li
 }
 
 /// A line of homogeneous points after a verb.
-struct Line {
+struct HomogeneousLine {
   KnotVector knots;
   std::vector<glm::dvec4> points;
 };
 
 using Verb = std::function<NurbsCurve(const NurbsCurve&)>;
 
-Line changed(const KnotVector& knots, std::vector<glm::dvec4> points, bool rational, const Verb& verb) {
+HomogeneousLine changed(const KnotVector& knots, std::vector<glm::dvec4> points, bool rational, const Verb& verb) {
   std::vector<glm::dvec4> weights;
   for (glm::dvec4& point : points) {
     weights.emplace_back(point.w, 0.0, 0.0, 1.0);
     point.w = 1.0;
   }
   const NurbsCurve places = verb(NurbsCurve::make(knots, std::move(points)));
-  Line line{places.knot_vector(), {places.points().begin(), places.points().end()}};
+  HomogeneousLine line{places.knot_vector(), {places.points().begin(), places.points().end()}};
   for (glm::dvec4& point : line.points) point.w = 1.0;
   if (!rational) return line;
   const NurbsCurve changed_weights = verb(NurbsCurve::make(knots, std::move(weights)));
@@ -124,7 +124,8 @@ NurbsPatch along(const NurbsPatch& patch, Axis axis, const Verb& verb) {
   std::vector<glm::dvec4> points;
   for (std::size_t i = 0; i < old.count; ++i) {
     breathe(100 * old.size);
-    const Line after = changed(patch.knot_vector(axis), line_of(old_points, wide, i), patch.rational(), verb);
+    const HomogeneousLine after =
+        changed(patch.knot_vector(axis), line_of(old_points, wide, i), patch.rational(), verb);
     const Lines lines(axis, old.count, after.points.size());
     points.resize(lines.count * lines.size);
     for (std::size_t k = 0; k < lines.size; ++k) points[lines.at(i, k)] = after.points[k];

@@ -21,10 +21,10 @@ namespace {
 /// Terms of a power series along a way into the domain.
 constexpr int kTerms = 4;
 template <class Value>
-using Series = std::array<Value, kTerms>;
+using PowerSeries = std::array<Value, kTerms>;
 
 /// A homogeneous vector, and what rounding may have made of its part in space and of its weight.
-struct Rounded {
+struct RoundedPoint {
   glm::dvec4 value{0.0};
   double noise = 0.0;
   double weight_noise = 0.0;
@@ -34,7 +34,7 @@ struct Rounded {
 /// digits are lost far from the origin, and no division spreads rounding.
 struct LocalDerivatives {
   static constexpr int kWidth = kTerms + 1;
-  std::array<Rounded, kWidth * kWidth> values;
+  std::array<RoundedPoint, kWidth * kWidth> values;
 };
 
 /// The control points that a pair of parameters depends on, as they were given, row after row.
@@ -57,10 +57,10 @@ glm::dvec4 local_sum(std::span<const double> u, std::span<const double> v, const
 }
 
 /// The same sum with what rounding may do to it. @param unit  the rounding of a point
-Rounded rounded_sum(std::span<const double> u, std::span<const double> v, const std::vector<glm::dvec4>& points,
-                    double unit) {
+RoundedPoint rounded_sum(std::span<const double> u, std::span<const double> v, const std::vector<glm::dvec4>& points,
+                         double unit) {
   constexpr double kRounding = 0x1p-47;
-  Rounded sum{local_sum(u, v, points)};
+  RoundedPoint sum{local_sum(u, v, points)};
   for (std::size_t i = 0; i < u.size(); ++i) {
     for (std::size_t j = 0; j < v.size(); ++j) {
       const glm::dvec4& p = points[i * v.size() + j];
@@ -95,13 +95,13 @@ LocalDerivatives local_derivatives(const NurbsPatch& patch, const Samples& u, co
 }
 
 /// The derivative in_u, in_v along the way (a, b) from the point.
-Series<Rounded> along(const LocalDerivatives& local, double a, double b, int in_u, int in_v, int terms) {
-  Series<Rounded> series;
+PowerSeries<RoundedPoint> along(const LocalDerivatives& local, double a, double b, int in_u, int in_v, int terms) {
+  PowerSeries<RoundedPoint> series;
   double factorial = 1.0;
   for (int n = 0; n < terms; ++n, factorial *= n) {
     for (int k = 0; k <= n; ++k) {
       const double factor = binomial(n, k) / factorial * std::pow(a, k) * std::pow(b, n - k);
-      const Rounded& there = local.values[(k + in_u) * local.kWidth + (n - k + in_v)];
+      const RoundedPoint& there = local.values[(k + in_u) * local.kWidth + (n - k + in_v)];
       series[n].value += factor * there.value;
       series[n].noise += std::abs(factor) * there.noise;
       series[n].weight_noise += std::abs(factor) * there.weight_noise;
@@ -117,8 +117,8 @@ struct RoundedNormal {
 };
 
 /// Adds w (x x y) to a series of normals.
-void add_product(Series<RoundedNormal>& sum, const Series<Rounded>& w, const Series<Rounded>& x,
-                 const Series<Rounded>& y, int terms) {
+void add_product(PowerSeries<RoundedNormal>& sum, const PowerSeries<RoundedPoint>& w,
+                 const PowerSeries<RoundedPoint>& x, const PowerSeries<RoundedPoint>& y, int terms) {
   for (int i = 0; i < terms; ++i) {
     for (int j = 0; i + j < terms; ++j) {
       const glm::dvec3 at_x(x[i].value);
@@ -204,7 +204,7 @@ std::optional<glm::dvec3> NormalFinder::first_term(double u, double v, PatchOpti
   const auto point = along(local, a, b, 0, 0, terms);
   const auto slope_u = along(local, a, b, 1, 0, terms);
   const auto slope_v = along(local, a, b, 0, 1, terms);
-  Series<RoundedNormal> normals;
+  PowerSeries<RoundedNormal> normals;
   add_product(normals, point, slope_u, slope_v, terms);
   add_product(normals, slope_u, slope_v, point, terms);
   add_product(normals, slope_v, point, slope_u, terms);

@@ -123,9 +123,9 @@ void fill_parameters(IndexedPatch& patch, const AnyPatch& value) {
 }
 
 /// Collects points, each once where merging.
-class Pool {
+class PoolBuilder {
  public:
-  explicit Pool(bool merged) : merged_(merged) {}
+  explicit PoolBuilder(bool merged) : merged_(merged) {}
 
   int index_of(const glm::dvec4& point) {
     const auto next = static_cast<int>(points.size());
@@ -149,7 +149,7 @@ class Pool {
   std::map<Bits, int> known_;
 };
 
-IndexedPatch indexed(const BezierPatch& patch, Pool& pool) {
+IndexedPatch indexed(const BezierPatch& patch, PoolBuilder& pool) {
   IndexedPatch indexed;
   indexed.kind = PatchKind::bezier;
   indexed.count_u = patch.count(Axis::u);
@@ -158,7 +158,7 @@ IndexedPatch indexed(const BezierPatch& patch, Pool& pool) {
   return indexed;
 }
 
-IndexedPatch indexed(const HermitePatch& patch, Pool& pool) {
+IndexedPatch indexed(const HermitePatch& patch, PoolBuilder& pool) {
   IndexedPatch indexed;
   indexed.kind = PatchKind::hermite;
   indexed.count_u = patch.count(Axis::u);
@@ -175,7 +175,7 @@ IndexedPatch indexed(const HermitePatch& patch, Pool& pool) {
   return indexed;
 }
 
-IndexedPatch indexed(const NurbsPatch& patch, Pool& pool) {
+IndexedPatch indexed(const NurbsPatch& patch, PoolBuilder& pool) {
   const KnotVector& u = patch.knot_vector(Axis::u);
   const KnotVector& v = patch.knot_vector(Axis::v);
   IndexedPatch indexed{.kind = PatchKind::nurbs, .count_u = u.count(), .count_v = v.count(),
@@ -242,7 +242,7 @@ PatchSet PatchSet::with_points(std::vector<glm::dvec4> points) const {
 }
 
 PatchSet PatchSet::of(std::span<const AnyPatch> patches, bool merged) {
-  Pool pool(merged);
+  PoolBuilder pool(merged);
   std::vector<IndexedPatch> all;
   for (const AnyPatch& patch : patches) {
     all.push_back(std::visit([&](const auto& value) { return indexed(value, pool); }, patch));

@@ -41,7 +41,7 @@ bool is_point(std::span<const glm::dvec4> points, double tolerance) {
 }
 
 /// A parameter of a side on its way from 0 to 1.
-struct Walk {
+struct SideWalk {
   const SideCurve& side;
   std::size_t span = 0;
   double part = 0.0;  ///< of the span
@@ -116,7 +116,7 @@ std::vector<std::optional<std::size_t>> partners(const std::vector<double>& a, c
 }
 
 /// Compares the points between two neighbours among the knots of either.
-bool is_near_between(const Walk& a, double end_a, const Walk& b, double end_b) {
+bool is_near_between(const SideWalk& a, double end_a, const SideWalk& b, double end_b) {
   const double tolerance = std::max(a.side.tolerance, b.side.tolerance);
   const int count = a.side.degree + b.side.degree + 1;
   for (int k = 0; k < count; ++k) {
@@ -129,8 +129,8 @@ bool is_near_between(const Walk& a, double end_a, const Walk& b, double end_b) {
 
 bool is_near_everywhere(const SideCurve& a, const SideCurve& b) {
   const auto partner = partners(a.breaks, b.breaks);
-  Walk on_a{a};
-  Walk on_b{b};
+  SideWalk on_a{a};
+  SideWalk on_b{b};
   while (!on_a.is_at_end() || !on_b.is_at_end()) {
     const bool is_one_knot = partner[on_a.span + 1] == on_b.span + 1;
     const double end_a = is_one_knot || on_a.next() <= on_b.next() ? 1.0 : on_a.part_at(on_b.next());
@@ -170,7 +170,7 @@ double middle(const SideCurve& side) {
   constexpr glm::dvec3 kDirection(0.71, 0.53, 0.46);
   const auto after = std::ranges::upper_bound(side.breaks, 0.5 + kOneKnot);
   const bool is_steady = after - std::ranges::lower_bound(side.breaks, 0.5 - kOneKnot) < 2;
-  Walk walk{side};
+  SideWalk walk{side};
   walk.span = std::ranges::upper_bound(side.breaks, 0.5) - side.breaks.begin() - 1;
   const glm::dvec3 between_ends = 0.5 * (start_of(side) + end_of(side));
   const double at = glm::dot(kDirection, is_steady ? point_at(side, walk.span, walk.part_at(0.5)) : between_ends);

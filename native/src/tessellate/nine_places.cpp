@@ -17,18 +17,18 @@ namespace {
 double size_of(const glm::dvec3& difference) { return glm::dot(difference, difference); }
 
 /// The derivatives of a point by both parameters, times its weight.
-struct Slopes {
+struct WeightedSlopes {
   glm::dvec3 u;
   glm::dvec3 v;
 };
 
-Slopes slopes_of(const glm::dvec4& h, const glm::dvec4& hu, const glm::dvec4& hv) {
+WeightedSlopes slopes_of(const glm::dvec4& h, const glm::dvec4& hu, const glm::dvec4& hv) {
   if (hu.w == 0.0 && hv.w == 0.0) return {glm::dvec3(hu), glm::dvec3(hv)};
   return {glm::dvec3(hu) - hu.w / h.w * glm::dvec3(h), glm::dvec3(hv) - hv.w / h.w * glm::dvec3(h)};
 }
 
 /// Their unit normal, or (0, 0, 0) where one of them is no more than rounding.
-glm::dvec3 unit_normal(const Slopes& slopes, double magnitude) {
+glm::dvec3 unit_normal(const WeightedSlopes& slopes, double magnitude) {
   const glm::dvec3 normal = glm::cross(slopes.u, slopes.v);
   const double size = size_of(normal);
   const double size_u = size_of(slopes.u);
@@ -147,7 +147,7 @@ glm::dvec3 NinePlaces::middle_normal() {
     slope_v += u_[1].values[i] * weighted_sum(v_[1].slopes, row);
   }
   const double magnitude = magnitude_of(*piece_);
-  const Slopes slopes = slopes_of(values_[4], slope_u, slope_v);
+  const WeightedSlopes slopes = slopes_of(values_[4], slope_u, slope_v);
   const glm::dvec3 normal = unit_normal(slopes, magnitude);
   if (normal == glm::dvec3(0.0)) return normal_near(4, magnitude);
   middle_slopes_ = {slopes.u / values_[4].w, slopes.v / values_[4].w};

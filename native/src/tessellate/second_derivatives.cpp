@@ -15,7 +15,7 @@ double size_of(const glm::dvec3& difference) { return glm::dot(difference, diffe
 double size_of(double difference) { return difference * difference; }
 
 /// The largest of the differences of a net, first and second ones, as those of the polynomial's derivatives.
-struct Differences {
+struct NetDifferences {
   double u = 0.0;
   double v = 0.0;
   double uu = 0.0;
@@ -42,7 +42,7 @@ double largest_of(std::size_t rows, std::size_t columns, At at) {
 }
 
 template <class Value>
-void add_second_differences(const Value* p, std::size_t rows, std::size_t columns, Differences& found) {
+void add_second_differences(const Value* p, std::size_t rows, std::size_t columns, NetDifferences& found) {
   const auto m = static_cast<double>(rows - 1);
   const auto n = static_cast<double>(columns - 1);
   if (rows > 2) {
@@ -65,7 +65,7 @@ void add_second_differences(const Value* p, std::size_t rows, std::size_t column
 }
 
 template <class Value>
-void add_first_differences(const Value* p, std::size_t rows, std::size_t columns, Differences& found) {
+void add_first_differences(const Value* p, std::size_t rows, std::size_t columns, NetDifferences& found) {
   const auto m = static_cast<double>(rows - 1);
   const auto n = static_cast<double>(columns - 1);
   if (rows > 1) found.u = m * largest_of((rows - 1) * columns, [&](std::size_t k) { return p[k + columns] - p[k]; });
@@ -101,11 +101,11 @@ void PieceBounds::centre(const glm::dvec4* points, std::size_t count, std::size_
 template <class Value>
 SecondDerivativeBounds PieceBounds::bounds_of(const Value* values, const Centred& seen, std::size_t rows,
                                               std::size_t columns) const {
-  Differences point;
+  NetDifferences point;
   add_second_differences(values, rows, columns, point);
   if (!rational_) return {point.uu, point.uv, point.vv};
   const double least = seen.least;
-  Differences weight;
+  NetDifferences weight;
   add_first_differences(values, rows, columns, point);
   add_first_differences(seen.weights.data(), rows, columns, weight);
   add_second_differences(seen.weights.data(), rows, columns, weight);

@@ -8,8 +8,8 @@ namespace {
 
 using namespace splinecore;
 
-std::vector<Box> row_of_boxes(std::size_t count) {
-  std::vector<Box> boxes;
+std::vector<TreeBox> row_of_boxes(std::size_t count) {
+  std::vector<TreeBox> boxes;
   for (std::size_t i = 0; i < count; ++i) {
     const double x = 2.0 * static_cast<double>(i);
     boxes.push_back({glm::dvec3(x, 0, 0), glm::dvec3(x + 1, 1, 1)});
