@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <new>
@@ -11,6 +12,7 @@
 
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/patch/evaluate_set.hpp"
+#include "splinecore/tessellate/tessellation.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -181,6 +183,35 @@ TEST(Allocations, OfASetAreNineAndOneForEachPatchAndWithNormalsSixteenAndThirtee
       const PatchSet set = PatchSet::of(std::vector<AnyPatch>(count, patch), false);
       const auto more = static_cast<long>(count);
       expect_as_often_for_every_grid<double>(set, patch, count, 9 + more, 16 + 13 * more);
+    }
+  }
+}
+
+/// So many patches in a row, neighbours on the same points along an edge.
+PatchSet row_of_patches(int count) {
+  std::vector<AnyPatch> row;
+  for (int i = 0; i < count; ++i) {
+    std::vector<glm::dvec4> net;
+    for (int k = 0; k < 9; ++k) net.emplace_back(2 * i + k / 3, k % 3, (k * k) % 5 * (k / 3 % 2), 1);
+    row.emplace_back(BezierPatch::make(3, 3, net));
+  }
+  return PatchSet::of(row, true);
+}
+
+// To tell which sides are one edge takes several allocations for every patch.
+TEST(Allocations, OfALocalMoveAreFewAsPanelsAreNotFoundAgain) {
+  for (const int count : {20, 200}) {
+    const PatchSet before = row_of_patches(count);
+    std::vector<glm::dvec4> points(before.points().begin(), before.points().end());
+    points[points.size() / 2].z += 0.25;
+    const PatchSet after = before.with_points(points);
+    for (const Tessellation& mesh : {Tessellation::make(before, 4, 4), Tessellation::adaptive(before, {0.01, HUGE_VAL})}) {
+      bool fits = false;
+      EXPECT_GT(allocations_of([&] { fits = mesh.fits(after); }), 8 * count);
+      EXPECT_EQ(allocations_of([&] { fits = mesh.still_fits(after, before); }), 0);
+      EXPECT_TRUE(fits);
+      std::vector<float> positions(3 * mesh.vertex_count());
+      EXPECT_LT(allocations_of([&] { mesh.update_positions(after, before, positions); }), 100);
     }
   }
 }
