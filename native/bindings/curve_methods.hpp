@@ -40,12 +40,12 @@ void bind_common(py::class_<Curve>& cls) {
           py::arg("cancel") = py::none(),
           "Points at parameters: (...,) -> (..., 3), float64 or, with dtype or out, float32, where a coordinate\n"
           "above 3.4e38 is inf.\n\n"
-          "A parameter outside the domain by more than 4 ulp raises InvalidShape. At a knot the right-hand\n"
-          "value is taken unless side='left'. Where the weight is zero PointAtInfinity is raised, or\n"
-          "at_infinity='nan' marks the point. out is a C-contiguous array of the result's shape; cancel\n"
-          "is a callable that ends a long call by returning True. A long batch runs on all cores; threads says on how\n"
-          "many. A parameter has the same bits in any batch, in any order and on any number of threads.\n"
-          "Rows S6, S9, S15.");
+          "A parameter outside the domain by more than 4 ulp raises InvalidShape; a periodic curve takes any, modulo\n"
+          "its period. At a knot the right-hand value is taken unless side='left'. Where the weight is zero\n"
+          "PointAtInfinity is raised, or at_infinity='nan' marks the point. out is a C-contiguous array of the\n"
+          "result's shape; cancel is a callable that ends a long call by returning True. A long batch runs on all\n"
+          "cores; threads says on how many. A parameter has the same bits in any batch, in any order and on any\n"
+          "number of threads. Rows S6, S9, S15.");
   cls.def("derivatives", [](const Curve& self, const py::object& u, const py::object& order, const py::object& side,
                             const py::object& at_infinity, const py::object& out, const py::object& threads,
                             const py::object& cancel) {

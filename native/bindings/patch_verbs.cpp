@@ -45,8 +45,8 @@ void bind_curves_of(py::class_<Patch>& cls) {
           }, py::arg("axis"), py::arg("at"),
           "The curve on the patch along which the parameter of axis 'u' or 'v' is at: a NurbsCurve, of a\n"
           "BezierPatch a BezierCurve. Exact, on the knots of the other axis, periodic where that is; at a knot the\n"
-          "patch's value from there on. InvalidShape if at is outside the domain or the curve lies at infinity\n"
-          "altogether. The NURBS Book, 3.4; rows S18, S20.");
+          "patch's value from there on. A periodic axis takes any, modulo its period. InvalidShape if at is outside\n"
+          "the domain of a plain one or the curve lies at infinity altogether. The NURBS Book, 3.4; rows S18, S20.");
   cls.def("boundary", [](const Patch& self, const py::object& side) {
             const auto border = border_of(side, "side");
             return unlocked([&] { return splinecore::boundary(carrier(self), border); });

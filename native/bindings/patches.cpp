@@ -64,8 +64,9 @@ void bind_common(py::class_<Patch>& cls) {
           py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
           py::arg("cancel") = py::none(),
           "Points at pairs of parameters: u and v broadcast, (...,) -> (..., 3). side is 'right', 'left' or a\n"
-          "pair for u and v. The rest as for curves; a pair has the same bits in a grid of any shape. Along u is\n"
-          "summed first: where swapped() exchanges u and v, the last bits may differ. Rows S19, S20.");
+          "pair for u and v. The rest as for curves, and of a periodic direction as for periodic ones; a pair has the\n"
+          "same bits in a grid of any shape. Along u is summed first: where swapped() exchanges u and v, the last bits\n"
+          "may differ. Rows S19, S20.");
   cls.def("evaluate_grid", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
                               const py::object& at_infinity, const py::object& dtype, const py::object& out,
                               const py::object& threads, const py::object& cancel) {

@@ -113,7 +113,7 @@ void bind_measures(py::class_<NurbsCurve>& cls) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::continuity_at(self, at, most); });
           }, py::arg("u"), py::arg("tolerance") = splinecore::kContinuityTolerance,
-          "The Continuity at a parameter inside the domain.\n"
+          "The Continuity at a parameter inside the domain; a periodic curve takes any, modulo its period.\n"
           "tolerance is relative: below it a difference is called none. Row S16.");
   cls.def("continuity_to", [](const NurbsCurve& self, const NurbsCurve& other, const py::object& tolerance) {
             const double most = real(tolerance, "tolerance");

@@ -94,7 +94,10 @@ def test_periodic_parameters_count_modulo_the_period():
     curve = closed_cubic()
     u = np.array([0.25, 1.5, 5.75])
     for turns in (-12, 6, 600):
-        assert np.array_equal(curve.evaluate(u), curve.evaluate(u + turns))
+        for of in (curve.evaluate, curve.curvature, curve.frames, lambda at: curve.derivatives(at, 2)):
+            assert np.array_equal(of(u), of(u + turns))
+        assert curve.continuity(1.0 + turns).g == curve.continuity(1.0).g
+        assert curve.insert_knot(1.5 + turns) == curve.insert_knot(1.5)
     assert np.abs(curve.evaluate(0.0) - curve.evaluate(6.0, side="left")).max() <= 1e-15
 
 

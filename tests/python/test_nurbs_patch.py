@@ -69,6 +69,16 @@ def test_reversed_and_swapped_are_the_same_surface():
     assert swapped.degree == (2, 3) and swapped.periodic == (True, False)
 
 
+def test_periodic_parameters_count_modulo_the_period():
+    patch = wavy_patch()
+    u, v = np.array([0.0, 0.25, 1.5]), np.array([0.5, 2.25, 4.75])
+    for turns in (-10, 5, 500):
+        for of in (patch.evaluate, patch.evaluate_grid, lambda *at: patch.derivatives(*at, 2),
+                   lambda *at: patch.curvatures(*at).gauss):
+            assert np.array_equal(of(u, v), of(u, v + turns))
+        assert patch.isocurve('v', 2.25 + turns) == patch.isocurve('v', 2.25)
+
+
 def test_unrolled_has_no_periodic_direction():
     patch = wavy_patch()
     plain = patch.unrolled()

@@ -44,7 +44,7 @@ class Stencil {
 class Samples {
  public:
   /// @param sides  one for all parameters, or one for each
-  /// @throws InvalidShape if a parameter is outside the domain.
+  /// @throws InvalidShape if a parameter is outside the domain; where periodic they are taken modulo the period.
   static Samples make(const KnotVector& knots, std::span<const double> parameters, int order,
                       std::span<const Side> sides, const char* name = "u");
   static Samples make(const KnotVector& knots, std::span<const double> parameters, int order = 0,

@@ -21,7 +21,9 @@ struct EvaluateOptions {
 /// Horner's scheme in Bernstein's form from the nearer end of the span (Volk and Schumaker 1990): as stable as
 /// de Casteljau's algorithm at any degree (S6, S14, S15). Every parameter has the same bits whatever
 /// else is in the batch, in any order and on any number of threads.
-/// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless asked for NaN.
+/// A periodic curve takes any parameter, modulo its period.
+/// @throws InvalidShape for a parameter outside the domain of a plain curve, or that is not finite; PointAtInfinity
+///         unless asked for NaN.
 void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
               EvaluateOptions options = {});
 void evaluate(const NurbsCurve& curve, std::span<const double> parameters, std::span<float> out,

@@ -72,7 +72,8 @@ class NurbsCurve {
 
 /// The same curve with these parameters added to its knots, each as often as it occurs.
 /// Untouched control points are copied bit for bit (Boehm 1980, Goldman's blossom form; S15).
-/// @throws InvalidShape if one is outside the domain or its multiplicity would pass degree + 1.
+/// A periodic curve takes any, modulo its period.
+/// @throws InvalidShape if one is outside the domain of a plain curve or its multiplicity would pass degree + 1.
 NurbsCurve refine(const NurbsCurve& curve, std::span<const double> inserted);
 
 /// refine() with `times` copies of one parameter.

@@ -23,7 +23,7 @@ std::vector<double> parameters_at_lengths(const NurbsCurve& curve, std::span<con
                                           double tolerance = kPlaceTolerance);
 
 /// The lengths from the start of the domain to parameters of it; the inverse.
-/// @throws as length(), InvalidShape for a parameter outside the domain.
+/// @throws as length(), InvalidShape for a parameter outside the domain of a plain curve.
 std::vector<double> lengths_at_parameters(const NurbsCurve& curve, std::span<const double> parameters,
                                           double tolerance = kPlaceTolerance);
 

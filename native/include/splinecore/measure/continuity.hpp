@@ -19,7 +19,8 @@ struct Continuity {
 inline constexpr double kContinuityTolerance = 1e-8;
 
 /// At a parameter. Directions and curvatures are limits: where a derivative falls to zero the next ones tell.
-/// @throws PointAtInfinity; InvalidShape if u lies outside the domain or at an end of a plain curve.
+/// A periodic curve takes any parameter, modulo its period.
+/// @throws PointAtInfinity; InvalidShape unless u lies inside the domain of a plain curve.
 Continuity continuity_at(const NurbsCurve& curve, double u, double tolerance = kContinuityTolerance);
 
 /// Between the end of a and the start of b, each with its own parameter.

@@ -11,7 +11,8 @@ namespace splinecore {
 ///
 /// Where C' falls to zero it is the limit, infinite at a sharp cusp; NaN where the curve stands still.
 /// At a knot the right-hand value unless the side is left.
-/// @throws InvalidShape for a parameter outside the domain; PointAtInfinity.
+/// A periodic curve takes any parameter, modulo its period.
+/// @throws InvalidShape for a parameter outside the domain of a plain curve; PointAtInfinity.
 void curvature(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out,
                Side side = Side::right);
 

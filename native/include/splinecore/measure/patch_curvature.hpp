@@ -22,7 +22,9 @@ struct FundamentalForms {
 ///
 /// At a pole or a collapsed edge the normal is its limit; L, M, N are NaN where it has none. At a knot values
 /// are right-hand, or of the side asked for.
-/// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless NaN is asked for.
+/// A periodic direction takes any parameter, modulo its period.
+/// @throws InvalidShape for a parameter outside the domain of a plain direction; PointAtInfinity unless NaN is asked
+///         for.
 void fundamental_forms(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
                        std::span<FundamentalForms> out, PatchOptions options = {});
 

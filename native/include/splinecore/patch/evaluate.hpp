@@ -21,7 +21,9 @@ struct PatchOptions {
 /// A pair has the same bits whatever else is in the batch, in any order, in a grid of any shape and on any number of
 /// threads. The functions along u are summed before those along v: of a patch with both exchanged, swapped(), the last
 /// bits may differ.
-/// @throws InvalidShape for a parameter outside the domain; PointAtInfinity unless NaN is asked for.
+/// A periodic direction takes any parameter, modulo its period.
+/// @throws InvalidShape for a parameter outside the domain of a plain direction, or that is not finite; PointAtInfinity
+///         unless NaN is asked for.
 void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,
               std::span<double> out, PatchOptions options = {});
 void evaluate(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v,

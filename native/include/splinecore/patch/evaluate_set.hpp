@@ -8,7 +8,7 @@
 namespace splinecore {
 
 /// evaluate_grid() of every patch of a set at the same parameters, patch after patch; what patches have in common is
-/// computed once. @throws InvalidShape naming a patch whose domain has not all parameters.
+/// computed once. @throws InvalidShape naming a patch with a plain direction whose domain has not all parameters.
 void evaluate_grid(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<double> out,
                    PatchOptions options = {});
 void evaluate_grid(const PatchSet& set, std::span<const double> u, std::span<const double> v, std::span<float> out,

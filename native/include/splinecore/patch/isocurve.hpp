@@ -11,8 +11,9 @@ namespace splinecore {
 ///
 /// Exact and homogeneous: on the knots of the other direction, periodic where that is. Where a control point of
 /// the patch alone sets one of the curve, it is copied bit for bit. At a knot Side::right takes the patch's
-/// value from there on, at the end of the domain from before.
-/// @throws InvalidShape if the parameter is outside the domain, or the curve lies at infinity altogether.
+/// value from there on, at the end of the domain from before. A periodic axis takes any parameter, modulo its period.
+/// @throws InvalidShape if the parameter is outside the domain of a plain axis, or the curve lies at infinity
+///         altogether.
 NurbsCurve isocurve(const NurbsPatch& patch, Axis axis, double at, Side side = Side::right);
 BezierCurve isocurve(const BezierPatch& patch, Axis axis, double at);
 
