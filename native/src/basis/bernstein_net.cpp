@@ -74,12 +74,13 @@ BernsteinNet<double> weights_of(const BernsteinNet<glm::dvec4>& piece) {
   return weights;
 }
 
-void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out, int begin) {
-  const std::size_t order = knots.degree() + 1;
-  const auto matrix = knots.bezier_matrix(span);
-  const glm::dvec4* first = points + (knots.spans()[span] - knots.degree() - begin);
-  breathe(4 * order * order);
-  for (std::size_t j = 0; j < order; ++j) out[j] = weighted_sum(matrix[j], first);
+void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out) {
+  write_bezier_piece(knots.bezier_matrix(span), points + knots.spans()[span] - knots.degree(), out);
+}
+
+void write_bezier_piece(const SquareRows& matrix, const glm::dvec4* points, glm::dvec4* out) {
+  breathe(4 * matrix.size() * matrix.size());
+  for (std::size_t j = 0; j < matrix.size(); ++j) out[j] = weighted_sum(matrix[j], points);
 }
 
 BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points) {
@@ -91,18 +92,21 @@ BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots, int span, const g
 
 BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots_u, int span_u, const KnotVector& knots_v, int span_v,
                                       const glm::dvec4* points) {
-  const std::size_t rows = knots_u.degree() + 1;
-  const std::size_t columns = knots_v.degree() + 1;
-  const auto matrix_u = knots_u.bezier_matrix(span_u);
-  const auto matrix_v = knots_v.bezier_matrix(span_v);
   const auto width = static_cast<std::size_t>(knots_v.unrolled_count());
   const glm::dvec4* corner =
       points + (knots_u.spans()[span_u] - knots_u.degree()) * width + (knots_v.spans()[span_v] - knots_v.degree());
+  return bezier_piece(knots_u.bezier_matrix(span_u), knots_v.bezier_matrix(span_v), corner, width);
+}
+
+BernsteinNet<glm::dvec4> bezier_piece(const SquareRows& matrix_u, const SquareRows& matrix_v, const glm::dvec4* points,
+                                      std::size_t width) {
+  const std::size_t rows = matrix_u.size();
+  const std::size_t columns = matrix_v.size();
   std::vector<glm::dvec4> half(rows * columns);
   for (std::size_t i = 0; i < rows; ++i) {
     breathe(4 * columns * columns);
     for (std::size_t j = 0; j < columns; ++j) {
-      half[i * columns + j] = weighted_sum(matrix_v[j], corner + i * width);
+      half[i * columns + j] = weighted_sum(matrix_v[j], points + i * width);
     }
   }
   BernsteinNet<glm::dvec4> piece{rows, columns, std::vector<glm::dvec4>(rows * columns, glm::dvec4(0.0))};

@@ -72,13 +72,20 @@ BernsteinNet<double> weights_of(const BernsteinNet<glm::dvec4>& piece);
 BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points);
 
 /// Writes its degree + 1 values.
-/// @param begin  the number among the unrolled points of the first in `points`
-void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out, int begin = 0);
+void write_bezier_piece(const KnotVector& knots, int span, const glm::dvec4* points, glm::dvec4* out);
+
+/// The same of the degree + 1 points alone that the piece depends on.
+void write_bezier_piece(const SquareRows& matrix, const glm::dvec4* points, glm::dvec4* out);
 
 /// The piece of a patch on one of the spans of each of its knot vectors.
 /// @param points  homogeneous, unrolled, row after row
 BernsteinNet<glm::dvec4> bezier_piece(const KnotVector& knots_u, int span_u, const KnotVector& knots_v, int span_v,
                                       const glm::dvec4* points);
+
+/// The same of the points alone that it depends on.
+/// @param width  from one row of them to the next
+BernsteinNet<glm::dvec4> bezier_piece(const SquareRows& matrix_u, const SquareRows& matrix_v, const glm::dvec4* points,
+                                      std::size_t width);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

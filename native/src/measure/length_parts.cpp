@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "basis/bernstein_net.hpp"
 #include "finite_weights.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
 
@@ -118,10 +118,9 @@ class Measure {
   void add_span(int span) {
     const KnotVector& knots = curve_.knot_vector();
     const std::size_t order = near_.size();
-    breathe(order * (16 * order + 256));
+    breathe(order * (12 * order + 256));
     take_points(span);
-    const auto matrix = knots.bezier_matrix(span);
-    for (std::size_t j = 0; j < order; ++j) points_[j] = weighted_sum(matrix[j], near_.data());
+    write_bezier_piece(knots.bezier_matrix(span), near_.data(), points_.data());
     SpeedPiece& piece = stack_[0].speed;
     SpeedPiece& other = stack_[1].speed;
     speed_.write(points_, piece);

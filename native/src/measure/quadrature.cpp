@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
@@ -39,38 +38,15 @@ class Source {
   SurfacePiece piece(int i, int j) const {
     const KnotVector& u = patch_.knot_vector(Axis::u);
     const KnotVector& v = patch_.knot_vector(Axis::v);
-    const auto rows = static_cast<std::size_t>(u.degree()) + 1;
-    const auto columns = static_cast<std::size_t>(v.degree()) + 1;
-    breathe(4 * rows * columns * (rows + columns));
     SurfacePiece found{near_points(u.spans()[i] - u.degree(), v.spans()[j] - v.degree())};
-    BernsteinNet<glm::dvec4>& net = found.net;
-    std::vector<glm::dvec4> half(net.values.size(), glm::dvec4(0.0));
-    multiply(u.bezier_matrix(i), net, half);
-    std::ranges::fill(net.values, glm::dvec4(0.0));
-    const auto matrix = v.bezier_matrix(j);
-    for (std::size_t row = 0; row < rows; ++row) {
-      for (std::size_t k = 0; k < columns; ++k) {
-        for (std::size_t l = 0; l < columns; ++l) net.at(row, k) += matrix[k][l] * half[row * columns + l];
-      }
-    }
-    const auto [low, high] = net.range(&glm::dvec4::w);
+    found.net = bezier_piece(u.bezier_matrix(i), v.bezier_matrix(j), found.net.values.data(), found.net.columns);
+    const auto [low, high] = found.net.range(&glm::dvec4::w);
     found.is_mixed = low <= 0.0 && high >= 0.0;
     found.normalise();
     return found;
   }
 
  private:
-  static void multiply(const SquareRows& matrix, const BernsteinNet<glm::dvec4>& net,
-                       std::span<glm::dvec4> out) {
-    for (std::size_t i = 0; i < net.rows; ++i) {
-      for (std::size_t k = 0; k < net.rows; ++k) {
-        const double share = matrix[i][k];
-        if (share == 0.0) continue;
-        for (std::size_t j = 0; j < net.columns; ++j) out[i * net.columns + j] += share * net.at(k, j);
-      }
-    }
-  }
-
   const glm::dvec4& given(int i, int j) const {
     const int rows = patch_.count(Axis::u);
     const int columns = patch_.count(Axis::v);

@@ -161,7 +161,8 @@ std::optional<SideCurve> side_curve(const NurbsPatch& patch, const Panel& panel,
   SideCurve side{knots.degree(), {0.0}, std::move(pieces), patch.weight_exponent(), tolerance};
   for (int span = begin; span < end; ++span) {
     side.breaks.push_back((knots.span_interval(span).end - range.start) / range.length());
-    write_bezier_piece(knots, span, points.data(), side.pieces.data() + order * (span - begin), first);
+    const glm::dvec4* const needed = points.data() + (knots.spans()[span] - knots.degree() - first);
+    write_bezier_piece(knots.bezier_matrix(span), needed, side.pieces.data() + order * (span - begin));
   }
   return side;
 }
