@@ -157,6 +157,21 @@ def test_a_second_patch_far_away_changes_nothing(far):
     assert mesh.vertex_count == 8
 
 
+def test_a_side_that_is_a_point_on_one_part_of_a_patch_alone_is_a_pole_there():
+    net = [[(0, 0, 0), (0, 1, 0)], [(0, 0, 0), (1, 1, 0)], [(3, 0, 0), (3, 1, 0)], [(4, 0, 0), (4, 1, 0)]]
+    patch = sc.NurbsPatch((1, 1), ([0, 0, 1, 1, 2, 2], [0, 0, 1, 1]), net)
+    assert set_of(patch).edge_counts() == {'shared': 0, 'free': 7, 'pole': 1}
+    assert ADAPTIVE(set_of(patch)).vertex_count == 7
+
+
+def test_a_side_that_lies_at_infinity_altogether_is_free():
+    net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 1), (1, 1, 1)], [(1, 0, 0), (1, 1, 0)]]
+    patch = sc.BezierPatch(net, [[1, 1], [1, 1], [0, 0]])
+    assert set_of(patch).edge_counts() == {'shared': 0, 'free': 4, 'pole': 0}
+    with pytest.raises(sc.InvalidShape, match="runs to infinity"):
+        ADAPTIVE(set_of(patch))
+
+
 def seconds(work):
     start = time.process_time()
     work()
