@@ -109,6 +109,17 @@ def test_straight_up_and_round_there_is_an_upper_side():
     np.testing.assert_allclose(np.linalg.det(found[:, :3, :3]), 1.0)
 
 
+@pytest.mark.parametrize('wanted', ({'count': 20_000}, {'length': 0.5}))
+def test_it_ends_where_it_is_cancelled(wanted):
+    at = np.arange(20_000)
+    curve = sc.fit.interpolate(np.stack([np.cos(at), np.sin(at), 0.01 * at], -1)).value
+    with pytest.raises(sc.Cancelled):
+        dividing.parameters(curve, **wanted, cancel=lambda: True)
+    for turned in ('minimal', 'frenet'):
+        with pytest.raises(sc.Cancelled):
+            dividing.places(curve, np.linspace(*curve.domain, 20_000), turned, 'X', cancel=lambda: True)
+
+
 def test_empties_and_what_is_turned_not():
     add(value_of('nurbs'))
     run(make='EMPTIES', turned='not', count=5)

@@ -78,8 +78,8 @@ def test_long_verbs_hand_the_cancel_on(verb):
 
 
 def test_operators_whose_work_may_take_long():
-    names = ('rebuild', 'fair', 'patch_rebuild', 'fit_patch', 'patch_through_grid', 'fit_curve', 'add_projected',
-             'project_points')
+    names = ('rebuild', 'fair', 'patch_rebuild', 'patch_fair', 'fit_patch', 'patch_through_grid', 'fit_curve',
+             'add_projected', 'project_points', 'divide_equally')
     assert all(issubclass(getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}"), long_work.LongWork) for name in names)
 
 

@@ -9,13 +9,13 @@ _AXES = {'X': ((0, 1), (1, 1), (2, 1)), 'Y': ((1, -1), (0, 1), (2, 1)), 'Z': ((1
 _UP = np.array([0.0, 0.0, 1.0])
 
 
-def parameters(curve, count=None, length=None, with_ends=True):
+def parameters(curve, count=None, length=None, with_ends=True, cancel=None):
     """Of the ends of equal parts: so many, or of this length from the start on. An open curve has both its ends among them,
-    or none. Raises Refusal where the curve is shorter."""
+    or none. cancel: as the library takes it. Raises Refusal where the curve is shorter."""
     if length is None:
-        at = curve.divide(count)
+        at = curve.divide(count, cancel=cancel)
     else:
-        at = curve.divide_by_length(length)
+        at = curve.divide_by_length(length, cancel=cancel)
         if len(at) < 2:
             raise Refusal("it is shorter than one part")
     if with_ends or is_closed(curve):
@@ -27,25 +27,25 @@ def is_closed(curve):
     return np.array_equal(*curve.evaluate(np.array(curve.domain)))
 
 
-def places(curve, at, turned, along):
+def places(curve, at, turned, along, cancel=None):
     """(n, 4, 4): where things stand at parameters, with their axis `along`, 'X', 'Y' or 'Z', ahead on the curve.
 
-    turned: 'standing', upright in the world; 'upright', their upper side as far up as the curve lets it; 'minimal', turning no more than the curve
-    makes them; 'frenet', to where the curve bends; 'not' leaves the axes of the space.
-    Raises what the library raises where the curve has no such frames.
+    turned: 'standing', upright in the world; 'upright', their upper side as far up as the curve lets it; 'minimal', turning
+    no more than the curve makes them; 'frenet', to where the curve bends; 'not' leaves the axes of the space.
+    cancel: as the library takes it. Raises what the library raises where the curve has no such frames.
     """
     found = np.zeros((len(at), 4, 4))
     found[:, 3, 3] = 1.0
     found[:, :3, 3] = curve.evaluate(at)
-    found[:, :3, :3] = np.eye(3) if turned == 'not' else _rotations(_frames(curve, at, turned), along)
+    found[:, :3, :3] = np.eye(3) if turned == 'not' else _rotations(_frames(curve, at, turned, cancel), along)
     return found
 
 
-def _frames(curve, at, turned):
+def _frames(curve, at, turned, cancel):
     """(n, 3, 3): tangent, upper side and tangent x upper side as rows."""
     if turned == 'frenet':
-        return curve.frames(at, 'frenet')
-    frames = curve.frames(at, start=_start(curve), closed=is_closed(curve))
+        return curve.frames(at, 'frenet', cancel=cancel)
+    frames = curve.frames(at, start=_start(curve), closed=is_closed(curve), cancel=cancel)
     if turned == 'minimal':
         return frames
     if turned == 'standing':

@@ -8,13 +8,15 @@ from mathutils import Matrix
 from ...bridge import replacing, store
 from ...core import decimals, dividing, measured
 from ...core.failures import FAILURES, Refusal
+from .. import progress
 from . import reports
 from .adding import Repeatable, can_add
+from .long_work import LongWork
 
 _MOST_OBJECTS = 10_000
 
 
-class SPLINEWRIGHT_OT_divide_equally(Repeatable, bpy.types.Operator):
+class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.divide_equally"
     bl_label = "Divide Equally"
     bl_description = ("Divide the active curve into parts of equal length: points at their ends, or objects that stand there, "
@@ -54,15 +56,18 @@ class SPLINEWRIGHT_OT_divide_equally(Repeatable, bpy.types.Operator):
         others = [ob for ob in context.selected_objects if ob != context.object]
         if len(others) == 1 and not self.properties.is_property_set('source'):
             self.source, self.make = others[0].name, 'COPIES'
-        return self.execute(context)
+        return self.start(context)
+
+    def tasks(self, context):
+        self._source()
+        return {'places': self._task(context.object)}
 
     def execute(self, context):
         ob = context.object
         try:
-            if not _is_curve(ob):
-                raise Refusal("make a curve shape active")
-            places, parts = self._places(ob)
-            new = self._new_objects(context, ob, places)
+            source = self._source()
+            places, parts = self.result_of('places', self._task(ob))
+            new = self._new_objects(context, ob, places, source)
         except FAILURES as error:
             return reports.failed(self, error, ob.name if ob else "")
         for other in context.selected_objects:
@@ -74,37 +79,47 @@ class SPLINEWRIGHT_OT_divide_equally(Repeatable, bpy.types.Operator):
         context.view_layer.objects.active = new[0]
         return self.finished(context, reports.Said(parts))
 
-    def _places(self, ob):
-        """((n, 4, 4) of all curves of the shape, in the world; a sentence about the parts)."""
+    def _task(self, ob):
+        """A function that gives, for a `cancel` as the library takes it, ((n, 4, 4) of all curves of the shape, in the world;
+        a sentence about the parts). Raises Refusal."""
+        if not _is_curve(ob):
+            raise Refusal("make a curve shape active")
         curves = measured.moved(store.read(ob.data), np.array(ob.matrix_world)).pieces
         wanted = {'count': self.count} if self.by == 'COUNT' else {'length': decimals.typed(self.length)}
-        turned = 'not' if self.make == 'POINTS' else self.turned
-        found = np.concatenate([
-            dividing.places(curve, dividing.parameters(curve, with_ends=self.with_ends, **wanted), turned, self.along)
-            for curve in curves])
-        if not len(found):
-            raise Refusal("there is no place between the ends")
-        return found, f"{len(found)} places" + self._said_of_parts(curves)
+        wanted['with_ends'] = self.with_ends
+        turned, along = 'not' if self.make == 'POINTS' else self.turned, self.along
 
-    def _said_of_parts(self, curves):
-        if self.by != 'COUNT' or len(curves) > 1:
-            return ""
-        return f", parts of {decimals.text_of(curves[0].length(tolerance=1e-6) / self.count, 4)}"
+        def places(cancel):
+            found = np.concatenate([
+                dividing.places(curve, dividing.parameters(curve, **wanted, cancel=cancel), turned, along, cancel)
+                for curve in curves])
+            if not len(found):
+                raise Refusal("there is no place between the ends")
+            return found, f"{len(found)} places" + _said_of_parts(curves, wanted)
+        return places
 
-    def _new_objects(self, context, ob, places):
+    def _source(self):
+        """The object that is copied, or None. Raises Refusal."""
+        if self.make != 'COPIES':
+            return None
+        source = bpy.data.objects.get(self.source)
+        if source is None:
+            raise Refusal("choose the object that is copied")
+        return source
+
+    def _new_objects(self, context, ob, places, source):
         name = f"{ob.name} Divided"
         if self.make == 'POINTS':
             return [_points(name, ob.matrix_world.translation, places[:, :3, 3])]
         if len(places) > _MOST_OBJECTS:
             raise Refusal(f"{len(places)} objects are too many: {_MOST_OBJECTS} are allowed")
-        source = None
-        if self.make == 'COPIES':
-            source = bpy.data.objects.get(self.source)
-            if source is None:
-                raise Refusal("choose the object that is copied")
-        collection = bpy.data.collections.new(name)
+        collection, new = bpy.data.collections.new(name), []
         context.collection.children.link(collection)
-        return [_standing(source, name, collection, place, self.turned) for place in places]
+        with progress.shown(context, len(places)) as told:
+            for place in places:
+                new.append(_standing(source, name, collection, place, self.turned))
+                told(len(new))
+        return new
 
     def draw(self, context):
         layout = self.layout
@@ -123,6 +138,12 @@ class SPLINEWRIGHT_OT_divide_equally(Repeatable, bpy.types.Operator):
 
 def _is_curve(ob):
     return ob is not None and replacing.is_curve_shape(ob)
+
+
+def _said_of_parts(curves, wanted):
+    if 'count' not in wanted or len(curves) > 1:
+        return ""
+    return f", parts of {decimals.text_of(curves[0].length(tolerance=1e-6) / wanted['count'], 4)}"
 
 
 def _points(name, origin, points):
