@@ -292,13 +292,17 @@ BAD = [
     (dict(count=4, start=np.ones((2, 3)), end=(1, 0, 0)), "fewer than the ends"),
     (dict(knots=[0, 0, 0, 0, 5, 5, 5, 5], parameters='uniform'), "leave the knots' domain"),
     (dict(knots=[0] * 4 + [28.1, 28.2, 28.3, 28.4] + [29] * 4, parameters='uniform'), "too few points have parameters"),
+    (dict(points=walk(3), tolerance=0.1), "^3 points are too few for degree 3, which needs at least 4$"),
+    (dict(points=walk(3), count=4), "^3 points are too few for degree 3, which needs at least 4$"),
+    (dict(points=walk(5), degree=6, tolerance=0.1, closed=True), "^5 points are too few for degree 6, which needs at least 6$"),
+    (dict(points=walk(4), tolerance=0.1, start=np.ones((2, 3)), end=(1, 0, 0)), "^4 points are too few beside 3 derivatives"),
 ]
 
 
 @pytest.mark.parametrize('arguments, message', BAD)
 def test_bad_input_is_refused_in_a_sentence(arguments, message):
     with pytest.raises(sc.InvalidShape, match=message):
-        fit.approximate(walk(30), **arguments)
+        fit.approximate(**{'points': walk(30), **arguments})
 
 
 def test_bad_points():

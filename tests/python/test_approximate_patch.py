@@ -213,6 +213,8 @@ def test_what_is_refused():
                                (dict(counts=5, degrees=(3, 0)), "along v: degree = 0"), (dict(tolerance=-1), "tolerance = -1"),
                                (dict(counts=5, smoothing=(0, -1)), "along v: smoothing = -1"),
                                (dict(counts=5, smoothing=np.nan), "smoothing = nan"),
-                               (dict(counts=5, parameters=(np.zeros(9), 'chordal')), "along u: parameters")):
+                               (dict(counts=5, parameters=(np.zeros(9), 'chordal')), "along u: parameters"),
+                               (dict(points=grid[:3], tolerance=0.1), "^along u: 3 points are too few for degree 3, which needs"),
+                               (dict(points=grid[:, :3], counts=4), "^along v: 3 points are too few for degree 3, which needs")):
         with pytest.raises(sc.InvalidShape, match=message):
-            fit.approximate_patch(grid, **arguments)
+            fit.approximate_patch(**{'points': grid, **arguments})

@@ -16,6 +16,10 @@ void require_count(int degree, std::size_t count, std::size_t points, Closing cl
     throw InvalidShape("degree = " + std::to_string(degree) + " is outside [1, " + std::to_string(kMaxDegree) + "]");
   }
   const std::size_t least = closing == Closing::closed ? std::max<std::size_t>(degree, 3) : degree + 1;
+  if (points < least) {
+    throw InvalidShape(std::to_string(points) + " points are too few for degree " + std::to_string(degree) +
+                       ", which needs at least " + std::to_string(least));
+  }
   if (count >= least && count <= points) return;
   throw InvalidShape("count = " + std::to_string(count) + " control points are outside [" + std::to_string(least) +
                      ", " + std::to_string(points) + "], from what degree " + std::to_string(degree) +

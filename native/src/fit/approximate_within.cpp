@@ -187,7 +187,12 @@ KnotVector coarsest(std::span<const double> parameters, int degree, Closing clos
   if (closing == Closing::closed) {
     return approximating_knots(parameters, degree, std::max<std::size_t>(order - 1, 3), closing);
   }
-  return approximating_knots(parameters, degree, std::max(order, 2 + options.start.size() + options.end.size()), closing);
+  const std::size_t derivatives = options.start.size() + options.end.size();
+  if (parameters.size() >= order && parameters.size() < 2 + derivatives) {
+    throw InvalidShape(std::to_string(parameters.size()) + " points are too few beside " + std::to_string(derivatives) +
+                       " derivatives at the ends, which need at least " + std::to_string(2 + derivatives));
+  }
+  return approximating_knots(parameters, degree, std::max(order, 2 + derivatives), closing);
 }
 
 }  // namespace
