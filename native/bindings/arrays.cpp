@@ -67,21 +67,43 @@ py::array as_given(const py::handle& value, const py::array& array) {
                        " is not a real number that fits float64 or int64");
 }
 
-/// What numpy has to say about a list that is no array, or better: its first row of another length.
-[[noreturn]] void refuse_ragged(const py::handle& value, const char* name, const std::string& reason) {
-  if (PyList_Check(value.ptr()) || PyTuple_Check(value.ptr())) {
-    const auto rows = py::reinterpret_borrow<py::sequence>(value);
-    py::ssize_t wanted = -1;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const py::object row = rows[i];
-      const py::ssize_t length = PySequence_Check(row.ptr()) ? PySequence_Size(row.ptr()) : 0;
-      PyErr_Clear();
-      if (wanted < 0) wanted = length;
-      if (length == wanted) continue;
-      throw InvalidShape(std::string(name) + splinecore::index_text(i) + " = " + short_text(row) + " has " +
-                         std::to_string(length) + " values, the rows before have " + std::to_string(wanted));
-    }
+/// How many values a row has; 0 for what is none.
+std::size_t length_of(const py::handle& row) {
+  const py::ssize_t length = PySequence_Check(row.ptr()) != 0 ? PySequence_Size(row.ptr()) : 0;
+  PyErr_Clear();
+  return static_cast<std::size_t>(std::max<py::ssize_t>(length, 0));
+}
+
+using Place = std::vector<std::size_t>;
+
+std::string text_of(const Place& place) {
+  std::string text;
+  for (const std::size_t index : place) text += (text.empty() ? "[" : ", ") + std::to_string(index);
+  return text + "]";
+}
+
+/// Names the first of nested lists that is missing or has another length than those before it, if there is one.
+void refuse_uneven(const py::handle& value, const char* name, const Place& place) {
+  constexpr std::size_t kDeepest = 3;
+  if (place.size() == kDeepest || !(PyList_Check(value.ptr()) || PyTuple_Check(value.ptr()))) return;
+  const auto rows = py::reinterpret_borrow<py::sequence>(value);
+  Place inside = place;
+  inside.push_back(0);
+  std::size_t& i = inside.back();
+  for (; i < rows.size(); ++i) {
+    const py::object row = rows[i];
+    if (row.is_none()) throw InvalidShape(name + text_of(inside) + " is missing: it is None");
+    const std::size_t wanted = length_of(rows[0]);
+    if (length_of(row) == wanted) continue;
+    throw InvalidShape(name + text_of(inside) + " = " + short_text(row) + " has " + std::to_string(length_of(row)) +
+                       " values, the rows before have " + std::to_string(wanted));
   }
+  for (i = 0; i < rows.size(); ++i) refuse_uneven(rows[i], name, inside);
+}
+
+/// What numpy has to say about a list that is no array, or better.
+[[noreturn]] void refuse_ragged(const py::handle& value, const char* name, const std::string& reason) {
+  refuse_uneven(value, name, {});
   throw InvalidShape(std::string(name) + " is not an array: " + reason);
 }
 

@@ -218,3 +218,23 @@ def test_what_is_refused():
                                (dict(points=grid[:, :3], counts=4), "^along v: 3 points are too few for degree 3, which needs")):
         with pytest.raises(sc.InvalidShape, match=message):
             fit.approximate_patch(**{'points': grid, **arguments})
+
+
+def with_a_gap(value):
+    rows = wave(*np.meshgrid(np.linspace(0, 1, 6), np.linspace(0, 1, 5), indexing='ij')).tolist()
+    rows[1][2] = value
+    return rows
+
+
+@pytest.mark.parametrize('make', [fit.interpolate_patch, lambda points: fit.approximate_patch(points, 4)])
+@pytest.mark.parametrize('points, message', [
+    (with_a_gap(None), r"points\[1, 2\] is missing"),
+    (with_a_gap([0, 1]), r"points\[1, 2\] = \[0, 1\] has 2 values, the rows before have 3"),
+    (with_a_gap([0, 1, None]), r"points\[1, 2, 2\] = None is not a real number"),
+    (with_a_gap([0, np.nan, 1]), r"points\[1, 2\]\.y = nan is not finite"),
+    ([*with_a_gap([0, 1, 2])[:3], None, *with_a_gap([0, 1, 2])[3:]], r"points\[3\] is missing"),
+    ([*with_a_gap([0, 1, 2])[:3], with_a_gap(0)[0][:4]], r"points\[3\] = .* has 4 values, the rows before have 5"),
+])
+def test_a_grid_with_a_missing_point_says_which(make, points, message):
+    with pytest.raises((sc.InvalidShape, TypeError), match=message):
+        make(points)
