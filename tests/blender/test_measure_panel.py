@@ -75,6 +75,31 @@ def test_what_runs_to_infinity_is_told_and_what_is_flat():
     assert "flatten" in " ".join(drawn_by(panel, bpy.context).texts)
 
 
+def folded():
+    """A patch folded in its plane: its normal is nought along lines that lie anyhow."""
+    u, v = np.meshgrid(np.arange(12.0), np.arange(12.0), indexing='ij')
+    knots = np.r_[[0.0] * 4, np.arange(1, 9), [9.0] * 4]
+    points = np.stack([u, v, 0 * u], -1)
+    points[..., :2] += np.random.default_rng(3).uniform(-2, 2, (12, 12, 2))
+    return sc.NurbsPatch((3, 3), (knots, knots), points)
+
+
+def test_where_the_area_is_refused_the_box_is_there():
+    add(folded())
+    box = sc.PatchSet.from_patches([folded()]).bounding_box()
+    now = said()
+    assert [now[f"From {axis}"] for axis in "XYZ"] == pytest.approx(list(box[0]), abs=1e-5)
+    assert [now[f"Size {axis}"] for axis in "XYZ"] == pytest.approx(list(box[1] - box[0]), abs=1e-5)
+    assert "Area" not in now
+    assert "the area cannot be found within" in " ".join(drawn_by(panel, bpy.context).texts)
+
+
+def test_measures_that_are_refused_for_one_reason_say_it_once():
+    ob = add(curves.value_of('hyperbola'))
+    problem, = part('bridge.surveys').whole_of(ob.data, np.eye(4)).problems
+    assert "infinity" in problem
+
+
 def test_measures_are_kept_until_the_shape_changes():
     ob = add(curves.value_of('nurbs'))
     surveys = part('bridge.surveys')

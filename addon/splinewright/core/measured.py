@@ -17,11 +17,11 @@ _DIGITS = 4
 class Whole(NamedTuple):
     """What a shape measures; None of what it has none, and why that is, where it is to be told."""
 
-    length: float | None
-    area: float | None
-    volume: float | None
-    box: np.ndarray | None              # (2, 3)
-    problem: str = ""
+    length: float | None = None
+    area: float | None = None
+    volume: float | None = None
+    box: np.ndarray | None = None       # (2, 3)
+    problems: tuple = ()                # a sentence for each measure that was refused
 
 
 class Moved(NamedTuple):
@@ -39,21 +39,30 @@ def moved(definition, matrix):
 
 def whole(shape):
     """The Whole of a Moved."""
-    try:
-        if shape.definition.has_curves:
-            return Whole(sum(curve.length(tolerance=_TOLERANCE) for curve in shape.pieces), None, None,
-                         _around([curve.bounding_box() for curve in shape.pieces]))
-        patch_set = definitions.to_patch_set(shape.definition)
-        return Whole(None, patch_set.area(tolerance=_TOLERANCE), _volume(patch_set), patch_set.bounding_box(tolerance=1e-9))
-    except sc.Error as error:
-        return Whole(None, None, None, None, str(error))
+    found, problems = {}, []
+    for name, measure in _measures(shape).items():
+        try:
+            found[name] = measure()
+        except sc.Error as error:
+            problems.append(str(error))
+    return Whole(**found, problems=tuple(dict.fromkeys(problems)))
+
+
+def _measures(shape):
+    """A function for each field of Whole that there may be."""
+    if shape.definition.has_curves:
+        return {'length': lambda: sum(curve.length(tolerance=_TOLERANCE) for curve in shape.pieces),
+                'box': lambda: _around([curve.bounding_box() for curve in shape.pieces])}
+    patch_set = definitions.to_patch_set(shape.definition)
+    return {'area': lambda: patch_set.area(tolerance=_TOLERANCE), 'volume': lambda: _volume(patch_set),
+            'box': lambda: patch_set.bounding_box(tolerance=1e-9)}
 
 
 def _volume(patch_set):
     """None of sets that are open."""
     try:
         return patch_set.volume(tolerance=_TOLERANCE)
-    except sc.Error:
+    except sc.InvalidShape:
         return None
 
 

@@ -42,9 +42,8 @@ class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
 
 
 def _draw_whole(layout, whole):
-    if whole.problem:
-        texts.draw_note(layout, whole.problem)
-        return
+    for problem in whole.problems:
+        texts.draw_note(layout, problem)
     column = layout.column(align=True)
     for name, number in (("Length", whole.length), ("Area", whole.area), ("Volume", whole.volume)):
         if number is not None:
