@@ -40,6 +40,21 @@ def test_a_circle_under_a_scale_is_an_ellipse_in_the_scene():
     assert now["Size X"] == pytest.approx(now["Size Y"], rel=1e-6) and now["From X"] < now["To X"]
 
 
+@pytest.mark.parametrize('scale', ((1, 1, 1), (2, 3, 0.5), (-2, 3, 0.5), (-1, -1, -1), (1, -1, -2)))
+def test_tangent_and_torsion_under_uneven_and_mirrored_scale(scale):
+    """Of (t, t^2, t^3), scaled: closed forms at t = 1/2. A mirroring turns the torsion's sign."""
+    ob = add(sc.BezierCurve([(0, 0, 0), (1 / 3, 0, 0), (2 / 3, 1 / 3, 0), (1, 1, 1)]))
+    ob.scale = scale
+    bpy.context.view_layer.update()
+    first, second, third = np.array([(1, 1, 0.75), (0, 2, 3), (0, 0, 6)]) * scale
+    across = np.cross(first, second)
+    now = said()
+    assert [now[f"Tangent {axis}"] for axis in "XYZ"] == pytest.approx(list(first / np.linalg.norm(first)), rel=1e-6)
+    assert now["Torsion"] == pytest.approx(across @ third / (across @ across), rel=1e-6)
+    assert np.sign(now["Torsion"]) == np.sign(np.prod(scale))
+    assert now["Curvature"] == pytest.approx(np.linalg.norm(across) / np.linalg.norm(first)**3, rel=1e-6)
+
+
 def test_a_sphere_has_its_volume_and_an_open_surface_none():
     bpy.ops.splinewright.add_sphere()
     sphere = bpy.context.object
