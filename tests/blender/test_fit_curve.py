@@ -5,6 +5,7 @@ import types
 import bpy
 import numpy as np
 import pytest
+from mathutils import Euler, Matrix
 
 from blender_objects import grease_pencil
 from shapes import op, require_exact
@@ -37,6 +38,35 @@ def test_a_stroke_becomes_a_clean_curve_within_the_tolerance(tolerance):
     assert tuple(ob.location) == (1, 2, 3) and np.array_equal(recipes.points(ob.data), DRAWN)
     assert source.name in bpy.data.objects
     require_exact(ob)
+
+
+def turned(scale):
+    return Matrix.LocRotScale((1, 2, 3), Euler((0.3, -1.1, 2.0)).to_quaternion(), scale)
+
+
+@pytest.mark.parametrize('matrix', (turned((2, 2, 2)), turned((3, 0.5, 8)), turned((-2, 3, 1)), turned((4, 4, 4)) @ turned((1, 3, 1)),
+                                    turned((1, 1, 0))))
+def test_the_tolerance_holds_in_the_scene_whatever_the_scale(matrix):
+    source = grease_pencil(DRAWN)
+    source.matrix_world = matrix
+    bpy.context.view_layer.update()
+    there = np.array(source.matrix_world, dtype=np.float64)
+    drawn = DRAWN @ there[:3, :3].T + there[:3, 3]
+    ob = run(tolerance=0.0625)
+    missed = value(ob).transformed(np.array(ob.matrix_world)).nearest(drawn).distances.max()
+    assert 0.02 < missed <= 0.0625 * (1 + 1e-6) and np.allclose(ob.matrix_world.to_scale(), 1)
+    assert len(value(ob).points) == pytest.approx(len(wanted(drawn, 0.0625).value.points), abs=2)
+    require_exact(ob)
+
+
+def test_of_an_object_that_is_scaled_alone_the_points_are_scaled_exactly():
+    source = grease_pencil(DRAWN)
+    source.scale = (2, 2, 2)
+    bpy.context.view_layer.update()
+    ob = run(tolerance=0.0625)
+    assert value(ob) == wanted(2 * DRAWN, 0.0625).value
+    ob.data.splinewright_parameters.approximating_tolerance = 0.0078125
+    assert value(ob) == wanted(2 * DRAWN, 0.0078125).value
 
 
 def test_each_stroke_is_a_curve_and_a_closed_one_closes():

@@ -9,7 +9,8 @@ from .adding import resolution_property
 from .from_points import CurvesFromPoints, are_strokes_there, lines_of_strokes
 
 _SPLINE = RECIPES['approximating']
-_MORE = {'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the first point; loops of edges and closed "
+_MORE = {'tolerance': {'description': "How far points may lie from the curve, in the scene"},
+         'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the first point; loops of edges and closed "
                     "strokes always do"}}
 
 
@@ -20,7 +21,7 @@ class SPLINEWRIGHT_OT_fit_curve(CurvesFromPoints, bpy.types.Operator):
                       "of the selected Grease Pencil objects, or of the annotations where none is selected, or along the "
                       "selected vertices of a mesh in Edit Mode")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    recipe, shape_name = _SPLINE, "Fitted Curve"
+    recipe, shape_name, is_measured = _SPLINE, "Fitted Curve", True
     needs = "Draw with Grease Pencil or Annotate and come to Object Mode, or select vertices in the Edit Mode of a mesh"
     __annotations__ = {
         **{parameter.name: recipe_props.property_of(parameter, **_MORE.get(parameter.name, {}))

@@ -42,7 +42,7 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
             require_place(context)
             for ob in context.objects_in_mode_unique_data:
                 with progress.shown(context, shape.STEPS) as step:
-                    found = self.result_of(ob.name, self.task(ob.data))
+                    found = self.result_of(ob.name, self.task(ob))
                     data = shape.new_data(f"{ob.name} Patch", found.value, new_shapes.start(self), step)
                 made.append((bpy.data.objects.new(data.name, data), ob, found.error))
         except FAILURES as error:
@@ -50,15 +50,16 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
             return reports.failed(self, error)
         bpy.ops.object.mode_set(mode='OBJECT')
         for new, source, _ in made:
-            new.matrix_world = source.matrix_world
+            new.matrix_world, _ = new_shapes.without_scale(source.matrix_world)
             add_in_front(context, new, context.selected_objects if new == made[0][0] else [])
         return self.finished(context, reports.Said(self.said(max(error for _, _, error in made))))
 
     def tasks(self, context):
-        return {ob.name: self.task(ob.data) for ob in context.objects_in_mode_unique_data}
+        return {ob.name: self.task(ob) for ob in context.objects_in_mode_unique_data}
 
-    def task(self, mesh):
-        """A function that gives the library's Approximation for a `cancel` as the library takes it. Raises Refusal."""
+    def task(self, ob):
+        """A function that gives the library's Approximation, where distances are those of the scene, for a `cancel` as the
+        library takes it. Raises Refusal."""
         raise NotImplementedError("task: each operator says which patch it makes")
 
     def said(self, error):
@@ -76,12 +77,13 @@ class SPLINEWRIGHT_OT_patch_through_grid(PatchOfVertices, bpy.types.Operator):
         ('chordal', "Chordal", "Steps by the distances of the points"),
         ('centripetal', "Centripetal", "Steps by the roots of the distances: calm where the points are uneven")))
 
-    def task(self, mesh):
-        bm = bmesh.from_edit_mesh(mesh)
+    def task(self, ob):
+        bm = bmesh.from_edit_mesh(ob.data)
         bm.verts.index_update()
         bm.verts.ensure_lookup_table()
         rows, closed = vertex_grid.in_grid([[vertex.index for vertex in face.verts] for face in bm.faces if face.select])
         points = np.array([[bm.verts[vertex].co for vertex in row] for row in rows.tolist()], dtype=np.float64)
+        points = points @ new_shapes.without_scale(ob.matrix_world)[1].T
         degrees = tuple(min(degree, count - 1) for degree, count in zip((self.degree_u, self.degree_v), rows.shape))
         parametrisation = self.parametrisation
         return lambda cancel: sc.fit.interpolate_patch(points, degrees, parametrisation, closed=closed, cancel=cancel)
@@ -104,18 +106,19 @@ class SPLINEWRIGHT_OT_fit_patch(PatchOfVertices, bpy.types.Operator):
                                        ('TOLERANCE', "Tolerance", "Few control points within a distance")))
     count_u: count_property("U", default=8)
     count_v: count_property("V", default=8)
-    tolerance: FloatProperty(name="Tolerance", description="No vertex is farther from the patch", default=0.01, min=1e-9,
+    tolerance: FloatProperty(name="Tolerance", description="No vertex is farther from the patch, in the scene", default=0.01, min=1e-9,
                              soft_max=1.0, precision=4, unit='LENGTH')
     smoothing: FloatProperty(name="Smoothing", description="How much the patch is kept from bending; it decides where there "
                              "are no vertices", default=1e-6, min=0.0, soft_max=0.01, precision=8, step=0.0001)
     corrections: IntProperty(name="Corrections", description="So often at most the vertices' places on the patch are improved",
                              default=8, min=0, soft_max=20, max=1000)
 
-    def task(self, mesh):
-        bm = bmesh.from_edit_mesh(mesh)
+    def task(self, ob):
+        bm = bmesh.from_edit_mesh(ob.data)
         points = np.array([vertex.co for vertex in bm.verts if vertex.select], dtype=np.float64).reshape(-1, 3)
         if len(points) < 3:
             raise Refusal("select three vertices or more")
+        points = points @ new_shapes.without_scale(ob.matrix_world)[1].T
         wanted = {'counts': (self.count_u, self.count_v)} if self.by == 'COUNT' else {'tolerance': decimals.typed(self.tolerance)}
         wanted |= {'degrees': (self.degree_u, self.degree_v), 'smoothing': decimals.typed(self.smoothing),
                    'corrections': self.corrections}

@@ -3,6 +3,7 @@
 import bmesh
 import bpy
 import numpy as np
+from mathutils import Matrix
 
 from ...bridge import remaking, strokes
 from ...core import polylines, vertex_order
@@ -17,6 +18,8 @@ class CurvesFromPoints(LongWork, Repeatable):
     """Adds what curves() makes. `recipe` makes a curve of points, `shape_name` names it."""
 
     recipe, shape_name = None, ""
+    #: Whether distances are those of the scene: scales go into the points then.
+    is_measured = False
     needs = "Select objects in Object Mode, or vertices in the Edit Mode of a mesh that is no net"
 
     @classmethod
@@ -38,8 +41,18 @@ class CurvesFromPoints(LongWork, Repeatable):
 
     def tasks(self, context):
         found = self.lines_of_objects(context) if context.mode == 'OBJECT' else _lines_of_vertices(context)
-        return {i: self.recipe.work(np.array(points, dtype=np.float64), self._values(closed))
-                for i, (_, points, closed) in enumerate(found)}
+        return {i: self.recipe.work(self._placed(source, points)[1], self._values(closed))
+                for i, (source, points, closed) in enumerate(found)}
+
+    def _placed(self, source, points):
+        """(the matrix of what is made of points in the space of an object or the scene, the points in its space)."""
+        points = np.array(points, dtype=np.float64)
+        if not source:
+            return Matrix(), points
+        if not self.is_measured:
+            return source.matrix_world, points
+        matrix, linear = new_shapes.without_scale(source.matrix_world)
+        return matrix, points @ linear.T
 
     def _values(self, closed):
         return {**recipe_props.typed(self.recipe, self), 'closed': self.closed or closed}
@@ -77,9 +90,9 @@ class CurvesFromPoints(LongWork, Repeatable):
         new = []
         try:
             for i, (source, points, closed) in enumerate(found):
+                matrix, points = self._placed(source, points)
                 new.append(self.new_object(f"{source.name} Curve" if source else self.shape_name, self._values(closed), points, i))
-                if source:
-                    new[-1].matrix_world = source.matrix_world
+                new[-1].matrix_world = matrix
         except FAILURES:
             bpy.data.batch_remove([ob.data for ob in new])
             raise

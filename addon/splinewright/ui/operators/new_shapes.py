@@ -1,4 +1,7 @@
-"""How finely new shapes are shown: as the user says, or else as the preferences do."""
+"""How finely new shapes are shown, as the user says, or else as the preferences do; and where they stand."""
+
+import numpy as np
+from mathutils import Matrix
 
 from ...bridge import settings
 from .. import preferences
@@ -64,3 +67,12 @@ def draw(operator, layout):
         column.prop(operator, "faces_tolerance")
     if operator.faces_mode in (settings.ANGLE, settings.BOTH):
         column.prop(operator, "faces_angle")
+
+
+def without_scale(matrix):
+    """(the place and turn of an object's matrix alone, the (3, 3) array that takes points of the object's space into that one,
+    where distances are those of the scene)."""
+    place, turn, _ = matrix.decompose()
+    standing = Matrix.LocRotScale(place, turn, None)
+    linear = [np.array(each.to_3x3(), dtype=np.float64) for each in (standing, matrix)]
+    return standing, np.linalg.solve(*linear)
