@@ -47,3 +47,9 @@ def said_distance(text):
     """The distance at the end of a sentence, 0 where none is said."""
     found = re.search(r"largest distance (\S+)$", text)
     return float(found.group(1)) if found else 0.0
+
+
+def said_near(text):
+    """(how many control points, the largest distance) of the report of what was made near something."""
+    count, distance = re.search(r"(\d+) control points, largest distance (\S+)$", text, re.MULTILINE).groups()
+    return int(count), float(distance)

@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
+from curves import said_near
 from shapes import op, require_exact
 from support import splinecore as sc
 from test_curve_through import value
@@ -19,12 +20,13 @@ def text_of(points):
 
 
 @pytest.mark.parametrize('points, closed', ((DRAWN, False), (LOOP, True)))
-def test_a_stroke_becomes_a_clean_curve_within_the_tolerance(points, closed):
+def test_a_stroke_becomes_a_clean_curve_within_the_tolerance(points, closed, capfd):
     assert op(bpy.ops.splinewright.draw_curve, stroke=text_of(points), tolerance=0.0625, closed=closed) == {'FINISHED'}
     made, error = sc.fit.approximate(points, tolerance=0.0625, parameters='centripetal', corrections=3, closed=closed)
     assert value(bpy.context.object) == made
     require_exact(bpy.context.object)
     assert error <= 0.0625 and len(made.points) < len(points) / 2
+    assert said_near(capfd.readouterr().out) == (len(made.points), pytest.approx(error, rel=1e-3))
 
 
 @pytest.mark.parametrize('stroke', ("", "0 0 0", "0 0 0 0 0 0", "1 2", "1 2 x"))

@@ -8,6 +8,7 @@ import pytest
 from mathutils import Euler, Matrix
 
 from blender_objects import grease_pencil
+from curves import said_near
 from shapes import op, require_exact
 from support import part, splinecore as sc
 from test_curve_through import mesh_object, select_vertices, value
@@ -67,6 +68,17 @@ def test_of_an_object_that_is_scaled_alone_the_points_are_scaled_exactly():
     assert value(ob) == wanted(2 * DRAWN, 0.0625).value
     ob.data.splinewright_parameters.approximating_tolerance = 0.0078125
     assert value(ob) == wanted(2 * DRAWN, 0.0078125).value
+
+
+def test_the_control_points_and_the_distance_in_the_scene_are_said(capfd):
+    source = grease_pencil(DRAWN, DRAWN[:30] + 5)
+    source.scale = (2, 2, 2)
+    bpy.context.view_layer.update()
+    run(tolerance=0.0625)
+    made = [wanted(2 * points, 0.0625) for points in (DRAWN, DRAWN[:30] + 5)]
+    count, distance = said_near(capfd.readouterr().out)
+    assert count == sum(len(each.value.points) for each in made)
+    assert distance == pytest.approx(max(each.error for each in made), rel=1e-3)
 
 
 def test_each_stroke_is_a_curve_and_a_closed_one_closes():

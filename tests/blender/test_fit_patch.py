@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from mathutils import Euler, Matrix
 
+from curves import said_near
 from shapes import op, require_exact
 from support import splinecore as sc
 from test_curve_through import value
@@ -85,7 +86,7 @@ def test_a_patch_near_a_scan(wanted):
 
 
 @pytest.mark.parametrize('scale', ((2, 2, 2), (3, 3, 1), (-3, 2, 4)))
-def test_the_tolerance_holds_in_the_scene_whatever_the_scale(scale):
+def test_the_tolerance_holds_in_the_scene_whatever_the_scale(scale, capfd):
     source = mesh_in_edit_mode(scan())
     source.matrix_world = Matrix.LocRotScale((1, 2, 3), Euler((0.3, -1.1, 2.0)).to_quaternion(), scale)
     bpy.context.view_layer.update()
@@ -93,10 +94,11 @@ def test_the_tolerance_holds_in_the_scene_whatever_the_scale(scale):
     assert op(bpy.ops.splinewright.fit_patch, by='TOLERANCE', tolerance=0.0625, smoothing=1e-9) == {'FINISHED'}
     made = bpy.context.object
     missed = value(made).transformed(np.array(made.matrix_world)).nearest(points).distances.max()
+    assert said_near(capfd.readouterr().out) == (value(made).points[..., 0].size, pytest.approx(missed, rel=1e-3))
     assert 1e-3 < missed <= 0.0625 * (1 + 1e-6) and np.allclose(made.matrix_world.to_scale(), 1)
 
 
-def test_through_a_grid_of_a_scaled_mesh():
+def test_through_a_grid_of_a_scaled_mesh(capfd):
     points = grid(6, 5)
     source = mesh_in_edit_mode(points.reshape(-1, 3), quads(6, 5))
     source.scale = (-2, 3, 1)
@@ -104,6 +106,8 @@ def test_through_a_grid_of_a_scaled_mesh():
     there = np.array([source.matrix_world @ vertex.co for vertex in source.data.vertices])
     assert op(bpy.ops.splinewright.patch_through_grid) == {'FINISHED'}
     made = bpy.context.object
+    count, distance = said_near(capfd.readouterr().out)
+    assert count == 30 and distance < 1e-13
     assert value(made).transformed(np.array(made.matrix_world)).nearest(there).distances.max() < 2e-6
     require_exact(made)
 

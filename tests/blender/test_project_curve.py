@@ -66,6 +66,16 @@ def test_it_has_few_control_points():
     assert len(run().data.splinewright.value.points) < 60
 
 
+def test_the_distance_in_the_scene_is_said(capfd):
+    ball, curve = sphere((40, 40, 40)), add(helix(), "helix")
+    curve.scale = (30, 50, 40)
+    both(ball, curve)
+    ob = run(tolerance=0.03125)
+    count, distance = curves.said_near(capfd.readouterr().out)
+    assert count == len(ob.data.splinewright.value.points)
+    assert 0.9 * distance <= misses(ob, ball, curve)[1] <= 1.1 * distance <= 1.1 * 0.03125
+
+
 def test_it_follows_both_through_uneven_scales_and_files(tmp_path):
     ball, curve = sphere((1, 2, 0.5)), add(helix(), "helix")
     curve.scale, curve.location = (1, 0.7, 2), (0.2, 0, 0.1)

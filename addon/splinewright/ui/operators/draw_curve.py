@@ -6,7 +6,7 @@ from bpy.props import FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import parameters, remaking
+from ...bridge import parameters, recipes, remaking
 from ...bridge.file_state import state
 from ...core import polylines
 from ...core.failures import FAILURES, Refusal
@@ -79,8 +79,9 @@ class _Pen:
             data = remaking.new_data("Drawn Curve", _SPLINE, self._values(), points, new_shapes.start(self))
         except FAILURES as error:
             return reports.failed(self, error)
-        add_in_front(context, bpy.data.objects.new(data.name, data), context.selected_objects)
-        return {'FINISHED'}
+        ob = bpy.data.objects.new(data.name, data)
+        add_in_front(context, ob, context.selected_objects)
+        return reports.finished(self, reports.Said(new_shapes.said_of([ob], recipes.error(data))))
 
     def draw(self, context):
         layout = self.layout

@@ -52,7 +52,8 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
         for new, source, _ in made:
             new.matrix_world, _ = new_shapes.without_scale(source.matrix_world)
             add_in_front(context, new, context.selected_objects if new == made[0][0] else [])
-        return self.finished(context, reports.Said(self.said(max(error for _, _, error in made))))
+        new, _, errors = zip(*made)
+        return self.finished(context, reports.Said(new_shapes.said_of(new, max(errors))))
 
     def tasks(self, context):
         return {ob.name: self.task(ob) for ob in context.objects_in_mode_unique_data}
@@ -61,9 +62,6 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
         """A function that gives the library's Approximation, where distances are those of the scene, for a `cancel` as the
         library takes it. Raises Refusal."""
         raise NotImplementedError("task: each operator says which patch it makes")
-
-    def said(self, error):
-        return ""
 
 
 class SPLINEWRIGHT_OT_patch_through_grid(PatchOfVertices, bpy.types.Operator):
@@ -123,9 +121,6 @@ class SPLINEWRIGHT_OT_fit_patch(PatchOfVertices, bpy.types.Operator):
         wanted |= {'degrees': (self.degree_u, self.degree_v), 'smoothing': decimals.typed(self.smoothing),
                    'corrections': self.corrections}
         return lambda cancel: sc.fit.approximate_scattered(points, **wanted, cancel=cancel)
-
-    def said(self, error):
-        return f"no vertex is farther than {decimals.text_of(error, 3)}"
 
     def draw(self, context):
         layout = self.layout

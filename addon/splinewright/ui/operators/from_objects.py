@@ -7,7 +7,7 @@ import numpy as np
 from bpy.props import StringProperty
 from mathutils import Matrix
 
-from ...bridge import derived, follow, shape
+from ...bridge import derived, follow, recipes, shape
 from ...core.failures import FAILURES, Refusal
 from ...core.recipes.surface_recipes import suggested_axis
 from ...core.recipes.table import DERIVED, FOLLOW
@@ -84,7 +84,7 @@ class _FromObjects(LongWork, Repeatable):
         if recipe.is_beside:
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)
-        return self.finished(context, reports.Said())
+        return self.finished(context, reports.Said(new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""))
 
     def _frames(self, context):
         """The object of which the place and axes count, if there is to be one, in a tuple. Raises Refusal."""

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from ...bridge import remaking, strokes
+from ...bridge import recipes, remaking, strokes
 from ...core import polylines, vertex_order
 from ...core.failures import FAILURES, Refusal
 from .. import editing, recipe_props
@@ -66,7 +66,7 @@ class CurvesFromPoints(LongWork, Repeatable):
             return reports.failed(self, error)
         for ob in new:
             add_in_front(context, ob, context.selected_objects if ob == new[0] else [])
-        return self.finished(context, reports.Said(warnings=self.warnings(new)))
+        return self.finished(context, reports.Said(self.said(new), warnings=self.warnings(new)))
 
     def lines_of_objects(self, context):
         """[(object or None, points in its space, whether they close)] in Object Mode. Raises Refusal."""
@@ -75,6 +75,10 @@ class CurvesFromPoints(LongWork, Repeatable):
     def of_objects(self, context):
         """New objects, in Object Mode. Raises Refusal."""
         return self.new_objects(self.lines_of_objects(context))
+
+    def said(self, new):
+        """What is told of the new objects. Distances are the scene's where `is_measured`."""
+        return new_shapes.said_of(new, max(recipes.error(ob.data) for ob in new)) if self.is_measured else ""
 
     def warnings(self, new):
         return ()

@@ -1,10 +1,12 @@
-"""How finely new shapes are shown, as the user says, or else as the preferences do; and where they stand."""
+"""How finely new shapes are shown, as the user says, or else as the preferences do; where they stand, and what is said of them."""
 
 import numpy as np
 from mathutils import Matrix
 
-from ...bridge import settings
+from ...bridge import settings, store
+from ...core import decimals
 from .. import preferences
+from . import pieces
 
 _RESOLUTIONS = ('resolution_u', 'resolution_v')
 _FACES = ('faces_mode', 'faces_tolerance', 'faces_angle')
@@ -76,3 +78,10 @@ def without_scale(matrix):
     standing = Matrix.LocRotScale(place, turn, None)
     linear = [np.array(each.to_3x3(), dtype=np.float64) for each in (standing, matrix)]
     return standing, np.linalg.solve(*linear)
+
+
+def said_of(made, error):
+    """How many control points new objects have, and how far they are at most from what they were made of, in the scene."""
+    count = sum(pieces.points(store.read(ob.data)) for ob in made)
+    shapes = f"{len(made)} shapes, " if len(made) > 1 else ""
+    return f"{shapes}{count} control points, largest distance {decimals.text_of(error, 4)}"
