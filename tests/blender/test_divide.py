@@ -140,6 +140,13 @@ def test_what_cannot_be_is_said_and_nothing_is_lost(settings, word):
     assert (len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.collections)) == before
 
 
+def test_too_many_objects_are_refused_before_places_are_sought(monkeypatch):
+    add(value_of('nurbs'))
+    monkeypatch.setattr(dividing, 'parameters', None)
+    with pytest.raises(RuntimeError, match="so many objects are too many"):
+        run(make='EMPTIES', count=20_000)
+
+
 def test_a_curve_is_needed_and_undo_takes_it_back():
     curve = add(value_of('nurbs')).name
     bpy.ops.ed.undo_push(message="curve")

@@ -55,6 +55,10 @@ def steps():
         yield from redrawn()
     assert "Post" in bpy.data.objects and len(bpy.data.objects) == 2
     print("railing", flush=True)
+    with view.override():
+        assert bpy.ops.splinewright.divide_equally('INVOKE_DEFAULT', True, make='EMPTIES') == {'FINISHED'}
+    assert not posts() and bpy.context.object.type == 'EMPTY'
+    print("empties beside a post that is selected", flush=True)
 
 
 run(steps())

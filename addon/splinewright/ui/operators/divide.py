@@ -54,7 +54,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
     def invoke(self, context, event):
         """Another object that is selected beside the curve is what is copied."""
         others = [ob for ob in context.selected_objects if ob != context.object]
-        if len(others) == 1 and not self.properties.is_property_set('source'):
+        if len(others) == 1 and not any(map(self.properties.is_property_set, ('source', 'make'))):
             self.source, self.make = others[0].name, 'COPIES'
         return self.start(context)
 
@@ -98,8 +98,15 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
             return found, f"{len(found)} places" + _said_of_parts(curves, wanted)
         return places
 
+    def _require_few(self, count):
+        """Raises Refusal where so many objects are too many."""
+        if self.make != 'POINTS' and count > _MOST_OBJECTS:
+            raise Refusal(f"so many objects are too many: {_MOST_OBJECTS} are allowed")
+
     def _source(self):
-        """The object that is copied, or None. Raises Refusal."""
+        """The object that is copied, or None. Raises Refusal, also where more objects than are allowed are certain."""
+        if self.by == 'COUNT':
+            self._require_few(self.count - 1)
         if self.make != 'COPIES':
             return None
         source = bpy.data.objects.get(self.source)
@@ -111,8 +118,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         name = f"{ob.name} Divided"
         if self.make == 'POINTS':
             return [_points(name, ob.matrix_world.translation, places[:, :3, 3])]
-        if len(places) > _MOST_OBJECTS:
-            raise Refusal(f"{len(places)} objects are too many: {_MOST_OBJECTS} are allowed")
+        self._require_few(len(places))
         collection, new = bpy.data.collections.new(name), []
         context.collection.children.link(collection)
         with progress.shown(context, len(places)) as told:
