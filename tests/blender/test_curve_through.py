@@ -1,5 +1,7 @@
 """A curve through what is selected: vertices, along edges or as they were chosen, and objects, which it follows."""
 
+from contextlib import contextmanager
+
 import bmesh
 import bpy
 import numpy as np
@@ -221,3 +223,16 @@ def test_undo_takes_it_back():
     name = ob.name
     bpy.ops.ed.undo()
     assert name not in bpy.data.objects and len(bpy.data.objects) == 5
+
+
+def test_progress_is_shown_while_curves_are_made(monkeypatch):
+    told = []
+
+    @contextmanager
+    def shown_here(context, total):
+        yield lambda step: told.append((step, total))
+    monkeypatch.setattr(part('ui.operators.from_points').progress, 'shown', shown_here)
+    grease_pencil(PLACES, PLACES + 5, PLACES - 5)
+    run()
+    steps = part('bridge.shape').STEPS
+    assert told == [(step, 3 * steps) for step in range(1, 3 * steps + 1)]

@@ -60,7 +60,7 @@ def test_a_call_of_the_library_is_stopped_and_the_next_is_not_begun():
 
 @pytest.mark.parametrize('verb', (
     partial(verbs.rebuild, 6, 3, 'points'), partial(verbs.rebuild_within, 0.01, 3, 'points'), partial(verbs.fair, 0.25, 'points'),
-    partial(patch_verbs.rebuild, (5, 4), (3, 3))))
+    partial(patch_verbs.rebuild, (5, 4), (3, 3)), partial(patch_verbs.fair, 0.25, 'points')))
 def test_long_verbs_hand_the_cancel_on(verb):
     """Calls on small shapes end before they ask."""
     handed = []

@@ -1,5 +1,5 @@
-"""Fit Patch near very many points: the window says that it is at work, Esc stops it, nothing has changed; another one is let
-finish, and Ctrl+Z takes it back."""
+"""Fit Patch near very many points, and Rebuild, Project Curve and Divide Equally of a curve of very many: the window says that
+they are at work, Esc stops them, nothing has changed; others are let finish, and Ctrl+Z takes them back."""
 
 import os
 import sys
@@ -38,10 +38,52 @@ def cloud(count):
     bpy.ops.ed.undo_push(message="cloud")
 
 
-def begun(view, **settings):
+def begun(view, name='fit_patch', **settings):
     """What the operator returned."""
     with view.override():
-        return bpy.ops.splinewright.fit_patch('INVOKE_DEFAULT', True, **settings)
+        return getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True, **settings)
+
+
+def knot(count):
+    """A curve of so many points all about a sphere, active; both are selected."""
+    empty_file()
+    bpy.ops.splinewright.add_sphere('EXEC_DEFAULT', True, radius=2.0)
+    rng, sc = np.random.default_rng(6), part('core.library').sc
+    points = rng.uniform(-1, 1, (count, 3)) + (0, 0, 4)
+    data = part('bridge.shape').new_data("knot", sc.fit.interpolate(points).value, (1, 1))
+    ob = bpy.data.objects.new("knot", data)
+    bpy.context.collection.objects.link(ob)
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    bpy.ops.view3d.view_all(center=False)
+    bpy.ops.ed.undo_push(message="knot")
+
+
+def scene():
+    """What undo and Esc leave as it was."""
+    return sorted(bpy.data.objects.keys()), bpy.data.objects["knot"].data.splinewright.value
+
+
+def of_a_curve(view, name, endless, short):
+    """Steps: stopped with some settings, done and undone with others."""
+    with view.override():
+        knot(2000)
+    yield from redrawn()
+    before = scene()
+    view.move(420, 420)
+    assert begun(view, name, **endless) == {'RUNNING_MODAL'}
+    yield from redrawn()
+    save_picture(OUTPUT / f"long-{name}.png")
+    view.press('ESC')
+    yield from until(lambda: not at_work(), f"Esc stops {name}")
+    yield from redrawn()
+    assert scene() == before
+    begun(view, name, **short)          # it may be done before anybody looks
+    yield from until(lambda: scene() != before, f"{name} is done")
+    yield from redrawn()
+    view.press('Z', ctrl=True)
+    yield from until(lambda: scene() == before, f"one undo takes {name} back")
+    print(name, flush=True)
 
 
 def steps():
@@ -72,6 +114,9 @@ def steps():
     yield from redrawn()
     assert bpy.context.mode == 'EDIT_MESH'
     print("done and undone", flush=True)
+    yield from of_a_curve(view, 'rebuild', {'by': 'TOLERANCE', 'tolerance': 1e-6}, {'by': 'COUNT', 'count': 500})
+    yield from of_a_curve(view, 'add_projected', {'tolerance': 1e-9}, {'tolerance': 0.5})
+    yield from of_a_curve(view, 'divide_equally', {'count': 1_000_000, 'make': 'POINTS'}, {'count': 5000, 'make': 'EMPTIES'})
     work._SHORT = 30.0
     with view.override():
         cloud(50)

@@ -9,11 +9,11 @@ from . import recipes, shape, store
 from .net import free_net
 
 
-def new_data(name, recipe, values, points, resolution, result=None):
-    """A new Curve that a recipe makes of points. result: what it makes, where that is known. Raises Refusal or an error of the
-    library."""
+def new_data(name, recipe, values, points, resolution, result=None, progress=shape.no_progress):
+    """A new Curve that a recipe makes of points. result: what it makes, where that is known; progress: as of shape.new_data().
+    Raises Refusal or an error of the library."""
     result = result or recipe.make(points, **values)
-    data = shape.new_data(name, result.value, resolution, around=points if recipe.is_endless else None)
+    data = shape.new_data(name, result.value, resolution, progress, points if recipe.is_endless else None)
     recipes.write_made(data, recipe, values, points, result.error)
     return data
 

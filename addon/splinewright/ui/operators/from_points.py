@@ -5,10 +5,10 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from ...bridge import recipes, remaking, strokes
+from ...bridge import recipes, remaking, shape, strokes
 from ...core import polylines, vertex_order
 from ...core.failures import FAILURES, Refusal
-from .. import editing, recipe_props
+from .. import editing, progress, recipe_props
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, require_place
 from .long_work import LongWork
@@ -93,22 +93,24 @@ class CurvesFromPoints(LongWork, Repeatable):
         """One for each (source, points in its space, whether they close), in its place; none where one is refused."""
         new = []
         try:
-            for i, (source, points, closed) in enumerate(found):
-                matrix, points = self._placed(source, points)
-                new.append(self.new_object(f"{source.name} Curve" if source else self.shape_name, self._values(closed), points, i))
-                new[-1].matrix_world = matrix
+            with progress.shown(bpy.context, shape.STEPS * len(found)) as told:
+                for i, (source, points, closed) in enumerate(found):
+                    matrix, points = self._placed(source, points)
+                    name = f"{source.name} Curve" if source else self.shape_name
+                    new.append(self.new_object(name, self._values(closed), points, i, lambda step: told(shape.STEPS * len(new) + step)))
+                    new[-1].matrix_world = matrix
         except FAILURES:
             bpy.data.batch_remove([ob.data for ob in new])
             raise
         return new
 
-    def new_object(self, name, values, points, number=0):
-        """number: of the task that makes it."""
+    def new_object(self, name, values, points, number=0, told=shape.no_progress):
+        """number: of the task that makes it; told: as `progress` of shape.new_data()."""
         if len(points) < 2:
             raise Refusal("one point is no curve: select more")
         points = np.array(points, dtype=np.float64)
         result = self.result_of(number, self.recipe.work(points, values))
-        data = remaking.new_data(name, self.recipe, values, points, new_shapes.start(self), result)
+        data = remaking.new_data(name, self.recipe, values, points, new_shapes.start(self), result, told)
         return bpy.data.objects.new(data.name, data)
 
 
