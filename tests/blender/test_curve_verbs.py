@@ -224,6 +224,18 @@ def test_what_was_added_goes_without_an_error(name, settings, kind, undoes, said
     assert len(after.points) == len(before.points)
 
 
+@pytest.mark.parametrize('name, settings, kind', [row for row in APPROXIMATING if row[0] in ('rebuild', 'fair')])
+def test_what_is_rebuilt_and_faired_is_taken_back_and_done_again(name, settings, kind):
+    before = value_of(kind)
+    ob = add(before)
+    assert run(name, **settings) == {'FINISHED'}
+    value = ob.data.splinewright.value
+    bpy.ops.ed.undo()
+    assert bpy.data.objects["shape"].data.splinewright.value == before != value
+    bpy.ops.ed.redo()
+    assert bpy.data.objects["shape"].data.splinewright.value == value
+
+
 def test_what_is_rebuilt_and_faired_is_the_librarys():
     before = value_of('nurbs')
     ob = add(before)

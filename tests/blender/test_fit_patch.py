@@ -122,3 +122,15 @@ def test_few_vertices_and_lines_are_refused():
     with pytest.raises(RuntimeError, match="do not determine control point"):
         op(bpy.ops.splinewright.fit_patch, count_u=20, count_v=20, smoothing=0.0)
     bpy.ops.object.mode_set(mode='OBJECT')
+
+
+@pytest.mark.parametrize('name', ('fit_patch', 'patch_through_grid'))
+def test_undo_takes_it_back_and_redo_does_it_again(name):
+    source = mesh_in_edit_mode(grid(9, 8).reshape(-1, 3), quads(9, 8)).name
+    bpy.ops.ed.undo_push(message="mesh")
+    assert op(getattr(bpy.ops.splinewright, name)) == {'FINISHED'}
+    made, wanted = bpy.context.object.name, value(bpy.context.object)
+    bpy.ops.ed.undo()
+    assert made not in bpy.data.objects and bpy.data.objects[source].mode == 'EDIT'
+    bpy.ops.ed.redo()
+    assert value(bpy.data.objects[made]) == wanted and bpy.context.mode == 'OBJECT'

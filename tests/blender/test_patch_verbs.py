@@ -227,6 +227,19 @@ def test_a_fair_patch_is_the_librarys_and_its_error_is_said(kind, settings, said
     require_exact(ob)
 
 
+@pytest.mark.parametrize('name, settings', (('patch_rebuild', {'count_u': 5, 'count_v': 6}), ('patch_fair', {'tolerance': 0.125})))
+@pytest.mark.parametrize('kind', ('plain nurbs', 'rational nurbs', 'hermite patch'))
+def test_what_is_rebuilt_and_faired_is_taken_back_and_done_again(name, settings, kind):
+    before = value_of(kind)
+    ob = add(before)
+    assert run(name, **settings) == {'FINISHED'}
+    value = ob.data.splinewright.value
+    bpy.ops.ed.undo()
+    assert bpy.data.objects["shape"].data.splinewright.value == before != value
+    bpy.ops.ed.redo()
+    assert bpy.data.objects["shape"].data.splinewright.value == value
+
+
 def test_fair_patches_that_shared_an_edge_share_it_still():
     op(bpy.ops.splinewright.add_teapot)
     ob = bpy.context.object

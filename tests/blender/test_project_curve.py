@@ -144,3 +144,16 @@ def test_what_is_selected_wrongly_is_told():
     assert not bpy.ops.splinewright.add_projected.poll()
     activate(sphere())
     assert not bpy.ops.splinewright.add_projected.poll()
+
+
+def test_undo_takes_it_back_and_redo_does_it_again():
+    ball, curve = sphere(), add(helix(), "helix")
+    both(ball, curve)
+    bpy.ops.ed.undo_push(message="both")
+    ob = run()
+    name, wanted = ob.name, ob.data.splinewright.value
+    bpy.ops.ed.undo()
+    assert name not in bpy.data.objects and "helix" in bpy.data.objects
+    bpy.ops.ed.redo()
+    ob = bpy.data.objects[name]
+    assert ob.data.splinewright.value == wanted and follow.problem(ob.data) == ""

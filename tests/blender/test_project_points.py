@@ -125,5 +125,8 @@ def test_undo_takes_it_back():
     onto(ball, cloud)
     bpy.ops.ed.undo_push(message="both")
     name = run().name
+    wanted = world_points(bpy.data.objects[name])
     bpy.ops.ed.undo()
     assert name not in bpy.data.objects and "cloud" in bpy.data.objects
+    bpy.ops.ed.redo()
+    assert np.array_equal(world_points(bpy.data.objects[name]), wanted)

@@ -1,5 +1,5 @@
-"""A hilly mesh is selected in Edit Mode: a patch near its vertices and one through its faces, by Blender's own keys; then the
-new patch is shaped, undone, saved and opened again."""
+"""A hilly mesh is selected in Edit Mode: a patch near its vertices and one through its faces, by Blender's own keys; the panel
+changes it, undo takes it back; then the new patch is shaped, undone, saved and opened again."""
 
 import os
 import sys
@@ -40,6 +40,27 @@ def hills(view):
         bpy.ops.ed.undo_push(message="hills")
 
 
+def changed_and_taken_back(view, operator, degree):
+    """Steps: the panel changes the degree along u; undo takes the patch back, redo makes it again."""
+    bpy.context.window_manager.operators[-1].properties.degree_u = degree
+    with view.override():
+        bpy.ops.ed.undo_redo()
+        bpy.ops.ed.undo_push(message="again")
+    yield from redrawn()
+    assert [ob.data.splinewright.value.degree[0] for ob in shapes()] == [degree]
+    assert len(bpy.data.objects) == 2 and bpy.context.mode == 'OBJECT'
+    presses = 0
+    while shapes():
+        view.press('Z', ctrl=True)
+        yield from redrawn()
+        presses += 1
+    assert bpy.context.mode == 'EDIT_MESH' and len(bpy.data.objects) == 1
+    for _ in range(presses):
+        view.press('Z', ctrl=True, shift=True)
+        yield from redrawn()
+    assert [ob.data.splinewright.value.degree[0] for ob in shapes()] == [degree]
+
+
 def steps():
     view = View()
     for operator, name in (('fit_patch', "near"), ('patch_through_grid', "through")):
@@ -52,6 +73,7 @@ def steps():
         yield from until(lambda: len(shapes()) == 1 and bpy.context.mode == 'OBJECT', name)
         yield from redrawn()
         assert mean_difference(picture(name), before) > 0.001
+        yield from changed_and_taken_back(view, operator, 2)
         view.press('TAB')
         yield from into_net()
         points = points_of_shape()

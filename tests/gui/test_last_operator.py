@@ -127,6 +127,38 @@ def preset_of(operator, name, override):
     return path
 
 
+def rebuilt_and_faired(view):
+    """Of curves and patches: the panel does it anew from what was before, undo takes it back, redo does it again."""
+    for adds, name, setting, values in (
+            ('add_interpolating', 'rebuild', 'count', (6, 9)), ('add_interpolating', 'fair', 'tolerance', (0.5, 0.25)),
+            ('add_nurbs_patch', 'patch_rebuild', 'count_u', (5, 7)), ('add_nurbs_patch', 'patch_fair', 'tolerance', (0.5, 0.25))):
+        empty_file()
+        with view.override():
+            getattr(bpy.ops.splinewright, adds)('EXEC_DEFAULT', True)
+            if adds == 'add_interpolating':
+                bpy.ops.splinewright.make_editable('EXEC_DEFAULT', True)
+        view.move(420, 420)
+        yield from redrawn()
+        before = bpy.context.object.data.splinewright.value
+        verb = name.removeprefix("patch_")
+        with view.override():
+            assert getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True) == {'FINISHED'}
+        yield from redrawn()
+        for number in values:
+            setattr(last().properties, setting, number)
+            yield from again(view)
+            given = {'rebuild': (number,), 'fair': (number,), 'patch_rebuild': ((number, 8), (3, 3)), 'patch_fair': (number,)}
+            wanted = getattr(before, verb)(*given[name]).value
+            assert bpy.context.object.data.splinewright.value == wanted
+        view.press('Z', ctrl=True)
+        yield from redrawn()
+        assert bpy.context.object.data.splinewright.value != wanted
+        view.press('Z', ctrl=True, shift=True)
+        yield from redrawn()
+        assert bpy.context.object.data.splinewright.value == wanted
+        print(name, flush=True)
+
+
 def presets(view):
     yield from add_patch(view)
     with view.override():
@@ -208,7 +240,7 @@ def names_of_steps(view):
 
 def steps():
     view = View()
-    for part_of_it in (results_of_changes, knots_of_another_axis, presets, presets_of_files, names_of_steps):
+    for part_of_it in (results_of_changes, rebuilt_and_faired, knots_of_another_axis, presets, presets_of_files, names_of_steps):
         yield from part_of_it(view)
     print("the last operator is shown as it should be:", bpy.app.version_string, flush=True)
 
