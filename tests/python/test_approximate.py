@@ -50,6 +50,21 @@ def test_it_is_the_least_sum_of_squares(degree, is_fixed):
     assert len(curve.points) == 20 and curve.degree == degree and not curve.is_rational
 
 
+@pytest.mark.parametrize('degree', range(1, 8))
+@pytest.mark.parametrize('count', [9, 20, 61, 150])
+def test_knots_of_a_count_are_those_of_the_book(degree, count):
+    """The NURBS Book, eq. 9.68, 9.69: every span has its share of the parameters."""
+    u, points = wave(200, 0.05)
+    curve = fit.approximate(points, count, degree, u).value
+    step = 200 / (count - degree)
+    inner = []
+    for j in range(1, count - degree):
+        i = int(j * step)
+        share = j * step - i
+        inner.append((1 - share) * u[i - 1] + share * u[i])
+    np.testing.assert_allclose(curve.knots, [u[0]] * (degree + 1) + inner + [u[-1]] * (degree + 1), rtol=1e-13, atol=0)
+
+
 MANY = """
 import json, sys
 sys.path.insert(0, sys.argv[1])

@@ -39,6 +39,32 @@ def test_signed_curvature_of_conics():
     assert (np.abs(CUBIC.signed_curvature(t)) == CUBIC.curvature(t)).all()
 
 
+@pytest.mark.parametrize('start, end', [(-1, 1), (-0.5, 2), (0, 5), (3, 3.5)])
+def test_curvature_of_arcs_of_a_parabola(start, end):
+    """Of y = x²: 2 / (1 + 4 x²)^(3/2)."""
+    arc = sc.conics.conic_arc((start, start**2), ((start + end) / 2, start * end), (end, end**2), 1.0)
+    u = np.linspace(0, 1, 33)
+    x = arc.evaluate(u)[:, 0]
+    assert x == pytest.approx(start + (end - start) * u, abs=1e-14)
+    assert arc.signed_curvature(u) == pytest.approx(2 / (1 + 4 * x**2) ** 1.5, rel=1e-12)
+    assert arc.curvature(u) == pytest.approx(2 / (1 + 4 * x**2) ** 1.5, rel=1e-12)
+    assert arc.reversed().signed_curvature(u[::-1]) == pytest.approx(-2 / (1 + 4 * x**2) ** 1.5, rel=1e-12)
+
+
+@pytest.mark.parametrize('a, b', [(1, 1), (3, 0.5), (0.2, 4)])
+@pytest.mark.parametrize('half', [0.3, 1.0, 3.0])
+def test_curvature_of_arcs_of_a_hyperbola(a, b, half):
+    """Of x²/a² - y²/b² = 1, upwards on the right branch: it turns to the right."""
+    end = np.array([a * np.cosh(half), b * np.sinh(half)])
+    arc = sc.conics.conic_arc(end * (1, -1), (a / np.cosh(half), 0), end, np.cosh(half))
+    u = np.linspace(0, 1, 33)
+    x, y = arc.evaluate(u)[:, :2].T
+    assert (x / a)**2 - (y / b)**2 == pytest.approx(np.ones(33), rel=1e-11)
+    wanted = 1 / (a**2 * b**2 * (x**2 / a**4 + y**2 / b**4) ** 1.5)
+    assert arc.curvature(u) == pytest.approx(wanted, rel=1e-11)
+    assert arc.signed_curvature(u) == pytest.approx(-wanted, rel=1e-11)
+
+
 def test_the_normal_is_that_of_the_plane_towards_z():
     rng = np.random.default_rng(1)
     for _ in range(20):

@@ -75,6 +75,33 @@ def test_closed_curves_have_knots_at_their_points(degree):
         np.testing.assert_allclose(before, after, rtol=0, atol=1e-9 * np.abs(after).max())
 
 
+@pytest.mark.parametrize('degree', range(1, 10))
+@pytest.mark.parametrize('parameters', ['uniform', 'chordal', 'centripetal', 'given'])
+def test_averaged_knots_are_those_of_the_book(degree, parameters):
+    """The NURBS Book, eq. 9.8: u[j + p] is the mean of the p parameters from the j-th on."""
+    points = walk(15)
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)**{'uniform': 0, 'centripetal': 0.5}.get(parameters, 1)
+    u = np.concatenate([[0.0], np.cumsum(steps if parameters != 'given' else RNG.uniform(0.1, 2, 14))])
+    curve = fit.interpolate(points, degree, parameters if parameters != 'given' else u).value
+    inner = [sum(u[j:j + degree]) / degree for j in range(1, 15 - degree)]
+    np.testing.assert_allclose(curve.knots, [u[0]] * (degree + 1) + inner + [u[-1]] * (degree + 1), rtol=1e-14, atol=0)
+
+
+@pytest.mark.parametrize('degree', [1, 3, 4, 5, 7])
+def test_closed_curves_on_knots_of_ones_own(degree):
+    """One period of them: beside the points for odd degrees, half-way between them for even ones."""
+    u = np.concatenate([[0.0], np.cumsum(RNG.uniform(0.8, 1.2, 14))])
+    knots = u.copy()
+    knots[1:-1] += RNG.uniform(-0.1, 0.1, 13) - (0.4 if degree % 2 == 0 else 0.0)
+    shape = sc.NurbsCurve(degree, knots, RNG.normal(size=(14, 3)), periodic=True)
+    points = shape.evaluate(u[:-1])
+    curve, error = fit.interpolate(points, degree, u, knots, closed=True)
+    assert curve.periodic and error < 1e-12
+    np.testing.assert_array_equal(curve.knots, knots)
+    np.testing.assert_allclose(curve.points, shape.points, rtol=0, atol=1e-8)
+    assert np.linalg.norm(curve.evaluate(u[:-1]) - points, axis=1).max() < 1e-12
+
+
 @pytest.mark.parametrize('count', [4, 5, 6, 7, 8, 20])
 @pytest.mark.parametrize('degree', [1, 2, 3])
 def test_few_points_close(count, degree):
