@@ -181,3 +181,21 @@ def grease_pencil(*lines, closed=False, hidden=False):
     ob.select_set(True)
     bpy.context.view_layer.objects.active = ob
     return ob
+
+
+def annotations(*lines):
+    """Strokes in space on the scene's annotations, or None where this Blender makes none by scripts."""
+    scene = bpy.context.scene
+    data = (bpy.data.annotations if hasattr(bpy.data, 'annotations') else bpy.data.grease_pencils).new("notes")
+    setattr(scene, 'annotation' if hasattr(scene, 'annotation') else 'grease_pencil', data)
+    frame = data.layers.new("L").frames.new(scene.frame_current)
+    if not hasattr(frame.strokes, 'new'):
+        return None
+    for line in lines:
+        stroke = frame.strokes.new()
+        if hasattr(stroke, 'display_mode'):
+            stroke.display_mode = '3DSPACE'
+        stroke.points.add(len(line))
+        for point, place in zip(stroke.points, line):
+            point.co = place
+    return data

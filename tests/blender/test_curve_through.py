@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 
-from blender_objects import grease_pencil
+from blender_objects import annotations, grease_pencil
 from layouts import drawn
 from shapes import activate, enter, op, require_exact, shown
 from support import part, splinecore as sc
@@ -223,6 +223,31 @@ def test_undo_takes_it_back():
     name = ob.name
     bpy.ops.ed.undo()
     assert name not in bpy.data.objects and len(bpy.data.objects) == 5
+
+
+@pytest.mark.parametrize('name', ('curve_through_points', 'fit_curve'))
+def test_annotations_are_taken_where_nothing_is_selected(name):
+    operator = getattr(bpy.ops.splinewright, name)
+    assert not operator.poll()
+    if annotations(PLACES, PLACES + 5, PLACES[:1]) is None:
+        pytest.skip("this Blender makes no annotations by scripts")
+    assert operator.poll() and not bpy.context.selected_objects
+    settings = {} if name == 'curve_through_points' else {'tolerance': 1e-6}
+    assert op(operator, **settings) == {'FINISHED'}
+    made = sorted(bpy.context.selected_objects, key=lambda ob: value(ob).points[0, 0])
+    assert len(made) == 2 == len(bpy.data.objects)
+    for ob, places in zip(made, (PLACES, PLACES + 5)):
+        assert value(ob).nearest(places).distances.max() < 1e-5 and np.array(ob.matrix_world).tolist() == np.eye(4).tolist()
+        assert np.array_equal(recipes.points(ob.data), places)
+
+
+def test_of_an_object_that_is_selected_annotations_are_not_taken():
+    if annotations(PLACES) is None:
+        pytest.skip("this Blender makes no annotations by scripts")
+    empties(PLACES[:1])
+    assert not bpy.ops.splinewright.curve_through_points.poll()
+    empties(PLACES[1:], "Q")
+    assert value(run()).nearest(PLACES[1:]).distances.max() < 1e-5 and recipes.kind(bpy.context.object.data) == 'through_objects'
 
 
 def test_progress_is_shown_while_curves_are_made(monkeypatch):

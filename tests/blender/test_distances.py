@@ -12,9 +12,9 @@ from layouts import drawn_by
 from shapes import VALUES, activate, add, enter, leave, move, select
 from support import part, splinecore as sc
 
-deviations, file_state, handlers, panel, seen, targets = (part(name) for name in (
-    'bridge.deviations', 'bridge.file_state', 'ui.handlers', 'ui.sights_panel', 'bridge.sights',
-    'bridge.deviation_targets'))
+deviations, file_state, handlers, lengths, measures, paint, panel, seen, targets = (part(name) for name in (
+    'bridge.deviations', 'bridge.file_state', 'ui.handlers', 'core.lengths', 'core.sights.deviations', 'ui.deviation_paint',
+    'ui.sights_panel', 'bridge.sights', 'bridge.deviation_targets'))
 TURNED = Matrix.Translation((3, -2, 0.5)) @ Euler((0.4, 1.1, -0.3)).to_matrix().to_4x4()
 
 
@@ -346,3 +346,34 @@ def test_the_object_and_the_range_are_kept_with_the_file(chosen, tmp_path):
     found = seen.of(bpy.context.scene)
     assert found.deviation and found.deviation_object == bpy.data.objects["mesh"] and found.deviation_range == 0.25
     assert measured(bpy.data.objects["shape"], found.deviation_object).largest > 0
+
+
+def test_the_legend_says_largest_and_mean_in_units_of_the_scene(chosen, monkeypatch):
+    """From 3 to 4 units away, of half a millimetre each."""
+    units = bpy.context.scene.unit_settings
+    units.system, units.length_unit, units.scale_length = 'METRIC', 'MILLIMETERS', 5e-4
+    other, ob = plane(-3.0), add(sc.BezierPatch([[(0, 0, 0), (0, 0.5, 0)], [(0.5, 0, 0.5), (0.5, 0.5, 0.5)]]))
+    ob.scale = (2, 2, 2)
+    measured(ob, other)
+    chosen.deviation_object = other
+    drawn = []
+    monkeypatch.setattr(paint.legend, 'draw', lambda context, head, numbers, colors, notes: drawn.append((head, numbers, notes)))
+    monkeypatch.setattr(paint.timers, 'later', lambda *_: None)
+    file_state.state.is_still = True
+    paint.draw_legend(bpy.context, chosen, [ob])
+    (head, numbers, notes), = drawn
+    assert head[:2] == ["Distance to", "mesh"] and numbers == ["0 mm", "0.5 mm", "1 mm", "1.5 mm", "2 mm"]
+    assert notes == ["Largest 2 mm", "Mean 1.75 mm"]
+
+
+def test_the_legend_says_what_is_not_measured_in_the_end():
+    unit = lengths.unit_for(4.0, 'METRIC', 'MILLIMETERS', 5e-4)
+    surface, line = add(VALUES['bezier patch'](), "surface"), add(VALUES['nurbs'](), "line")
+    known = measures.Deviation(np.array([3.0, 4.0]), 4.0, 3.5, 1.0)
+
+    def notes(obs, share):
+        return paint._notes(paint.Shown([(ob, known) for ob in obs], "exact", 4.0, share), unit)
+    assert notes([surface], 0.0) == ["Largest ≈ 2 mm", "Mean ≈ 1.75 mm"]
+    assert notes([surface], 0.375) == ["Largest ≈ 2 mm", "Mean ≈ 1.75 mm", "Measuring: 38 %"]
+    assert notes([surface, line], 1.0) == ["Largest 2 mm"], "areas and lengths have no mean in common"
+    assert notes([], 0.0) == ["Measuring: 0 %"]
