@@ -9,6 +9,8 @@ import pytest
 import splinecore as sc
 from splinecore import fit
 
+import random_curves
+import random_patches
 from random_curves import random_curve
 
 ROUNDING = 1e-12
@@ -45,6 +47,11 @@ def keeps(found, error, tolerance, size):
     assert found <= error * (1 + 1e-9) + ROUNDING * size
 
 
+def is_near(found, error, share):
+    """Whether an error is no more than promised above the truth, of which a little is between the samples."""
+    return error <= (1 + share) * 1.001 * found + ROUNDING
+
+
 def near_points(rng):
     points = 10.0**rng.uniform(-100, 100) * wave(rng, int(rng.integers(12, 300)))
     size = np.ptp(points)
@@ -63,6 +70,7 @@ def rebuilt(rng):
         return
     found, size = apart(curve, made.value)
     keeps(found, made.error, tolerance, size)
+    assert is_near(random_curves.sampled_distance(curve, made.value) / size, made.error / size, 0.01)
 
 
 def faired(rng):
@@ -71,6 +79,7 @@ def faired(rng):
     made = curve.fair(tolerance)
     found, size = apart(curve, made.value)
     keeps(found, made.error, tolerance, size)
+    assert is_near(random_curves.sampled_distance(curve, made.value) / size, made.error / size, 0.01)
 
 
 def without_knots(rng):
@@ -136,8 +145,28 @@ def divided(rng):
         assert abs(curve.length(curve.domain[0], u) - k * whole / count) <= 2e-10 * whole
 
 
-KINDS = {near_points: 350, rebuilt: 50, faired: 100, without_knots: 150, of_a_grid: 100, of_scattered_points: 50,
-         long: 100, divided: 100}
+def rebuilt_patch(rng):
+    """Its error is no tolerance, but the largest distance, at most 2 % above the truth."""
+    patch = random_patches.random_patch(rng, degree=int(rng.integers(1, 6)))
+    counts, degrees = rng.integers(5, 14, 2).tolist(), rng.integers(1, 5, 2).tolist()
+    made = patch.rebuild(counts, degrees)
+    assert made.value.points.shape[:2] == tuple(counts) and made.value.degree == tuple(degrees)
+    found, size = random_patches.sampled_distance(patch, made.value, 80), np.abs(patch.points).max()
+    keeps(found, made.error, np.inf, size)
+    assert is_near(found / size, made.error / size, 0.02)
+
+
+def faired_patch(rng):
+    patch = random_patches.random_patch(rng, degree=int(rng.integers(2, 6)), spans=3)
+    tolerance = 10.0**rng.uniform(-4, 0)
+    made = patch.fair(tolerance, ends=("points", "tangents")[rng.integers(2)])
+    found, size = random_patches.sampled_distance(patch, made.value, 80), np.abs(patch.points).max()
+    keeps(found, made.error, tolerance, size)
+    assert is_near(found / size, made.error / size, 0.02)
+
+
+KINDS = {near_points: 300, rebuilt: 50, faired: 100, without_knots: 100, of_a_grid: 100, of_scattered_points: 50,
+         long: 100, divided: 100, rebuilt_patch: 50, faired_patch: 50}
 
 
 def test_a_thousand_inputs():

@@ -222,7 +222,7 @@ class LengthSearch {
     bool operator<(const Open& other) const { return bound < other.bound; }
   };
 
-  bool is_done() const { return open_.empty() || open_.top().bound <= slack_ * std::max(known_, settled_); }
+  bool is_done() const { return open_.empty() || open_.top().bound <= std::max(slack_ * known_, settled_); }
 
   double slack_;
   double known_ = 0.0;
