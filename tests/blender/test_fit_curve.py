@@ -45,8 +45,8 @@ def turned(scale):
     return Matrix.LocRotScale((1, 2, 3), Euler((0.3, -1.1, 2.0)).to_quaternion(), scale)
 
 
-@pytest.mark.parametrize('matrix', (turned((2, 2, 2)), turned((3, 0.5, 8)), turned((-2, 3, 1)), turned((4, 4, 4)) @ turned((1, 3, 1)),
-                                    turned((1, 1, 0))))
+@pytest.mark.parametrize('matrix', (turned((2, 2, 2)), turned((3, 0.5, 8)), turned((-2, 3, 1)), turned((1, 1, 0)),
+                                    turned((4, 4, 4)) @ turned((1, 3, 1))))
 def test_the_tolerance_holds_in_the_scene_whatever_the_scale(matrix):
     source = grease_pencil(DRAWN)
     source.matrix_world = matrix

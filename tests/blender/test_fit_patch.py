@@ -112,6 +112,18 @@ def test_through_a_grid_of_a_scaled_mesh(capfd):
     require_exact(made)
 
 
+@pytest.mark.parametrize('scale', ((1, 1, 1), (2, 3, 1), (-2, 3, 1), (-1, -1, -1), (1, -2, -3)))
+def test_normals_are_on_the_side_of_the_faces(scale):
+    source = mesh_in_edit_mode(grid(6, 5).reshape(-1, 3), quads(6, 5))
+    source.scale = scale
+    bpy.context.view_layer.update()
+    outside = source.matrix_world.to_3x3().inverted().transposed() @ source.data.polygons[7].normal
+    assert op(bpy.ops.splinewright.patch_through_grid, degree_u=2, degree_v=1) == {'FINISHED'}
+    made = bpy.context.object
+    normals = np.array([made.matrix_world.to_3x3() @ face.normal for face in made.data.polygons])
+    assert (normals @ np.array(outside) > 0).all()
+
+
 def test_few_vertices_and_lines_are_refused():
     for points, message in (([[0, 0, 0], [1, 0, 0]], "three vertices"), (np.outer(np.arange(9), [1, 2, 3]), "on a line")):
         mesh_in_edit_mode(points)

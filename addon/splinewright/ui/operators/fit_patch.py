@@ -80,8 +80,10 @@ class SPLINEWRIGHT_OT_patch_through_grid(PatchOfVertices, bpy.types.Operator):
         bm.verts.index_update()
         bm.verts.ensure_lookup_table()
         rows, closed = vertex_grid.in_grid([[vertex.index for vertex in face.verts] for face in bm.faces if face.select])
-        points = np.array([[bm.verts[vertex].co for vertex in row] for row in rows.tolist()], dtype=np.float64)
-        points = points @ new_shapes.without_scale(ob.matrix_world)[1].T
+        _, linear = new_shapes.without_scale(ob.matrix_world)
+        if np.linalg.det(linear) < 0.0:
+            rows, closed = rows.T, closed[::-1]         # normals stay on their side
+        points = np.array([[bm.verts[vertex].co for vertex in row] for row in rows.tolist()], dtype=np.float64) @ linear.T
         degrees = tuple(min(degree, count - 1) for degree, count in zip((self.degree_u, self.degree_v), rows.shape))
         parametrisation = self.parametrisation
         return lambda cancel: sc.fit.interpolate_patch(points, degrees, parametrisation, closed=closed, cancel=cancel)
@@ -104,8 +106,8 @@ class SPLINEWRIGHT_OT_fit_patch(PatchOfVertices, bpy.types.Operator):
                                        ('TOLERANCE', "Tolerance", "Few control points within a distance")))
     count_u: count_property("U", default=8)
     count_v: count_property("V", default=8)
-    tolerance: FloatProperty(name="Tolerance", description="No vertex is farther from the patch, in the scene", default=0.01, min=1e-9,
-                             soft_max=1.0, precision=4, unit='LENGTH')
+    tolerance: FloatProperty(name="Tolerance", description="No vertex is farther from the patch, in the scene", default=0.01,
+                             min=1e-9, soft_max=1.0, precision=4, unit='LENGTH')
     smoothing: FloatProperty(name="Smoothing", description="How much the patch is kept from bending; it decides where there "
                              "are no vertices", default=1e-6, min=0.0, soft_max=0.01, precision=8, step=0.0001)
     corrections: IntProperty(name="Corrections", description="So often at most the vertices' places on the patch are improved",

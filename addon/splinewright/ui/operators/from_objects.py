@@ -84,7 +84,8 @@ class _FromObjects(LongWork, Repeatable):
         if recipe.is_beside:
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)
-        return self.finished(context, reports.Said(new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""))
+        said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
+        return self.finished(context, reports.Said(said))
 
     def _frames(self, context):
         """The object of which the place and axes count, if there is to be one, in a tuple. Raises Refusal."""

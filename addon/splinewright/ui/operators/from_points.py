@@ -97,7 +97,8 @@ class CurvesFromPoints(LongWork, Repeatable):
                 for i, (source, points, closed) in enumerate(found):
                     matrix, points = self._placed(source, points)
                     name = f"{source.name} Curve" if source else self.shape_name
-                    new.append(self.new_object(name, self._values(closed), points, i, lambda step: told(shape.STEPS * len(new) + step)))
+                    new.append(self.new_object(name, self._values(closed), points, i,
+                                               lambda step: told(shape.STEPS * len(new) + step)))
                     new[-1].matrix_world = matrix
         except FAILURES:
             bpy.data.batch_remove([ob.data for ob in new])

@@ -1,4 +1,4 @@
-"""How finely new shapes are shown, as the user says, or else as the preferences do; where they stand, and what is said of them."""
+"""How finely new shapes are shown, as the user says, or else as the preferences do; where they stand, what is said of them."""
 
 import numpy as np
 from mathutils import Matrix
