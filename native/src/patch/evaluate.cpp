@@ -135,15 +135,14 @@ void evaluate_pairs(const NurbsPatch& patch, std::span<const double> u, std::spa
                 });
 }
 
-/// All derivatives of the pairs from begin to end. @param first  point and first derivatives of all pairs
+/// All derivatives of the pairs from begin to end.
 void all_derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<const double> v, std::size_t begin,
-                     std::size_t end, int order, std::span<const double> first, std::span<double> out,
-                     PatchOptions options) {
+                     std::size_t end, int order, std::span<double> out, PatchOptions options) {
   const std::size_t width = static_cast<std::size_t>(order) + 1;
   const std::size_t size = width * width;
   PairSums sums(patch, order);
   std::vector<glm::dvec3> values(size);
-  for (std::size_t i = begin; i < end; ++i) {
+  const auto find = [&](std::size_t i, const double* first) {
     const auto row = out.subspan(3 * size * i, 3 * size);
     const double at_u = patch.knot_vector(Axis::u).admit(u[i], options.side_u);
     const double at_v = patch.knot_vector(Axis::v).admit(v[i], options.side_v);
@@ -153,11 +152,17 @@ void all_derivatives(const NurbsPatch& patch, std::span<const double> u, std::sp
     sums.undivide(values);
     for (std::size_t kl = 0; kl < size; ++kl) store(values[kl], &row[3 * kl]);
     // The lowest are the same, bit for bit, whatever the order.
-    std::copy_n(&first[9 * i], 3, &row[0]);
-    std::copy_n(&first[9 * i + 3], 3, &row[3 * width]);
-    std::copy_n(&first[9 * i + 6], 3, &row[3]);
+    std::copy_n(first, 3, &row[0]);
+    std::copy_n(first + 3, 3, &row[3 * width]);
+    std::copy_n(first + 6, 3, &row[3]);
     settle_pair(patch, at_u, at_v, options, row);
-  }
+  };
+  for_each_part(patch, u, v, begin, end, 1, options,
+                [&](const GridForm& form, const ScatteredPairs& pairs, std::size_t part, std::size_t count) {
+                  std::array<double, 9 * kPart> first;
+                  kernels().pair_slopes(form, pairs, count, first.data());
+                  for (std::size_t i = 0; i < count; ++i) find(part + i, &first[9 * i]);
+                });
 }
 
 }  // namespace
@@ -208,12 +213,10 @@ void derivatives(const NurbsPatch& patch, std::span<const double> u, std::span<c
                  int order, std::span<double> out, PatchOptions options) {
   require_order(order);
   if (order == 0) return evaluate(patch, u, v, out, options);
-  std::vector<double> first(9 * u.size());
-  first_derivatives(patch, u, v, first, {options.side_u, options.side_v, AtInfinity::nan, options.threads});
   const auto size = static_cast<std::size_t>((order + 1) * (order + 1));
   const std::size_t steps = size * steps_of_pair(form_of(patch));
   in_ranges(u.size(), steps, options.threads, [&](std::size_t begin, std::size_t end) {
-    all_derivatives(patch, u, v, begin, end, order, first, out, options);
+    all_derivatives(patch, u, v, begin, end, order, out, options);
   });
 }
 
