@@ -88,6 +88,28 @@ def test_sides_that_are_equal_but_for_the_rounding_of_their_knots_are_one_edge(g
         assert np.linalg.norm(positions - (1, y, 7), axis=1).min() < 1e-6
 
 
+def near_knots(random, degree):
+    """Spans of very different lengths; some knots let the patch fall apart."""
+    knots, at = [0.0] * (degree + 1), 0.0
+    for _ in range(random.integers(0, 5)):
+        at += random.choice([1.0, 0.3, 1e-6, 1e-12, 2.0**-45])
+        knots += [at] * random.integers(1, degree + 2)
+    return knots + [at + 1.0] * (degree + 1)
+
+
+@pytest.mark.parametrize('turn', (lambda patch: patch, lambda patch: patch.swapped(),
+                                  lambda patch: patch.reversed('u'), lambda patch: patch.elevate('u'),
+                                  lambda patch: patch.elevate('v').reversed('v').swapped()))
+def test_a_patch_has_all_sides_in_common_with_itself_however_near_its_knots_are(turn):
+    random = np.random.default_rng(2)
+    for _ in range(300):
+        degree = tuple(random.integers(1, 4, 2))
+        knots = [near_knots(random, d) for d in degree]
+        size = tuple(len(k) - d - 1 for k, d in zip(knots, degree))
+        patch = sc.NurbsPatch(degree, knots, random.normal(size=(*size, 3)), random.uniform(0.5, 2, size))
+        assert set_of(patch, turn(patch)).edge_counts()['free'] == 0
+
+
 def test_several_knots_one_rounding_apart_keep_all_corners():
     profile = [(0, 0, 0), (1, 0, 0), (1, 0, 7), (3, 0, 7), (3, 0, 2), (4, 0, 0)]
     net = np.array(profile, float)[:, None] + [(0, 0, 0), (0, 1, 0)]
@@ -229,7 +251,8 @@ def test_the_check_of_faces_finds_every_one_that_is_turned_over(resolution):
     """Also where normals turn by a quarter on a face, as on a sphere of few faces."""
     patch_set = set_of(sphere())
     mesh = mesh_checks.mesh_of(patch_set, sc.Tessellation(patch_set, resolution))
-    assert (mesh_checks.turning(mesh, mesh_checks.surface_normals(mesh, patch_set)).max() > np.radians(60)) == (resolution == 1)
+    turning = mesh_checks.turning(mesh, mesh_checks.surface_normals(mesh, patch_set))
+    assert (turning.max() > np.radians(60)) == (resolution == 1)
     mesh_checks.check_faces(mesh, patch_set)
     ends = np.append(mesh.starts[1:], len(mesh.vertex))
     for face in (3, 0, len(mesh.starts) // 2, len(mesh.starts) - 1):

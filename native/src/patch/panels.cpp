@@ -17,6 +17,9 @@ struct PlacedSide {
   std::size_t panel;
   int side;
   SideCurve curve;
+  SideMiddle middle;
+
+  double reach() const { return curve.tolerance + middle.spread; }
 };
 
 /// The parameters where a direction begins, has a gap, or ends.
@@ -37,15 +40,15 @@ double tolerance_of(const NurbsPatch& patch) {
 }
 
 /// Of each side, in an order by their middles, those before it that may be the same curve, the nearest first. Each side
-/// looks as far as its own tolerance reaches, so that a large one among many small ones costs the others nothing.
+/// looks as far as its own reach, so that a large one among many small ones costs the others nothing.
 std::vector<std::vector<std::size_t>> candidates(const std::vector<PlacedSide>& sides,
                                                  const std::vector<std::pair<double, std::size_t>>& order) {
   std::vector<std::vector<std::size_t>> found(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const double tolerance = sides[order[i].second].curve.tolerance;
-    for (std::size_t k = i; k-- > 0 && order[i].first - order[k].first <= tolerance;) found[i].push_back(k);
-    for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= tolerance; ++k) {
-      if (!(order[k].first - order[i].first <= sides[order[k].second].curve.tolerance)) found[k].push_back(i);
+    const double reach = sides[order[i].second].reach();
+    for (std::size_t k = i; k-- > 0 && order[i].first - order[k].first <= reach;) found[i].push_back(k);
+    for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= reach; ++k) {
+      if (!(order[k].first - order[i].first <= sides[order[k].second].reach())) found[k].push_back(i);
     }
   }
   for (std::vector<std::size_t>& before : found) std::ranges::sort(before, std::greater());
@@ -55,7 +58,7 @@ std::vector<std::vector<std::size_t>> candidates(const std::vector<PlacedSide>& 
 /// Numbers the edges: each side takes the edge of the first side before it that is the same curve.
 void match(std::vector<Panel>& panels, const std::vector<PlacedSide>& sides) {
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < sides.size(); ++i) order.emplace_back(middle(sides[i].curve), i);
+  for (std::size_t i = 0; i < sides.size(); ++i) order.emplace_back(sides[i].middle.place, i);
   std::ranges::sort(order);
   const auto before = candidates(sides, order);
   int edges = 0;
@@ -93,7 +96,9 @@ std::vector<Panel> panels_of(const PatchSet& set) {
     const std::size_t patch = panels[i].patch;
     for (int side = 0; side < 4; ++side) {
       auto curve = side_curve(nurbs_of(set.patch(patch)), panels[i], static_cast<Border>(side), tolerances[patch]);
-      if (curve) sides.push_back({i, side, std::move(*curve)});
+      if (!curve) continue;
+      const SideMiddle at = middle(*curve);
+      sides.push_back({i, side, std::move(*curve), at});
     }
   }
   match(panels, sides);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 
 #include "basis/bernstein_net.hpp"
 #include "lines.hpp"
@@ -16,8 +17,12 @@ namespace splinecore {
 
 namespace {
 
-/// Knots of two sides that are no farther apart than this may be the same but for rounding.
-constexpr double kOneKnot = 0x1p-40;
+/// How far rounding may move a knot of a side; far from zero, or on a short part of a domain, by some ulps of its ends.
+double one_knot(const Interval& domain, const Interval& range) {
+  constexpr double kLeast = 0x1p-40;
+  constexpr double kUlps = 0x1p-50;
+  return std::max(kLeast, kUlps * std::max(std::abs(domain.start), std::abs(domain.end)) / range.length());
+}
 
 /// The homogeneous points of an isocurve, those of the lines from `first` up to `end`.
 std::vector<glm::dvec4> isocurve_points(const NurbsPatch& patch, Axis axis, double at, Side side, int first, int end) {
@@ -72,6 +77,19 @@ glm::dvec3 point_at(const SideCurve& side, std::size_t span, double part) {
 glm::dvec3 start_of(const SideCurve& side) { return point_at(side, 0, 0.0); }
 glm::dvec3 end_of(const SideCurve& side) { return point_at(side, side.breaks.size() - 2, 1.0); }
 
+glm::dvec3 point_at(const SideCurve& side, double t) {
+  const auto next = std::ranges::upper_bound(side.breaks, t);
+  const std::size_t span = std::min<std::size_t>(next - side.breaks.begin(), side.breaks.size() - 1) - 1;
+  return point_at(side, span, SideWalk{side, span}.part_at(t));
+}
+
+/// Along a direction in which few points have the same place.
+double place_of(const glm::dvec3& point) {
+  constexpr glm::dvec3 kDirection(0.71, 0.53, 0.46);
+  const double at = glm::dot(kDirection, point);
+  return std::isfinite(at) ? at : std::numeric_limits<double>::infinity();
+}
+
 SideCurve turned(SideCurve side) {
   std::ranges::reverse(side.pieces);
   std::ranges::reverse(side.breaks);
@@ -92,16 +110,17 @@ bool is_same(const SideCurve& a, const SideCurve& b) {
 
 /// Of each break of a the one of b that is the same knot, if any. Where knots lie so near together that rounding may
 /// have moved them, as many of each side are the same, one by one; otherwise those that are equal.
-std::vector<std::optional<std::size_t>> partners(const std::vector<double>& a, const std::vector<double>& b) {
+std::vector<std::optional<std::size_t>> partners(const std::vector<double>& a, const std::vector<double>& b,
+                                                 double one_knot) {
   std::vector<std::optional<std::size_t>> found(a.size());
   std::size_t i = 0;
   std::size_t k = 0;
   while (i < a.size() && k < b.size()) {
     std::size_t end_i = i;
     std::size_t end_k = k;
-    for (double reach = std::min(a[i], b[k]) + kOneKnot;;) {
-      if (end_i < a.size() && a[end_i] <= reach) reach = std::max(reach, a[end_i++] + kOneKnot);
-      else if (end_k < b.size() && b[end_k] <= reach) reach = std::max(reach, b[end_k++] + kOneKnot);
+    for (double reach = std::min(a[i], b[k]) + one_knot;;) {
+      if (end_i < a.size() && a[end_i] <= reach) reach = std::max(reach, a[end_i++] + one_knot);
+      else if (end_k < b.size() && b[end_k] <= reach) reach = std::max(reach, b[end_k++] + one_knot);
       else break;
     }
     const bool is_alike = end_i - i == end_k - k;
@@ -128,7 +147,7 @@ bool is_near_between(const SideWalk& a, double end_a, const SideWalk& b, double 
 }
 
 bool is_near_everywhere(const SideCurve& a, const SideCurve& b) {
-  const auto partner = partners(a.breaks, b.breaks);
+  const auto partner = partners(a.breaks, b.breaks, std::max(a.one_knot, b.one_knot));
   SideWalk on_a{a};
   SideWalk on_b{b};
   while (!on_a.is_at_end() || !on_b.is_at_end()) {
@@ -158,7 +177,8 @@ std::optional<SideCurve> side_curve(const NurbsPatch& patch, const Panel& panel,
   if (is_point(points, tolerance)) return {};
   const std::size_t order = knots.degree() + 1;
   std::vector<glm::dvec4> pieces(order * (end - begin));
-  SideCurve side{knots.degree(), {0.0}, std::move(pieces), patch.weight_exponent(), tolerance};
+  SideCurve side{knots.degree(),          {0.0},     std::move(pieces),
+                 patch.weight_exponent(), tolerance, one_knot(knots.domain(), range)};
   for (int span = begin; span < end; ++span) {
     side.breaks.push_back((knots.span_interval(span).end - range.start) / range.length());
     const glm::dvec4* const needed = points.data() + (knots.spans()[span] - knots.degree() - first);
@@ -167,15 +187,15 @@ std::optional<SideCurve> side_curve(const NurbsPatch& patch, const Panel& panel,
   return side;
 }
 
-double middle(const SideCurve& side) {
-  constexpr glm::dvec3 kDirection(0.71, 0.53, 0.46);
-  const auto after = std::ranges::upper_bound(side.breaks, 0.5 + kOneKnot);
-  const bool is_steady = after - std::ranges::lower_bound(side.breaks, 0.5 - kOneKnot) < 2;
-  SideWalk walk{side};
-  walk.span = std::ranges::upper_bound(side.breaks, 0.5) - side.breaks.begin() - 1;
-  const glm::dvec3 between_ends = 0.5 * (start_of(side) + end_of(side));
-  const double at = glm::dot(kDirection, is_steady ? point_at(side, walk.span, walk.part_at(0.5)) : between_ends);
-  return std::isfinite(at) ? at : std::numeric_limits<double>::infinity();
+SideMiddle middle(const SideCurve& side) {
+  const auto inner = std::span(side.breaks).subspan(1, side.breaks.size() - 2);
+  const auto behind = std::ranges::upper_bound(inner, 0.5 + side.one_knot);
+  if (behind - std::ranges::lower_bound(inner, 0.5 - side.one_knot) > 1) {
+    return {place_of(0.5 * (start_of(side) + end_of(side))), 0.0};
+  }
+  const double place = place_of(point_at(side, 0.5));
+  const auto away = [&](double t) { return std::abs(place_of(point_at(side, std::clamp(t, 0.0, 1.0))) - place); };
+  return {place, std::max(away(0.5 - side.one_knot), away(0.5 + side.one_knot))};
 }
 
 bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed) {

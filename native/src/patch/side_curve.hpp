@@ -17,14 +17,20 @@ struct SideCurve {
   std::vector<glm::dvec4> pieces;  ///< degree + 1 homogeneous points of every span, one after another
   int weight_exponent;
   double tolerance;                ///< up to which points of its patch are one
+  double one_knot;                 ///< up to which a break may be the same knot as one of another side
 };
 
 /// Nothing where the side is a point: where all that it depends on lies in one place.
 std::optional<SideCurve> side_curve(const NurbsPatch& patch, const Panel& panel, Border border, double tolerance);
 
-/// Where the middle of a side lies along a direction in which few have the same place. Where knots lie so near together
-/// there that rounding may move it from one to another, the middle between the ends is taken.
-double middle(const SideCurve& side);
+/// Where the middle of a side lies along a direction in which few have the same place, and how far the rounding of
+/// knots may move it. Where knots lie so near together there that it may come to another one, the middle between the
+/// ends is taken.
+struct SideMiddle {
+  double place;
+  double spread;
+};
+SideMiddle middle(const SideCurve& side);
 
 /// Whether two sides have the same points at equal parameters, or the second has them from its end.
 bool is_one_curve(const SideCurve& a, const SideCurve& b, bool reversed);
