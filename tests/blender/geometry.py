@@ -10,7 +10,7 @@ def farthest(points, line):
     worst = 0.0
     for point in points:
         along = np.clip(((point - starts) * steps).sum(1) / squares, 0, 1)
-        worst = max(worst, np.linalg.norm(starts + along[:, None] * steps - point, axis=1).min())
+        worst = np.maximum(worst, np.linalg.norm(starts + along[:, None] * steps - point, axis=1).min())
     return worst
 
 

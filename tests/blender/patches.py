@@ -122,5 +122,5 @@ def farthest(before, after, name, settings):
         points = patch.evaluate_grid(*own)
         if name == 'patch_swap':
             points = points.swapaxes(0, 1)
-        worst = max(worst, np.abs(points - on_grid(before, was)).max())
+        worst = np.maximum(worst, np.abs(points - on_grid(before, was)).max())
     return worst

@@ -84,7 +84,7 @@ def farthest(before, after, name, settings):
         first, last = before.domain
         if getattr(before, 'periodic', False):
             at = first + (at - first) % (last - first)
-        worst = max(worst, np.abs(points - before.evaluate(at)).max())
+        worst = np.maximum(worst, np.abs(points - before.evaluate(at)).max())
     return worst
 
 

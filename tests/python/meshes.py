@@ -78,6 +78,7 @@ def _largest_distance(mesh, triangles, patch_set, positions, steps):
     own = np.repeat(np.arange(len(triangles)), len(weights))
     points = points.reshape(-1, 3)
     distances = distances_to_triangles(points, corners[own])
+    assert np.isfinite(distances).all(), "points or vertices are no numbers"
     # The nearest face may be one beside its own: that is looked for from the farthest point on, until it stays ahead.
     neighbours = _neighbours(mesh.corner_vertices[triangles], len(positions))
     order, largest = np.argsort(-distances), 0.0
