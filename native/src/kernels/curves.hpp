@@ -141,6 +141,14 @@ struct Place {
   bool is_inside;
 };
 
+/// How many points are written, lanes at most, until the next one begins where a register may be stored without crossing
+/// a line of the cache.
+SPLINECORE_INLINE std::size_t points_to_line(const double* out) {
+  const std::size_t behind = reinterpret_cast<std::uintptr_t>(out) / sizeof(double) % kWide;
+  const std::size_t points = (kWide - behind) * 3 % kWide;  // 3 numbers each, and 3 · 3 is 1 modulo 4 and 8
+  return points == 0 ? kWide : points;
+}
+
 template <int kDegree, bool kRational, int kOrder, class Real>
 std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double high, const double* u,
                 std::size_t count, Real* out, int* found) {
@@ -151,6 +159,7 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
   const double* rows[kOrder + 1];
   for (int k = 0; k <= kOrder; ++k) rows[k] = first_row(half.rows, degree, k);
   V doubts = all<V>(0.0);
+  constexpr std::size_t kLong = 64;
   std::size_t i = 0;
   // Each place is found while the points before it are still on their way.
   const auto place = [&](std::size_t first) -> Place<V> {
@@ -159,9 +168,14 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
     const V left = far - at;
     return {(at - near) / left, left, is_between(low, high, at)};
   };
-  for (Place<V> next = place(0); next.is_inside; i += kWide) {
+  std::size_t step = kWide;
+  if constexpr (kOrder == 0 && sizeof(Real) == sizeof(double)) {
+    // The first of many overlap the next ones.
+    if (count > kLong && is_between(low, high, all<V>(u[kLong]))) step = points_to_line(out);
+  }
+  for (Place<V> next = place(0); next.is_inside; i += step, step = kWide) {
     const auto [x, left, is_inside] = next;
-    next = place(i + kWide);
+    next = place(i + step);
     Derivatives<V, kOrder> d;
     for (int k = 0; k <= kOrder; ++k) {
       d.at[k] = degree < k ? PointsOf<V>{} : horner(rows[k], degree - k, x, kRational);
