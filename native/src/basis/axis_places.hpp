@@ -41,7 +41,7 @@ class AxisPlaces {
   double parameter(std::size_t i) const noexcept { return found_.u[i]; }
 
   /// The first control point that it depends on.
-  int first(std::size_t i) const noexcept { return found_.knots[spans_[i]] - knots_.degree(); }
+  int first(std::size_t i) const noexcept { return found_.first_knots[spans_[i]] - knots_.degree(); }
 
  private:
   double admitted(double u, Side side, std::size_t i) const {
@@ -53,10 +53,10 @@ class AxisPlaces {
   Interval domain_;
   int order_;
   const char* name_;
-  ScatteredSpans found_;
   std::array<double, kMost> moved_;
   std::array<std::int32_t, kMost> spans_;
   std::array<const double*, kMost> rows_;
+  ScatteredSpans found_;
 };
 
 }  // namespace splinecore

@@ -61,7 +61,7 @@ IntervalFinder::IntervalFinder(std::vector<double> starts, std::size_t parts)
 }
 
 SpanHalves::SpanHalves(std::span<const double> bounds, Side side)
-    : middles_(middles_of(bounds)), finder_(starts_of_halves(bounds, middles_, side), kPartsOfSpan) {
+    : side_(side), middles_(middles_of(bounds)), finder_(starts_of_halves(bounds, middles_, side), kPartsOfSpan) {
   ends_.reserve(4 * middles_.size());
   for (std::size_t i = 0; i < middles_.size(); ++i) {
     ends_.insert(ends_.end(), {bounds[i], bounds[i + 1], bounds[i + 1], bounds[i]});

@@ -13,17 +13,16 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// Finds among intervals that meet the one of a parameter: their domain is cut into equal parts, of which each knows its
-/// first one.
+/// Finds the interval that a parameter lies in, among intervals of which each begins where the one before ends.
 class IntervalFinder {
  public:
   /// @param starts  of the intervals, which ascend, and the end of the last one
-  /// @param parts  how many an interval
+  /// @param parts  for each interval: the domain is cut into so many equal ones, of which each knows its first interval
   IntervalFinder(std::vector<double> starts, std::size_t parts);
 
   /// The last interval that starts before each parameter; Side::right: or at it. All lie in the domain.
   void find_all(const double* u, std::size_t count, Side side, std::int32_t* intervals) const {
-    kernels().find_spans({starts_.data(), first_.data(), begin_, scale_}, side == Side::right, u, count, intervals);
+    kernels().find_intervals({starts_.data(), first_.data(), begin_, scale_}, side == Side::right, u, count, intervals);
   }
 
  private:
@@ -39,8 +38,8 @@ class SpanHalves {
   /// @param bounds  of the spans @param side  from which parameters are approached
   SpanHalves(std::span<const double> bounds, Side side);
 
-  void find_all(const double* u, std::size_t count, Side side, std::int32_t* halves) const {
-    finder_.find_all(u, count, side, halves);
+  void find_all(const double* u, std::size_t count, std::int32_t* halves) const {
+    finder_.find_all(u, count, side_, halves);
   }
 
   /// Of each half the nearer end of its span and the other one.
@@ -54,6 +53,7 @@ class SpanHalves {
   }
 
  private:
+  Side side_;
   std::vector<double> middles_;
   std::vector<double> ends_;
   IntervalFinder finder_;

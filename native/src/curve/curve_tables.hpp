@@ -21,7 +21,7 @@ inline std::size_t rows_to(int degree, int order) {
 /// on and once from its end on.
 void fill_rows(const NurbsCurve& curve, std::size_t span, int order, double* out);
 
-/// The coefficients of a curve's spans, for the kernels: its own, and those with its first two derivatives.
+/// The coefficients of the halves of a curve's spans, for the kernels: its own, and those with its first two derivatives.
 class CurveTables {
   static constexpr int kOrder = 2;
 

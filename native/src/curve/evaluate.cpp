@@ -71,11 +71,11 @@ class Locator {
       for (std::size_t i = 0; i < u.size(); ++i) found.moved[i] = admitted(u[i], first + i);
       found.halves.u = found.moved.data();
     }
-    halves_.find_all(found.halves.u, u.size(), side_, found.half.data());
+    halves_.find_all(found.halves.u, u.size(), found.half.data());
     for (std::size_t i = 0; all_rows_ == nullptr && i < u.size(); ++i) found.rows[i] = rows(found.half[i]);
   }
 
-  CurveHalf form(int half) const {
+  CurveHalf half_of(int half) const {
     const double* const ends = halves_.ends() + 2 * half;
     return {ends[0], ends[1], rows(half)};
   }
@@ -202,7 +202,7 @@ class Batch {
     const Interval range = locator_.range(half);
     int found = 0;
     const std::size_t done =
-        run_of(form_, locator_.form(half), range.start, range.end, part, out_.data() + columns_ * i, &found);
+        run_of(form_, locator_.half_of(half), range.start, range.end, part, out_.data() + columns_ * i, &found);
     breathe(done * columns_ * static_cast<std::size_t>(form_.degree + 2));
     if (found != 0) settle_all(i, i + done);
     return done;

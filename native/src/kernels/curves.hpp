@@ -74,11 +74,11 @@ SPLINECORE_INLINE void project(Derivatives<V, kOrder>& d, V x, V f, int degree) 
       q.z = t.z * g;
       if constexpr (kOrder > 1) {
         PointsOf<V>& c = d.at[2];
-        const V twice = slope_w + slope_w;
+        const V double_slope = slope_w + slope_w;
         const V scale = r * (g * g);
-        c.x = mul_add(-twice, t.x, mul_add(-c.w, p.x, c.x)) * scale;
-        c.y = mul_add(-twice, t.y, mul_add(-c.w, p.y, c.y)) * scale;
-        c.z = mul_add(-twice, t.z, mul_add(-c.w, p.z, c.z)) * scale;
+        c.x = mul_add(-double_slope, t.x, mul_add(-c.w, p.x, c.x)) * scale;
+        c.y = mul_add(-double_slope, t.y, mul_add(-c.w, p.y, c.y)) * scale;
+        c.z = mul_add(-double_slope, t.z, mul_add(-c.w, p.z, c.z)) * scale;
       }
     }
   }

@@ -44,14 +44,15 @@ SPLINECORE_INLINE const double* choices(int degree) {
   return degree < 4 ? kFew[degree] : binomials(degree);
 }
 
-/// What functions and their derivatives 0 … kOrder of four parameters are sums of.
-template <int kOrder>
+/// Of four parameters the Bernstein polynomials of degree - k, of which derivative k of the functions is a sum.
+/// @param kDegree  0 for any
+template <int kDegree, int kOrder>
 struct FourBernstein {
-  Lanes values[kOrder + 1][kMostDegree + 1];
+  Lanes values[kOrder + 1][(kDegree > 0 ? kDegree : kMostDegree) + 1];
 };
 
-template <int kOrder>
-SPLINECORE_INLINE void bernstein(int degree, const FourPlaces& places, FourBernstein<kOrder>& out) {
+template <int kDegree, int kOrder>
+SPLINECORE_INLINE void bernstein(int degree, const FourPlaces& places, FourBernstein<kDegree, kOrder>& out) {
   for (int k = 0; k <= kOrder && k <= degree; ++k) {
     bernstein(degree - k, places.t, places.s, choices(degree - k), out.values[k]);
   }
@@ -72,7 +73,7 @@ SPLINECORE_INLINE void functions_of(int degree, int order, const double* rows, c
 template <int kOrder>
 SPLINECORE_INLINE void functions_to(int degree, const ScatteredSpans& places, std::size_t count, double* out) {
   const std::size_t width = table_width(degree);
-  FourBernstein<kOrder> values;
+  FourBernstein<0, kOrder> values;
   for (std::size_t i = 0; i < count; i += 4) {
     const int lanes = count - i < 4 ? static_cast<int>(count - i) : 4;
     const double* rows[4];

@@ -17,10 +17,11 @@ namespace splinecore {
 /// The row of Pascal's triangle, up to degree 255 at least.
 const double* binomials(int degree) noexcept;
 
-/// The spans of a domain, which is cut into equal parts that know how many spans start before them.
-struct SpanParts {
-  const double* starts;  ///< of the spans; minus infinity for the first, and infinity behind the last
-  const std::int32_t* first;  ///< of each part: how many spans start in those before it
+/// Intervals, each of which begins where the one before ends: spans of a domain, or halves of them. It is cut into equal
+/// parts that know how many of them start before.
+struct IntervalParts {
+  const double* starts;       ///< minus infinity for the first, and infinity behind the last
+  const std::int32_t* first;  ///< of each part: how many start in those before it
   double begin;               ///< of the domain
   double scale;               ///< from a parameter behind it to its part
 };
@@ -32,10 +33,10 @@ struct CurveHalf {
   const double* rows;  ///< from the near end on; those of derivative k, degree + 1 - k, behind those of the ones before
 };
 
-/// Parameters, each with a half of its own: twice the span, and 1 more in its second half.
+/// Parameters, each with a half of its own.
 struct ScatteredHalves {
   const double* u;
-  const std::int32_t* half;
+  const std::int32_t* half;   ///< twice the span, and 1 more in its second half
   const double* ends;         ///< the near and the far one of every half
   const double* table;        ///< the rows of all halves, `size` numbers each; or nullptr
   std::size_t size;
@@ -54,7 +55,7 @@ struct ScatteredSpans {
   const double* u;
   const std::int32_t* span;
   const double* bounds;       ///< where the spans start, and the end of the last
-  const int* knots;           ///< of each span: the number of the knot that it starts at
+  const int* first_knots;     ///< of each span: the number of the knot that it starts at
   const double* table;        ///< the rows of all spans, `size` numbers each; or nullptr
   std::size_t size;
   const double* const* rows;  ///< those of each parameter where there is no table: of derivative k degree + 1 - k, one
@@ -230,8 +231,8 @@ struct Kernels {
   /// Whether all numbers lie strictly between the two.
   bool (*are_between)(double low, double high, const double* u, std::size_t count);
 
-  /// The last span that starts before each parameter, or `at` it. All lie in the domain.
-  void (*find_spans)(const SpanParts&, bool at, const double* u, std::size_t count, std::int32_t* spans);
+  /// The last interval that starts before each parameter, or `at` it. All lie in the domain.
+  void (*find_intervals)(const IntervalParts&, bool at, const double* u, std::size_t count, std::int32_t* intervals);
 
   /// As many of the parameters as lie, `lanes` at once, strictly inside the half whose parameters are from low to high.
   /// Writes 3 (order + 1) numbers for each. @returns how many; `found` takes kNotFinite.
@@ -240,7 +241,8 @@ struct Kernels {
   std::size_t (*curve_run_single)(const CurveForm&, const CurveHalf&, double low, double high, const double* u,
                                   std::size_t count, float* out, int* found);
 
-  /// The same for parameters that are scattered, from number `begin` to `end`.
+  /// Writes as many numbers for each of the parameters from number `begin` to `end`, wherever they lie; `out` is the place of
+  /// the first of these. @returns kNotFinite or 0
   int (*curve_scattered)(const CurveForm&, const ScatteredHalves&, std::size_t begin, std::size_t end, double* out);
   int (*curve_scattered_single)(const CurveForm&, const ScatteredHalves&, std::size_t begin, std::size_t end,
                                 float* out);

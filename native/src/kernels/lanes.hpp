@@ -105,7 +105,7 @@ SPLINECORE_INLINE bool is_between(double low, double high, V a) {
 typedef WideLanes Twice;
 SPLINECORE_INLINE Twice twice(Lanes low, Lanes high) { return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7); }
 SPLINECORE_INLINE Twice load_twice(const double* both) { return _mm512_maskz_broadcast_f64x4(0xff, _mm256_loadu_pd(both)); }
-/// A lane of each half everywhere in this half.
+/// A lane of each four everywhere in these.
 template <int kLane>
 SPLINECORE_INLINE Twice spread(Twice a) {
   return _mm512_maskz_permutex_pd(0xff, a, 0x55 * kLane);

@@ -22,6 +22,7 @@ namespace {
 #include "distances.hpp"
 #include "functions.hpp"
 #include "patches.hpp"
+#include "pairs.hpp"
 #include "near_rows.hpp"
 #include "tridiagonal.hpp"
 #include "least_squares.hpp"
@@ -31,7 +32,7 @@ namespace {
 extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
-    are_between, find_spans,
+    are_between, find_intervals,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     speed_sums, surface_sums,
     piece_slopes, square_sums, box_distances,

@@ -1,4 +1,4 @@
-// Which spans parameters lie in. Included in the namespace of each set of instructions: see set.hpp.
+// Which intervals parameters lie in. Included in the namespace of each set of instructions: see set.hpp.
 
 bool are_between(double low, double high, const double* u, std::size_t count) {
   std::size_t i = 0;
@@ -13,7 +13,7 @@ bool are_between(double low, double high, const double* u, std::size_t count) {
 
 /// The starts of a part that are before u, or at it, by halving.
 template <bool kAt>
-std::int32_t begun_of_many(const SpanParts& parts, std::size_t part, double u) {
+std::int32_t begun_of_many(const IntervalParts& parts, std::size_t part, double u) {
   std::int32_t next = parts.first[part];
   for (std::int32_t end = parts.first[part + 1]; next < end;) {
     const std::int32_t middle = next + (end - next) / 2;
@@ -28,8 +28,8 @@ std::int32_t begun_of_many(const SpanParts& parts, std::size_t part, double u) {
 }
 
 template <bool kAt>
-SPLINECORE_INLINE void spans_of(const SpanParts& given, const double* u, std::size_t count, std::int32_t* spans) {
-  const SpanParts parts = given;
+SPLINECORE_INLINE void intervals_of(const IntervalParts& given, const double* u, std::size_t count, std::int32_t* intervals) {
+  const IntervalParts parts = given;
   for (std::size_t i = 0; i < count; ++i) {
     const double at = u[i];
     const auto part = static_cast<std::size_t>(static_cast<std::int64_t>((at - parts.begin) * parts.scale));
@@ -40,10 +40,10 @@ SPLINECORE_INLINE void spans_of(const SpanParts& given, const double* u, std::si
       const double start = parts.starts[next];
       next += static_cast<std::int32_t>(kAt ? start <= at : start < at);
     }
-    spans[i] = next - 1;
+    intervals[i] = next - 1;
   }
 }
 
-void find_spans(const SpanParts& parts, bool at, const double* u, std::size_t count, std::int32_t* spans) {
-  return at ? spans_of<true>(parts, u, count, spans) : spans_of<false>(parts, u, count, spans);
+void find_intervals(const IntervalParts& parts, bool at, const double* u, std::size_t count, std::int32_t* intervals) {
+  return at ? intervals_of<true>(parts, u, count, intervals) : intervals_of<false>(parts, u, count, intervals);
 }

@@ -14,8 +14,8 @@ class Lazy {
   Lazy(const Lazy&) = delete;
   Lazy& operator=(const Lazy&) = delete;
 
-  /// What make() returned first as a std::unique_ptr. Threads that come meanwhile make it, too: none waits, as it might for
-  /// what itself calls this.
+  /// The value, which make() returns as a std::unique_ptr. Of threads that come at once each makes it and the first to be
+  /// done is kept: none waits, as it might for what itself calls this.
   template <class Make>
   const Value& get(Make make) {
     const Kept* known = kept_.load(std::memory_order_acquire);
