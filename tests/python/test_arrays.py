@@ -136,6 +136,17 @@ def test_out_is_filled_and_returned(dtype):
     assert np.array_equal(part[2:8], circle().evaluate(u)) and not part[:2].any() and not part[8:].any()
 
 
+def test_out_takes_derivatives_too():
+    u, v = np.linspace(0, 4, 6), np.linspace(0, 4, 6)
+    for verb, where in [(circle().derivatives, (u, 0)), (circle().derivatives, (u, 2)), (circle().derivatives, (u, 5)),
+                        (torus().derivatives, (u, v, 1)), (torus().derivatives, (u, v, 3)),
+                        (torus().first_derivatives, (u, v))]:
+        expected = verb(*where)
+        out = np.full(expected.shape, 7.0)
+        assert verb(*where, out=out) is out
+        assert np.array_equal(out, expected)
+
+
 def test_out_may_lie_over_the_parameters():
     memory = np.linspace(0, 4, 90)
     u = memory[60:]

@@ -99,6 +99,14 @@ def test_a_patch_gives_the_same_bits_however_it_is_asked(patch):
     np.testing.assert_array_equal(patch.evaluate_grid(u, v, dtype=np.float32), grid.astype(np.float32))
 
 
+def test_a_grid_that_is_long_in_either_direction_has_the_bits_of_its_pairs():
+    """Long ones are computed in parts of 32,768."""
+    patch = next(iter(patches(np.random.default_rng(5))))
+    few, many = np.linspace(0.0, 1.0, 3), np.linspace(0.0, 1.0, 40_000)
+    np.testing.assert_array_equal(patch.evaluate_grid(few, many), patch.evaluate(few[:, None], many[None, :]))
+    np.testing.assert_array_equal(patch.evaluate_grid(many, few), patch.evaluate(many[:, None], few[None, :]))
+
+
 def test_a_set_gives_the_bits_of_its_patches():
     rng = np.random.default_rng(4)
     nets = [rng.normal(size=(4, 4, 3)) for _ in range(3)] + [rng.normal(size=(3, 5, 3))]
