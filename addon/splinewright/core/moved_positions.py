@@ -3,6 +3,7 @@ worked out, with the bits of the whole."""
 
 import numpy as np
 
+from .arrays import are_equal
 from .checksum import Kept, room
 from .failures import FAILURES
 
@@ -50,7 +51,7 @@ class MovedPositions:
     def _places_of(self, kept, before, patch_set):
         """The Places of all numbers that may become others, or None where that may be any."""
         points, weights = before.points, before.weights
-        if points.shape != patch_set.points.shape or not np.array_equal(weights, patch_set.weights):
+        if points.shape != patch_set.points.shape or not are_equal(weights, patch_set.weights):
             return None
         differ = points.view(np.uint64) != patch_set.points.view(np.uint64)
         rows = differ[:, 0] | differ[:, 1] | differ[:, 2]

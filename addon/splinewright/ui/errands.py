@@ -45,7 +45,7 @@ class Errand:
 
 
 def is_main_thread():
-    return threading.current_thread() is threading.main_thread()
+    return threading.get_ident() == threading.main_thread().ident
 
 
 def in_main_thread(function, scene):

@@ -10,6 +10,7 @@ import bpy
 import numpy as np
 
 from ...core import definition as definitions
+from ...core.arrays import are_equal
 from ...core.failures import FAILURES, Refusal, sentence, told
 from ...core.library import sc
 from ...core.moved_positions import MovedPositions
@@ -72,13 +73,19 @@ class Session:
 
     def take(self, exact, slots):
         """Take these for the numbers of the vertices, and for their slots among what Blender holds, -1 for none."""
-        self.state, self.slots = exact, slots
-        with np.errstate(over='ignore'):
-            self.points = exact.positions.astype(np.float32)    # for the overlay
+        self.state, self.slots, self._points = exact, slots, None
+
+    @property
+    def points(self):
+        """(n, 3) float32: where the vertices are shown."""
+        if self._points is None:
+            with np.errstate(over='ignore'):
+                self._points = self.state.positions.astype(np.float32)
+        return self._points
 
     def require_alone(self, data, pool):
         """Raises Refusal where others changed the shape since its net last wrote it."""
-        if self.pool is not None and not np.array_equal(pool, self.pool):
+        if self.pool is not None and not are_equal(pool, self.pool):
             raise Refusal("the shape was given another definition while its net was out: leave the net")
         start = now = time.monotonic()
         if start > self._next_check:            # not at every step of a drag
@@ -123,7 +130,7 @@ class Session:
             found = definitions.to_patch_set(definition)
         else:
             points = np.ascontiguousarray(definition.pool[:, :3])       # which the library would make of it, slower
-            found = last.with_points(points, None if np.array_equal(last.weights, weights) else weights)
+            found = last.with_points(points, None if are_equal(last.weights, weights) else weights)
         self._patch_sets[count] = found
         return found
 
@@ -436,7 +443,7 @@ def _shows_another_stage(data, current):
 def _show(data, definition, current):
     """Whether anything was to be written."""
     pool = store.pool(data)
-    if np.array_equal(pool, definition.pool) and not _shows_another_stage(data, current):
+    if are_equal(pool, definition.pool) and not _shows_another_stage(data, current):
         current.pool = pool
         return False
     current.require_alone(data, pool)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..arrays import are_equal
 from .exact_net import Exact, in_rows
 
 
@@ -46,7 +47,7 @@ class LastReading:
     def again(self, net, said, typed):
         """(the Reading, the definition) of what the net says now, which is the last one then; None where more than
         positions is other, or a typed number is concerned."""
-        if said is None or net is not self._net or not self.agrees(said) or not np.array_equal(typed, self._typed):
+        if said is None or net is not self._net or not self.agrees(said) or not are_equal(typed, self._typed):
             return None
         slots = self.said.moved(said.positions) if said.slots is None else said.slots
         if not len(slots):
