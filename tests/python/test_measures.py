@@ -248,6 +248,18 @@ def test_curvatures_turn_scale_and_swap_as_they_should():
         assert np.abs(other.principal[..., ::-1] + plain.principal).max() <= 1e-10 * size
 
 
+@pytest.mark.parametrize('weight', [np.finfo(float).max, 1e-300])
+def test_forms_and_curvatures_are_those_of_weights_divided_by_any_number(weight):
+    rng = np.random.default_rng(3)
+    net, weights = rng.normal(size=(4, 5, 3)), rng.uniform(0.2, 1.0, (4, 5))
+    weights[2, 2] = 1.0
+    plain, heavy = sc.BezierPatch(net, weights), sc.BezierPatch(net, weights * weight)
+    u, v = np.linspace(0, 1, 5)[:, None], np.linspace(0, 1, 4)
+    for ours, theirs in zip(heavy.fundamental_forms(u, v), plain.fundamental_forms(u, v)):
+        np.testing.assert_allclose(ours, theirs, rtol=1e-11, atol=1e-11 * np.abs(theirs).max())
+    np.testing.assert_allclose(heavy.curvatures(u, v).gauss, plain.curvatures(u, v).gauss, rtol=1e-8)
+
+
 def test_principal_directions_are_where_the_normal_curvature_is_extreme():
     patch = wavy_patch()
     first, second = patch.fundamental_forms(0.7, 1.3)

@@ -101,6 +101,14 @@ class Surface {
   std::array<double, 2> lengths_;
 };
 
+/// A point or direction seen from an origin, its weight divided by a power of two, so that slopes of the functions may
+/// multiply it.
+glm::dvec4 seen_from(const glm::dvec3& origin, const glm::dvec4& p, int weight_exponent) {
+  const double w = std::ldexp(p.w, -weight_exponent);
+  if (p.w != 0.0) return glm::dvec4(w * (glm::dvec3(p) - origin), w);
+  return {std::ldexp(p.x, -weight_exponent), std::ldexp(p.y, -weight_exponent), std::ldexp(p.z, -weight_exponent), 0.0};
+}
+
 /// From control points relative to the point itself: near a pole, where the derivatives fall to zero, their
 /// rounding does so, too.
 void Surface::add_derivatives(double u, double v, PatchOptions options, SurfaceJet& jet) const {
@@ -116,7 +124,7 @@ void Surface::add_derivatives(double u, double v, PatchOptions options, SurfaceJ
     breathe(40 * at_v.weights(0).size());
     for (std::size_t j = 0; j < at_v.weights(0).size(); ++j) {
       const glm::dvec4& p = patch_.points()[row + (at_v.first(0) + j) % count_v];
-      const glm::dvec4 moved = p.w == 0.0 ? p : glm::dvec4(p.w * (glm::dvec3(p) - origin), p.w);
+      const glm::dvec4 moved = seen_from(origin, p, patch_.weight_exponent());
       for (int kl = 0; kl < 9; ++kl) sums[kl] += at_u.weights(0, kl / 3)[i] * at_v.weights(0, kl % 3)[j] * moved;
     }
   }
