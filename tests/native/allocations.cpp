@@ -16,11 +16,9 @@
 
 namespace {
 std::atomic<long> allocations{0};
-std::atomic<std::size_t> bytes{0};
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
-  bytes += size;
   const std::size_t whole = (size + alignment - 1) / alignment * alignment;
   if (void* found = std::aligned_alloc(alignment, whole > 0 ? whole : alignment)) return found;
   throw std::bad_alloc();
@@ -49,14 +47,6 @@ long allocations_of(const std::function<void()>& call) {
   const long before = allocations;
   call();
   return allocations - before;
-}
-
-/// Likewise how much memory it asks for.
-std::size_t bytes_of(const std::function<void()>& call) {
-  call();
-  const std::size_t before = bytes;
-  call();
-  return bytes - before;
 }
 
 /// All over a domain, in order or not.
@@ -123,23 +113,22 @@ TEST(Allocations, OfPointsOfCurvesThereAreNone) {
   expect_none_of_curves<float>();
 }
 
-TEST(Allocations, OfCurvesThereAreNoneForTwoDerivativesAndThreeACallForMore) {
+TEST(Allocations, OfDerivativesOfCurvesThereAreNone) {
   for (const NurbsCurve& curve : curves()) {
     for (int order = 1; order <= 5; ++order) {
       for (const std::size_t count : {2, 5'000}) {
         const std::vector<double> u = parameters(curve.domain(), count, false);
         std::vector<double> out(3 * count * (order + 1));
         const long found = allocations_of([&] { derivatives(curve, u, order, out, {.threads = 1}); });
-        EXPECT_EQ(found, order <= 2 ? 0 : 3) << curve.degree() << ", order " << order;
+        EXPECT_EQ(found, 0) << curve.degree() << ", order " << order;
       }
     }
   }
 }
 
-TEST(Allocations, OfPairsOnPatchesThereAreNoneForPointsFourForDerivativesAndAFewForNormalsWithPoles) {
+TEST(Allocations, OfPairsOnPatchesThereAreNone) {
   constexpr PatchOptions kOne{.threads = 1};
   for (const NurbsPatch& patch : patches()) {
-    std::vector<long> of_normals;
     for (const std::size_t count : {2, 64, 5'000}) {
       const std::vector<double> u = parameters(patch.knot_vector(Axis::u).domain(), count, false);
       const std::vector<double> v = parameters(patch.knot_vector(Axis::v).domain(), count, true);
@@ -150,51 +139,54 @@ TEST(Allocations, OfPairsOnPatchesThereAreNoneForPointsFourForDerivativesAndAFew
       EXPECT_EQ(allocations_of([&] { evaluate(patch, u, v, std::span(single), kOne); }), 0);
       for (int order = 1; order <= 3; ++order) {
         const std::span<double> jets = std::span(out).first(3 * count * (order + 1) * (order + 1));
-        EXPECT_EQ(allocations_of([&] { derivatives(patch, u, v, order, jets, kOne); }), 4) << order;
-        EXPECT_LT(bytes_of([&] { derivatives(patch, u, v, order, jets, kOne); }), 16'000u) << order;
+        EXPECT_EQ(allocations_of([&] { derivatives(patch, u, v, order, jets, kOne); }), 0) << order;
       }
-      of_normals.push_back(allocations_of([&] { evaluate_with_normals(patch, u, v, points, normals, kOne); }));
+      EXPECT_EQ(allocations_of([&] { evaluate_with_normals(patch, u, v, points, normals, kOne); }), 0);
     }
-    EXPECT_LE(of_normals.back(), 20);
-    EXPECT_EQ(of_normals, std::vector(3, of_normals.front()));
   }
 }
 
-/// Grids of several sizes allocate no more often: for points, and with normals.
+/// Grids of several sizes: points, and with normals.
 template <class Real, class Shape>
-void expect_as_often_for_every_grid(const Shape& shape, const NurbsPatch& on, std::size_t patches, long points,
-                                    long normals) {
+void expect_none_of_every_grid(const Shape& shape, const NurbsPatch& on, std::size_t patches) {
   constexpr PatchOptions kOne{.threads = 1};
   for (const std::size_t rows : {20, 200}) {
     for (const std::size_t columns : {20, 200}) {
       const std::vector<double> u = parameters(on.knot_vector(Axis::u).domain(), rows, true);
       const std::vector<double> v = parameters(on.knot_vector(Axis::v).domain(), columns, true);
       std::vector<Real> out(3 * patches * rows * columns), to_normals(out.size());
-      EXPECT_LE(allocations_of([&] { evaluate_grid(shape, u, v, std::span<Real>(out), kOne); }), points);
+      EXPECT_EQ(allocations_of([&] { evaluate_grid(shape, u, v, std::span<Real>(out), kOne); }), 0);
       const auto with_normals = [&] {
         evaluate_grid_with_normals(shape, u, v, std::span<Real>(out), std::span<Real>(to_normals), kOne);
       };
-      EXPECT_LE(allocations_of(with_normals), normals);
+      EXPECT_EQ(allocations_of(with_normals), 0);
     }
   }
 }
 
-TEST(Allocations, OfAGridAreTenAndWithNormalsTwelveOrAtPolesTwentyNine) {
-  bool has_pole = false;
+TEST(Allocations, OfAGridThereAreNone) {
   for (const NurbsPatch& patch : patches()) {
-    expect_as_often_for_every_grid<double>(patch, patch, 1, 10, has_pole ? 29 : 12);
-    expect_as_often_for_every_grid<float>(patch, patch, 1, 10, has_pole ? 29 : 12);
-    has_pole = !has_pole;
+    expect_none_of_every_grid<double>(patch, patch, 1);
+    expect_none_of_every_grid<float>(patch, patch, 1);
   }
 }
 
-TEST(Allocations, OfASetAreNineAndOneForEachPatchAndWithNormalsSixteenAndThirteen) {
+TEST(Allocations, OfASetThereAreNone) {
   for (const NurbsPatch& patch : patches()) {
     for (const std::size_t count : {1, 5, 20}) {
       const PatchSet set = PatchSet::of(std::vector<AnyPatch>(count, patch), false);
-      const auto more = static_cast<long>(count);
-      expect_as_often_for_every_grid<double>(set, patch, count, 9 + more, 16 + 13 * more);
+      expect_none_of_every_grid<double>(set, patch, count);
     }
+  }
+}
+
+TEST(Allocations, OfASetOfPatchesOnTwoKnotVectorsInTurnThereAreNone) {
+  const std::vector<NurbsPatch> all = patches();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::vector<AnyPatch> mixed;
+    const NurbsPatch refined = insert_knot(all[i], Axis::u, 0.75);
+    for (int k = 0; k < 10; ++k) mixed.emplace_back(k % 2 == 0 ? all[i] : refined);
+    expect_none_of_every_grid<double>(PatchSet::of(mixed, false), all[i], mixed.size());
   }
 }
 

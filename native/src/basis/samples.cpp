@@ -41,8 +41,8 @@ ScatteredSpans from(ScatteredSpans places, std::size_t i) {
 }  // namespace
 
 Samples Samples::make(const KnotVector& knots, std::span<const double> parameters, int order,
-                      std::span<const Side> sides, const char* name) {
-  Samples samples;
+                      std::span<const Side> sides, const char* name, std::pmr::memory_resource* memory) {
+  Samples samples(memory);
   samples.size_of_weights_ = knots.degree() + 1;
   samples.width_ = table_width(knots.degree());
   samples.order_ = order;
@@ -73,9 +73,9 @@ Samples Samples::make(const KnotVector& knots, std::span<const double> parameter
   return samples;
 }
 
-Stencil::Stencil(const KnotVector& knots, int order)
+Stencil::Stencil(const KnotVector& knots, int order, std::pmr::memory_resource* memory)
     : knots_(knots), order_(order), size_(knots.degree() + 1), width_(table_width(knots.degree())),
-      weights_(width_ * (order + 1)) {}
+      weights_(width_ * (order + 1), memory) {}
 
 void Stencil::move_to(double u, Side side) {
   breathe((4 * static_cast<std::size_t>(order_) + 1) * size_ * size_);

@@ -6,6 +6,7 @@
 #include <ranges>
 #include <string>
 
+#include "base/call_memory.hpp"
 #include "base/parallel.hpp"
 #include "base/quotient.hpp"
 #include "base/stored_point.hpp"
@@ -104,8 +105,9 @@ class Locator {
 class AnyOrder {
  public:
   AnyOrder(const NurbsCurve& curve, int order)
-      : curve_(curve), near_(near_one(curve.knot_vector())), at_(near_.knots, order),
-        homogeneous_(static_cast<std::size_t>(order) + 1), values_(homogeneous_.size()) {}
+      : curve_(curve), near_(near_one(curve.knot_vector())), at_(near_.knots, order, memory_.resource()),
+        homogeneous_(static_cast<std::size_t>(order) + 1, memory_.resource()),
+        values_(homogeneous_.size(), memory_.resource()) {}
 
   /// Point and derivatives at a parameter that was admitted.
   std::span<const glm::dvec3> find(double u, Side side) {
@@ -126,9 +128,10 @@ class AnyOrder {
  private:
   const NurbsCurve& curve_;
   ScaledKnots near_;
+  CallMemory memory_;
   Stencil at_;
-  std::vector<glm::dvec4> homogeneous_;
-  std::vector<glm::dvec3> values_;
+  std::pmr::vector<glm::dvec4> homogeneous_;
+  std::pmr::vector<glm::dvec3> values_;
 };
 
 /// Puts in order what is no number among the values at one parameter. The kernels' sums are larger than the points by up

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/call_memory.hpp"
 #include "base/parallel.hpp"
 #include "base/quotient.hpp"
 #include "basis/axis_places.hpp"
@@ -69,10 +70,12 @@ void for_each_part(const NurbsPatch& patch, std::span<const double> u, std::span
 struct PairSums {
   PairSums(const NurbsPatch& patch, int highest)
       : form(form_of(patch)), order(highest), near_u(near_one(patch.knot_vector(Axis::u))),
-        near_v(near_one(patch.knot_vector(Axis::v))), u(near_u.knots, highest), v(near_v.knots, highest),
-        sums(static_cast<std::size_t>((highest + 1) * (highest + 1))) {}
+        near_v(near_one(patch.knot_vector(Axis::v))), u(near_u.knots, highest, memory.resource()),
+        v(near_v.knots, highest, memory.resource()),
+        sums(static_cast<std::size_t>((highest + 1) * (highest + 1)), memory.resource()),
+        values(sums.size(), memory.resource()) {}
 
-  const std::vector<glm::dvec4>& at(double at_u, double at_v, PatchOptions options) {
+  std::span<const glm::dvec4> at(double at_u, double at_v, PatchOptions options) {
     u.move_to(std::ldexp(at_u, -near_u.exponent), options.side_u);
     v.move_to(std::ldexp(at_v, -near_v.exponent), options.side_v);
     breathe(4 * sums.size() * static_cast<std::size_t>(form.degree_v + 1));
@@ -81,8 +84,8 @@ struct PairSums {
     return sums;
   }
 
-  /// Derivatives k along u and l along v by the domains as they are.
-  void undivide(std::span<glm::dvec3> values) const {
+  /// Makes of values derivatives k along u and l along v by the domains as they are.
+  void undivide() {
     if (near_u.exponent == 0 && near_v.exponent == 0) return;
     for (int k = 0; k <= order; ++k) {
       for (int l = 0; l <= order; ++l) {
@@ -97,9 +100,11 @@ struct PairSums {
   int order;
   ScaledKnots near_u;
   ScaledKnots near_v;
+  CallMemory memory;
   Stencil u;
   Stencil v;
-  std::vector<glm::dvec4> sums;
+  std::pmr::vector<glm::dvec4> sums;
+  std::pmr::vector<glm::dvec3> values;
 };
 
 glm::dvec3 settled_pair(const NurbsPatch& patch, double u, double v, PatchOptions options) {
@@ -141,15 +146,15 @@ void all_derivatives(const NurbsPatch& patch, std::span<const double> u, std::sp
   const std::size_t width = static_cast<std::size_t>(order) + 1;
   const std::size_t size = width * width;
   PairSums sums(patch, order);
-  std::vector<glm::dvec3> values(size);
   const auto find = [&](std::size_t i, const double* first) {
     const auto row = out.subspan(3 * size * i, 3 * size);
     const double at_u = patch.knot_vector(Axis::u).admit(u[i], options.side_u);
     const double at_v = patch.knot_vector(Axis::v).admit(v[i], options.side_v);
-    const std::vector<glm::dvec4>& homogeneous = sums.at(at_u, at_v, options);
+    const std::span<const glm::dvec4> homogeneous = sums.at(at_u, at_v, options);
+    const std::span<glm::dvec3> values = sums.values;
     for (std::size_t kl = 0; kl < size; ++kl) values[kl] = glm::dvec3(homogeneous[kl]);
     if (patch.rational()) quotient_derivatives(homogeneous, order, values);
-    sums.undivide(values);
+    sums.undivide();
     for (std::size_t kl = 0; kl < size; ++kl) store(values[kl], &row[3 * kl]);
     // The lowest are the same, bit for bit, whatever the order.
     std::copy_n(first, 3, &row[0]);

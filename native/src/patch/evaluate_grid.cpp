@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/call_memory.hpp"
 #include "base/parallel.hpp"
 #include "normal.hpp"
 #include "settled.hpp"
@@ -54,7 +55,8 @@ void grid_points(const NurbsPatch& patch, const GridPlan& plan, std::span<Real> 
   const GridColumns& columns = plan.columns;
   const std::size_t steps = steps_of_row(columns, plan.u, plan.v, 1);
   in_ranges(plan.u.size(), steps / kStepsAtOnce + 1, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> scratch(columns.scratch_size(1));
+    CallMemory memory;
+    std::pmr::vector<double> scratch(columns.scratch_size(1), memory.resource());
     for (std::size_t i = begin; i < end; ++i) {
       breathe(steps);
       Real* const row = &out[3 * plan.v.size() * i];
@@ -93,15 +95,17 @@ void grid_with_normals(const NurbsPatch& patch, const GridPlan& plan, std::span<
                        AtInfinity at_infinity, int threads) {
   if (points.empty()) return;
   const NormalFinder finder(patch);
-  const PoleNormals at_poles(finder.poles(), finder.rounding(), plan);
+  CallMemory of_poles;
+  const PoleNormals at_poles(finder.poles(), finder.rounding(), plan, of_poles.resource());
   const GridForm form = form_of(patch);
   const GridForm seen_form = form_of(finder.seen());
   const GridBlocks blocks = plan.columns.blocks();
   const std::size_t numbers = 3 * plan.v.size();
   const std::size_t steps = steps_of_row(plan.columns, plan.u, plan.v, 3);
   in_ranges(plan.u.size(), steps / kStepsAtOnce + 1, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> scratch(plan.columns.scratch_size(2));
-    std::vector<Real> seen_points(finder.is_moved() ? numbers : 0);
+    CallMemory memory;
+    std::pmr::vector<double> scratch(plan.columns.scratch_size(2), memory.resource());
+    std::pmr::vector<Real> seen_points(finder.is_moved() ? numbers : 0, memory.resource());
     for (std::size_t i = begin; i < end; ++i) {
       breathe(steps);
       const GridRow row = plan.rows->row(i, finder.rounding());
@@ -118,12 +122,13 @@ void grid_with_normals(const NurbsPatch& patch, const GridPlan& plan, std::span<
 
 /// Both directions of a grid.
 struct GridSamples {
+  CallMemory memory;
   Samples u;
   Samples v;
   GridSamples(const NurbsPatch& patch, std::span<const double> at_u, std::span<const double> at_v, int order,
               PatchOptions options)
-      : u(Samples::make(patch.knot_vector(Axis::u), at_u, order, options.side_u, "u")),
-        v(Samples::make(patch.knot_vector(Axis::v), at_v, order, options.side_v, "v")) {}
+      : u(Samples::make(patch.knot_vector(Axis::u), at_u, order, options.side_u, "u", memory.resource())),
+        v(Samples::make(patch.knot_vector(Axis::v), at_v, order, options.side_v, "v", memory.resource())) {}
 };
 
 }  // namespace
@@ -176,23 +181,27 @@ void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double>
 
 void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<double> points,
                    AtInfinity at_infinity, int threads) {
-  grid_points(patch, GridPlan(u, v), points, at_infinity, threads);
+  CallMemory memory;
+  grid_points(patch, GridPlan(u, v, memory.resource()), points, at_infinity, threads);
 }
 
 void evaluate_grid(const NurbsPatch& patch, const Samples& u, const Samples& v, std::span<float> points,
                    AtInfinity at_infinity, int threads) {
-  grid_points(patch, GridPlan(u, v), points, at_infinity, threads);
+  CallMemory memory;
+  grid_points(patch, GridPlan(u, v, memory.resource()), points, at_infinity, threads);
 }
 
 void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
                                 std::span<double> points, std::span<double> normals,
                                 AtInfinity at_infinity, int threads) {
-  grid_with_normals(patch, GridPlan(u, v, patch), points, normals, at_infinity, threads);
+  CallMemory memory;
+  grid_with_normals(patch, GridPlan(u, v, patch, memory.resource()), points, normals, at_infinity, threads);
 }
 
 void evaluate_grid_with_normals(const NurbsPatch& patch, const Samples& u, const Samples& v,
                                 std::span<float> points, std::span<float> normals, AtInfinity at_infinity, int threads) {
-  grid_with_normals(patch, GridPlan(u, v, patch), points, normals, at_infinity, threads);
+  CallMemory memory;
+  grid_with_normals(patch, GridPlan(u, v, patch, memory.resource()), points, normals, at_infinity, threads);
 }
 
 }  // namespace splinecore

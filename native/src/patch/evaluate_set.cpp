@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "base/call_memory.hpp"
 #include "base/parallel.hpp"
 #include "evaluate_grid.hpp"
 #include "splinecore/base/errors.hpp"
@@ -10,53 +11,41 @@ namespace splinecore {
 
 namespace {
 
-/// The samples of one direction, made anew where the knots are others.
-class AxisCache {
- public:
-  AxisCache(std::span<const double> parameters, int order, Side side, const char* name)
-      : parameters_(parameters), order_(order), side_(side), name_(name) {}
-
-  bool has(const KnotVector& knots) const { return knots_ && *knots_ == knots; }
-
-  void move_to(const KnotVector& knots) {
-    if (has(knots)) return;
-    samples_ = Samples::make(knots, parameters_, order_, side_, name_);
-    knots_ = knots;
-  }
-
-  const Samples& samples() const { return *samples_; }
-
- private:
-  std::span<const double> parameters_;
-  int order_;
-  Side side_;
-  const char* name_;
-  std::optional<KnotVector> knots_;
-  std::optional<Samples> samples_;
-};
-
 /// The plan of a grid, made anew where the knots of a patch are others.
 class PlanCache {
  public:
   PlanCache(std::span<const double> u, std::span<const double> v, int order, PatchOptions options)
-      : order_(order), u_(u, order, options.side_u, "u"), v_(v, order, options.side_v, "v") {}
+      : u_(u), v_(v), order_(order), options_(options) {}
 
   const GridPlan& of(const NurbsPatch& patch) {
     const KnotVector& knots_u = patch.knot_vector(Axis::u);
     const KnotVector& knots_v = patch.knot_vector(Axis::v);
-    if (plan_ && u_.has(knots_u) && v_.has(knots_v)) return *plan_;
-    plan_.reset();
-    u_.move_to(knots_u);
-    v_.move_to(knots_v);
-    if (order_ == 0) return plan_.emplace(u_.samples(), v_.samples());
-    return plan_.emplace(u_.samples(), v_.samples(), patch);
+    if (known_ && known_->knots_u == knots_u && known_->knots_v == knots_v) return known_->plan;
+    known_.reset();
+    return known_.emplace(*this, patch).plan;
   }
 
  private:
+  struct Known {
+    CallMemory memory;
+    KnotVector knots_u;
+    KnotVector knots_v;
+    Samples u;
+    Samples v;
+    GridPlan plan;
+
+    Known(const PlanCache& of, const NurbsPatch& patch)
+        : knots_u(patch.knot_vector(Axis::u)), knots_v(patch.knot_vector(Axis::v)),
+          u(Samples::make(knots_u, of.u_, of.order_, of.options_.side_u, "u", memory.resource())),
+          v(Samples::make(knots_v, of.v_, of.order_, of.options_.side_v, "v", memory.resource())),
+          plan(of.order_ == 0 ? GridPlan(u, v, memory.resource()) : GridPlan(u, v, patch, memory.resource())) {}
+  };
+
+  std::span<const double> u_;
+  std::span<const double> v_;
   int order_;
-  AxisCache u_;
-  AxisCache v_;
-  std::optional<GridPlan> plan_;
+  PatchOptions options_;
+  std::optional<Known> known_;
 };
 
 /// Calls work(patch, plan, first number, count of numbers) for the patches from begin to end.

@@ -31,7 +31,8 @@ GridRow grid_row(const Samples& u, std::size_t i) {
   return {static_cast<std::size_t>(u.first(i)), u.weights(i).data(), nullptr, 0.0, {}};
 }
 
-GridRows::GridRows(const Samples& u, double scale) : u_(u), scale_(scale), width_(u.weights(0).size()) {
+GridRows::GridRows(const Samples& u, double scale, std::pmr::memory_resource* memory)
+    : u_(u), scale_(scale), width_(u.weights(0).size()), slopes_(memory), sizes_(memory) {
   slopes_.reserve(u.size() * width_);
   sizes_.reserve(u.size());
   for (std::size_t i = 0; i < u.size(); ++i) {
@@ -41,9 +42,15 @@ GridRows::GridRows(const Samples& u, double scale) : u_(u), scale_(scale), width
   }
 }
 
-GridColumns::GridColumns(const Samples& v) { fill(v, 0, 1.0); }
+GridColumns::GridColumns(const Samples& v, std::pmr::memory_resource* memory)
+    : blocks_(memory), weights_(memory), ranges_(memory) {
+  fill(v, 0, 1.0);
+}
 
-GridColumns::GridColumns(const Samples& v, double scale) { fill(v, 1, scale); }
+GridColumns::GridColumns(const Samples& v, double scale, std::pmr::memory_resource* memory)
+    : blocks_(memory), weights_(memory), ranges_(memory) {
+  fill(v, 1, scale);
+}
 
 void GridColumns::fill(const Samples& v, int order, double scale) {
   const std::size_t degree_and_one = v.weights(0).size();
@@ -83,7 +90,7 @@ void GridColumns::fill(const Samples& v, int order, double scale) {
 
 /// Finds which points are needed, and where each block has its first among them. @param of_block  points that it needs
 void GridColumns::number_points(std::size_t of_block) {
-  std::vector<std::size_t> firsts;
+  std::pmr::vector<std::size_t> firsts(blocks_.get_allocator().resource());
   firsts.reserve(blocks_.size());
   for (const GridBlock& block : blocks_) firsts.push_back(block.first);
   std::ranges::sort(firsts);
@@ -93,7 +100,7 @@ void GridColumns::number_points(std::size_t of_block) {
     if (!goes_on) ranges_.push_back({first, 0});
     ranges_.back().count = std::max(ranges_.back().count, first + of_block - ranges_.back().first);
   }
-  std::vector<std::size_t> before;
+  std::pmr::vector<std::size_t> before(blocks_.get_allocator().resource());
   before.reserve(ranges_.size());
   for (const GridRange& range : ranges_) {
     before.push_back(width_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <utility>
@@ -26,10 +27,10 @@ struct alignas(kMostLanes * sizeof(double)) LaneRow {
 /// The columns of a grid, as many at once as a kernel takes where they lie in one span.
 class GridColumns {
  public:
-  explicit GridColumns(const Samples& v);
+  GridColumns(const Samples& v, std::pmr::memory_resource* memory);
 
   /// For normals. @param scale  by what slopes are multiplied
-  GridColumns(const Samples& v, double scale);
+  GridColumns(const Samples& v, double scale, std::pmr::memory_resource* memory);
 
   GridBlocks blocks() const noexcept {
     return {blocks_.data(), blocks_.size(), ranges_.data(), ranges_.size(), width_, columns_};
@@ -42,9 +43,9 @@ class GridColumns {
   void fill(const Samples& v, int order, double scale);
   void number_points(std::size_t of_block);
 
-  std::vector<GridBlock> blocks_;
-  std::vector<LaneRow> weights_;
-  std::vector<GridRange> ranges_;
+  std::pmr::vector<GridBlock> blocks_;
+  std::pmr::vector<LaneRow> weights_;
+  std::pmr::vector<GridRange> ranges_;
   std::size_t width_ = 0;
   std::size_t columns_ = 0;
 };
@@ -56,11 +57,11 @@ GridRow grid_row(const Samples& u, std::size_t i);
 class GridRows {
  public:
   /// @param scale  by what slopes are multiplied
-  GridRows(const Samples& u, double scale);
+  GridRows(const Samples& u, double scale, std::pmr::memory_resource* memory);
 
   /// The rows as columns of the grid with u and v exchanged, made when they are first asked for, by one thread.
   const GridColumns& turned() const {
-    if (!turned_) turned_.emplace(u_, scale_);
+    if (!turned_) turned_.emplace(u_, scale_, slopes_.get_allocator().resource());
     return *turned_;
   }
 
@@ -74,8 +75,8 @@ class GridRows {
   double scale_;
   mutable std::optional<GridColumns> turned_;
   std::size_t width_;
-  std::vector<double> slopes_;
-  std::vector<double> sizes_;
+  std::pmr::vector<double> slopes_;
+  std::pmr::vector<double> sizes_;
 };
 
 /// By what derivatives along a direction are multiplied where normals are wanted: a power of two, about the length of
@@ -84,12 +85,13 @@ double slope_scale(const KnotVector& knots);
 
 /// The parameters of a grid as the kernels take them: the same for all patches on the same knots.
 struct GridPlan {
-  GridPlan(const Samples& at_u, const Samples& at_v) : u(at_u), v(at_v), columns(v) {}
+  GridPlan(const Samples& at_u, const Samples& at_v, std::pmr::memory_resource* memory)
+      : u(at_u), v(at_v), columns(v, memory) {}
 
   /// For normals of patches on the knots of one.
-  GridPlan(const Samples& at_u, const Samples& at_v, const NurbsPatch& on)
-      : u(at_u), v(at_v), columns(v, slope_scale(on.knot_vector(Axis::v))),
-        rows(std::in_place, u, slope_scale(on.knot_vector(Axis::u))) {}
+  GridPlan(const Samples& at_u, const Samples& at_v, const NurbsPatch& on, std::pmr::memory_resource* memory)
+      : u(at_u), v(at_v), columns(v, slope_scale(on.knot_vector(Axis::v)), memory),
+        rows(std::in_place, u, slope_scale(on.knot_vector(Axis::u)), memory) {}
 
   const Samples& u;
   const Samples& v;

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "base/call_memory.hpp"
 #include "base/placement.hpp"
 #include "base/quotient.hpp"
 #include "settled.hpp"
@@ -162,7 +164,7 @@ double step_inward(const KnotVector& knots, double u, Side side) {
 
 }  // namespace
 
-NormalFinder::NormalFinder(const NurbsPatch& patch) : patch_(patch) {
+NormalFacts::NormalFacts(const NurbsPatch& patch) {
   constexpr double kFar = 16.0;
   constexpr int kLarge = 128;
   const double size = extent(patch.points());
@@ -170,21 +172,28 @@ NormalFinder::NormalFinder(const NurbsPatch& patch) : patch_(patch) {
   Placement placement = placement_of(patch.points());
   const bool is_far = largest > kFar * size;
   if (is_far && size > 0.0) placement.exponent = std::ilogb(size);
-  if (is_far || std::abs(placement.exponent) > kLarge) near_ = placed(patch, placement);
+  if (is_far || std::abs(placement.exponent) > kLarge) near = placed(patch, placement);
   constexpr double kRounding = 0x1p-49;
-  unit_ = kRounding * (near_ ? std::ldexp(largest, -placement.exponent) : largest);
-  rounding_ = normal_rounding(seen());
-  poles_ = poles_of(seen());
+  unit = kRounding * (near ? std::ldexp(largest, -placement.exponent) : largest);
+  const NurbsPatch& seen = near ? *near : patch;
+  rounding = normal_rounding(seen);
+  poles = poles_of(seen);
 }
 
+NormalFinder::NormalFinder(const NurbsPatch& patch)
+    : patch_(patch), facts_(patch.normal_facts().get([&] { return std::make_unique<const NormalFacts>(patch); })) {}
+
 std::optional<glm::dvec3> NormalFinder::at_pole(double u, double v, PatchOptions options) const {
-  for (const Pole& pole : poles_) {
+  for (const Pole& pole : facts_.poles) {
     const bool is_along_v = pole.axis() == Axis::u;
     if ((is_along_v ? u : v) != pole.parameter()) continue;
     const Axis along = is_along_v ? Axis::v : Axis::u;
     const KnotVector& knots = patch_.knot_vector(along);
-    const Samples at = Samples::make(knots, {is_along_v ? &v : &u, 1}, 1, is_along_v ? options.side_v : options.side_u);
-    const std::vector<double> normal = pole.normals(GridColumns(at, slope_scale(knots)), rounding_);
+    CallMemory memory;
+    const Samples at = Samples::make(knots, {is_along_v ? &v : &u, 1}, 1, is_along_v ? options.side_v : options.side_u,
+                                     "u", memory.resource());
+    const GridColumns columns(at, slope_scale(knots), memory.resource());
+    const auto normal = pole.normals(columns, facts_.rounding, memory.resource());
     if (is_number(normal.data())) return glm::dvec3(normal[0], normal[1], normal[2]);
   }
   return std::nullopt;
@@ -198,7 +207,7 @@ std::optional<glm::dvec3> NormalFinder::first_term(double u, double v, PatchOpti
   const KnotVector& knots_v = patch_.knot_vector(Axis::v);
   const LocalDerivatives local =
       local_derivatives(seen(), Samples::make(knots_u, {&u, 1}, terms, options.side_u),
-                        Samples::make(knots_v, {&v, 1}, terms, options.side_v), unit_);
+                        Samples::make(knots_v, {&v, 1}, terms, options.side_v), facts_.unit);
   const double a = step_inward(knots_u, u, options.side_u);
   const double b = step_inward(knots_v, v, options.side_v);
   const auto point = along(local, a, b, 0, 0, terms);

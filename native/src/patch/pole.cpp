@@ -47,15 +47,16 @@ std::optional<Pole> Pole::at(const NurbsPatch& patch, Border side) {
   return pole;
 }
 
-std::vector<double> Pole::normals(const GridColumns& along, const NormalRounding& rounding) const {
+std::pmr::vector<double> Pole::normals(const GridColumns& along, const NormalRounding& rounding,
+                                       std::pmr::memory_resource* memory) const {
   const GridBlocks blocks = along.blocks();
   const GridForm form{&points_.data()->x, points_.size(), 0, degree_, false};
   const double one = 1.0;
   const double sense = sense_of(side_);
   const GridRow row{0, &one, &sense, 1.0, rounding};
-  std::vector<double> scratch(along.scratch_size(2));
-  std::vector<double> points(3 * blocks.columns);
-  std::vector<double> normals(3 * blocks.columns);
+  std::pmr::vector<double> scratch(along.scratch_size(2), memory);
+  std::pmr::vector<double> points(3 * blocks.columns, memory);
+  std::pmr::vector<double> normals(3 * blocks.columns, memory);
   kernels().grid_normals(form, row, blocks, scratch.data(), points.data(), normals.data());
   return normals;
 }
@@ -68,15 +69,17 @@ std::vector<Pole> poles_of(const NurbsPatch& patch) {
   return poles;
 }
 
-PoleNormals::PoleNormals(std::span<const Pole> poles, const NormalRounding& rounding, const GridPlan& plan)
-    : plan_(plan) {
+PoleNormals::PoleNormals(std::span<const Pole> poles, const NormalRounding& rounding, const GridPlan& plan,
+                         std::pmr::memory_resource* memory)
+    : plan_(plan), rows_(memory) {
+  rows_.reserve(poles.size());
   for (const Pole& pole : poles) {
     const Samples& across = pole.axis() == Axis::u ? plan.u : plan.v;
     bool is_met = false;
     for (std::size_t i = 0; i < across.size() && !is_met; ++i) is_met = across.parameter(i) == pole.parameter();
     if (!is_met) continue;
     const GridColumns& along = pole.axis() == Axis::u ? plan.columns : plan.rows->turned();
-    rows_.push_back({&pole, pole.normals(along, rounding)});
+    rows_.push_back({&pole, pole.normals(along, rounding, memory)});
   }
 }
 

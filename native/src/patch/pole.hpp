@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,7 +29,8 @@ class Pole {
 
   /// Unit normals at the parameters along the side, NaN where rounding may have made them.
   /// @param along  made for normals @param rounding  of the patch
-  std::vector<double> normals(const GridColumns& along, const NormalRounding& rounding) const;
+  std::pmr::vector<double> normals(const GridColumns& along, const NormalRounding& rounding,
+                                   std::pmr::memory_resource* memory) const;
 
  private:
   Pole(Border side, double parameter, int degree) : side_(side), parameter_(parameter), degree_(degree) {}
@@ -45,7 +47,8 @@ std::vector<Pole> poles_of(const NurbsPatch& patch);
 /// The limits of normals in the poles of a patch, at the parameters of a grid.
 class PoleNormals {
  public:
-  PoleNormals(std::span<const Pole> poles, const NormalRounding& rounding, const GridPlan& plan);
+  PoleNormals(std::span<const Pole> poles, const NormalRounding& rounding, const GridPlan& plan,
+              std::pmr::memory_resource* memory);
 
   /// NaN where none is known.
   glm::dvec3 at(std::size_t i, std::size_t j) const;
@@ -53,10 +56,10 @@ class PoleNormals {
  private:
   struct Row {
     const Pole* pole;
-    std::vector<double> normals;
+    std::pmr::vector<double> normals;
   };
   const GridPlan& plan_;
-  std::vector<Row> rows_;
+  std::pmr::vector<Row> rows_;
 };
 
 }  // namespace splinecore

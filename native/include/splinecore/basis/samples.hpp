@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec4.hpp>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,9 @@ namespace splinecore {
 class Stencil {
  public:
   /// @param order  highest derivative wanted
-  Stencil(const KnotVector& knots, int order);
+  /// @param memory  where weights are kept
+  Stencil(const KnotVector& knots, int order,
+          std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
   /// Moves to a parameter that KnotVector::admit() let through.
   void move_to(double u, Side side);
@@ -34,7 +37,7 @@ class Stencil {
   std::size_t size_;
   std::size_t width_;
   int first_ = 0;
-  std::vector<double> weights_;
+  std::pmr::vector<double> weights_;
 };
 
 /// Where a batch of parameters falls, and with which weights.
@@ -44,13 +47,18 @@ class Stencil {
 class Samples {
  public:
   /// @param sides  one for all parameters, or one for each
+  /// @param memory  where they are kept
   /// @throws InvalidShape if a parameter is outside the domain; where periodic they are taken modulo the period.
   static Samples make(const KnotVector& knots, std::span<const double> parameters, int order,
-                      std::span<const Side> sides, const char* name = "u");
+                      std::span<const Side> sides, const char* name = "u",
+                      std::pmr::memory_resource* memory = std::pmr::get_default_resource());
   static Samples make(const KnotVector& knots, std::span<const double> parameters, int order = 0,
-                      Side side = Side::right, const char* name = "u") {
-    return make(knots, parameters, order, std::span(&side, 1), name);
+                      Side side = Side::right, const char* name = "u",
+                      std::pmr::memory_resource* memory = std::pmr::get_default_resource()) {
+    return make(knots, parameters, order, std::span(&side, 1), name, memory);
   }
+
+  Samples() = default;
 
   std::size_t size() const noexcept { return places_.size(); }
   int order() const noexcept { return order_; }
@@ -68,6 +76,8 @@ class Samples {
   }
 
  private:
+  explicit Samples(std::pmr::memory_resource* memory) : places_(memory), weights_(memory) {}
+
   struct Place {
     double parameter;
     Side side;
@@ -76,8 +86,8 @@ class Samples {
   std::size_t size_of_weights_ = 0;
   std::size_t width_ = 0;  ///< filled up to a multiple of four numbers
   int order_ = 0;
-  std::vector<Place> places_;
-  std::vector<double> weights_;
+  std::pmr::vector<Place> places_;
+  std::pmr::vector<double> weights_;
 };
 
 /// The sum of weights times points[first + j].

@@ -14,6 +14,7 @@
 namespace splinecore {
 
 class BoxedPieces;
+struct NormalFacts;
 
 /// A net of control points with weights on two knot vectors (lecture row S20).
 ///
@@ -43,7 +44,10 @@ class NurbsPatch {
   int weight_exponent() const noexcept { return weight_exponent_; }
 
   /// Its pieces in a tree of boxes, for those who search them; shared by copies.
-  Lazy<BoxedPieces>& boxed_pieces() const noexcept { return *boxed_pieces_; }
+  Lazy<BoxedPieces>& boxed_pieces() const noexcept { return found_->boxed_pieces; }
+
+  /// What all its normals need to know; shared by copies.
+  Lazy<NormalFacts>& normal_facts() const noexcept { return found_->normal_facts; }
 
   friend bool operator==(const NurbsPatch& a, const NurbsPatch& b) noexcept {
     return a.knots_u_ == b.knots_u_ && a.knots_v_ == b.knots_v_ && a.points_ == b.points_;
@@ -58,7 +62,11 @@ class NurbsPatch {
   bool rational_ = false;
   int weight_exponent_ = 0;
   std::vector<glm::dvec4> homogeneous_;  ///< none where they are the points as given
-  std::shared_ptr<Lazy<BoxedPieces>> boxed_pieces_ = std::make_shared<Lazy<BoxedPieces>>();
+  struct Found {
+    Lazy<BoxedPieces> boxed_pieces;
+    Lazy<NormalFacts> normal_facts;
+  };
+  std::shared_ptr<Found> found_ = std::make_shared<Found>();
 };
 
 /// refine() of a curve, in one direction.
