@@ -121,6 +121,8 @@ std::string short_text(const py::handle& value) {
 std::string type_name(const py::handle& value) { return py::str(py::type::of(value).attr("__name__")); }
 
 py::array array_of(const py::handle& value, const char* name) {
+  const bool is_array = Py_TYPE(value.ptr()) == py::detail::npy_api::get().PyArray_Type_;
+  if (is_array) return py::reinterpret_borrow<py::array>(value);
   std::string reason;
   try {
     return py::module_::import("numpy").attr("asarray")(value);
@@ -180,6 +182,7 @@ double parameter(const py::handle& value, const splinecore::KnotVector& knots) {
 }
 
 bool boolean(const py::handle& value, const char* name) {
+  if (PyBool_Check(value.ptr())) return value.ptr() == Py_True;
   const bool numpy_bool = type_name(value) == "bool_" || type_name(value) == "bool";
   if (!numpy_bool) {
     refuse_type(value, name, "True or False");

@@ -32,8 +32,8 @@ glm::dvec3 place_of(const py::object& value, const char* name) {
 }
 
 EndTangent ends_of(const py::object& word) {
-  return chosen<EndTangent>(word, "ends", {{"parabola", EndTangent::parabola}, {"chord", EndTangent::chord},
-                                           {"natural", EndTangent::natural}});
+  return chosen<EndTangent>(word, "ends", {{"chord", EndTangent::chord}, {"natural", EndTangent::natural},
+                                           {"parabola", EndTangent::parabola}});
 }
 
 /// One number for all points, or one for each.

@@ -23,9 +23,9 @@ GivenPoints::GivenPoints(const py::object& value, const char* name, int dimensio
 }
 
 Parametrisation parametrisation_of(const py::object& value, const char* name) {
-  return chosen<Parametrisation>(value, name, {{"uniform", Parametrisation::uniform},
-                                               {"centripetal", Parametrisation::centripetal},
-                                               {"chordal", Parametrisation::chordal}});
+  return chosen<Parametrisation>(value, name, {{"centripetal", Parametrisation::centripetal},
+                                               {"chordal", Parametrisation::chordal},
+                                               {"uniform", Parametrisation::uniform}});
 }
 
 std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::object& parametrisation,

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <map>
+#include <initializer_list>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arrays.hpp"
@@ -46,13 +47,14 @@ std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::
 
 /// The value that a word stands for. @throws py::type_error if it is no text, InvalidShape if not one of them.
 template <class Choice>
-Choice chosen(const py::object& word, const char* name, const std::map<std::string, Choice>& choices) {
+Choice chosen(const py::object& word, const char* name, std::initializer_list<std::pair<const char*, Choice>> choices) {
   const bool is_text = py::isinstance<py::str>(word);
   if (!is_text) throw py::type_error(std::string(name) + " must be a str, not " + type_name(word));
-  const auto found = choices.find(py::cast<std::string>(word));
-  if (found != choices.end()) return found->second;
+  for (const auto& [text, choice] : choices) {
+    if (PyUnicode_CompareWithASCIIString(word.ptr(), text) == 0) return choice;
+  }
   std::string all;
-  for (const auto& [text, choice] : choices) all += (all.empty() ? "'" : ", '") + text + "'";
+  for (const auto& [text, choice] : choices) all += std::string(all.empty() ? "'" : ", '") + text + "'";
   throw splinecore::InvalidShape(std::string(name) + " = " + std::string(py::repr(word)) + " is none of " + all);
 }
 

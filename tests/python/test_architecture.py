@@ -13,7 +13,7 @@ ADDON = PROJECT / "addon" / "splinewright"
 # A native room may use itself and these.
 NATIVE_ARROWS = {
     'kernels': set(),
-    'base': set(),
+    'base': {'kernels'},
     'basis': {'base', 'kernels'},
     'curve': {'base', 'basis', 'kernels'},
     'patch': {'base', 'basis', 'curve', 'kernels'},
@@ -23,7 +23,7 @@ NATIVE_ARROWS = {
     'formula': {'base'},
     'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
     'meet': {'base', 'basis', 'curve', 'patch', 'kernels'},
-    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula'},
+    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula', 'kernels'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "given_points.hpp"
+#include "kernels/kernels.hpp"
 #include "require.hpp"
 #include "splinecore/base/errors.hpp"
 
@@ -75,7 +76,7 @@ std::vector<glm::dvec4> as_given(std::span<const glm::dvec4> points) {
 }
 
 bool is_rational(std::span<const glm::dvec4> points) noexcept {
-  return std::ranges::any_of(points, [](const glm::dvec4& p) { return p.w != 1.0; });
+  return !points.empty() && !kernels().are_weights_one(&points.front().x, points.size());
 }
 
 double extent(std::span<const glm::dvec4> points) noexcept {
@@ -97,25 +98,8 @@ double largest_coordinate(std::span<const glm::dvec4> points) noexcept {
   return size;
 }
 
-namespace {
-
-/// Zero times what is not finite is no number, and stays none in a sum. Two sums, because each waits for itself.
-bool are_finite(std::span<const glm::dvec4> points) noexcept {
-  glm::dvec4 even(0.0);
-  glm::dvec4 odd(0.0);
-  std::size_t i = 0;
-  for (; i + 1 < points.size(); i += 2) {
-    even += 0.0 * points[i];
-    odd += 0.0 * points[i + 1];
-  }
-  if (i < points.size()) even += 0.0 * points[i];
-  return even + odd == glm::dvec4(0.0);
-}
-
-}  // namespace
-
 void require_points(std::span<const glm::dvec4> points, std::size_t row_length) {
-  const bool is_finite = are_finite(points);
+  const bool is_finite = points.empty() || std::isfinite(kernels().largest_size(&points.front().x, 4 * points.size()));
   for (std::size_t i = 0; !is_finite && i < points.size(); ++i) {
     require_coordinates(&points[i].x, "points", i, row_length);
     if (!std::isfinite(points[i].w)) {

@@ -1,34 +1,15 @@
 #include "require.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
 
+#include "kernels/kernels.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// Zero times what is not finite is no number, and stays none in a sum. Several sums, because each waits for itself.
-bool are_finite(const double* values, std::size_t count) {
-  constexpr std::size_t kSums = 8;
-  std::array<double, kSums> sums{};
-  std::size_t i = 0;
-  for (; i + kSums <= count; i += kSums) {
-    for (std::size_t k = 0; k < kSums; ++k) sums[k] += 0.0 * values[i + k];
-  }
-  for (; i < count; ++i) sums[0] += 0.0 * values[i];
-  return std::accumulate(sums.begin(), sums.end(), 0.0) == 0.0;
-}
-
-/// Without an end before the last: comparisons that wait for nothing are done several at once.
-bool are_increasing(std::span<const double> values) {
-  std::int64_t falls = 0;
-  for (std::size_t i = 1; i < values.size(); ++i) falls += values[i - 1] >= values[i] ? 1 : 0;
-  return falls == 0;
-}
+bool are_finite(const double* values, std::size_t count) { return std::isfinite(kernels().largest_size(values, count)); }
 
 }  // namespace
 
@@ -58,7 +39,7 @@ void require_finite(std::span<const glm::dvec3> vectors, const std::string& argu
 
 void require_increasing(std::span<const double> values, const std::string& argument) {
   require_finite(values, argument);
-  const bool increase = are_increasing(values);
+  const bool increase = kernels().are_increasing(values.data(), values.size());
   for (std::size_t i = 1; i < values.size() && !increase; ++i) {
     if (values[i] > values[i - 1]) continue;
     throw InvalidShape(argument + index_text(i) + " = " + text_of(values[i]) + " does not increase from " +

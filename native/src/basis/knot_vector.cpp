@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/require.hpp"
+#include "kernels/kernels.hpp"
 #include "knot_tables.hpp"
 #include "periodic_knots.hpp"
 #include "splinecore/base/errors.hpp"
@@ -26,10 +27,18 @@ void require_degree(int degree) {
                      std::to_string(kMaxDegree) + "]");
 }
 
-/// Whether they do not decrease, none more often than degree + 1 times. Without branches: of a vector that is made by
-/// the library it is so.
+/// Whether those that degree others lie before and behind increase.
+bool are_simple_inside(std::span<const double> knots, int degree) {
+  const std::size_t ends = 2 * static_cast<std::size_t>(degree);
+  return knots.size() > ends + 1 && kernels().are_increasing(&knots[degree], knots.size() - ends);
+}
+
+/// Whether they do not decrease, none more often than degree + 1 times.
 bool is_in_order(std::span<const double> knots, int degree) {
   const std::size_t order = static_cast<std::size_t>(degree) + 1;
+  if (are_simple_inside(knots, degree)) {
+    return std::ranges::is_sorted(knots.first(order)) && std::ranges::is_sorted(knots.last(order));
+  }
   std::int64_t wrong = 0;  // as wide as a knot, so that several are compared at once
   for (std::size_t i = 1; i < knots.size(); ++i) wrong += knots[i - 1] <= knots[i] ? 0 : 1;
   for (std::size_t i = order; i < knots.size(); ++i) wrong += knots[i - order] < knots[i] ? 0 : 1;
@@ -78,6 +87,10 @@ std::vector<double> unroll(std::span<const double> period, int degree) {
 std::vector<int> positive_spans(std::span<const double> knots, int degree) {
   const int last = static_cast<int>(knots.size()) - degree - 1;
   std::vector<int> spans(std::max(last - degree, 0));
+  if (are_simple_inside(knots, degree)) {
+    std::iota(spans.begin(), spans.end(), degree);
+    return spans;
+  }
   std::size_t count = 0;
   for (int k = degree; k < last; ++k) {
     spans[count] = k;

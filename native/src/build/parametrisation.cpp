@@ -1,27 +1,41 @@
 #include "splinecore/build/parametrisation.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/distance.hpp"
 #include "base/require.hpp"
+#include "kernels/kernels.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
 
 namespace {
 
-double step(const glm::dvec3& from, const glm::dvec3& to, Parametrisation kind) {
-  if (kind == Parametrisation::uniform) return 1.0;
-  const double distance = distance_of(from, to);
-  return kind == Parametrisation::chordal ? distance : std::sqrt(distance);
+/// Distances from each point to the next one.
+void write_chords(std::span<const glm::dvec3> points, std::span<double> out) {
+  constexpr std::size_t kFewest = 4;
+  if (out.size() >= kFewest &&
+      kernels().chords(&points.front().x, out.size(), kLeastSquare, kMostSquare, out.data())) {
+    return;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = distance_of(points[i], points[i + 1]);
 }
 
-[[noreturn]] void refuse_step(const std::vector<double>& parameters, std::size_t count) {
+/// Steps of the parameter from distances.
+void make_steps(std::span<double> chords, Parametrisation kind) {
+  if (kind == Parametrisation::uniform) std::ranges::fill(chords, 1.0);
+  if (kind != Parametrisation::centripetal) return;
+  for (double& chord : chords) chord = std::sqrt(chord);
+}
+
+[[noreturn]] void refuse_step(std::span<const glm::dvec3> points, const std::vector<double>& parameters) {
+  require_finite(points, "points");
   std::size_t i = 1;
   while (parameters[i] > parameters[i - 1] && std::isfinite(parameters[i])) ++i;
-  const std::string place = "points" + index_text(i % count);
+  const std::string place = "points" + index_text(i % points.size());
   const std::string before = " points" + index_text(i - 1);
   if (!std::isfinite(parameters[i])) throw InvalidShape(place + " is too far from" + before + ": their distance overflows");
   throw InvalidShape(place + " is too close to" + before + ": their distance is no step of the parameter");
@@ -30,17 +44,23 @@ double step(const glm::dvec3& from, const glm::dvec3& to, Parametrisation kind) 
 }  // namespace
 
 std::vector<double> parameters_of(std::span<const glm::dvec3> points, Parametrisation kind, Closing closing) {
-  require_finite(points, "points");
+  if (kind == Parametrisation::uniform || points.size() == 1) require_finite(points, "points");
   if (points.empty()) return {};
+  const std::size_t inner = points.size() - 1;
   const std::size_t count = points.size() + (closing == Closing::closed ? 1 : 0);
   std::vector<double> parameters(count);
-  bool are_steps = true;
-  for (std::size_t i = 1; i < count; ++i) {
-    const glm::dvec3& point = points[i < points.size() ? i : 0];
-    parameters[i] = parameters[i - 1] + step(points[i - 1], point, kind);
-    are_steps &= parameters[i] > parameters[i - 1] && parameters[i] <= std::numeric_limits<double>::max();
+  constexpr std::size_t kTogether = 64;
+  std::array<double, kTogether> chords;
+  for (std::size_t first = 0; first + 1 < count; first += kTogether) {
+    const std::span<double> steps(chords.data(), std::min(kTogether, count - 1 - first));
+    const std::size_t open = std::min(steps.size(), inner - std::min(first, inner));
+    if (kind != Parametrisation::uniform) write_chords(points.subspan(first), steps.first(open));
+    if (open < steps.size()) steps.back() = distance_of(points.back(), points.front());
+    make_steps(steps, kind);
+    for (std::size_t i = 0; i < steps.size(); ++i) parameters[first + i + 1] = parameters[first + i] + steps[i];
   }
-  if (!are_steps) refuse_step(parameters, points.size());
+  const bool are_steps = kernels().are_increasing(parameters.data(), count) && std::isfinite(parameters.back());
+  if (!are_steps) refuse_step(points, parameters);
   return parameters;
 }
 

@@ -104,19 +104,18 @@ void require_parameters(std::span<const double> parameters, std::size_t count) {
   require_increasing(parameters, "parameters");
 }
 
-void require_interpolation(std::span<const glm::dvec3> points, std::span<const double> parameters,
+void require_interpolation(std::size_t count, std::span<const double> parameters,
                            const InterpolationOptions& options) {
   require_degree(options.degree);
   const std::size_t least = is_closed(options) ? 3 : 2;
-  if (points.size() < least) {
-    throw InvalidShape("points has " + std::to_string(points.size()) + " rows, at least " + std::to_string(least) +
+  if (count < least) {
+    throw InvalidShape("points has " + std::to_string(count) + " rows, at least " + std::to_string(least) +
                        " are needed");
   }
-  require_finite(points, "points");
-  require_parameters(parameters, points.size() + (is_closed(options) ? 1 : 0));
+  require_parameters(parameters, count + (is_closed(options) ? 1 : 0));
   require_ends(options);
-  require_points_for_natural_ends(options, points.size());
-  require_tangents(options, points.size());
+  require_points_for_natural_ends(options, count);
+  require_tangents(options, count);
 }
 
 std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::span<const double> parameters,
@@ -175,11 +174,9 @@ std::vector<double> open_knots(std::span<const double> sites, std::span<const do
   if (options.ends == FitEnds::natural || is_clamped) {
     knots.insert(knots.end(), parameters.begin() + 1, parameters.end() - 1);
   } else if (options.ends == FitEnds::not_a_knot) {
-    const std::size_t count = parameters.size() - degree - 1;  // of those inside
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t at = i + degree / 2;
-      knots.push_back(degree % 2 == 1 ? parameters[at + 1] : between(parameters[at], parameters[at + 1]));
-    }
+    const auto inner = parameters.subspan(degree / 2, parameters.size() - degree);
+    if (degree % 2 == 1) knots.insert(knots.end(), inner.begin() + 1, inner.end());
+    for (std::size_t i = 1; i < inner.size() && degree % 2 == 0; ++i) knots.push_back(between(inner[i - 1], inner[i]));
   } else {
     const std::vector<double> inner = averages(sites.subspan(1, sites.size() - 2), degree);
     knots.insert(knots.end(), inner.begin(), inner.end());

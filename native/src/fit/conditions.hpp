@@ -21,8 +21,8 @@ struct Condition {
 /// @throws InvalidShape unless they are so many, increase, and their distances are finite.
 void require_parameters(std::span<const double> parameters, std::size_t count);
 
-/// @throws InvalidShape as interpolate() does where points, parameters or options cannot be.
-void require_interpolation(std::span<const glm::dvec3> points, std::span<const double> parameters,
+/// @throws InvalidShape as interpolate() does where so many points, parameters or options cannot be.
+void require_interpolation(std::size_t count, std::span<const double> parameters,
                            const InterpolationOptions& options);
 
 /// All conditions in the order of their parameters, so that each can decide about a control point of its own.

@@ -1,6 +1,7 @@
 #include "splinecore/fit/interpolate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "knot_points.hpp"
 #include "near_points.hpp"
 #include "splinecore/base/pause.hpp"
+#include "splinecore/basis/bernstein.hpp"
 #include "system.hpp"
 
 namespace splinecore {
@@ -55,7 +57,9 @@ std::size_t count_of_zeros(const InterpolationOptions& options) {
 
 /// Derivatives of the functions on a span, whose first knot is *knot, at the parameter u.
 EndRow end_row(const double* knot, int degree, double u, int order, const glm::dvec3& value) {
-  const std::vector<double> arguments(static_cast<std::size_t>(degree - order), u);
+  std::array<double, kMaxDegree> same;
+  const std::span<double> arguments(same.data(), static_cast<std::size_t>(degree - order));
+  std::ranges::fill(arguments, u);
   EndRow row{std::vector<double>(static_cast<std::size_t>(degree) + 1, 0.0), order, value};
   blossom_weights(knot - (degree - order), degree - order, arguments, row.functions.data());
   differentiate(knot, degree - order, row.functions);
@@ -69,7 +73,9 @@ EndRow end_row(const double* knot, int degree, double u, int order, const glm::d
 std::vector<EndRow> end_rows(const double* knot, double u, const glm::dvec3& point,
                              std::span<const glm::dvec3> derivatives, const InterpolationOptions& options) {
   const int degree = options.degree;
-  std::vector<EndRow> rows{end_row(knot, degree, u, 0, point)};
+  std::vector<EndRow> rows;
+  rows.reserve(static_cast<std::size_t>(degree) + 1);
+  rows.push_back(end_row(knot, degree, u, 0, point));
   for (const glm::dvec3& derivative : derivatives) {
     rows.push_back(end_row(knot, degree, u, static_cast<int>(rows.size()), derivative));
   }
@@ -149,7 +155,7 @@ Approximation<NurbsCurve> general_curve(std::span<const glm::dvec3> points, std:
 
 Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                       const InterpolationOptions& options) {
-  require_interpolation(points, parameters, options);
+  require_interpolation(points.size(), parameters, options);
   const double largest = largest_coordinate(points);
   auto near = near_curve(points, parameters, options, largest);
   if (near && near->error <= kAccurate * largest) return *std::move(near);

@@ -37,7 +37,7 @@ DirectionSystem direction_of(const FitDirection& given, std::size_t count, const
   try {
     const std::vector<glm::dvec3> places(count, glm::dvec3(0.0));
     const InterpolationOptions options = options_of(given);
-    require_interpolation(places, given.parameters, options);
+    require_interpolation(count, given.parameters, options);
     const std::vector<Condition> conditions = conditions_of(places, given.parameters, options);
     KnotVector knots = knots_for(sites_of(conditions), given.parameters, options);
     BandedRows rows = system_of(knots, conditions).rows;

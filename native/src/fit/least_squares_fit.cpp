@@ -1,13 +1,13 @@
 #include "least_squares_fit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "curve/rescale.hpp"
 #include "gram.hpp"
+#include "kernels/kernels.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "straight.hpp"
@@ -20,18 +20,7 @@ namespace {
 /// The order of the derivative that smoothing keeps small.
 constexpr int kBent = 2;
 
-/// Several, because each waits for itself.
-double largest_of(std::span<const double> values) {
-  constexpr std::size_t kAtOnce = 8;
-  std::array<double, kAtOnce> largest{};
-  const auto take = [&](std::size_t k, double value) { largest[k] = std::abs(value) > largest[k] ? std::abs(value) : largest[k]; };
-  std::size_t i = 0;
-  for (; i + kAtOnce <= values.size(); i += kAtOnce) {
-    for (std::size_t k = 0; k < kAtOnce; ++k) take(k, values[i + k]);
-  }
-  for (; i < values.size(); ++i) take(0, values[i]);
-  return std::ranges::max(largest);
-}
+double largest_of(std::span<const double> values) { return kernels().largest_size(values.data(), values.size()); }
 
 /// A power of two that brings the largest of them near 1.
 double scale_of(double largest) {
@@ -283,7 +272,8 @@ void LeastSquaresFit::solve(std::span<const double> values, std::size_t columns,
 }
 
 std::vector<double> LeastSquaresFit::solve_points(std::span<const double> points, std::span<double> controls) const {
-  constexpr double kNothing = 0x1p-40;
+  constexpr double kNothing = 0x1p-40;   // beside the largest distance
+  constexpr double kRounding = 0x1p-47;  // beside the largest coordinate: that much is in distances anyway
   const double size = largest_of(points);
   const double scale = scale_of(size);
   std::vector<double> largest(ends_.size(), 0.0);
@@ -294,7 +284,8 @@ std::vector<double> LeastSquaresFit::solve_points(std::span<const double> points
   };
   // Distances are those before the last change, unless it is of no matter beside the largest.
   const double change = improve(3, size, controls, write_sums) * scale;
-  if (!(change * change <= kNothing * kNothing * *std::ranges::max_element(largest))) {
+  const bool is_nothing = change * change <= kNothing * kNothing * *std::ranges::max_element(largest);
+  if (!is_nothing && !(change <= kRounding * scale * size)) {
     std::vector<double> right(controls.size());
     residual_sums(3, controls, right, write_sums);
   }

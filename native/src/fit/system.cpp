@@ -4,8 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "base/require.hpp"
 #include "basis/blossom.hpp"
 #include "curve/rescale.hpp"
+#include "kernels/kernels.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -79,11 +81,9 @@ void require_passing(double error, double largest) {
 }
 
 double largest_coordinate(std::span<const glm::dvec3> points) {
-  glm::dvec3 largest(0.0);
-  for (const glm::dvec3& p : points) {
-    for (int axis = 0; axis < 3; ++axis) largest[axis] = std::max(largest[axis], std::abs(p[axis]));
-  }
-  return std::max({largest.x, largest.y, largest.z});
+  const double largest = points.empty() ? 0.0 : kernels().largest_size(&points.front().x, 3 * points.size());
+  if (!std::isfinite(largest)) require_finite(points, "points");
+  return largest;
 }
 
 void refuse_control_point() { throw InvalidShape("the control points are too large for numbers"); }

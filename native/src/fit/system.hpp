@@ -27,6 +27,7 @@ void solve(const KnotVector& knots, const BandedRows& rows, std::span<double> ri
 /// @throws InvalidShape if the error is large beside the largest coordinate of a point.
 void require_passing(double error, double largest);
 
+/// @throws InvalidShape if a coordinate is not finite.
 double largest_coordinate(std::span<const glm::dvec3> points);
 
 [[noreturn]] void refuse_control_point();

@@ -1,4 +1,4 @@
-// Kernels of squared distances. Included in the namespace of each set of instructions: see set.hpp.
+// Kernels of distances and their squares. Included in the namespace of each set of instructions: see set.hpp.
 
 inline constexpr int kMostOrder = 256;
 
@@ -125,4 +125,48 @@ void box_distances(const BoxGroup& group, const double* from, double* squares) {
     }
     store(sum, squares + i);
   }
+}
+
+void turned_box_distances(const TurnedBoxGroup& group, const double* from, double* squares) {
+  for (std::size_t i = 0; i < kBoxGroup; i += kWide) {
+    const auto coordinate = [&](const double* numbers) { return load<WideLanes>(numbers + i); };
+    WideLanes offset[3];
+    for (int c = 0; c < 3; ++c) offset[c] = all<WideLanes>(from[c]) - coordinate(group.centre[c]);
+    WideLanes sum{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& direction = group.axes[axis];
+      const WideLanes along = mul_add(coordinate(direction[0]), offset[0],
+                                      mul_add(coordinate(direction[1]), offset[1], coordinate(direction[2]) * offset[2]));
+      const WideLanes apart = (along < -along ? -along : along) - coordinate(group.half[axis]);
+      const WideLanes outside = apart > WideLanes{} ? apart : WideLanes{};
+      sum = mul_add(outside, outside, sum);
+    }
+    store(sum, squares + i);
+  }
+}
+
+/// From each of four points to the next one.
+SPLINECORE_INLINE Lanes four_chord_squares(const double* points) {
+  const Lanes first = load(points + 3) - load(points);
+  const Lanes second = load(points + 7) - load(points + 4);
+  const Lanes third = load(points + 11) - load(points + 8);
+  const Lanes a = first * first;   // x0 y0 z0 x1
+  const Lanes b = second * second; // y1 z1 x2 y2
+  const Lanes c = third * third;   // z2 x3 y3 z3
+  const Lanes x = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, -1, 6, 3), c, 0, 3, 2, 5);
+  const Lanes y = __builtin_shufflevector(__builtin_shufflevector(a, b, 4, 1, -1, 7), c, 1, 0, 3, 6);
+  const Lanes z = __builtin_shufflevector(__builtin_shufflevector(a, b, -1, 5, 2, -1), c, 2, 1, 4, 7);
+  return x + y + z;
+}
+
+bool chords(const double* points, std::size_t count, double least, double most, double* out) {
+  bool are_in_range = true;
+  for (std::size_t i = 0; i < count; i += 4) {
+    // The last ones are written once more.
+    const std::size_t first = i < count - 4 ? i : count - 4;
+    const Lanes squares = four_chord_squares(points + 3 * first);
+    are_in_range &= is_between(least, most, squares);
+    store(square_root(squares), out + first);
+  }
+  return are_in_range;
 }

@@ -211,6 +211,14 @@ struct TridiagonalRows {
   double* after;
 };
 
+/// What elimination takes from an end of such a matrix on, where its next row is.
+struct TridiagonalEnd {
+  TridiagonalRows rows;
+  const double* right;  ///< three numbers a row, and one behind them that is read
+  double* factors;
+  double* points;       ///< four numbers a row, of which the last one is anything
+};
+
 /// Values at neighbouring parameters of a span.
 struct SpanPoints {
   double start;  ///< of the span
@@ -224,12 +232,32 @@ struct SpanPoints {
   const double* points;   ///< x, y, z; or nullptr for sums that need none
 };
 
+/// Boxes that lie along three directions of their own, coordinate by coordinate.
+struct alignas(64) TurnedBoxGroup {
+  double centre[3][kBoxGroup];
+  double axes[3][3][kBoxGroup];  ///< x, y, z of each direction
+  double half[3][kBoxGroup];     ///< of the width in each direction
+};
+
 struct Kernels {
   const char* name;
   std::size_t lanes;  ///< 4 or 8
 
   /// Whether all numbers lie strictly between the two.
   bool (*are_between)(double low, double high, const double* u, std::size_t count);
+
+  /// Whether each number is above the one before it.
+  bool (*are_increasing)(const double* values, std::size_t count);
+
+  /// Whether the last number of every four is 1.
+  bool (*are_weights_one)(const double* points, std::size_t count);
+
+  /// The largest absolute value; no number, or infinite, where one of them is.
+  double (*largest_size)(const double* values, std::size_t count);
+
+  /// The distances from points, 4 at least, to the next ones: `count` + 1 times x, y, z are read.
+  /// @returns whether all squares lie strictly between the two
+  bool (*chords)(const double* points, std::size_t count, double least, double most, double* out);
 
   /// The last interval that starts before each parameter, or `at` it. All lie in the domain.
   void (*find_intervals)(const IntervalParts&, bool at, const double* u, std::size_t count, std::int32_t* intervals);
@@ -262,6 +290,7 @@ struct Kernels {
 
   /// The squares of the least distances that points of the boxes may have from x, y, z, up to rounding.
   void (*box_distances)(const BoxGroup&, const double* from, double* squares);
+  void (*turned_box_distances)(const TurnedBoxGroup&, const double* from, double* squares);
 
   /// The functions of a degree and their derivatives 0 … order, table_width() numbers for each derivative.
   void (*functions)(int degree, int order, const ScatteredSpans&, std::size_t count, double* out);
@@ -299,18 +328,18 @@ struct Kernels {
   /// @param count  `lanes` at least
   void (*knot_rows)(const double* knots, std::size_t count, const TridiagonalRows&);
 
-  /// Gaussian elimination without exchanges goes on from the row before, whose factor and point stand before the others:
-  /// x[i] + factors[i] x[i + 1] = points[i] is what is left of row i.
-  /// @param right  three numbers a row, and one behind them that is read
-  /// @param points  four numbers a row, of which the last one is anything
-  void (*eliminate)(const TridiagonalRows&, std::size_t count, const double* right, double* factors, double* points);
+  /// Gaussian elimination without exchanges goes on from both ends at once, from the rows taken before, whose factors and
+  /// points stand beside: x[i] + factors[i] x[next] = points[i] is what is left of row i. Each step waits for the one
+  /// before it, and two wait together.
+  void (*eliminate)(const TridiagonalEnd& start, const TridiagonalEnd& end, std::size_t count);
 
-  /// Writes x over the points, and 1 behind each, from the point behind them on.
-  void (*substitute)(const double* factors, std::size_t count, double* points);
+  /// Writes x over so many points to each side of the two in the middle, which are known, and 1 behind each.
+  /// @param points  the second one in the middle
+  void (*substitute)(const double* factors, double* points, std::size_t count);
 
   /// The largest square of a distance times the scale of rows' sums of points from their right sides; infinity where
   /// one is no number.
-  /// @param count  4 at least
+  /// @param count  `lanes` at least
   double (*largest_left)(const TridiagonalRows&, std::size_t count, const double* points, const double* right,
                          double scale);
 

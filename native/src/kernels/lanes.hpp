@@ -9,8 +9,10 @@ typedef std::int64_t MaskLanes __attribute__((vector_size(32)));
 typedef double WideLanes __attribute__((vector_size(64)));
 typedef std::int64_t WideMask __attribute__((vector_size(64)));
 #define SPLINECORE_WIDE_LANES
+typedef WideMask WideBits;
 #else
 typedef Lanes WideLanes;
+typedef MaskLanes WideBits;
 #endif
 inline constexpr int kWide = sizeof(WideLanes) / sizeof(double);
 
@@ -53,6 +55,12 @@ SPLINECORE_INLINE Lanes square_root(Lanes a) {
 SPLINECORE_INLINE bool any(MaskLanes mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 #endif
 
+#if defined(__FMA__) || defined(__aarch64__)
+SPLINECORE_INLINE double mul_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+#else
+SPLINECORE_INLINE double mul_add(double a, double b, double c) { return a * b + c; }
+#endif
+
 // No more doubles than a register holds: of longer vectors compilers keep sums in memory.
 #if defined(__FMA__) && defined(__AVX2__)
 typedef Lanes OwnLanes;
@@ -86,6 +94,14 @@ SPLINECORE_INLINE bool is_any_at_most(V a, V most) {
   if constexpr (sizeof(V) == sizeof(WideLanes)) return _mm512_cmp_pd_mask(a, most, _CMP_LE_OQ) != 0;
 #endif
   return any(a <= most);
+}
+
+template <class V>
+SPLINECORE_INLINE bool are_below(V a, V most) {
+#if defined(SPLINECORE_WIDE_LANES)
+  if constexpr (sizeof(V) == sizeof(WideLanes)) return _mm512_cmp_pd_mask(a, most, _CMP_LT_OQ) == 0xff;
+#endif
+  return !any(!(a < most));
 }
 
 /// Whether all lie strictly between the two.

@@ -53,43 +53,59 @@ SPLINECORE_INLINE void power_products(SumLanes t, SumLanes s, SumLanes* out) {
   out[0] = power;
 }
 
+/// The weight of points that have none.
+struct NoWeight {};
+
+SPLINECORE_INLINE SumLanes weighted(SumLanes weight, SumLanes value) { return weight * value; }
+SPLINECORE_INLINE SumLanes weighted(NoWeight, SumLanes value) { return value; }
+SPLINECORE_INLINE SumLanes weighted_sum(SumLanes weight, SumLanes value, SumLanes sum) { return mul_add(weight, value, sum); }
+SPLINECORE_INLINE SumLanes weighted_sum(NoWeight, SumLanes value, SumLanes sum) { return value + sum; }
+
+/// Calls `take` with t and s of kSums parameters, their weights and points.
+template <class Weight, class Take>
+SPLINECORE_INLINE void take_few(const SpanPoints& span, const double* u, Weight weight, const double* points, Take& take) {
+  const SumLanes places = load<SumLanes>(u);
+  const SumLanes share = all<SumLanes>(span.share);
+  take((places - all<SumLanes>(span.start)) * share, (all<SumLanes>(span.end) - places) * share, weight, points);
+}
+
 /// Takes kSums points at a time of a span; those that the last ones are filled up with have the weight 0.
-/// @param take  a function of t, s, weights and points
 template <class Take>
 SPLINECORE_INLINE void each_few(const SpanPoints& span, Take&& take) {
-  const auto at = [&](const double* u, SumLanes weight, const double* points) __attribute__((always_inline)) {
-    const SumLanes places = load<SumLanes>(u);
-    take((places - all<SumLanes>(span.start)) * all<SumLanes>(span.share), (all<SumLanes>(span.end) - places) * all<SumLanes>(span.share), weight, points);
-  };
   const bool has_points = span.points != nullptr;
-  const bool has_weights = span.weights != nullptr;
-  std::size_t i = 0;
-  for (; i + kSums <= span.count; i += kSums) {
-    at(span.parameters + i, has_weights ? load<SumLanes>(span.weights + i) * all<SumLanes>(span.weight_scale) : all<SumLanes>(1.0),
-       has_points ? span.points + 3 * i : nullptr);
+  const auto points_from = [&](std::size_t i) { return has_points ? span.points + 3 * i : nullptr; };
+  const std::size_t whole = span.count - span.count % kSums;
+  if (span.weights == nullptr) {
+    for (std::size_t i = 0; i < whole; i += kSums) take_few(span, span.parameters + i, NoWeight{}, points_from(i), take);
+  } else {
+    for (std::size_t i = 0; i < whole; i += kSums) {
+      const SumLanes weights = load<SumLanes>(span.weights + i) * all<SumLanes>(span.weight_scale);
+      take_few(span, span.parameters + i, weights, points_from(i), take);
+    }
   }
-  if (i == span.count) return;
+  if (whole == span.count) return;
   double parameters[kSums];
   double points[3 * kSums] = {};
   SumLanes weights{};
   for (std::size_t k = 0; k < kSums; ++k) {
-    const std::size_t from = i + k < span.count ? i + k : i;
+    const bool is_there = whole + k < span.count;
+    const std::size_t from = is_there ? whole + k : whole;
     parameters[k] = span.parameters[from];
     for (std::size_t c = 0; has_points && c < 3; ++c) points[3 * k + c] = span.points[3 * from + c];
-    if (i + k < span.count) weights[k] = has_weights ? span.weights[from] * span.weight_scale : 1.0;
+    if (is_there) weights[k] = span.weights != nullptr ? span.weights[from] * span.weight_scale : 1.0;
   }
-  at(parameters, weights, points);
+  take_few(span, parameters, weights, points, take);
 }
 
 template <int kDegree>
 void power_sums(const SpanPoints& span, double* sums) {
   constexpr int kCount = 2 * kDegree + 1;
   SumLanes lanes[kCount] = {};
-  each_few(span, [&](SumLanes t, SumLanes s, SumLanes weight, const double*)
+  each_few(span, [&](SumLanes t, SumLanes s, auto weight, const double*)
                      __attribute__((always_inline)) {
     SumLanes row[kCount];
     power_products<kCount - 1>(t, s, row);
-    for (int k = 0; k < kCount; ++k) lanes[k] = mul_add(weight, row[k], lanes[k]);
+    for (int k = 0; k < kCount; ++k) lanes[k] = weighted_sum(weight, row[k], lanes[k]);
   });
   for (int k = 0; k < kCount; ++k) sums[k] = sum_of(lanes[k]);
 }
@@ -99,7 +115,7 @@ double residual_sums(const SpanPoints& span, const double* piece, double* sums) 
   constexpr int kCount = kDegree + 1;
   SumLanes lanes[kCount][3] = {};
   SumLanes most{};
-  each_few(span, [&](SumLanes t, SumLanes s, SumLanes weight, const double* points)
+  each_few(span, [&](SumLanes t, SumLanes s, auto weight, const double* points)
                      __attribute__((always_inline)) {
     SumLanes row[kCount];
     power_products<kDegree>(t, s, row);
@@ -109,7 +125,7 @@ double residual_sums(const SpanPoints& span, const double* piece, double* sums) 
       for (int c = 0; c < 3; ++c) left[c] = mul_add(row[j], all<SumLanes>(piece[3 * j + c]), left[c]);
     }
     for (int j = 0; j < kCount; ++j) {
-      const SumLanes factor = weight * row[j];
+      const SumLanes factor = weighted(weight, row[j]);
       for (int c = 0; c < 3; ++c) lanes[j][c] = mul_add(factor, left[c], lanes[j][c]);
     }
     const SumLanes scale = all<SumLanes>(span.scale);

@@ -32,10 +32,10 @@ namespace {
 extern const Kernels SPLINECORE_SET;
 const Kernels SPLINECORE_SET{
     SPLINECORE_SET_NAME, kWide,
-    are_between, find_intervals,
+    are_between, are_increasing, are_weights_one, largest_size, chords, find_intervals,
     curve_run<double>, curve_run<float>, curve_scattered<double>, curve_scattered<float>,
     speed_sums, surface_sums,
-    piece_slopes, square_sums, box_distances,
+    piece_slopes, square_sums, box_distances, turned_box_distances,
     functions,
     grid_points<double>, grid_points<float>, grid_normals<double>, grid_normals<float>,
     pair_sums, pair_points, pair_slopes, pair_normals,

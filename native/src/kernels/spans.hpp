@@ -11,6 +11,53 @@ bool are_between(double low, double high, const double* u, std::size_t count) {
   return true;
 }
 
+bool are_increasing(const double* values, std::size_t count) {
+  std::size_t i = 0;
+  for (; i + kWide + 1 <= count; i += kWide) {
+    if (!are_below(load<WideLanes>(values + i), load<WideLanes>(values + i + 1))) return false;
+  }
+  for (; i + 1 < count; ++i) {
+    if (!(values[i] < values[i + 1])) return false;
+  }
+  return true;
+}
+
+/// Without an end before the last: those of most shapes are. Bits that differ from those of 1 are gathered.
+bool are_weights_one(const double* points, std::size_t count) {
+  constexpr std::size_t kTogether = 4;
+  const MaskLanes one = reinterpret_cast<MaskLanes>(all(1.0));
+  MaskLanes others[kTogether]{};
+  std::size_t i = 0;
+  for (; i + kTogether <= count; i += kTogether) {
+    for (std::size_t k = 0; k < kTogether; ++k) others[k] |= one ^ reinterpret_cast<MaskLanes>(load(points + 4 * (i + k)));
+  }
+  for (; i < count; ++i) others[0] |= one ^ reinterpret_cast<MaskLanes>(load(points + 4 * i));
+  return ((others[0] | others[1]) | (others[2] | others[3]))[3] == 0;
+}
+
+/// Bits without the sign are in the order of the absolute values, infinity and what is no number behind all others.
+double largest_size(const double* values, std::size_t count) {
+  constexpr std::int64_t kSize = 0x7fffffffffffffff;
+  constexpr std::size_t kTogether = 4;  // comparisons, because each waits for itself
+  WideBits sizes[kTogether]{};
+  std::size_t i = 0;
+  for (; i + kTogether * kWide <= count; i += kTogether * kWide) {
+    for (std::size_t k = 0; k < kTogether; ++k) {
+      const WideBits size = reinterpret_cast<WideBits>(load<WideLanes>(values + i + k * kWide)) & kSize;
+      sizes[k] = size > sizes[k] ? size : sizes[k];
+    }
+  }
+  std::int64_t most = 0;
+  for (; i < count; ++i) {
+    const std::int64_t size = __builtin_bit_cast(std::int64_t, values[i]) & kSize;
+    most = size > most ? size : most;
+  }
+  for (std::size_t k = 0; k < kTogether; ++k) {
+    for (int lane = 0; lane < kWide; ++lane) most = sizes[k][lane] > most ? sizes[k][lane] : most;
+  }
+  return __builtin_bit_cast(double, most);
+}
+
 /// The starts of a part that are before u, or at it, by halving.
 template <bool kAt>
 std::int32_t begun_of_many(const IntervalParts& parts, std::size_t part, double u) {

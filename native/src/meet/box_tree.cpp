@@ -11,12 +11,6 @@ namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-TreeBox around(std::span<const TreeBox> boxes) {
-  TreeBox all{glm::dvec3(kNowhere), glm::dvec3(-kNowhere)};
-  for (const TreeBox& box : boxes) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
-  return all;
-}
-
 BoxTree::Group group_of(std::span<const TreeBox> boxes) {
   // Widths so large are infinite, and their sums are numbers.
   constexpr double kEverywhere = 0x1p1000;
@@ -35,6 +29,12 @@ BoxTree::Group group_of(std::span<const TreeBox> boxes) {
 }
 
 }  // namespace
+
+TreeBox around(std::span<const TreeBox> boxes) {
+  TreeBox all{glm::dvec3(kNowhere), glm::dvec3(-kNowhere)};
+  for (const TreeBox& box : boxes) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+  return all;
+}
 
 BoxTree::BoxTree(std::span<const TreeBox> leaves) : leaves_(leaves.size()) {
   std::vector<TreeBox> boxes(leaves.begin(), leaves.end());

@@ -16,6 +16,9 @@ struct TreeBox {
   glm::dvec3 high;
 };
 
+/// The box of all of them.
+TreeBox around(std::span<const TreeBox> boxes);
+
 /// Boxes in groups of eight, groups in groups of eight, up to one: flat arrays, coordinate by coordinate, so that the
 /// boxes of a group are looked at together. Neighbours in the order given share groups.
 class BoxTree {

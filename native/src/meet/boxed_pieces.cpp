@@ -13,8 +13,10 @@ namespace splinecore {
 
 namespace {
 
-/// How far a part may bend by its size, and how much its weights may differ, before it is halved.
-constexpr double kBend = 0.2;
+/// How far a part may bend by its size, and how much its weights may differ, before it is halved: so few parts in boxes so
+/// thin take the least time.
+constexpr double kBendOfCurve = 0.3;
+constexpr double kBendOfPatch = 0.2;
 constexpr double kUneven = 2.0;
 /// So often it is halved for that, and so often for weights of both signs.
 constexpr int kDeepest = 5;
@@ -44,6 +46,20 @@ double unevenness(const BernsteinNet<glm::dvec4>& net) {
   return most / least;
 }
 
+TurnedBoxGroup group_of(std::span<const PiecePart> parts) {
+  constexpr double kEverywhere = 0x1p1000;  // a width that is infinite, and its sums are numbers
+  TurnedBoxGroup group{};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const PieceBox& box = parts[i].box;
+    for (int axis = 0; axis < 3; ++axis) {
+      group.centre[axis][i] = box.centre[axis];
+      group.half[axis][i] = parts[i].is_boxed ? box.half[axis] : kEverywhere;
+      for (int c = 0; c < 3; ++c) group.axes[axis][c][i] = box.axes[axis][c];
+    }
+  }
+  return group;
+}
+
 /// The bits of two numbers in turn: neighbours in a plane are mostly neighbours so (Morton 1966).
 std::uint64_t interleaved(std::uint64_t a, std::uint64_t b) {
   std::uint64_t code = 0;
@@ -61,7 +77,7 @@ BoxedPieces::BoxedPieces(const NurbsCurve& curve)
         for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
           cut(bezier_piece(knots, i, own.data()), {knots.span_interval(i), Interval{}}, {}, 0);
         }
-        return BoxTree(boxes_);
+        return tree_of_groups();
       }()) {}
 
 BoxedPieces::BoxedPieces(const NurbsPatch& patch)
@@ -85,7 +101,7 @@ BoxedPieces::BoxedPieces(const NurbsPatch& patch)
           }
         }
         put_in_order(codes);
-        return BoxTree(boxes_);
+        return tree_of_groups();
       }()) {}
 
 void BoxedPieces::put_in_order(std::span<const std::uint64_t> codes) {
@@ -108,6 +124,17 @@ void BoxedPieces::put_in_order(std::span<const std::uint64_t> codes) {
   boxes_ = std::move(boxes);
 }
 
+BoxTree BoxedPieces::tree_of_groups() {
+  std::vector<TreeBox> leaves;
+  for (std::size_t first = 0; first < parts_.size(); first += kGroup) {
+    const std::size_t count = std::min(kGroup, parts_.size() - first);
+    groups_.push_back(group_of(std::span(parts_).subspan(first, count)));
+    leaves.push_back(around(std::span(boxes_).subspan(first, count)));
+  }
+  boxes_ = {};
+  return BoxTree(leaves);
+}
+
 void BoxedPieces::cut(const Net& net, const std::array<Interval, 2>& domain, const std::array<Interval, 2>& range,
                       int depth) {
   breathe(32 * net.values.size());
@@ -115,7 +142,8 @@ void BoxedPieces::cut(const Net& net, const std::array<Interval, 2>& domain, con
   const PieceBox box = is_boxed ? piece_box(net) : PieceBox{};
   const double bend_u = is_boxed ? bend_of(net, Axis::u) : range[0].length();
   const double bend_v = columns_ == 1 ? 0.0 : is_boxed ? bend_of(net, Axis::v) : range[1].length();
-  const bool is_bent = !is_boxed || std::max(bend_u, bend_v) > kBend * box.half.x || unevenness(net) > kUneven;
+  const double most_bend = columns_ == 1 ? kBendOfCurve : kBendOfPatch;
+  const bool is_bent = !is_boxed || std::max(bend_u, bend_v) > most_bend * box.half.x || unevenness(net) > kUneven;
   if (!is_bent || depth >= (is_boxed ? kDeepest : kDeepestAtInfinity)) {
     parts_.push_back({domain, range, is_boxed, box});
     boxes_.push_back(box_of(net));

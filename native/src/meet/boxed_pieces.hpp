@@ -38,7 +38,9 @@ class BoxedPieces {
   /// The homogeneous control points of a part, row after row; of a curve one column.
   const glm::dvec4* points(std::size_t part) const noexcept { return points_.data() + part * rows_ * columns_; }
 
-  /// Its leaves are the parts.
+  /// The boxes of so many neighbours at once, and their tree, of which they are the leaves.
+  static constexpr std::size_t kGroup = kBoxGroup;
+  std::span<const TurnedBoxGroup> groups() const noexcept { return groups_; }
   const BoxTree& tree() const noexcept { return tree_; }
 
  private:
@@ -49,13 +51,15 @@ class BoxedPieces {
   /// Neighbours on a patch come one after the other.
   /// @param codes  of parts: they are sorted by these
   void put_in_order(std::span<const std::uint64_t> codes);
+  BoxTree tree_of_groups();
 
   NearSpace space_;
   std::size_t rows_;
   std::size_t columns_;
   std::vector<PiecePart> parts_;
   std::vector<glm::dvec4> points_;
-  std::vector<TreeBox> boxes_;
+  std::vector<TreeBox> boxes_;  ///< of the parts, along the axes of coordinates, while they are put together
+  std::vector<TurnedBoxGroup> groups_;
   BoxTree tree_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "kernels/kernels.hpp"
@@ -41,7 +42,7 @@ bool turns_once(const double* coefficients, std::size_t count, std::size_t step,
 // A curve is a single row here: neighbours in a row are computed together.
 DistanceForm::DistanceForm(std::size_t rows, std::size_t columns)
     : rows_(columns == 1 ? 1 : rows), columns_(columns == 1 ? rows : columns),
-      stride_((columns_ + kLanes - 1) / kLanes * kLanes), width_(columns_ + stride_), scaled_(4 * rows_ * stride_),
+      stride_((columns_ + kLanes - 1) / kLanes * kLanes), width_(columns_ + stride_), scaled_(4 * rows_ * stride_), row_(columns_),
       squares_((2 * rows_ - 1) * width_), weights_(squares_.size()), sums_(squares_.size()) {
   const int p = static_cast<int>(rows_) - 1;
   const int q = static_cast<int>(columns_) - 1;
@@ -55,6 +56,11 @@ DistanceForm::DistanceForm(std::size_t rows, std::size_t columns)
 }
 
 void DistanceForm::set(const glm::dvec4* net, const glm::dvec3& point) noexcept {
+  if (rows_ > 1) return set_rows(net, point);
+  columns_ == 4 ? set_row<4>(net, point) : set_row<0>(net, point);
+}
+
+void DistanceForm::set_rows(const glm::dvec4* net, const glm::dvec3& point) noexcept {
   const std::size_t plane = rows_ * stride_;
   largest_square_ = 0.0;
   largest_weight_ = 0.0;
@@ -72,32 +78,35 @@ void DistanceForm::set(const glm::dvec4* net, const glm::dvec3& point) noexcept 
       to[3 * plane] = choice * h.w;
     }
   }
-  rows_ == 1 ? multiply_row() : multiply_rows();
+  multiply_rows();
 }
 
-void DistanceForm::multiply_row() noexcept {
-  const std::size_t count = 2 * columns_ - 1;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t first = k < columns_ ? 0 : k - columns_ + 1;
-    const double* const x = scaled_.data();
-    const double* const y = x + stride_;
-    const double* const z = y + stride_;
-    const double* const w = z + stride_;
-    double square = 0.0;
-    double weight = 0.0;
-    for (std::size_t j = first; 2 * j < k; ++j) {
-      square += x[j] * x[k - j] + y[j] * y[k - j] + z[j] * z[k - j];
-      weight += w[j] * w[k - j];
-    }
-    square *= 2.0;
-    weight *= 2.0;
-    if (k % 2 == 0) {
-      const std::size_t j = k / 2;
-      square += x[j] * x[j] + y[j] * y[j] + z[j] * z[j];
-      weight += w[j] * w[j];
-    }
-    squares_[k] = square * shares_[k];
-    weights_[k] = weight * shares_[k];
+/// kColumns is the number of control points, or 0 for any.
+template <std::size_t kColumns>
+void DistanceForm::set_row(const glm::dvec4* net, const glm::dvec3& point) noexcept {
+  const std::size_t columns = kColumns > 0 ? kColumns : columns_;
+  glm::dvec4* const scaled = row_.data();
+  double largest_square = 0.0;
+  double largest_weight = 0.0;
+  for (std::size_t j = 0; j < columns; ++j) {
+    const glm::dvec4& h = net[j];
+    const glm::dvec3 offset = glm::dvec3(h) - h.w * point;
+    largest_square = std::max(largest_square, glm::dot(offset, offset));
+    largest_weight = std::max(largest_weight, h.w * h.w);
+    scaled[j] = choices_[j] * glm::dvec4(offset, h.w);
+  }
+  largest_square_ = largest_square;
+  largest_weight_ = largest_weight;
+  const double* const shares = shares_.data();
+  double* const squares = squares_.data();
+  double* const weights = weights_.data();
+  for (std::size_t k = 0; k < 2 * columns - 1; ++k) {
+    glm::dvec4 sum(0.0);
+    for (std::size_t j = k < columns ? 0 : k - columns + 1; 2 * j < k; ++j) sum += scaled[j] * scaled[k - j];
+    sum += sum;
+    if (k % 2 == 0) sum += scaled[k / 2] * scaled[k / 2];
+    squares[k] = (sum.x + sum.y + sum.z) * shares[k];
+    weights[k] = sum.w * shares[k];
   }
 }
 

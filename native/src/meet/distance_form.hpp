@@ -30,7 +30,9 @@ class DistanceForm {
  private:
   double rounding(double s) const noexcept;
   bool is_convex(double error) const noexcept;
-  void multiply_row() noexcept;
+  template <std::size_t kColumns>
+  void set_row(const glm::dvec4* net, const glm::dvec3& point) noexcept;
+  void set_rows(const glm::dvec4* net, const glm::dvec3& point) noexcept;
   void multiply_rows() noexcept;
 
   std::size_t rows_;
@@ -40,6 +42,7 @@ class DistanceForm {
   std::vector<double> choices_;  ///< binomials of control points, row after row
   std::vector<double> shares_;   ///< one over those of coefficients
   std::vector<double> scaled_;   ///< control points times their binomials, coordinate by coordinate
+  std::vector<glm::dvec4> row_;  ///< those of a single row, point by point
   std::vector<double> squares_;  ///< coefficients of |N|²
   std::vector<double> weights_;  ///< and of W²
   std::vector<double> sums_;     ///< coefficients of |N|² - s W²

@@ -111,7 +111,7 @@ bool is_longer_across(const glm::dvec4* net, std::size_t rows, std::size_t colum
 template <int kAxes>
 NearestSearch<kAxes>::NearestSearch(const BoxedPieces& pieces)
     : pieces_(pieces), rows_(pieces.rows()), columns_(pieces.columns()),
-      waiting_(pieces.tree().levels() * BoxTree::kGroup), nets_(kDeepest + 2), form_(rows_, columns_) {
+      waiting_((pieces.tree().levels() + 1) * BoxTree::kGroup), nets_(kDeepest + 2), form_(rows_, columns_) {
   constexpr double kApart = 0x1p-20;
   std::array<Interval, 2> whole = pieces.parts().front().domain;
   for (const PiecePart& part : pieces.parts()) {
@@ -131,26 +131,40 @@ NearestPlace NearestSearch<kAxes>::nearest(const glm::dvec3& point) {
   rounding_ = kRounding;
   least_ = below_ = above_ = kInfinity;
   waiting_count_ = 0;
-  push_group(pieces_.tree().levels() - 1, 0);
+  push_boxes(pieces_.tree().levels() - 1, 0);
   while (waiting_count_ > 0) {
     const Waiting next = waiting_[--waiting_count_];
     if (next.squared > above_) continue;
-    if (next.level > 0) {
-      breathe(1024);
-      push_group(next.level - 1, next.index);
-    } else {
-      look_at(next.index);
+    if (next.level == 0) {
+      look_at(next);
+      continue;
     }
+    breathe(1024);
+    next.level == 1 ? push_parts(next.index) : push_boxes(next.level - 2, next.index);
   }
   return best_;
 }
 
+/// Groups of a level of the tree.
 template <int kAxes>
-void NearestSearch<kAxes>::push_group(std::size_t level, std::size_t group) {
+void NearestSearch<kAxes>::push_boxes(std::size_t level, std::size_t group) {
+  const std::size_t first = group * BoxTree::kGroup;
   std::array<double, BoxTree::kGroup> squared;
   kernels_.box_distances(pieces_.tree().group(level, group), &point_.x, squared.data());
-  const std::size_t first = group * BoxTree::kGroup;
-  const std::size_t count = std::min(BoxTree::kGroup, pieces_.tree().count(level) - first);
+  push(squared.data(), std::min(BoxTree::kGroup, pieces_.tree().count(level) - first), level + 1, first);
+}
+
+template <int kAxes>
+void NearestSearch<kAxes>::push_parts(std::size_t group) {
+  const std::size_t first = group * BoxedPieces::kGroup;
+  std::array<double, BoxedPieces::kGroup> squared;
+  kernels_.turned_box_distances(pieces_.groups()[group], &point_.x, squared.data());
+  push(squared.data(), std::min(BoxedPieces::kGroup, pieces_.parts().size() - first), 0, first);
+}
+
+/// Those that may hold the nearest place, of which the nearest is looked at first.
+template <int kAxes>
+void NearestSearch<kAxes>::push(const double* squared, std::size_t count, std::size_t level, std::size_t first) {
   const std::size_t before = waiting_count_;
   std::size_t end = before;
   std::size_t nearest = before;
@@ -162,7 +176,6 @@ void NearestSearch<kAxes>::push_group(std::size_t level, std::size_t group) {
     end += squared[i] <= above_ ? 1 : 0;
   }
   waiting_count_ = end;
-  // It is looked at first.
   if (end > before) std::swap(waiting_[nearest], waiting_[end - 1]);
 }
 
@@ -178,18 +191,16 @@ bool NearestSearch<kAxes>::may_hold(double squared, const PiecePart& part, const
 }
 
 template <int kAxes>
-void NearestSearch<kAxes>::look_at(std::size_t number) {
-  const PiecePart& part = pieces_.parts()[number];
+void NearestSearch<kAxes>::look_at(const Waiting& waiting) {
+  const PiecePart& part = pieces_.parts()[waiting.index];
+  if (!may_hold(waiting.squared, part, part.range)) return;
   Place start;
   start.fill(0.5);
-  if (part.is_boxed) {
-    const PieceBox& box = part.box;
-    if (!may_hold(box.squared_distance(point_), part, part.range)) return;
-    if (kAxes == 1 && box.half.x > 0.0) {
-      start[0] += std::clamp(glm::dot(box.axes[0], point_ - box.centre) / (2.0 * box.half.x), -0.5, 0.5);
-    }
+  const PieceBox& box = part.box;
+  if (kAxes == 1 && part.is_boxed && box.half.x > 0.0) {
+    start[0] += std::clamp(glm::dot(box.axes[0], point_ - box.centre) / (2.0 * box.half.x), -0.5, 0.5);
   }
-  look_into(part, pieces_.points(number), part.range, start, 0);
+  look_into(part, pieces_.points(waiting.index), part.range, start, 0);
 }
 
 template <int kAxes>

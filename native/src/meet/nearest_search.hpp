@@ -45,12 +45,14 @@ class NearestSearch {
 
   struct Waiting {
     double squared;
-    std::uint32_t level;  ///< of the tree; 0: a part
+    std::uint32_t level;  ///< 0: a part; 1: a group of parts; from 2 on one of the tree
     std::uint32_t index;
   };
 
-  void push_group(std::size_t level, std::size_t group);
-  void look_at(std::size_t part);
+  void push_boxes(std::size_t level, std::size_t group);
+  void push_parts(std::size_t group);
+  void push(const double* squared, std::size_t count, std::size_t level, std::size_t first);
+  void look_at(const Waiting& waiting);
 
   /// Whether a part may have a place that is nearer, or earlier of those as near.
   /// @param squared  no point of the part is nearer than its root

@@ -17,17 +17,6 @@ struct PieceBox {
   glm::dvec3 centre{0.0};
   std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
   glm::dvec3 half{0.0};
-
-  /// The square of a distance that no point of the box falls below.
-  double squared_distance(const glm::dvec3& from) const noexcept {
-    const glm::dvec3 offset = from - centre;
-    double sum = 0.0;
-    for (int k = 0; k < 3; ++k) {
-      const double apart = std::abs(glm::dot(axes[k], offset)) - half[k];
-      if (apart > 0.0) sum += apart * apart;
-    }
-    return sum;
-  }
 };
 
 /// @param net  homogeneous, of weights of one sign; one column is a curve

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace {
@@ -50,6 +52,28 @@ TEST(BoxTree, NoDistanceToAGroupIsAboveOneOfItsBoxes) {
       for (const double squared : squares(tree.group(level - 1, i), from)) EXPECT_LE(outer[i % BoxTree::kGroup], squared);
     }
   }
+}
+
+TEST(TurnedBoxes, DistancesAreThoseAlongTheirOwnDirections) {
+  TurnedBoxGroup group{};
+  const double root = std::sqrt(0.5);
+  for (std::size_t i = 0; i < kBoxGroup; ++i) {
+    const std::array<glm::dvec3, 3> axes{glm::dvec3(root, root, 0), glm::dvec3(-root, root, 0), glm::dvec3(0, 0, 1)};
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int c = 0; c < 3; ++c) group.axes[axis][c][i] = axes[axis][c];
+      group.half[axis][i] = 1.0 + axis;
+    }
+    group.centre[0][i] = static_cast<double>(i);
+  }
+  std::array<double, kBoxGroup> found;
+  const glm::dvec3 beyond = 3.0 * glm::dvec3(root, root, 0) + glm::dvec3(0, 0, 5);
+  kernels().turned_box_distances(group, &beyond.x, found.data());
+  EXPECT_NEAR(found[0], 2.0 * 2.0 + 2.0 * 2.0, 1e-14);
+  EXPECT_NEAR(found[1], std::pow(2.0 - root, 2) + 4.0, 1e-14);
+  const glm::dvec3 inside(7.5, 0.5, -2.9);
+  kernels().turned_box_distances(group, &inside.x, found.data());
+  EXPECT_EQ(found[7], 0.0);
+  EXPECT_GT(found[0], 4.0);
 }
 
 }  // namespace
