@@ -133,6 +133,8 @@ def test_few_vertices_and_lines_are_refused():
     mesh_in_edit_mode(scan()[:40])
     with pytest.raises(RuntimeError, match="do not determine control point"):
         op(bpy.ops.splinewright.fit_patch, count_u=20, count_v=20, smoothing=0.0)
+    with pytest.raises(RuntimeError, match="along v: count = 4 control points are fewer than the 5 that degree 4 needs"):
+        op(bpy.ops.splinewright.fit_patch, count_u=5, count_v=4, degree_u=4, degree_v=4)
     bpy.ops.object.mode_set(mode='OBJECT')
 
 

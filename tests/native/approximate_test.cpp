@@ -5,6 +5,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/distance.hpp"
+#include "splinecore/fit/approximate_patch.hpp"
 #include "splinecore/fit/fair.hpp"
 #include "splinecore/fit/project.hpp"
 #include "splinecore/fit/rebuild.hpp"
@@ -66,6 +67,20 @@ TEST(Approximate, RefusesWhatCannotBe) {
   EXPECT_THROW(approximate(points, std::vector<double>(30, 0.0), 3, 9), InvalidShape);
   EXPECT_THROW(approximate_within(points, parameters, 3, Closing::open, 0.0, 30), InvalidShape);
   EXPECT_THROW(approximate_within(points, parameters, 3, Closing::open, 1e-9, 8), ToleranceNotReached);
+  EXPECT_THROW(approximate_within(points, parameters, 3, Closing::open, 100.0, 3), InvalidShape);
+  const auto around = parameters_of(points, Parametrisation::chordal, Closing::closed);
+  EXPECT_THROW(approximate_within(points, around, 5, Closing::closed, 100.0, 4), InvalidShape);
+  EXPECT_EQ(approximate_within(points, around, 5, Closing::closed, 100.0, 5).value.points().size(), 5u);
+  const PointGrid grid{points, 5, 6};
+  const auto along = [&](std::size_t rows, std::size_t count) {
+    NearDirection direction;
+    for (std::size_t i = 0; i < rows; ++i) direction.parameters.push_back(static_cast<double>(i));
+    direction.count = count;
+    return direction;
+  };
+  EXPECT_THROW(approximate_within(grid, along(5, 4), along(6, 3), 100.0), InvalidShape);
+  EXPECT_THROW(approximate_within(points, {}, NetSize{3, 3, 4, 3}, 100.0), InvalidShape);
+  EXPECT_EQ(approximate_within(points, {}, NetSize{1, 1, 2, 2}, 100.0).value.points().size(), 4u);
   const std::vector<glm::dvec3> bad(30, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_THROW(approximate(bad, parameters, 3, 9), InvalidShape);
 }
@@ -89,6 +104,9 @@ TEST(Rebuild, SaysHowFarCurvesAndPatchesAre) {
     EXPECT_EQ(error, largest_distance(curve, made));
     EXPECT_LT(error, 0.1);
     EXPECT_LE(rebuild_within(curve, 3, 1e-4, 1000).error, 1e-4);
+    const std::size_t least = periodic ? 3 : 4;
+    EXPECT_EQ(rebuild_within(curve, 3, 100.0, least).value.points().size(), least);
+    EXPECT_THROW(rebuild_within(curve, 3, 100.0, least - 1), InvalidShape);
     EXPECT_LE(fair(curve, 0.01).error, 0.01);
     EXPECT_GT(fair(curve, 0.01).error, 0.005);
   }
@@ -98,6 +116,7 @@ TEST(Rebuild, SaysHowFarCurvesAndPatchesAre) {
   }
   const NurbsPatch patch = NurbsPatch::make(KnotVector::clamped(3, 6), KnotVector::clamped(2, 7), grid);
   EXPECT_LT(rebuild(patch, {3, 6}, {2, 7}).error, 1e-12);
+  EXPECT_THROW(rebuild(patch, {3, 3}, {2, 7}), InvalidShape);
   EXPECT_LE(fair(patch, 0.05).error, 0.05);
   EXPECT_GT(fair(patch, 0.05).error, 0.02);
   EXPECT_GT(rebuild(patch, {3, 4}, {2, 3}).error, 1e-2);

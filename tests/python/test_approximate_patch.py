@@ -189,8 +189,10 @@ def test_nets_beyond_all_memory_are_refused():
 
 def test_what_is_refused():
     points = cloud(100)
-    for arguments, message in ((dict(), "counts, knots or tolerance are needed"), (dict(counts=3), "count = 3"),
-                               (dict(counts=8, degrees=0), "degree = 0"), (dict(counts=8, smoothing=-1), "smoothing = -1"),
+    for arguments, message in ((dict(), "counts, knots or tolerance are needed"), (dict(counts=3), "^along u: count = 3 control points are fewer than the 4"),
+                               (dict(counts=(9, 3)), "^along v: count = 3"), (dict(counts=(3, 9), tolerance=100), "^along u: count = 3"),
+                               (dict(counts=(9, 4), degrees=(3, 4), tolerance=100), "^along v: count = 4 control points are fewer"),
+                               (dict(counts=8, degrees=0), "degree = 0"), (dict(tolerance=1, degrees=(3, -2)), "^along v: degree = -2"), (dict(counts=8, smoothing=-1), "smoothing = -1"),
                                (dict(counts=8, weights=[1.0]), "weights has 1 values"), (dict(tolerance=0.0), "tolerance = 0"),
                                (dict(counts=8, corrections=-1), "corrections = -1"),
                                (dict(counts=8, parameters=points), r"parameters has shape \(100, 3\)"),
@@ -209,7 +211,10 @@ def test_what_is_refused():
     with pytest.raises(sc.InvalidShape, match=r"points\[3\]"):
         fit.approximate_scattered(points, 4)
     grid = wave(*np.meshgrid(np.linspace(0, 1, 9), np.linspace(0, 1, 8), indexing='ij'))
-    for arguments, message in ((dict(), "counts, knots or tolerance"), (dict(counts=(4, 9)), "along v: count = 9"),
+    for arguments, message in ((dict(), "counts, knots or tolerance"), (dict(counts=(4, 9)), "along v: count = 9 control points are more"),
+                               (dict(counts=(4, 3)), "^along v: count = 3 control points are fewer than the 4 that degree 3"),
+                               (dict(counts=(3, 4), tolerance=100), "^along u: count = 3 control points are fewer than the 4"),
+                               (dict(counts=(4, 2), tolerance=100, closed=True), "^along v: count = 2 .* the 3 that degree 3 needs"),
                                (dict(counts=5, degrees=(3, 0)), "along v: degree = 0"), (dict(tolerance=-1), "tolerance = -1"),
                                (dict(counts=5, smoothing=(0, -1)), "along v: smoothing = -1"),
                                (dict(counts=5, smoothing=np.nan), "smoothing = nan"),
@@ -218,6 +223,12 @@ def test_what_is_refused():
                                (dict(points=grid[:, :3], counts=4), "^along v: 3 points are too few for degree 3, which needs")):
         with pytest.raises(sc.InvalidShape, match=message):
             fit.approximate_patch(**{'points': grid, **arguments})
+
+
+def test_with_a_tolerance_counts_are_the_most_and_may_be_above_the_points():
+    grid = wave(*np.meshgrid(np.linspace(0, 1, 9), np.linspace(0, 1, 8), indexing='ij'))
+    few = fit.approximate_patch(grid, tolerance=0.05)
+    assert few.error <= 0.05 and fit.approximate_patch(grid, (100, 50), tolerance=0.05).value == few.value
 
 
 def with_a_gap(value):

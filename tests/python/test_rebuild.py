@@ -85,6 +85,13 @@ def test_a_tolerance_is_kept_with_few_points(kind, part):
         assert curve.rebuild(least, 5).error > tolerance
 
 
+@pytest.mark.parametrize('kind, degree, least', [(dict(), 1, 2), (dict(), 3, 4), (dict(periodic=True), 1, 3),
+                                                 (dict(periodic=True), 3, 3), (dict(periodic=True), 5, 5)])
+def test_a_wide_tolerance_takes_as_few_points_as_the_degree_needs(kind, degree, least):
+    curve = curve_of(degree, 12, **kind)
+    assert len(curve.rebuild(degree=degree, tolerance=100 * np.ptp(curve.points)).value.points) == least
+
+
 def test_every_kind_of_curve_is_rebuilt():
     ellipse = conics.ellipse((0, 0), (2, 0), (0, 1))
     for curve in (ellipse, sc.BezierCurve(walk(6)), sc.HermiteCurve(walk(2), walk(2))):
@@ -94,12 +101,20 @@ def test_every_kind_of_curve_is_rebuilt():
 
 def test_curves_that_cannot_be_rebuilt():
     curve = curve_of(3, 12)
-    for arguments, message in ((dict(), "count or tolerance is needed"), (dict(count=3), "count = 3 control points are fewer"),
+    for arguments, message in ((dict(), "count or tolerance is needed"), (dict(count=3), "^count = 3 control points are fewer than the 4"),
+                               (dict(count=3, tolerance=100), "^count = 3 control points are fewer than the 4 that degree 3 needs$"),
+                               (dict(count=3, degree=2, ends='tangents'), "^3 control points are fewer than the 4 that the ends"),
+                               (dict(count=3, degree=2, ends='tangents', tolerance=100), "^3 control points are fewer than the 4"),
+                               (dict(tolerance=1, degree=0), "^degree = 0"),
                                (dict(count=0), "count = 0"), (dict(count=9, degree=0), "degree = 0"),
                                (dict(tolerance=0.0), "tolerance = 0"), (dict(tolerance=np.nan), "tolerance = nan"),
                                (dict(count=9, ends='x'), "none of")):
         with pytest.raises(sc.InvalidShape, match=message):
             curve.rebuild(**arguments)
+    closed = curve_of(3, 12, periodic=True)
+    for arguments in (dict(), dict(tolerance=100)):
+        with pytest.raises(sc.InvalidShape, match="^count = 2 control points are fewer than the 3 that degree 3 needs$"):
+            closed.rebuild(2, **arguments)
     with pytest.raises(sc.ToleranceNotReached, match="with 8 control points.*the error would be"):
         curve.rebuild(8, tolerance=1e-9)
     infinite = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [[0, 0], [1, 0], [2, 1]], [1, 0, -1])

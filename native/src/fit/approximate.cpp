@@ -3,35 +3,21 @@
 #include <algorithm>
 #include <string>
 
+#include "control_counts.hpp"
 #include "fitted_points.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/basis/bernstein.hpp"
 
 namespace splinecore {
-
-namespace {
-
-void require_count(int degree, std::size_t count, std::size_t points, Closing closing) {
-  if (degree < 1 || degree > kMaxDegree) {
-    throw InvalidShape("degree = " + std::to_string(degree) + " is outside [1, " + std::to_string(kMaxDegree) + "]");
-  }
-  const std::size_t least = closing == Closing::closed ? std::max<std::size_t>(degree, 3) : degree + 1;
-  if (points < least) {
-    throw InvalidShape(std::to_string(points) + " points are too few for degree " + std::to_string(degree) +
-                       ", which needs at least " + std::to_string(least));
-  }
-  if (count >= least && count <= points) return;
-  throw InvalidShape("count = " + std::to_string(count) + " control points are outside [" + std::to_string(least) +
-                     ", " + std::to_string(points) + "], from what degree " + std::to_string(degree) +
-                     " needs to the number of points");
-}
-
-}  // namespace
 
 KnotVector approximating_knots(std::span<const double> parameters, int degree, std::size_t count, Closing closing) {
   const bool is_closed = closing == Closing::closed;
   const std::size_t points = parameters.size() - (is_closed && !parameters.empty() ? 1 : 0);
-  require_count(degree, count, points, closing);
+  require_enough_points(points, degree, is_closed);
+  require_count(count, degree, is_closed);
+  if (count > points) {
+    throw InvalidShape("count = " + std::to_string(count) + " control points are more than the " +
+                       std::to_string(points) + " points");
+  }
   const std::size_t spans = is_closed ? count : count - static_cast<std::size_t>(degree);
   const double step = static_cast<double>(points) / static_cast<double>(spans);
   const std::size_t copies = is_closed ? 1 : static_cast<std::size_t>(degree) + 1;

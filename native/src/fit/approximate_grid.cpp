@@ -2,8 +2,10 @@
 #include <cmath>
 #include <string>
 
+#include "along.hpp"
 #include "base/distance.hpp"
 #include "build/fit_options.hpp"
+#include "control_counts.hpp"
 #include "fitted_points.hpp"
 #include "grid.hpp"
 #include "splinecore/base/errors.hpp"
@@ -17,16 +19,6 @@
 namespace splinecore {
 
 namespace {
-
-/// Calls make(), and names the direction in what it throws.
-template <class Make>
-auto along(const char* axis, Make make) {
-  try {
-    return make();
-  } catch (const InvalidShape& error) {
-    throw InvalidShape("along " + std::string(axis) + ": " + error.what());
-  }
-}
 
 FittedAxis axis_of(const NearDirection& given, std::size_t rows, bool fixed_ends) {
   const std::vector<glm::dvec3> places(rows, glm::dvec3(0.0));
@@ -75,10 +67,10 @@ double miss(const FittedAxis& axis, std::span<const double> values, std::size_t 
 }
 
 /// As few control points along an axis as bring its lines within the tolerance; the most where none do.
-std::size_t least_count(NearDirection given, std::size_t rows, std::span<const double> values, double tolerance,
-                        bool fixed_ends) {
+std::size_t sufficient_count(NearDirection given, std::size_t rows, std::span<const double> values, double tolerance,
+                             bool fixed_ends) {
   const std::size_t columns = values.size() / rows;
-  const std::size_t most = std::min(given.count, rows);
+  const std::size_t most = given.count;
   const auto is_enough = [&](std::size_t count) {
     given.count = count;
     try {
@@ -87,8 +79,7 @@ std::size_t least_count(NearDirection given, std::size_t rows, std::span<const d
       return false;
     }
   };
-  const std::size_t least =
-      given.closing == Closing::closed ? std::max(given.degree, 3) : static_cast<std::size_t>(given.degree) + 1;
+  const std::size_t least = least_count(given.degree, given.closing == Closing::closed);
   std::size_t low = least - 1;
   std::size_t high = least;
   while (high < most && !is_enough(high)) {
@@ -117,14 +108,16 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   constexpr double kShareOfEach = 0.5;
   require_tolerance(tolerance);
   require_grid(grid);
+  u.count = std::min(u.count, grid.count_u);
+  v.count = std::min(v.count, grid.count_v);
   const NearDirection most_u = u;
   const NearDirection most_v = v;
   static_cast<void>(along("u", [&] { return axis_of(u, grid.count_u, fixed_ends); }));
   static_cast<void>(along("v", [&] { return axis_of(v, grid.count_v, fixed_ends); }));
   const auto rows = numbers(grid.points);
   const auto columns = transposed(rows, grid.count_u, grid.count_v);
-  u.count = least_count(most_u, grid.count_u, rows, kShareOfEach * tolerance, fixed_ends);
-  v.count = least_count(most_v, grid.count_v, columns, kShareOfEach * tolerance, fixed_ends);
+  u.count = sufficient_count(most_u, grid.count_u, rows, kShareOfEach * tolerance, fixed_ends);
+  v.count = sufficient_count(most_v, grid.count_v, columns, kShareOfEach * tolerance, fixed_ends);
   Approximation<NurbsPatch> made = approximate(grid, u, v, fixed_ends);
   while (made.error > tolerance && (u.count < most_u.count || v.count < most_v.count)) {
     u.count = std::min(most_u.count, u.count + u.count / 4 + 1);

@@ -4,10 +4,12 @@
 #include <numeric>
 #include <string>
 
+#include "along.hpp"
 #include "base/require.hpp"
 #include "build/fit_options.hpp"
-#include "quadrature_nodes.hpp"
+#include "control_counts.hpp"
 #include "least_squares_options.hpp"
+#include "quadrature_nodes.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/fit/approximate_patch.hpp"
 #include "splinecore/meet/nearest.hpp"
@@ -137,6 +139,11 @@ Domain around(std::span<const glm::dvec2> parameters) {
   throw InvalidShape("parameters are the same along " + std::string(low_u.x < high_u.x ? "v" : "u"));
 }
 
+std::pair<KnotVector, KnotVector> even_knots_of(const NetSize& size, const Domain& domain) {
+  return {along("u", [&] { return even_knots(size.degree_u, size.count_u, domain.u, false); }),
+          along("v", [&] { return even_knots(size.degree_v, size.count_v, domain.v, false); })};
+}
+
 std::vector<glm::dvec2> parameters_of(std::span<const glm::dvec3> points, std::span<const glm::dvec2> given) {
   if (given.empty()) return plane_parameters(points);
   if (given.size() != points.size()) {
@@ -167,8 +174,8 @@ Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::s
   require_options(points, options);
   const auto at = parameters_of(points, parameters);
   const Domain domain = around(at);
-  return approximate(points, at, even_knots(size.degree_u, size.count_u, domain.u, false),
-                     even_knots(size.degree_v, size.count_v, domain.v, false), options);
+  const auto [u, v] = even_knots_of(size, domain);
+  return approximate(points, at, u, v, options);
 }
 
 Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
@@ -176,13 +183,15 @@ Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points,
   require_tolerance(tolerance);
   require_options(points, options);
   auto at = parameters_of(points, parameters);
+  along("u", [&] { require_count(size.count_u, size.degree_u, false); });
+  along("v", [&] { require_count(size.count_v, size.degree_v, false); });
   const Domain domain = around(at);
   const UnitPoints unit = unit_points(points);
   const ScatteredOptions near = scaled(options);
   const double within = std::ldexp(tolerance, -unit.exponent);
   const auto fit_of = [&](std::size_t count_u, std::size_t count_v) {
-    return fitted(unit.points, at, even_knots(size.degree_u, count_u, domain.u, false),
-                  even_knots(size.degree_v, count_v, domain.v, false), near);
+    const auto [u, v] = even_knots_of({size.degree_u, size.degree_v, count_u, count_v}, domain);
+    return fitted(unit.points, at, u, v, near);
   };
   std::size_t count_u = static_cast<std::size_t>(size.degree_u) + 1;
   std::size_t count_v = static_cast<std::size_t>(size.degree_v) + 1;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "build/fit_options.hpp"
+#include "control_counts.hpp"
 #include "fitted_points.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/fit/interpolate.hpp"
@@ -140,7 +141,7 @@ KnotVector coarser(const FittedPoints& fit, std::size_t number, std::size_t spar
 /// Takes knots away as long as the curve stays within the tolerance: half of them at a time, then fewer, then some one by
 /// one that seem to cost more.
 FittedPoints thinned(FittedPoints fit, Task& task) {
-  const std::size_t least = fit.knots.periodic() ? std::max(fit.knots.degree(), 3) : fit.knots.degree() + 1;
+  const std::size_t least = least_count(fit.knots.degree(), fit.knots.periodic());
   constexpr std::size_t kMostSpared = 16;
   std::size_t number = fit.controls.size() / 2;
   std::size_t spared = 0;
@@ -181,18 +182,21 @@ std::optional<Approximation<NurbsCurve>> through_all(std::span<const double> par
 }
 
 /// As few control points as the degree, and the ends with their derivatives, need.
-KnotVector coarsest(std::span<const double> parameters, int degree, Closing closing,
-                    const ApproximationOptions& options) {
-  const auto order = static_cast<std::size_t>(std::max(degree, 0)) + 1;
-  if (closing == Closing::closed) {
-    return approximating_knots(parameters, degree, std::max<std::size_t>(order - 1, 3), closing);
-  }
+/// @throws InvalidShape if there are not so many points, or `most` are fewer.
+KnotVector coarsest(std::span<const double> parameters, std::size_t points, int degree, Closing closing,
+                    std::size_t most, const ApproximationOptions& options) {
+  const bool is_closed = closing == Closing::closed;
+  const std::size_t least = least_count(degree, is_closed);
+  require_enough_points(points, degree, is_closed);
+  require_count(most, degree, is_closed);
+  if (is_closed) return approximating_knots(parameters, degree, least, closing);
   const std::size_t derivatives = options.start.size() + options.end.size();
-  if (parameters.size() >= order && parameters.size() < 2 + derivatives) {
-    throw InvalidShape(std::to_string(parameters.size()) + " points are too few beside " + std::to_string(derivatives) +
+  if (points < 2 + derivatives) {
+    throw InvalidShape(std::to_string(points) + " points are too few beside " + std::to_string(derivatives) +
                        " derivatives at the ends, which need at least " + std::to_string(2 + derivatives));
   }
-  return approximating_knots(parameters, degree, std::max(order, 2 + derivatives), closing);
+  if (options.fixed_ends) require_room_for_ends(most, 2 + derivatives);
+  return approximating_knots(parameters, degree, std::max(least, 2 + derivatives), closing);
 }
 
 }  // namespace
@@ -204,7 +208,8 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
   require_approximation(points, parameters, closing, options);
   Task task{points, {parameters.begin(), parameters.begin() + static_cast<long>(points.size())}, options, tolerance,
             most};
-  FittedPoints fit = corrected_fit(points, task.parameters, coarsest(parameters, degree, closing, options), options);
+  const KnotVector knots = coarsest(parameters, points.size(), degree, closing, most, options);
+  FittedPoints fit = corrected_fit(points, task.parameters, knots, options);
   while (!is_within(fit, task)) {
     const auto next = finer(fit, task);
     if (!next) break;

@@ -7,6 +7,7 @@
 
 #include "base/require.hpp"
 #include "conditions.hpp"
+#include "control_counts.hpp"
 #include "curve/rescale.hpp"
 #include "least_squares_fit.hpp"
 #include "least_squares_options.hpp"
@@ -101,9 +102,7 @@ FittedPoints fitted_once(std::span<const glm::dvec3> points, std::span<const dou
   const bool is_fixed = options.fixed_ends && !knots.periodic();
   const Held held = is_fixed ? Held{1 + options.start.size(), 1 + options.end.size()} : Held{};
   const auto count = static_cast<std::size_t>(knots.count());
-  if (held.start + held.end > count) {
-    throw InvalidShape(std::to_string(count) + " control points are fewer than the ends and their derivatives need");
-  }
+  require_room_for_ends(count, held.start + held.end);
   std::vector<glm::dvec3> controls(count, points.front());
   if (is_fixed) {
     write_end(knots, points.front(), options.start, false, controls);

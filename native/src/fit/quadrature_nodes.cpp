@@ -1,11 +1,9 @@
 #include "quadrature_nodes.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "basis/gauss_legendre.hpp"
-#include "splinecore/base/errors.hpp"
-#include "splinecore/basis/bernstein.hpp"
+#include "control_counts.hpp"
 
 namespace splinecore {
 
@@ -47,14 +45,7 @@ std::vector<double> breaks_of(const KnotVector& a, const KnotVector& b) {
 }
 
 KnotVector even_knots(int degree, std::size_t count, const Interval& domain, bool is_periodic) {
-  if (degree < 1 || degree > kMaxDegree) {
-    throw InvalidShape("degree = " + std::to_string(degree) + " is outside [1, " + std::to_string(kMaxDegree) + "]");
-  }
-  const auto least = static_cast<std::size_t>(is_periodic ? std::max(degree, 3) : degree + 1);
-  if (count < least) {
-    throw InvalidShape("count = " + std::to_string(count) + " control points are fewer than the " +
-                       std::to_string(least) + " that degree " + std::to_string(degree) + " needs");
-  }
+  require_count(count, degree, is_periodic);
   const std::size_t spans = is_periodic ? count : count - static_cast<std::size_t>(degree);
   const std::size_t copies = is_periodic ? 1 : static_cast<std::size_t>(degree) + 1;
   std::vector<double> knots(copies, domain.start);

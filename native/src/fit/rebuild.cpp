@@ -5,6 +5,7 @@
 #include <string>
 
 #include "build/fit_options.hpp"
+#include "control_counts.hpp"
 #include "fitted_points.hpp"
 #include "quadrature_nodes.hpp"
 #include "splinecore/base/errors.hpp"
@@ -45,8 +46,10 @@ Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size
 Approximation<NurbsCurve> rebuild_within(const NurbsCurve& curve, int degree, double tolerance, std::size_t most,
                                          KeptEnds ends) {
   require_tolerance(tolerance);
-  const std::size_t held = ends == KeptEnds::tangents && degree > 1 && !curve.periodic() ? 4 : 2;
-  std::size_t low = std::max({static_cast<std::size_t>(std::max(degree, 0)) + 1, held, std::size_t{3}}) - 1;
+  const std::size_t held = curve.periodic() ? 0 : ends == KeptEnds::tangents && degree > 1 ? 4 : 2;
+  require_count(most, degree, curve.periodic());
+  require_room_for_ends(most, held);
+  std::size_t low = std::max(least_count(degree, curve.periodic()), held) - 1;
   std::size_t high = low + 1;
   Approximation<NurbsCurve> best = rebuild(curve, degree, high, ends);
   while (best.error > tolerance) {

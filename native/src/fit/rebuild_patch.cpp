@@ -1,6 +1,6 @@
 #include <cmath>
-#include <string>
 
+#include "along.hpp"
 #include "quadrature_nodes.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/fit/rebuild.hpp"
@@ -15,14 +15,12 @@ namespace {
 /// New knots, and where the old patch is looked at.
 FittedAxis axis_of(const NurbsPatch& patch, Axis axis, const RebuiltDirection& wanted) {
   const KnotVector& old = patch.knot_vector(axis);
-  try {
+  return along(axis == Axis::u ? "u" : "v", [&]() -> FittedAxis {
     KnotVector knots = even_knots(wanted.degree, wanted.count, old.domain(), old.periodic());
     const int count = node_count(old.degree(), wanted.degree, patch.rational());
     QuadratureNodes nodes = quadrature_nodes(breaks_of(old, knots), count, !old.periodic());
     return {std::move(knots), std::move(nodes.parameters), std::move(nodes.weights)};
-  } catch (const InvalidShape& error) {
-    throw InvalidShape("along " + std::string(axis == Axis::u ? "u" : "v") + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace
