@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
-#include <memory>
+#include <memory_resource>
 
+#include "base/call_memory.hpp"
 #include "kernels/kernels.hpp"
 #include "splinecore/base/pause.hpp"
 
@@ -37,7 +38,7 @@ TridiagonalRows moved(const TridiagonalRows& rows, std::ptrdiff_t by) {
   return {rows.before + by, rows.at + by, rows.after + by};
 }
 
-/// So many rows of one after the other: to make them again takes less time than to keep them all.
+/// So many rows of one after the other: to make them again takes less time than to keep more of them.
 class KnotRowBlock {
  public:
   static constexpr std::size_t kMost = 256;
@@ -60,8 +61,11 @@ class KnotRowBlock {
 class KnotSystem {
  public:
   explicit KnotSystem(const NearPoints& given)
-      : given_(given), inner_(given.points.size()), count_(inner_ + 2 * kEnd),
-        factors_(std::make_unique_for_overwrite<double[]>(count_)), points_(count_) {}
+      : given_(given), inner_(given.points.size()), count_(inner_ + 2 * kEnd), factors_(numbers(count_)), points_(count_) {
+    if (inner_ > kMostKept) return;
+    rows_ = {numbers(inner_), numbers(inner_), numbers(inner_)};
+    kernels().knot_rows(&given_.knots[4], inner_, rows_);
+  }
 
   std::optional<NearSolution> solution() {
     eliminate();
@@ -72,6 +76,16 @@ class KnotSystem {
   }
 
  private:
+  static constexpr std::size_t kMostKept = 2048;  // rows
+
+  double* numbers(std::size_t count) { return std::pmr::polymorphic_allocator<double>(memory_.resource()).allocate(count); }
+
+  /// Of points; those that are not kept are written into the block.
+  TridiagonalRows rows(KnotRowBlock& block, std::size_t first, std::size_t count) const {
+    if (inner_ > kMostKept) return block.write(given_, first, count);
+    return moved(rows_, static_cast<std::ptrdiff_t>(first));
+  }
+
   void eliminate() {
     points_.front() = {given_.start.front().value, 1.0};
     points_.back() = {given_.end.back().value, 1.0};
@@ -82,14 +96,14 @@ class KnotSystem {
     for (std::size_t i = 0; i < half; i += KnotRowBlock::kMost) {
       const std::size_t count = std::min(KnotRowBlock::kMost, half - i);
       const std::size_t last = inner_ - 1 - i;
-      const TridiagonalRows low = at_start.write(given_, i, count);
-      const TridiagonalRows high = moved(at_end.write(given_, last + 1 - count, count), count - 1);
+      const TridiagonalRows low = rows(at_start, i, count);
+      const TridiagonalRows high = moved(rows(at_end, last + 1 - count, count), count - 1);
       if (i == 0) take_start(low);
       if (i == 0) take_end(high);
       kernels().eliminate(end_at(low, i), end_at(high, last), count);
     }
     if (inner_ % 2 == 0) return;
-    const TridiagonalRows middle = at_start.write(given_, half, 1);
+    const TridiagonalRows middle = rows(at_start, half, 1);
     take_after(half + kEnd, *middle.before, *middle.at, *middle.after, given_.points[half]);
   }
 
@@ -144,8 +158,8 @@ class KnotSystem {
       const std::size_t count = std::min(KnotRowBlock::kMost, inner_ - i);
       // Few rows are looked at together with those before them.
       const std::size_t more = count < kernels().lanes ? kernels().lanes - count : 0;
-      const TridiagonalRows rows = moved(block.write(given_, i, count), -static_cast<std::ptrdiff_t>(more));
-      const double found = kernels().largest_left(rows, count + more, &points_[i + kEnd - more].x,
+      const TridiagonalRows some = moved(rows(block, i, count), -static_cast<std::ptrdiff_t>(more));
+      const double found = kernels().largest_left(some, count + more, &points_[i + kEnd - more].x,
                                                   &given_.points[i - more].x, scale);
       square = std::max(square, found);
     }
@@ -163,7 +177,9 @@ class KnotSystem {
   const NearPoints& given_;
   std::size_t inner_;
   std::size_t count_;
-  std::unique_ptr<double[]> factors_;
+  CallMemory memory_;
+  double* factors_;
+  TridiagonalRows rows_{};  ///< of all points, where they are few
   std::vector<glm::dvec4> points_;
 };
 
