@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "counted_work.hpp"
+#include "splinecore/build/parametrisation.hpp"
 #include "splinecore/curve/evaluate.hpp"
+#include "splinecore/fit/interpolate.hpp"
+#include "splinecore/meet/nearest.hpp"
 #include "splinecore/patch/evaluate_set.hpp"
 #include "splinecore/tessellate/tessellation.hpp"
 
@@ -41,17 +44,56 @@ splinecore::NurbsPatch sheet(int count) {
   return splinecore::NurbsPatch::make(uneven_knots(count), uneven_knots(count), points);
 }
 
-void curve_points() {
+splinecore::NurbsCurve coil() {
   constexpr int kCount = 64;
   std::vector<glm::dvec4> points;
   for (int i = 0; i < kCount; ++i) {
     const double t = i / (kCount - 1.0);
     points.emplace_back(std::cos(12 * t), std::sin(12 * t), 2 * t, 1.25 + 0.75 * std::sin(i));
   }
-  const auto curve = splinecore::NurbsCurve::make(uneven_knots(kCount), points);
-  const std::vector<double> parameters = even_parameters(10'000);
+  return splinecore::NurbsCurve::make(uneven_knots(kCount), points);
+}
+
+void points_at(const std::vector<double>& parameters) {
+  const splinecore::NurbsCurve curve = coil();
   std::vector<double> out(3 * parameters.size());
   counted_work([&] { evaluate(curve, parameters, std::span(out)); });
+}
+
+void curve_points() { points_at(even_parameters(10'000)); }
+
+/// Numbers in an order that has none.
+std::vector<double> scattered(std::vector<double> numbers) {
+  std::vector<double> found;
+  for (std::size_t i = 0; i < numbers.size(); ++i) found.push_back(numbers[(i * 7919) % numbers.size()]);
+  return found;
+}
+
+void scattered_points() { points_at(scattered(even_parameters(10'000))); }
+
+void pairs() {
+  const splinecore::NurbsPatch patch = sheet(32);
+  const std::vector<double> u = scattered(even_parameters(10'000));
+  const std::vector<double> v(u.rbegin(), u.rend());
+  std::vector<double> out(3 * u.size());
+  counted_work([&] { evaluate(patch, u, v, std::span(out)); });
+}
+
+void interpolation() {
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 10'000; ++i) points.emplace_back(std::cos(0.3 * i), std::sin(0.3 * i), 0.01 * i);
+  const splinecore::InterpolationOptions options{.ends = splinecore::FitEnds::not_a_knot};
+  counted_work([&] {
+    interpolate(points, parameters_of(points, splinecore::Parametrisation::chordal), options);
+  });
+}
+
+void nearest_points() {
+  const splinecore::NurbsCurve curve = coil();
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 1000; ++i) points.emplace_back(1.2 * std::sin(i), 1.2 * std::cos(3 * i), 1 + 1.2 * std::sin(7 * i));
+  std::vector<splinecore::NearestOnCurve> found(points.size());
+  counted_work([&] { nearest(curve, points, found, 1); });
 }
 
 /// A grid of which one side has many more parameters than the other.
@@ -112,8 +154,9 @@ void adaptive_mesh() {
 
 int main(int argc, char** argv) {
   const std::map<std::string, void (*)()> workloads = {
-      {"curve points", curve_points}, {"grid points", grid_points}, {"normals", normals},
-      {"adaptive mesh", adaptive_mesh}, {"wide grid", wide_grid}, {"tall grid", tall_grid}};
+      {"curve points", curve_points}, {"scattered points", scattered_points}, {"pairs", pairs}, {"grid points", grid_points}, {"normals", normals},
+      {"adaptive mesh", adaptive_mesh}, {"wide grid", wide_grid}, {"tall grid", tall_grid},
+      {"interpolation", interpolation}, {"nearest points", nearest_points}};
   const auto found = argc == 2 ? workloads.find(argv[1]) : workloads.end();
   if (found == workloads.end()) {
     std::fprintf(stderr, "usage: counted WORKLOAD, one of:\n");

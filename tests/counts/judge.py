@@ -7,16 +7,16 @@ Both kernels of the library are counted: SPLINECORE_KERNELS names them. --write 
 
 import argparse
 import json
-import os
-import re
 import shlex
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
+from callgrind import counted
+
 COUNTS = Path(__file__).with_name("counts.json")
-WORKLOADS = ("curve points", "grid points", "normals", "adaptive mesh", "wide grid", "tall grid")
+WORKLOADS = ("curve points", "scattered points", "pairs", "grid points", "normals", "adaptive mesh", "wide grid",
+             "tall grid", "interpolation", "nearest points")
 KERNELS = ("baseline", "x86-64-v3")
 #: Above this the library has become slower; below it the committed figures would no longer notice that it does again.
 MOST, LEAST = 1.05, 0.8
@@ -29,17 +29,6 @@ def kernels_here():
     """Those that this machine can run."""
     flags = Path("/proc/cpuinfo").read_text().split()
     return KERNELS if {"avx2", "fma"} <= set(flags) else KERNELS[:1]
-
-
-def counted(program, workload, kernels):
-    """The instructions inside of counted_work()."""
-    command = ["valgrind", "--tool=callgrind", "--toggle-collect=counted_work", "--callgrind-out-file=/dev/null",
-               program, workload]
-    made = subprocess.run(command, env={**os.environ, "SPLINECORE_KERNELS": kernels}, text=True, stderr=subprocess.PIPE)
-    found = re.search(r"Collected : (\d+)", made.stderr)
-    if made.returncode != 0 or not found or found[1] == "0":
-        sys.exit(f"{workload} could not be counted:\n{made.stderr}")
-    return int(found[1])
 
 
 def verdict(name, count, committed):
@@ -84,7 +73,7 @@ def main():
         return SKIPPED
     if not shutil.which("valgrind"):
         sys.exit("valgrind is missing: apt-get install valgrind")
-    counts = {kernels: {workload: counted(given.program, workload, kernels) for workload in WORKLOADS}
+    counts = {kernels: {workload: counted([given.program, workload], SPLINECORE_KERNELS=kernels) for workload in WORKLOADS}
               for kernels in kernels_here()}
     print(json.dumps(counts, indent=1))
     if given.write:

@@ -1,13 +1,14 @@
 """How instructions are judged; ctest counts them."""
 
-import importlib.util
 import json
+import sys
 from pathlib import Path
 
 COUNTS = Path(__file__).resolve().parents[1] / "counts"
-spec = importlib.util.spec_from_file_location("judge", COUNTS / "judge.py")
-judge = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(judge)
+sys.path.insert(0, str(COUNTS))
+
+import judge  # noqa: E402
+import judge_growth  # noqa: E402
 
 
 def test_more_instructions_are_a_trouble():
@@ -39,3 +40,14 @@ def test_every_workload_has_figures_and_a_program():
         assert all(set(found) == set(judge.WORKLOADS) for found in counts.values()), compiler
     program = (COUNTS / "counted.cpp").read_text()
     assert all(f'{{"{workload}", ' in program for workload in judge.WORKLOADS)
+
+
+def test_what_grows_faster_than_its_input_is_a_trouble():
+    assert judge_growth.verdict("W", 1_000, 12_000) is None
+    assert judge_growth.verdict("W", 1_000, 64_000).startswith("W: 1,000 instructions for 250, 64,000 for 2000: 64.0 times")
+
+
+def test_every_workload_of_growth_has_a_program():
+    program = (COUNTS / "growth.cpp").read_text()
+    assert all(f'{{"{workload}", ' in program for workload in judge_growth.WORKLOADS)
+    assert program.count('{"') == len(judge_growth.WORKLOADS)
