@@ -134,7 +134,8 @@ void bind_approximate_patch(py::module_& module) {
           "a thin plate, the integral of S_uu² + 2 S_uv² + S_vv², of points in a box of size 1, beside the mean of the\n"
           "squares; it decides where there are no points. corrections: so often at most, while it helps, parameters move.\n\n"
           "cancel: a callable without arguments that ends the call by returning true.\n\n"
-          "Raises ToleranceNotReached, and InvalidShape where the points lie on a line or leave a control point undecided.");
+          "Raises ToleranceNotReached, and InvalidShape where the points lie on a line, leave a control point undecided, or\n"
+          "decide so little about one that it would be a million times as far away as they are.");
 }
 
 }  // namespace bindings

@@ -283,6 +283,13 @@ def test_a_hundred_thousand_points_and_the_same_bits_again():
     assert all(each == made[0].value for each in found) and len(found) == 3
 
 
+def test_smoothing_that_keeps_a_tolerance_away_is_named():
+    with pytest.raises(sc.ToleranceNotReached, match="by 30 control points and this much smoothing within 0.1: the error"):
+        fit.approximate(walk(30), tolerance=0.1, smoothing=1e6)
+    with pytest.raises(sc.InvalidShape, match="smoothing = 1e\\+25 leaves nothing of the points: .* less smoothing are needed$"):
+        fit.approximate(walk(30), 9, smoothing=1e25, fixed_ends=False)
+
+
 BAD = [
     (dict(), "count, knots or tolerance is needed"),
     (dict(count=5, knots=[0, 0, 0, 0, 1, 1, 1, 1]), "neither count nor tolerance"),

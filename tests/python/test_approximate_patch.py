@@ -134,6 +134,63 @@ def test_smoothing_fills_a_hole():
     assert error < 0.02 and abs(made.nearest([2, 1.5, 0.5 * np.sin(2.5) * np.cos(2)]).distances) < 0.1
 
 
+def near_an_empty_span(inside, axis):
+    """Of degree 3, with one point as far inside the last span, away from the others' plane."""
+    u, v = np.random.default_rng(5).uniform(0, 1, (2, 400)) * [[0.9], [1.0]]
+    points = np.stack([u, v, 2 * u - v], -1)
+    points = np.vstack([points, [[0.9, y, 1.8 - y] for y in (0, 1)], [[0.9 + inside, y, 3] for y in np.linspace(0, 1, 30)]])
+    knots = [[0] * 4 + [0.3, 0.6, 0.9] + [1] * 4, [0] * 4 + [1] * 4][::1 if axis == 0 else -1]
+    return points, dict(knots=knots, parameters=points[:, [axis, 1 - axis]], corrections=0)
+
+
+@pytest.mark.parametrize('axis', [0, 1])
+def test_points_that_hardly_determine_a_control_point_are_refused(axis):
+    """It was 1e9 times as far away as they are from each other, and the patch with it."""
+    points, options = near_an_empty_span(1e-4, axis)
+    place = (r"\(6, [0-3]\)", r"\([0-3], 6\)")[axis]
+    with pytest.raises(sc.InvalidShape, match=f"^the points hardly determine control point {place}, which would lie more than a "
+                                              "million times as far away as they do: fewer control points or smoothing are"):
+        fit.approximate_scattered(points, **options)
+    with pytest.raises(sc.InvalidShape, match="or more smoothing are needed$"):
+        fit.approximate_scattered(points, **options, smoothing=1e-30)
+    made = fit.approximate_scattered(points, **options, smoothing=1e-9).value
+    assert np.abs(made.points).max() < 100
+    points, options = near_an_empty_span(0.05, axis)
+    made, error = fit.approximate_scattered(points, **options)
+    assert error < 1 and error == pytest.approx(made.nearest(points).distances.max(), rel=1e-9)
+
+
+@pytest.mark.parametrize('seed', [*range(30), 1390])
+def test_what_is_not_refused_is_nearest_in_the_sum_of_squares(seed):
+    """No control points of the same net, by a dense solver, bring the points nearer: with those a million times as far away
+    they missed the points by 2e10 times as much."""
+    rng = np.random.default_rng(seed)
+    degrees, more = rng.integers(3, 7, 2), rng.integers(3, 8, 2)
+    points = rng.uniform(0, 1, (int(rng.integers(100, 400)), 3)) * [1, 1, 0.2]
+    at = points[:, :2]**rng.integers(1, 4)
+    at = (at - at.min(axis=0)) / np.ptp(at, axis=0)
+    counts = tuple(int(n) for n in degrees + 1 + more)
+    try:
+        made = fit.approximate_scattered(points, counts, tuple(map(int, degrees)), parameters=at, corrections=0).value
+    except sc.InvalidShape as refused:
+        assert "determine control point" in str(refused)
+        return
+    rows = [np.stack([sc.basis.KnotVector(int(degree), knots).function(i, places) for i in range(count)], -1)
+            for degree, knots, count, places in zip(degrees, made.knots, counts, at.T)]
+    table = np.einsum('ni,nj->nij', *rows).reshape(len(points), -1)
+    best = points - table @ np.linalg.lstsq(table, points, rcond=1e-15)[0]
+    left = points - made.evaluate(*at.T)
+    assert np.linalg.norm(left) <= np.linalg.norm(best) * (1 + 1e-6)
+
+
+@pytest.mark.parametrize('step, place', [(1, r"\(8, [01]\)"), (-1, r"\([01], 8\)")])
+def test_a_control_point_that_is_not_determined_is_named_by_u_and_v(step, place):
+    at = RNG.uniform(0, 1, (400, 2)) * (0.75, 1)
+    knots = [[0] * 4 + [0.2, 0.4, 0.5, 0.6, 0.8] + [1] * 4, [0, 0, 1, 1]]
+    with pytest.raises(sc.InvalidShape, match="do not determine control point " + place):
+        fit.approximate_scattered(wave(*at.T), degrees=(3, 1)[::step], knots=knots[::step], parameters=at[:, ::step])
+
+
 @pytest.mark.parametrize('turn', np.linspace(0, 2, 7))
 def test_the_first_parameters_lie_in_the_least_rectangle(turn):
     points = RNG.uniform(-1, 1, (500, 2)) * (3, 1)
@@ -207,10 +264,16 @@ def test_what_is_refused():
         fit.approximate_scattered(np.ones((50, 3)), 4)
     with pytest.raises(sc.InvalidShape, match="at least 3"):
         fit.approximate_scattered(points[:2], 4)
+    with pytest.raises(sc.InvalidShape, match="less smoothing, fewer control points or knots farther from each other"):
+        fit.approximate_scattered(points, 5, smoothing=1e20)
+    with pytest.raises(sc.ToleranceNotReached, match="control points and this much smoothing within"):
+        fit.approximate_scattered(points, (5, 6), tolerance=1e-3, smoothing=1.0)
     points[3, 1] = np.nan
     with pytest.raises(sc.InvalidShape, match=r"points\[3\]"):
         fit.approximate_scattered(points, 4)
     grid = wave(*np.meshgrid(np.linspace(0, 1, 9), np.linspace(0, 1, 8), indexing='ij'))
+    with pytest.raises(sc.ToleranceNotReached, match="by 9 x 8 control points and this much smoothing within"):
+        fit.approximate_patch(grid, tolerance=1e-3, smoothing=(0, 1e3))
     for arguments, message in ((dict(), "counts, knots or tolerance"), (dict(counts=(4, 9)), "along v: count = 9 control points are more"),
                                (dict(counts=(4, 3)), "^along v: count = 3 control points are fewer than the 4 that degree 3"),
                                (dict(counts=(3, 4), tolerance=100), "^along u: count = 3 control points are fewer than the 4"),
@@ -218,6 +281,7 @@ def test_what_is_refused():
                                (dict(counts=5, degrees=(3, 0)), "along v: degree = 0"), (dict(tolerance=-1), "tolerance = -1"),
                                (dict(counts=5, smoothing=(0, -1)), "along v: smoothing = -1"),
                                (dict(counts=5, smoothing=np.nan), "smoothing = nan"),
+                               (dict(counts=5, smoothing=(0, 1e25), fixed_ends=False), "^along v: beside .* less smoothing are"),
                                (dict(counts=5, parameters=(np.zeros(9), 'chordal')), "along u: parameters"),
                                (dict(points=grid[:3], tolerance=0.1), "^along u: 3 points are too few for degree 3, which needs"),
                                (dict(points=grid[:, :3], counts=4), "^along v: 3 points are too few for degree 3, which needs")):

@@ -8,6 +8,7 @@
 #include "control_counts.hpp"
 #include "fitted_points.hpp"
 #include "grid.hpp"
+#include "least_squares_options.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -126,7 +127,7 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   }
   if (made.error <= tolerance) return made;
   throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(u.count) + " x " +
-                                std::to_string(v.count) + " control points",
+                                std::to_string(v.count) + " control points" + and_smoothing(u.smoothing > 0.0 || v.smoothing > 0.0),
                             tolerance, made.error);
 }
 

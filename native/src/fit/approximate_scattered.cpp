@@ -72,13 +72,14 @@ void project(std::span<const glm::dvec3> points, std::span<const double> weights
 
 /// The system is solved with the shorter side of the net as v.
 NurbsPatch least_squares(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
-                         const KnotVector& u, const KnotVector& v, std::span<const double> weights, double energy) {
+                         const KnotVector& u, const KnotVector& v, std::span<const double> weights, double energy,
+                         bool is_turned = false) {
   if (v.count() > u.count()) {
     std::vector<glm::dvec2> turned;
     for (const glm::dvec2& place : parameters) turned.emplace_back(place.y, place.x);
-    return swapped(least_squares(points, turned, v, u, weights, energy));
+    return swapped(least_squares(points, turned, v, u, weights, energy, true));
   }
-  const ThinPlateFit fit(u, v, parameters, weights, energy);
+  const ThinPlateFit fit(u, v, parameters, weights, energy, is_turned);
   std::vector<glm::dvec4> net;
   for (const glm::dvec3& point : fit.net(points)) net.emplace_back(point, 1.0);
   return NurbsPatch::make(u, v, std::move(net));
@@ -214,7 +215,7 @@ Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points,
   }
   if (fit.error <= within) return in_place(fit, unit);
   throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(count_u) + " x " +
-                                std::to_string(count_v) + " control points" + reason,
+                                std::to_string(count_v) + " control points" + and_smoothing(options.smoothing > 0.0) + reason,
                             tolerance, std::ldexp(least, unit.exponent));
 }
 

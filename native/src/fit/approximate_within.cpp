@@ -8,6 +8,7 @@
 #include "build/fit_options.hpp"
 #include "control_counts.hpp"
 #include "fitted_points.hpp"
+#include "least_squares_options.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/fit/interpolate.hpp"
 
@@ -224,7 +225,8 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
   if (most >= points.size() + options.start.size() + options.end.size() && options.smoothing == 0.0) {
     if (auto exact = through_all(parameters, degree, closing, task)) return *std::move(exact);
   }
-  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(most) + " control points",
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(most) + " control points" +
+                                and_smoothing(options.smoothing > 0.0),
                             tolerance, fit.error);
 }
 

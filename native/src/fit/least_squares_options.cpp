@@ -24,6 +24,8 @@ void require_smoothing(double smoothing) {
   throw InvalidShape("smoothing = " + text_of(smoothing) + " is not a number from 0 on");
 }
 
+const char* and_smoothing(bool is_smoothed) noexcept { return is_smoothed ? " and this much smoothing" : ""; }
+
 void require_corrections(int corrections) {
   constexpr int kMost = 1000;
   if (corrections >= 0 && corrections <= kMost) return;

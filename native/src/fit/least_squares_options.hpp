@@ -12,6 +12,9 @@ void require_weights(std::span<const double> weights, std::size_t count);
 /// @throws InvalidShape unless it is finite, and 0 or more.
 void require_smoothing(double smoothing);
 
+/// What control points do not reach alone, in a sentence.
+const char* and_smoothing(bool is_smoothed) noexcept;
+
 /// @throws InvalidShape unless it is from 0 to 1000.
 void require_corrections(int corrections);
 

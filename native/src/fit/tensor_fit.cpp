@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "along.hpp"
 #include "least_squares_fit.hpp"
 #include "system.hpp"
 
@@ -32,8 +33,9 @@ std::vector<double> transposed(std::span<const double> values, std::size_t rows,
 
 std::vector<glm::dvec4> tensor_fit(const FittedAxis& u, const FittedAxis& v, std::span<const double> values) {
   const std::size_t width = v.parameters.size();
-  const std::vector<double> rows = fitted_rows(u, values, 3 * width);
-  const std::vector<double> columns = fitted_rows(v, transposed(rows, u.count(), width), 3 * u.count());
+  const std::vector<double> rows = along("u", [&] { return fitted_rows(u, values, 3 * width); });
+  const std::vector<double> columns =
+      along("v", [&] { return fitted_rows(v, transposed(rows, u.count(), width), 3 * u.count()); });
   const std::vector<double> controls = transposed(columns, v.count(), u.count());
   std::vector<glm::dvec4> points;
   points.reserve(u.count() * v.count());

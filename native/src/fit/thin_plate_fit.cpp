@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <string>
+#include <utility>
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -22,12 +23,13 @@ Samples samples_of(const KnotVector& knots, std::span<const glm::dvec2> paramete
 }
 
 /// How long a row of the system is. @throws InvalidShape where all rows are a gigabyte or more.
-std::size_t width_of(const KnotVector& u, const KnotVector& v) {
+std::size_t width_of(const KnotVector& u, const KnotVector& v, bool is_turned) {
   constexpr double kMost = 0x1p27;
   const auto along = static_cast<std::size_t>(v.count());
   const std::size_t width = static_cast<std::size_t>(u.degree()) * along + static_cast<std::size_t>(v.degree()) + 1;
   if (static_cast<double>(u.count()) * static_cast<double>(v.count()) * static_cast<double>(width) <= kMost) return width;
-  throw InvalidShape("a net of " + std::to_string(u.count()) + " x " + std::to_string(v.count()) +
+  const auto counts = is_turned ? std::pair(v.count(), u.count()) : std::pair(u.count(), v.count());
+  throw InvalidShape("a net of " + std::to_string(counts.first) + " x " + std::to_string(counts.second) +
                      " control points is too large for scattered points: fewer are needed, or a lower degree");
 }
 
@@ -63,8 +65,9 @@ double largest_of(std::span<const glm::dvec3> vectors) {
 }
 
 InvalidShape hidden_by_energy() {
-  return InvalidShape("the points do not determine the shape beside the energy of its shortest spans: knots farther from "
-                      "each other, less smoothing, or points whose parameters lie in more than one line are needed");
+  return InvalidShape("the points do not determine the shape beside the energy of its shortest spans: less smoothing, "
+                      "fewer control points or knots farther from each other, or points whose parameters lie in more than "
+                      "one line are needed");
 }
 
 }  // namespace
@@ -103,9 +106,9 @@ std::vector<double> ThinPlateFit::energy_rows() const {
 }
 
 ThinPlateFit::ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<const glm::dvec2> parameters,
-                           std::span<const double> weights, double energy)
+                           std::span<const double> weights, double energy, bool is_turned)
     : count_u_(static_cast<std::size_t>(u.count())), count_v_(static_cast<std::size_t>(v.count())),
-      width_(width_of(u, v)),
+      is_turned_(is_turned), width_(width_of(u, v, is_turned)),
       u_(samples_of(u, parameters, 0)), v_(samples_of(v, parameters, 1)), weights_(weights),
       plate_(energy > 0.0 ? std::optional<Plate>(plate_of(u, v, energy)) : std::nullopt),
       system_(with_products(energy_rows(), count_u_ * count_v_, width_, count_v_, u_, v_, weights_), width_) {
@@ -114,9 +117,32 @@ ThinPlateFit::ThinPlateFit(const KnotVector& u, const KnotVector& v, std::span<c
     if (dependent) throw hidden_by_energy();
     require_energy_leaves_points(u, v);
   }
-  if (!dependent) return;
-  throw InvalidShape("the points do not determine control point (" + std::to_string(*dependent / count_v_) + ", " +
-                     std::to_string(*dependent % count_v_) + "): fewer control points or smoothing are needed");
+  if (dependent) throw undetermined(*dependent);
+}
+
+std::string ThinPlateFit::name_of(std::size_t control) const {
+  const std::size_t i = control / count_v_;
+  const std::size_t j = control % count_v_;
+  return "control point (" + std::to_string(is_turned_ ? j : i) + ", " + std::to_string(is_turned_ ? i : j) + ")";
+}
+
+InvalidShape ThinPlateFit::undetermined(std::size_t control) const {
+  return InvalidShape("the points do not determine " + name_of(control) +
+                      ": fewer control points or smoothing are needed");
+}
+
+/// Beside a control point a million times as far away as the points are from each other, rounding takes 1e-10 of the
+/// shape, and points decide so little about it that the sum of squares is not the least any more.
+void ThinPlateFit::require_near(std::span<const glm::dvec3> net) const {
+  constexpr double kFarthest = 0x1p20;
+  const auto size_of = [](const glm::dvec3& point) {
+    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+  };
+  const auto farthest = std::ranges::max_element(net, {}, size_of);
+  if (size_of(*farthest) <= kFarthest) return;
+  throw InvalidShape("the points hardly determine " + name_of(static_cast<std::size_t>(farthest - net.begin())) +
+                     ", which would lie more than a million times as far away as they do: fewer control points or " +
+                     (plate_ ? "more " : "") + "smoothing are needed");
 }
 
 glm::dvec3 ThinPlateFit::at(std::size_t i, std::span<const glm::dvec3> net) const {
@@ -180,6 +206,7 @@ std::vector<glm::dvec3> ThinPlateFit::net(std::span<const glm::dvec3> points) co
     for (std::size_t i = 0; i < net.size(); ++i) net[i] += right[i];
     if (round > 0 && largest_of(right) <= kDone * largest_of(net)) break;
   }
+  require_near(net);
   return net;
 }
 

@@ -53,7 +53,8 @@ std::vector<glm::dvec2> plane_parameters(std::span<const glm::dvec3> points);
 /// the number of points; in that of control points their number times the square of the lesser of both counts.
 /// @param parameters  one for each point, in the domain
 /// @returns the patch, and the largest distance of a point from it
-/// @throws InvalidShape if the directions are periodic, or the points do not determine the patch.
+/// @throws InvalidShape if the directions are periodic, or the points do not determine the patch: not at all, or so little
+/// that control points would lie a million times as far away.
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                       const KnotVector& u, const KnotVector& v, const ScatteredOptions& options = {});
 
