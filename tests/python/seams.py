@@ -35,6 +35,37 @@ def pairs(seed, count, rational=None, **kind):
         yield both[0], sides[0], both[1], sides[1]
 
 
+def shaken(patch, rng, size=None):
+    """The patch with other last digits: in points, weights and knots, or in points alone, of numbers of that size."""
+    def other(values, of):
+        return values + of * 2.0 ** -52 * rng.choice([-1.0, 0.0, 1.0], np.shape(values))
+
+    if size is not None:
+        return patch.with_points(other(patch.points, size))
+    distinct = [np.unique(knots, return_inverse=True) for knots in patch.knots]
+    return sc.NurbsPatch(patch.degree, [other(values, values)[places] for values, places in distinct],
+                         other(patch.points, patch.points), other(patch.weights, patch.weights), patch.periodic)
+
+
+def rounding_of(measure, first, second, rng, **kind):
+    """How far apart the last digits of two patches bring the numbers that are measured of them."""
+    found = [np.array(measure(first, second))]
+    found += [np.array(measure(shaken(first, rng, **kind), shaken(second, rng, **kind))) for _ in range(4)]
+    return np.max(np.abs(found - found[0]), axis=0)
+
+
+def unlikeness(first, side, second, other):
+    """How many times as large legs beside the edge are on one side as on the other, of like derivatives."""
+    def pace(patch, at):
+        axis = "uv".index(at[0])
+        start, end = patch.domain[axis]
+        knots = np.unique(np.clip(patch.knots[axis], start, end))
+        return patch.degree[axis] / (knots[-1] - knots[-2] if at.endswith("end") else knots[1] - knots[0])
+
+    paces = pace(first, side), pace(second, other)
+    return max(paces) / min(paces)
+
+
 def jet(patch, side, t, outwards, reversed=False):
     """Derivatives (n, 3, 3, 3), [k, l] being k across a side and l along it, at shares t of it that are no knots.
 

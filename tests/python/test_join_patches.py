@@ -9,7 +9,7 @@ import pytest
 
 import splinecore as sc
 from random_patches import error, homogeneous, parameters, random_patch, sampled_distance
-from seams import OPPOSITE, SIDES, curvature_across, jet, joinable, normals, pairs
+from seams import OPPOSITE, SIDES, curvature_across, jet, joinable, normals, pairs, rounding_of, unlikeness
 from shapes import hermite_net, sphere_octant, torus, wavy_patch
 
 COUNT = 1000
@@ -108,11 +108,6 @@ def test_the_nearer_ends_meet():
     assert join(ring, "v_end", above.reversed("u"), "v_start").reversed
 
 
-def is_steady(along):
-    lengths = np.linalg.norm(along, axis=-1)
-    return lengths >= 0.05 * lengths.max()
-
-
 def check(found_a, found_b, kind, size):
     """What is asked for, from derivatives alone. Relative to the largest of each kind."""
     def agree(a, b, least=0.0):
@@ -127,15 +122,20 @@ def check(found_a, found_b, kind, size):
         assert agree(found_a[:, 2, 0], found_b[:, 2, 0], np.abs(found_a[:, 1, 0]).max())
     if kind in ("G1", "G2"):
         assert np.abs(normals(found_a) - normals(found_b)).max() <= 1e-9
-    if kind == "G2":
-        # Where the edge nearly stands still its tangent, and so what lies across it, is rounding.
-        steady = np.all([is_steady(found[:, 0, 1]) for found in (found_a, found_b)], axis=0)
-        assert agree(curvature_across(found_a)[steady], curvature_across(found_b)[steady])
+
+
+def check_curvatures(measure, first, second):
+    """Where an edge nearly stands still, or a patch nearly leaves it along it, they are rounding."""
+    one, two = measure(first, second)
+    rounding = rounding_of(measure, first, second, np.random.default_rng(9)).sum(axis=0)
+    assert (np.abs(one - two) <= 1e-9 * np.abs(one).max() + 10 * rounding).all()
+    return 1e6 * rounding.min() <= np.abs(one).max()
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_thousand_pairs_meet_as_they_should(kind):
     rng = np.random.default_rng(70)
+    known = 0
     for index, (first, side, second, other) in enumerate(pairs(71, COUNT)):
         done = join(first, side, second, other, kind, MOVES[index % 3])
         one, two = edge_rows(done.first, side), edge_rows(done.second, other)
@@ -144,7 +144,11 @@ def test_a_thousand_pairs_meet_as_they_should(kind):
         t = rng.uniform(0, 1, 12)
         size = max(np.abs(patch.points).max() for patch in (done.first, done.second))
         check(jet(done.first, side, t, True), jet(done.second, other, t, False, done.reversed), kind, size)
+        if kind == "G2":
+            known += check_curvatures(lambda one, two: (curvature_across(jet(one, side, t, True)), curvature_across(
+                jet(two, other, t, False, done.reversed))), done.first, done.second)
         assert min(done.first.weights.min(), done.second.weights.min()) > 0, index
+    assert kind != "G2" or known >= 0.99 * COUNT
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -185,6 +189,8 @@ def test_the_errors_are_how_far_the_patches_moved(kind, moves):
         done = join(first, side, second, other, kind, moves)
         for before, after, bound in ((first, done.first, done.first_error), (second, done.second, done.second_error)):
             far = sampled_distance(before, after, 40)
+            if bound > 1.05 * far + 1e-12:
+                far = sampled_distance(before, after, 400)    # a narrow peak
             if bound > 0:
                 assert far * (1 - 1e-12) - 1e-12 <= bound <= 1.05 * far + 1e-12
             else:
@@ -223,8 +229,11 @@ def test_both_move_alike_whichever_is_the_first(kind):
     for first, side, second, other in pairs(77, 60, rational=False):
         one, two = join(first, side, second, other, kind, "both"), join(second, other, first, side, kind, "both")
         size = max(np.abs(one.first.points).max(), np.abs(one.second.points).max())
-        assert np.abs(one.first.points - two.second.points).max() <= 1e-10 * size
-        assert np.abs(one.second.points - two.first.points).max() <= 1e-10 * size
+        # What rounding of a derivative of the side with short spans makes of long ones.
+        rounding = 2.0 ** -52 * unlikeness(one.first, side, one.second, other) ** (ROWS[kind] - 1)
+        allowed = (1e-11 + 100 * rounding) * size
+        assert np.abs(one.first.points - two.second.points).max() <= allowed
+        assert np.abs(one.second.points - two.first.points).max() <= allowed
 
 
 @pytest.mark.parametrize("kind", ["C0", "C1", "C2"])
@@ -266,6 +275,12 @@ def test_weights_that_are_positive_stay_so():
         assert not done.first.is_rational and not done.second.is_rational
 
 
+def with_near(curve, places):
+    """Homogeneous points there, and as near to them as rounding of a parameter is, and a little more."""
+    step = 4 * np.spacing(np.abs(curve.domain).max())
+    return (sc.basis.Samples(curve.knot_vector, at).apply(curve.homogeneous_points) for at in (places, places + step))
+
+
 def test_weights_of_any_sign_meet_in_homogeneous_points():
     met = 0
     for index, (first, side, second, other) in enumerate(pairs(82, 200, rational=True, positive=False)):
@@ -276,14 +291,14 @@ def test_weights_of_any_sign_meet_in_homogeneous_points():
             continue
         met += 1
         one, two = done.first.boundary(side), done.second.boundary(other)
-        t = parameters(done.first, axis="vu"["uv".index(side[0])])
+        t = parameters(done.first, axis="vu"["uv".index(side[0])])[1:-1]
         i, j = 1 - "uv".index(side[0]), 1 - "uv".index(other[0])
         share = (t - done.first.domain[i][0]) / np.diff(done.first.domain[i])[0]
         start, end = done.second.domain[j]
         there = start + (1 - share if done.reversed else share) * (end - start)
-        far = np.abs(sc.basis.Samples(one.knot_vector, t).apply(one.homogeneous_points)
-                     - sc.basis.Samples(two.knot_vector, there).apply(two.homogeneous_points)).max()
-        assert far <= 1e-11 * np.abs(one.homogeneous_points).max(), index
+        (on_one, near_one), (on_two, near_two) = with_near(one, t), with_near(two, there)
+        allowed = 1e-12 * np.abs(one.homogeneous_points).max() + np.abs(on_one - near_one) + np.abs(on_two - near_two)
+        assert (np.abs(on_one - on_two) <= allowed).all(), index
     assert met >= 190
 
 
@@ -331,25 +346,35 @@ def test_the_words_may_be_small():
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("scale", [1e-250, 1e-100, 1e100, 1e250])
+@pytest.mark.parametrize("scale", [2.0 ** -830, 2.0 ** -332, 2.0 ** 332, 2.0 ** 830])
 def test_joining_does_not_depend_on_the_units(kind, scale):
     for first, side, second, other in pairs(85, 12):
         small = join(first, side, second, other, kind, "both")
         large = join(first.with_points(first.points * scale), side, second.with_points(second.points * scale), other,
                      kind, "both")
-        size = np.abs(small.second.points).max()
-        assert np.allclose(large.second.points / scale, small.second.points, rtol=1e-10, atol=1e-10 * size)
-        assert np.isclose(large.second_error / scale, small.second_error, rtol=0.05)
+        for name in ("first", "second"):
+            assert np.array_equal(getattr(large, name).points / scale, getattr(small, name).points)
+            assert getattr(large, name + "_error") / scale == getattr(small, name + "_error")
 
 
 def test_joining_does_not_depend_on_the_place():
+    """Beyond the digits that points have left there."""
+    rng = np.random.default_rng(87)
     for index, (first, side, second, other) in enumerate(pairs(86, 60)):
         kind, moves, there = KINDS[index % 5], MOVES[index % 3], np.array([3e6, -1e6, 2e6])
+        first, second = first.clamped(side[0]), second.clamped(other[0])
         near = join(first, side, second, other, kind, moves)
         far = join(first.with_points(first.points + there), side, second.with_points(second.points + there), other,
                    kind, moves)
-        size = np.abs(near.second.points).max()
-        assert np.abs(far.second.points - there - near.second.points).max() <= 1e-5 * size, index
+
+        def moved(one, two):
+            done = join(one, side, two, other, kind, moves)
+            return max(np.abs(getattr(done, name).points - getattr(near, name).points).max() for name in ("first", "second"))
+
+        digits = 2.0 ** -52 * 3e6 * unlikeness(near.first, side, near.second, other) ** (ROWS[kind] - 1)
+        rounding = digits + rounding_of(moved, first, second, rng, size=3e6)
+        for one, two in ((far.first, near.first), (far.second, near.second)):
+            assert np.abs(one.points - there - two.points).max() <= 1000 * rounding, index
 
 
 def cone_tip():

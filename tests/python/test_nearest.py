@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 from scipy.spatial import cKDTree
 
 import splinecore as sc
@@ -198,12 +199,9 @@ def test_circle_line_and_ellipse_in_closed_form():
     found = conics.ellipse((0, 0, 0), (3, 0, 0), (0, 1, 0)).nearest(flat)
     for place, distance in zip(flat, found.distances):
         x, y = np.abs(place[:2])
-        # (a x / (t + a²))² + (b y / (t + b²))² = 1 (Eberly)
-        roots = np.roots(np.polysub(np.polymul(np.polymul([1, 9], [1, 9]), np.polymul([1, 1], [1, 1])),
-                                    np.polyadd(9 * x * x * np.polymul([1, 1], [1, 1]),
-                                               y * y * np.polymul([1, 9], [1, 9]))))
-        t = roots[np.abs(roots.imag) < 1e-9].real.max()
-        assert distance == pytest.approx(np.hypot(x - 9 * x / (t + 9), y - y / (t + 1)), abs=1e-9)
+        # (a x / (t + a²))² + (b y / (t + b²))² = 1 has one root above -b² (Eberly), which s = t + b² tells from it.
+        s = brentq(lambda s: (3 * x / (s + 8)) ** 2 + (y / s) ** 2 - 1, y, np.hypot(3 * x, y), xtol=1e-300, rtol=1e-15)
+        assert distance == pytest.approx(np.hypot(x - 9 * x / (s + 8), y - y / s), rel=1e-13, abs=1e-14)
 
 
 def test_plane_sphere_and_torus_in_closed_form():
