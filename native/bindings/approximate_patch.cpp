@@ -26,18 +26,20 @@ bool is_none(const Pair& pair) { return pair.first.is_none() && pair.second.is_n
 
 AnyApproximation approximate_patch(const py::object& points, const py::object& counts, const py::object& degrees,
                                    const py::object& parameters, const py::object& tolerance, const py::object& knots,
-                                   const py::object& fixed_ends, const py::object& closed, const py::object& smoothing,
-                                   const py::object& cancel) {
+                                   const py::object& weights, const py::object& fixed_ends, const py::object& closed,
+                                   const py::object& smoothing, const py::object& cancel) {
   const GivenPoints given(points, "points", 2);
   const PointGrid grid{given.points(), given.count(0), given.count(1)};
   const GridArguments arguments(grid, degrees, parameters, knots, closed);
   const Pair count = both(counts, "counts");
   const Pair smooth = both(smoothing, "smoothing");
+  const Pair weighed = both(weights, "weights");
   const std::optional<double> within = positive(tolerance, "tolerance");
   if (within && arguments.has_knots()) throw InvalidShape("knots are given, and so no tolerance");
   const auto direction = [&](Axis axis) {
     auto made = arguments.direction<NearDirection>(axis);
     made.smoothing = real(GridArguments::of(smooth, axis), "smoothing");
+    made.weights = optional_numbers(GridArguments::of(weighed, axis), "weights");
     const py::object& wanted = GridArguments::of(count, axis);
     if (!wanted.is_none() && !made.knots.empty()) throw InvalidShape("knots are given, and so no counts");
     if (wanted.is_none() && made.knots.empty() && !within) throw InvalidShape("counts, knots or tolerance are needed");
@@ -109,14 +111,16 @@ void bind_approximate_patch(py::module_& module) {
   py::module_ fit = module.attr("fit");
   fit.def("approximate_patch", &approximate_patch, py::arg("points"), py::arg("counts") = py::none(),
           py::arg("degrees") = 3, py::arg("parameters") = "chordal", py::kw_only(), py::arg("tolerance") = py::none(),
-          py::arg("knots") = py::none(), py::arg("fixed_ends") = true, py::arg("closed") = false,
-          py::arg("smoothing") = 0.0, py::arg("cancel") = py::none(),
+          py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("fixed_ends") = true,
+          py::arg("closed") = false, py::arg("smoothing") = 0.0, py::arg("cancel") = py::none(),
           "The polynomial NurbsPatch near a grid of points (nu, nv, 2 or 3), as an Approximation: its error is the largest\n"
           "distance of a point from the patch's point at its parameters. Least sum of squares first along u, then along\n"
           "v, in time linear in the points (The NURBS Book, §9.4.3). Lecture rows S17, S20.\n\n"
           "Arguments are one value for both directions or a pair, for u and v, of what approximate() and\n"
           "interpolate_patch() take; fixed_ends is one for both: corners stay then, and borders are nearest to the\n"
-          "outermost points. tolerance: as few control points in each direction as come within it, counts at most.\n\n"
+          "outermost points. tolerance: as few control points in each direction as come within it, counts at most.\n"
+          "weights: a pair, (nu,) and (nv,) or None, positive: the square of point (i, j) weighs their product. Weights of\n"
+          "single points tie both directions together: approximate_scattered() takes those, with places for parameters.\n\n"
           "cancel: a callable without arguments that ends the call by returning true.\n\n"
           "Raises ToleranceNotReached, and InvalidShape, whose message names the direction, where the points do not\n"
           "determine the patch.");

@@ -283,10 +283,34 @@ def test_what_is_refused():
                                (dict(counts=5, smoothing=np.nan), "smoothing = nan"),
                                (dict(counts=5, smoothing=(0, 1e25), fixed_ends=False), "^along v: beside .* less smoothing are"),
                                (dict(counts=5, parameters=(np.zeros(9), 'chordal')), "along u: parameters"),
+                               (dict(counts=5, weights=(np.ones(8), None)), "^along u: weights has 8 values for 9 points"),
+                               (dict(counts=5, weights=(None, -np.ones(8))), r"^along v: weights\[0\] = -1"),
                                (dict(points=grid[:3], tolerance=0.1), "^along u: 3 points are too few for degree 3, which needs"),
                                (dict(points=grid[:, :3], counts=4), "^along v: 3 points are too few for degree 3, which needs")):
         with pytest.raises(sc.InvalidShape, match=message):
             fit.approximate_patch(**{'points': grid, **arguments})
+
+
+@pytest.mark.parametrize('which', ['u', 'v', 'uv'])
+def test_weights_of_rows_are_those_of_their_points(which):
+    """Their products, in the whole sum of squares, by a dense solver and as weights of scattered points."""
+    places = [np.sort(RNG.uniform(0, 1, count)) for count in (14, 11)]
+    grid = wave(*np.meshgrid(*places, indexing='ij')) + 0.1 * RNG.standard_normal((14, 11, 3))
+    weights = [10.0**RNG.uniform(-2, 2, count) if axis in which else None for axis, count in zip('uv', (14, 11))]
+    made, error = fit.approximate_patch(grid, (6, 5), (3, 2), places, weights=tuple(weights), fixed_ends=False)
+    rows = [np.stack([sc.basis.KnotVector(degree, knots).function(i, at) for i in range(count)], -1)
+            for degree, knots, count, at in zip((3, 2), made.knots, (6, 5), places)]
+    table = np.einsum('ai,bj->abij', *rows).reshape(14 * 11, -1)
+    of_points = np.outer(*(np.ones(count) if w is None else w for w, count in zip(weights, (14, 11)))).ravel()
+    root = np.sqrt(of_points)[:, None]
+    wanted = np.linalg.lstsq(table * root, grid.reshape(-1, 3) * root, rcond=None)[0]
+    np.testing.assert_allclose(made.points.reshape(-1, 3), wanted, rtol=0, atol=1e-9 * np.abs(wanted).max())
+    assert error == pytest.approx(np.linalg.norm(made.evaluate_grid(*places) - grid, axis=-1).max(), rel=1e-9)
+    assert np.abs(made.points - fit.approximate_patch(grid, (6, 5), (3, 2), places, fixed_ends=False).value.points).max() > 1e-3
+    at = np.stack(np.meshgrid(*places, indexing='ij'), -1).reshape(-1, 2)
+    same = fit.approximate_scattered(grid.reshape(-1, 3), None, (3, 2), parameters=at, knots=made.knots, weights=of_points,
+                                     corrections=0).value
+    np.testing.assert_allclose(same.points, made.points, rtol=0, atol=1e-9 * np.abs(wanted).max())
 
 
 def test_with_a_tolerance_counts_are_the_most_and_may_be_above_the_points():

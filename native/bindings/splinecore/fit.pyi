@@ -69,6 +69,7 @@ def approximate_patch(
     *,
     tolerance: float | None = None,
     knots: tuple[ArrayLike | None, ArrayLike | None] | None = None,
+    weights: tuple[ArrayLike | None, ArrayLike | None] | None = None,
     fixed_ends: bool = True,
     closed: bool | tuple[bool, bool] = False,
     smoothing: float | tuple[float, float] = 0.0,

@@ -26,12 +26,13 @@ FittedAxis axis_of(const NearDirection& given, std::size_t rows, bool fixed_ends
   ApproximationOptions options;
   options.smoothing = given.smoothing;
   options.fixed_ends = fixed_ends;
+  options.weights = given.weights;
   require_approximation(places, given.parameters, given.closing, options);
   KnotVector knots = given.knots.empty()
                          ? approximating_knots(given.parameters, given.degree, given.count, given.closing)
                          : KnotVector::make(given.degree, given.knots, given.closing == Closing::closed);
   require_approximation_knots(knots, std::span(given.parameters).first(rows), options);
-  return {std::move(knots), {given.parameters.begin(), given.parameters.begin() + static_cast<long>(rows)}, {},
+  return {std::move(knots), {given.parameters.begin(), given.parameters.begin() + static_cast<long>(rows)}, given.weights,
           given.smoothing, fixed_ends};
 }
 

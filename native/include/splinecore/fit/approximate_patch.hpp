@@ -21,10 +21,13 @@ struct NearDirection {
   std::size_t count = 4;          ///< of control points: with as many points between each two knots
   std::vector<double> knots;      ///< all of them, one period where closed; empty: by count
   double smoothing = 0.0;         ///< as of curves, for the lines of this direction
+  std::vector<double> weights;    ///< positive, one for each row of points; empty: 1 each
 };
 
 /// The polynomial spline patch that is nearest to a grid of points in the sum of squares, first along u, then along v
 /// (The NURBS Book, §9.4.3, A9.7; lecture row S20): linear in the number of points.
+/// The square of a point's distance weighs the product of its rows' weights along u and along v: with others the directions
+/// cannot be solved one after the other, and the points are scattered ones.
 /// @param fixed_ends  in open directions its border is nearest to the outermost lines of the grid, and its corners are
 ///                    theirs
 /// @returns the patch, and the largest distance of a point from the patch's point at its parameters
