@@ -160,27 +160,38 @@ def test_points_that_hardly_determine_a_control_point_are_refused(axis):
     assert error < 1 and error == pytest.approx(made.nearest(points).distances.max(), rel=1e-9)
 
 
-@pytest.mark.parametrize('seed', [*range(30), 1390])
-def test_what_is_not_refused_is_nearest_in_the_sum_of_squares(seed):
-    """No control points of the same net, by a dense solver, bring the points nearer: with those a million times as far away
-    they missed the points by 2e10 times as much."""
-    rng = np.random.default_rng(seed)
+def hardly_enough_points(rng):
+    """Points, their places, degrees and counts: of as many control points as some parts of the points can tell, or more."""
     degrees, more = rng.integers(3, 7, 2), rng.integers(3, 8, 2)
     points = rng.uniform(0, 1, (int(rng.integers(100, 400)), 3)) * [1, 1, 0.2]
     at = points[:, :2]**rng.integers(1, 4)
     at = (at - at.min(axis=0)) / np.ptp(at, axis=0)
-    counts = tuple(int(n) for n in degrees + 1 + more)
+    return points, at, tuple(map(int, degrees)), tuple(map(int, degrees + 1 + more))
+
+
+@pytest.mark.parametrize('seed', [*range(30), 1390])
+def test_what_is_not_refused_is_nearest_in_the_sum_of_squares(seed):
+    """No control points of the same net, by a dense solver, bring the points nearer: with those a million times as far away
+    they missed the points by 2e10 times as much."""
+    points, at, degrees, counts = hardly_enough_points(np.random.default_rng(seed))
     try:
-        made = fit.approximate_scattered(points, counts, tuple(map(int, degrees)), parameters=at, corrections=0).value
+        made = fit.approximate_scattered(points, counts, degrees, parameters=at, corrections=0).value
     except sc.InvalidShape as refused:
-        assert "determine control point" in str(refused)
+        assert "determine" in str(refused) and str(refused).endswith("smoothing are needed")
         return
-    rows = [np.stack([sc.basis.KnotVector(int(degree), knots).function(i, places) for i in range(count)], -1)
+    rows = [np.stack([sc.basis.KnotVector(degree, knots).function(i, places) for i in range(count)], -1)
             for degree, knots, count, places in zip(degrees, made.knots, counts, at.T)]
     table = np.einsum('ni,nj->nij', *rows).reshape(len(points), -1)
     best = points - table @ np.linalg.lstsq(table, points, rcond=1e-15)[0]
     left = points - made.evaluate(*at.T)
     assert np.linalg.norm(left) <= np.linalg.norm(best) * (1 + 1e-6)
+
+
+def test_a_patch_that_swings_too_widely_to_tell_its_nearest_points_is_refused_as_one():
+    points, at, degrees, counts = hardly_enough_points(np.random.Generator(np.random.PCG64([2, 8])))
+    with pytest.raises(sc.InvalidShape, match="^the points hardly determine the patch, which swings too widely .* are needed$"):
+        fit.approximate_scattered(points, counts, degrees, parameters=at, corrections=0)
+    assert fit.approximate_scattered(points, counts, degrees, parameters=at, corrections=0, smoothing=1e-8).error < 0.2
 
 
 @pytest.mark.parametrize('step, place', [(1, r"\(8, [01]\)"), (-1, r"\([01], 8\)")])

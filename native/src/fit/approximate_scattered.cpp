@@ -58,9 +58,15 @@ void require_options(std::span<const glm::dvec3> points, const ScatteredOptions&
 }
 
 /// Where the points are nearest to the patch, and how far.
+/// @throws InvalidShape where too many places may be the nearest
 void project(std::span<const glm::dvec3> points, std::span<const double> weights, ScatteredFit& fit) {
   std::vector<NearestOnPatch> nearest(points.size());
-  splinecore::nearest(fit.patch, points, nearest);
+  try {
+    splinecore::nearest(fit.patch, points, nearest);
+  } catch (const InvalidShape&) {
+    throw InvalidShape("the points hardly determine the patch, which swings too widely to tell where they are nearest to it: "
+                       "fewer control points or more smoothing are needed");
+  }
   fit.error = 0.0;
   fit.squares = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
