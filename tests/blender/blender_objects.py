@@ -1,5 +1,7 @@
 """Native curves and surfaces without a window, and the points that Blender evaluates on them."""
 
+from pathlib import Path
+
 import bpy
 import numpy as np
 
@@ -184,18 +186,30 @@ def grease_pencil(*lines, closed=False, hidden=False):
 
 
 def annotations(*lines):
-    """Strokes in space on the scene's annotations, or None where this Blender makes none by scripts."""
+    """Strokes in space on the scene's annotations."""
     scene = bpy.context.scene
-    data = (bpy.data.annotations if hasattr(bpy.data, 'annotations') else bpy.data.grease_pencils).new("notes")
+    data = _stored_annotations(lines) if bpy.app.version >= (4, 3) else _new_annotations(lines, scene.frame_current)
     setattr(scene, 'annotation' if hasattr(scene, 'annotation') else 'grease_pencil', data)
-    frame = data.layers.new("L").frames.new(scene.frame_current)
-    if not hasattr(frame.strokes, 'new'):
-        return None
-    for line in lines:
-        stroke = frame.strokes.new()
-        if hasattr(stroke, 'display_mode'):
-            stroke.display_mode = '3DSPACE'
-        stroke.points.add(len(line))
-        for point, place in zip(stroke.points, line):
+    for stroke, line in zip(data.layers[0].frames[0].strokes, lines, strict=True):
+        for point, place in zip(stroke.points, line, strict=True):
             point.co = place
+
+
+def _new_annotations(lines, frame):
+    data = bpy.data.grease_pencils.new("notes")
+    strokes = data.layers.new("L").frames.new(frame).strokes
+    for line in lines:
+        stroke = strokes.new()
+        stroke.display_mode = '3DSPACE'
+        stroke.points.add(len(line))
     return data
+
+
+def _stored_annotations(lines):
+    """Scripts make no strokes in Blender 4.3 and 4.5 to 5.1. Blender 3.4 has made some on what its annotation_add() gave, and
+    named them by the numbers of their points."""
+    name = " ".join(str(len(line)) for line in lines)
+    with bpy.data.libraries.load(str(Path(__file__).resolve().parents[1] / "data" / "annotations.blend")) as (_, wanted):
+        kind = 'annotations' if hasattr(wanted, 'annotations') else 'grease_pencils'
+        setattr(wanted, kind, [name])
+    return getattr(wanted, kind)[0]
