@@ -11,6 +11,7 @@ settings.register_profile("other", database=None, deadline=None, max_examples=10
 
 def pytest_addoption(parser):
     parser.addoption("--seed", type=int, default=0, metavar="N", help="other random numbers than those of every run")
+    parser.addoption("--inputs", type=int, default=0, metavar="N", help="so many of each kind in test_promised_tolerances")
 
 
 def pytest_configure(config):

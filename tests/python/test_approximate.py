@@ -313,6 +313,8 @@ BAD = [
     (dict(count=8, degree=1, smoothing=1.0), "smoothing needs degree 2"),
     (dict(count=8, corrections=-1), "corrections = -1"),
     (dict(count=8, parameters=np.zeros(30)), r"parameters\[1\] = 0 does not increase from 0"),
+    (dict(count=8, parameters=np.r_[np.arange(29.0), 27.5]), r"parameters\[29\] = 27.5 does not increase from 28"),
+    (dict(points=walk(30)[np.r_[:8, 7:29]], count=8), r"points\[8\] is too close to points\[7\]"),
     (dict(count=8, parameters=np.arange(29.0)), "parameters has 29 values for 30 points"),
     (dict(count=8, start=np.ones((3, 3))), "3 derivatives at an end are too many for degree 3"),
     (dict(count=8, start=(1, 0, 0), fixed_ends=False), "derivatives are for the fixed ends"),

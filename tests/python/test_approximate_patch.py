@@ -348,3 +348,16 @@ def with_a_gap(value):
 def test_a_grid_with_a_missing_point_says_which(make, points, message):
     with pytest.raises((sc.InvalidShape, TypeError), match=message):
         make(points)
+
+
+@pytest.mark.parametrize('make', [fit.interpolate_patch, lambda grid, **how: fit.approximate_patch(grid, 5, **how)])
+def test_grids_on_a_line_with_rows_twice_and_with_parameters_that_fall(make):
+    i, j = np.meshgrid(np.arange(9.0), np.arange(9.0), indexing='ij')
+    on_a_line = (i + j)[..., None] * (1.0, 2.0, 3.0)
+    made = make(on_a_line)
+    assert made.error < 1e-13 and np.linalg.matrix_rank(made.value.points.reshape(-1, 3), tol=1e-9) == 1
+    plane = np.stack([i, j, 0 * i], -1)
+    with pytest.raises(sc.InvalidShape, match="points along u: line 4 is too close to line 3"):
+        make(plane[np.r_[:4, 3:8]])
+    with pytest.raises(sc.InvalidShape, match=r"along u: parameters\[3\] = 2 does not increase from 3"):
+        make(plane, parameters=([0, 1, 3, 2, 4, 5, 6, 7, 8], 'uniform'))

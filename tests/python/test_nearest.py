@@ -106,10 +106,11 @@ def test_of_curves_none_is_wrong(degree):
 
 @pytest.mark.parametrize("degree", range(1, 7))
 def test_of_patches_none_is_wrong(degree):
+    """Ten thousand queries in all."""
     rng = np.random.default_rng(100 + degree)
-    for _ in range(3):
+    for _ in range(14):
         patch = random_patch(rng, degree=degree, spans=2)
-        check_patch(patch, queries(rng, patch.points.reshape(-1, 3), 60))
+        check_patch(patch, queries(rng, patch.points.reshape(-1, 3), 120))
 
 
 def test_ten_thousand_queries_of_one_curve():
@@ -130,6 +131,47 @@ def test_ten_thousand_queries_of_a_sheet_many_of_them_with_their_foot_on_the_bor
     found = check_patch(patch, queries(rng, grid.reshape(-1, 3), 10_000))
     on_border = ((found.parameters == 0) | (found.parameters == 7)).any(1)
     assert 1000 < on_border.sum() < 9000
+
+
+def several_places(found, place, size):
+    """Whether the shape is nearest on both sides of x = 0, where its own image lies."""
+    assert np.abs(lengths(found.points - place) - found.distances).max() <= 1e-12 * size
+    return (found.points[:, 0] > 1e-3).any() and (found.points[:, 0] < -1e-3).any()
+
+
+@pytest.mark.parametrize("degree", [2, 3, 5])
+def test_ten_thousand_queries_of_curves_that_are_nearest_at_several_places(degree):
+    """Curves that are their own image: from the plane in the middle both sides are as near."""
+    rng, several = np.random.default_rng(20 + degree), 0
+    for _ in range(5):
+        half = rng.uniform((0.5, -4, -4), (6, 4, 4), (5, 3))
+        points = np.concatenate([half, half[::-1] * (-1, 1, 1)])
+        knots = np.r_[[0] * degree, np.arange(len(points) - degree + 1), [len(points) - degree] * degree]
+        curve = sc.NurbsCurve(degree, knots, points)
+        places = rng.uniform((0, -5, -5), (0, 5, 5), (700, 3))
+        least, size = least_of_curve(curve, places), np.abs(points).max()
+        for place, distance in zip(places, least):
+            found = curve.nearest_all(place)
+            assert (found.distances <= distance + 1e-12 * size).all()
+            several += several_places(found, place, size)
+    assert several > 1500
+
+
+def test_ten_thousand_queries_of_patches_that_are_nearest_at_several_places():
+    rng, several = np.random.default_rng(24), 0
+    knots = np.array([0, 0, 0, 0, 1, 2, 3, 3, 3, 3.0])
+    for _ in range(20):
+        half = np.stack(np.meshgrid(np.linspace(0.5, 3, 3), np.linspace(-3, 3, 6), [0.0], indexing="ij"), -1)[:, :, 0]
+        half[..., 2] = rng.uniform(-2, 2, (3, 6)) + half[..., 0] ** 2
+        net = np.concatenate([half[::-1] * (-1, 1, 1), half])
+        patch = sc.NurbsPatch((3, 3), (knots, knots), net)
+        places = rng.uniform((0, -4, 3), (0, 4, 9), (500, 3))
+        least, size = least_of_patch(patch, places), np.abs(net).max()
+        for place, distance in zip(places, least):
+            found = patch.nearest_all(place)
+            assert (found.distances <= distance + 1e-12 * size).all()
+            several += several_places(found, place, size)
+    assert several > 5000
 
 
 def test_weights_of_both_signs_leave_the_finite_part():

@@ -1,4 +1,6 @@
-"""Every tolerance that is promised, on 1000 random inputs, by dense samples; and memory that grows as the points do."""
+"""Every tolerance that is promised, on 1000 random inputs, by dense samples; and memory that grows as the points do.
+
+A kind of input is a function that draws one, checks it and returns whether it was refused."""
 
 import subprocess
 import sys
@@ -43,6 +45,7 @@ def height(rng, u, v):
 
 
 def keeps(found, error, tolerance, size):
+    """size: of the control points, whose rounding counts; where a single point decides about one it may lie far away."""
     assert error <= tolerance
     assert found <= error * (1 + 1e-9) + ROUNDING * size
 
@@ -60,6 +63,21 @@ def near_points(rng):
     keeps(made.value.nearest(points).distances.max() / size, made.error / size, tolerance / size, 1.0)
 
 
+def near_points_otherwise(rng):
+    """With weights, ends that move, parameters that are corrected, and smoothing, which may keep them from it."""
+    points = wave(rng, int(rng.integers(12, 300)))
+    tolerance = 10.0**rng.uniform(-4, -1)
+    drawn = {"weights": 10.0**rng.uniform(-2, 2, len(points)), "fixed_ends": False,
+             "corrections": int(rng.integers(1, 4)), "smoothing": 10.0**rng.uniform(-12, -9)}
+    given = {name: value for name, value in drawn.items() if rng.random() < 0.4}
+    try:
+        made = fit.approximate(points, None, int(rng.integers(2, 8)), tolerance=tolerance, **given)
+    except sc.ToleranceNotReached:
+        assert "smoothing" in given
+        return True
+    keeps(made.value.nearest(points).distances.max(), made.error, tolerance, max(1.0, np.abs(made.value.points).max()))
+
+
 def rebuilt(rng):
     curve = random_curve(rng, degree=int(rng.integers(2, 7)))
     tolerance = 10.0**rng.uniform(-1.5, 0)
@@ -67,7 +85,7 @@ def rebuilt(rng):
         made = curve.rebuild(tolerance=tolerance, degree=int(rng.integers(3, 7)))
     except sc.ToleranceNotReached:          # even knots are not where a curve has corners
         assert min(joint.c for _, joint in curve.joints()) < 1
-        return
+        return True
     found, size = apart(curve, made.value)
     keeps(found, made.error, tolerance, size)
     assert is_near(random_curves.sampled_distance(curve, made.value) / size, made.error / size, 0.01)
@@ -90,11 +108,22 @@ def without_knots(rng):
     keeps(found, made.error, tolerance, size)
 
 
+def patch_without_knots(rng):
+    patch = random_patches.random_patch(rng, degree=int(rng.integers(1, 6)), spans=4)
+    tolerance = 10.0**rng.uniform(-4, 1)
+    made = patch.remove_knots("uv"[rng.integers(2)], tolerance)
+    keeps(random_patches.sampled_distance(patch, made.value, 20), made.error, tolerance, np.abs(patch.points).max())
+
+
 def of_a_grid(rng):
     u, v = (np.sort(rng.uniform(0, 1, int(rng.integers(8, 40)))) for _ in range(2))
     points = height(rng, *np.meshgrid(u, v, indexing="ij"))
     tolerance = 10.0**rng.uniform(-4, -1)
-    made = fit.approximate_patch(points, degrees=int(rng.integers(1, 5)), parameters=(u, v), tolerance=tolerance)
+    try:
+        made = fit.approximate_patch(points, degrees=int(rng.integers(1, 5)), parameters=(u, v), tolerance=tolerance)
+    except sc.InvalidShape as refused:      # parameters that lie next to each other, and as many control points
+        assert "do not determine the shape as far as numbers can tell" in str(refused)
+        return True
     keeps(lengths(made.value.evaluate_grid(u, v) - points).max(), made.error, tolerance, 1.0)
 
 
@@ -104,9 +133,8 @@ def of_scattered_points(rng):
     try:
         made = fit.approximate_scattered(points, degrees=int(rng.integers(2, 4)), tolerance=tolerance)
     except sc.ToleranceNotReached as refused:          # more control points than points decide about
-        assert "do not determine" in str(refused)
-        return
-    # Where a single point decides about a control point that one may lie far away, and its rounding counts.
+        assert "determine" in str(refused)
+        return True
     keeps(made.value.nearest(points).distances.max(), made.error, tolerance, max(1.0, np.abs(made.value.points).max()))
 
 
@@ -115,8 +143,9 @@ def long(rng):
     tolerance = 10.0**rng.uniform(-12, -2)
     rough, finest = (sum(dense_length(curve, span, parts) for span in spans(curve)) for parts in (2000, 4000))
     found, slack = curve.length(tolerance=tolerance), abs(finest - rough) + 1e-13 * finest
-    assert slack < tolerance * finest, "this would tell nothing"
-    assert abs(found - finest) <= tolerance * finest + slack
+    if slack > tolerance * finest:      # the judge cannot tell
+        return True
+    assert abs(found - finest) <= tolerance * finest + slack + 1e-15 * np.abs(curve.points).max()
 
 
 def spans(curve):
@@ -146,6 +175,15 @@ def divided(rng):
         assert abs(curve.length(curve.domain[0], u) - k * whole / count) <= 2e-10 * whole
 
 
+def placed(rng):
+    """A parameter by the length up to it, to 1e-10."""
+    curve = random_curve(rng)
+    whole = curve.length()
+    for length in whole * rng.uniform(0, 1, 3) if whole > 0 else []:
+        u = float(curve.parameter_at_length(length))
+        assert abs(curve.length(curve.domain[0], u) - length) <= 2e-10 * whole
+
+
 def rebuilt_patch(rng):
     """Its error is no tolerance, but the largest distance, at most 2 % above the truth."""
     patch = random_patches.random_patch(rng, degree=int(rng.integers(1, 6)))
@@ -166,20 +204,24 @@ def faired_patch(rng):
     assert is_near(found / size, made.error / size, 0.02)
 
 
-KINDS = {near_points: 300, rebuilt: 50, faired: 100, without_knots: 100, of_a_grid: 100, of_scattered_points: 50,
-         long: 100, divided: 100, rebuilt_patch: 50, faired_patch: 50}
+KINDS = (near_points, near_points_otherwise, rebuilt, faired, without_knots, patch_without_knots, of_a_grid,
+         of_scattered_points, long, divided, placed, rebuilt_patch, faired_patch)
+PARTS = 10
+#: A rebuilt curve takes a quarter of a second: `--inputs 1000` draws as many of those, too.
+FEW = {rebuilt: 100}
 
 
-def test_a_thousand_inputs():
-    assert sum(KINDS.values()) == 1000
+def share_refused(kind, part, inputs):
+    rng = np.random.default_rng([part, KINDS.index(kind)])
+    count = (inputs or FEW.get(kind, 1000)) // PARTS
+    return sum(bool(kind(rng)) for _ in range(count)) / count
 
 
-@pytest.mark.parametrize("part", range(10))
+@pytest.mark.parametrize("part", range(PARTS))
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
-def test_every_promise_is_kept(kind, part):
-    rng = np.random.default_rng([part, list(KINDS).index(kind)])
-    for _ in range(KINDS[kind] // 10):
-        kind(rng)
+def test_every_promise_is_kept(kind, part, request):
+    few = {rebuilt: 0.6, near_points_otherwise: 0.3, of_scattered_points: 0.2, long: 0.1, of_a_grid: 0.01}.get(kind, 0)
+    assert share_refused(kind, part, request.config.getoption("inputs")) <= few
 
 
 MEMORY = """
