@@ -1,6 +1,8 @@
 #include "splinecore/basis/knot_vector.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <thread>
@@ -25,6 +27,36 @@ TEST(KnotVectorMake, NamesTheFirstKnotThatIsNotFinite) {
   EXPECT_EQ(refused(1, {0, 0, kNan, kInfinity}), "knots[2] = nan is not finite");
   EXPECT_EQ(refused(1, {0, -kInfinity, 1, 1}), "knots[1] = -inf is not finite");
   EXPECT_EQ(refused(1, {0, 1, kInfinity}, true), "knots[2] = inf is not finite");
+}
+
+/// By the definition, knot by knot.
+bool is_knot_vector(int degree, const std::vector<double>& knots) {
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (!std::isfinite(knots[i]) || (i > 0 && knots[i] < knots[i - 1])) return false;
+    if (std::ranges::count(knots, knots[i]) > degree + 1) return false;
+  }
+  return true;
+}
+
+TEST(KnotVectorMake, RefusesWhatIsWrongAtAnyPlaceAndNothingElse) {
+  for (const int degree : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, kMaxDegree}) {
+    for (const int ends : {1, degree, degree + 1}) {
+      for (const int inner : {0, 1, 2, 7, 40}) {
+        std::vector<double> good(ends, 0.0);
+        for (int i = 1; i <= inner; ++i) good.insert(good.end(), i % 5 == 0 ? 2 : 1, i);
+        good.insert(good.end(), ends, inner + 1);
+        if (static_cast<int>(good.size()) < degree + 2) continue;
+        for (std::size_t i = 0; i < good.size(); i += good.size() > 100 ? 7 : 1) {
+          for (const double value : {kNan, kInfinity, -kInfinity, -1.0, 0.5, 3.0, good[i] + 1.0}) {
+            std::vector<double> knots = good;
+            knots[i] = value;
+            const bool is_right = is_knot_vector(degree, knots);
+            EXPECT_EQ(refused(degree, knots) == "not refused", is_right) << degree << ", " << value << " at " << i;
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(KnotVectorMake, NamesTheFirstKnotThatDecreases) {

@@ -133,10 +133,15 @@ def test_ten_thousand_queries_of_a_sheet_many_of_them_with_their_foot_on_the_bor
     assert 1000 < on_border.sum() < 9000
 
 
-def several_places(found, place, size):
-    """Whether the shape is nearest on both sides of x = 0, where its own image lies."""
-    assert np.abs(lengths(found.points - place) - found.distances).max() <= 1e-12 * size
-    return (found.points[:, 0] > 1e-3).any() and (found.points[:, 0] < -1e-3).any()
+def count_of_several(shape, places, least):
+    """From how many places a shape that is its own image is nearest on both sides of x = 0."""
+    size, several = np.abs(shape.points).max(), 0
+    for place, distance in zip(places, least):
+        found = shape.nearest_all(place)
+        assert (found.distances <= distance + 1e-12 * size).all()
+        assert np.abs(lengths(found.points - place) - found.distances).max() <= 1e-12 * size
+        several += (found.points[:, 0] > 1e-3).any() and (found.points[:, 0] < -1e-3).any()
+    return several
 
 
 @pytest.mark.parametrize("degree", [2, 3, 5])
@@ -149,11 +154,7 @@ def test_ten_thousand_queries_of_curves_that_are_nearest_at_several_places(degre
         knots = np.r_[[0] * degree, np.arange(len(points) - degree + 1), [len(points) - degree] * degree]
         curve = sc.NurbsCurve(degree, knots, points)
         places = rng.uniform((0, -5, -5), (0, 5, 5), (700, 3))
-        least, size = least_of_curve(curve, places), np.abs(points).max()
-        for place, distance in zip(places, least):
-            found = curve.nearest_all(place)
-            assert (found.distances <= distance + 1e-12 * size).all()
-            several += several_places(found, place, size)
+        several += count_of_several(curve, places, least_of_curve(curve, places))
     assert several > 1500
 
 
@@ -166,11 +167,7 @@ def test_ten_thousand_queries_of_patches_that_are_nearest_at_several_places():
         net = np.concatenate([half[::-1] * (-1, 1, 1), half])
         patch = sc.NurbsPatch((3, 3), (knots, knots), net)
         places = rng.uniform((0, -4, 3), (0, 4, 9), (500, 3))
-        least, size = least_of_patch(patch, places), np.abs(net).max()
-        for place, distance in zip(places, least):
-            found = patch.nearest_all(place)
-            assert (found.distances <= distance + 1e-12 * size).all()
-            several += several_places(found, place, size)
+        several += count_of_several(patch, places, least_of_patch(patch, places))
     assert several > 5000
 
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
+#include "along.hpp"
 #include "base/distance.hpp"
 #include "grid.hpp"
 #include "splinecore/base/errors.hpp"
@@ -33,22 +33,18 @@ InterpolationOptions options_of(const FitDirection& direction) {
   return options;
 }
 
-DirectionSystem direction_of(const FitDirection& given, std::size_t count, const char* axis) {
-  try {
-    const std::vector<glm::dvec3> places(count, glm::dvec3(0.0));
-    const InterpolationOptions options = options_of(given);
-    require_interpolation(count, given.parameters, options);
-    const std::vector<Condition> conditions = conditions_of(places, given.parameters, options);
-    KnotVector knots = knots_for(sites_of(conditions), given.parameters, options);
-    BandedRows rows = system_of(knots, conditions).rows;
-    DirectionSystem made{std::move(knots), std::move(rows), {}};
-    for (const Condition& condition : conditions) {
-      made.points.push_back(condition.order == 0 ? condition.point : kNoPoint);
-    }
-    return made;
-  } catch (const InvalidShape& error) {
-    throw InvalidShape("along " + std::string(axis) + ": " + error.what());
+DirectionSystem direction_of(const FitDirection& given, std::size_t count) {
+  const std::vector<glm::dvec3> places(count, glm::dvec3(0.0));
+  const InterpolationOptions options = options_of(given);
+  require_interpolation(count, given.parameters, options);
+  const std::vector<Condition> conditions = conditions_of(places, given.parameters, options);
+  KnotVector knots = knots_for(sites_of(conditions), given.parameters, options);
+  BandedRows rows = system_of(knots, conditions).rows;
+  DirectionSystem made{std::move(knots), std::move(rows), {}};
+  for (const Condition& condition : conditions) {
+    made.points.push_back(condition.order == 0 ? condition.point : kNoPoint);
   }
+  return made;
 }
 
 /// The grid's rows as right sides along u: control points along u, for each point along v.
@@ -123,8 +119,8 @@ double largest_distance(const NurbsPatch& patch, const PointGrid& grid, const Di
 
 Approximation<NurbsPatch> interpolate(const PointGrid& grid, const FitDirection& u, const FitDirection& v) {
   require_grid(grid);
-  const DirectionSystem along_u = direction_of(u, grid.count_u, "u");
-  const DirectionSystem along_v = direction_of(v, grid.count_v, "v");
+  const DirectionSystem along_u = along("u", [&] { return direction_of(u, grid.count_u); });
+  const DirectionSystem along_v = along("v", [&] { return direction_of(v, grid.count_v); });
   NurbsPatch patch = NurbsPatch::make(along_u.knots, along_v.knots, control_points(grid, along_u, along_v));
   const double error = largest_distance(patch, grid, along_u, along_v);
   require_passing(error, largest_coordinate(grid.points));
