@@ -61,7 +61,12 @@ def overwrite(owner, key, values):
 def write(data, definition):
     """Keep the definition with the data-block, in place of any before. The stamp goes with the old one."""
     assign(data, KEY, encoded(definition))
+    _tell(data)
+
+
+def _tell(data):
     look_again(data)
+    state.drag = None
 
 
 def digest(data):
@@ -122,7 +127,7 @@ def write_stamp(data, stamp):
     """Keep what identifies the geometry that was written: a few whole numbers below 2^53."""
     data[KEY]['version'] = VERSION
     overwrite(data[KEY], _STAMP, np.array(stamp, dtype=np.float64))
-    look_again(data)
+    _tell(data)
 
 
 def write_final(data, stamp):

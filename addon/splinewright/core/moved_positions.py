@@ -25,11 +25,15 @@ class MovedPositions:
         self._places = {}               # of which rows moved the checksum.Places of what they move
         self.move(patch_set)
 
-    def move(self, patch_set):
-        """Be those of another set with the same patches, that fits."""
+    def move(self, patch_set, rows=None):
+        """Be those of another set with the same patches, that fits. rows: the only ones of its points that may be others now,
+        where that is known."""
         before, self._evaluated = self._evaluated, None
         kept, self._checksum = self._checksum, None         # of what may be no more
-        places = self._places_of(kept, before, patch_set) if kept is not None and before is not None else None
+        is_known = kept is not None and before is not None
+        if is_known and rows is None:
+            rows = _moved_rows(before, patch_set)
+        places = self._places_of(kept, before, rows) if is_known and rows is not None else None
         if places is not None:
             kept.writes(places)
         self.faces.evaluate_positions(patch_set, before=before, out=self.positions)
@@ -48,13 +52,8 @@ class MovedPositions:
             self._checksum = Kept(self._room)
         return self._checksum.value()
 
-    def _places_of(self, kept, before, patch_set):
-        """The Places of all numbers that may become others, or None where that may be any."""
-        points, weights = before.points, before.weights
-        if points.shape != patch_set.points.shape or not are_equal(weights, patch_set.weights):
-            return None
-        differ = points.view(np.uint64) != patch_set.points.view(np.uint64)
-        rows = differ[:, 0] | differ[:, 1] | differ[:, 2]
+    def _places_of(self, kept, before, rows):
+        """The Places of all numbers that may become others where these rows move, or None where that may be any."""
         known = rows.tobytes()
         if known not in self._places:
             if len(self._places) >= _KNOWN:
@@ -77,3 +76,12 @@ class MovedPositions:
         except FAILURES:
             return None
         return np.flatnonzero(out[::3] != _UNTOUCHED)
+
+
+def _moved_rows(before, patch_set):
+    """(k,) the points of a set that are others than before, or None where more than that is."""
+    points = before.points
+    if points.shape != patch_set.points.shape or not are_equal(before.weights, patch_set.weights):
+        return None
+    differ = points.view(np.uint64) != patch_set.points.view(np.uint64)
+    return (differ[:, 0] | differ[:, 1] | differ[:, 2]).nonzero()[0]

@@ -5,7 +5,7 @@ from bpy.app.handlers import persistent
 
 from ..bridge import deviation_targets, follow, keyed, recipes, versions
 from ..bridge.file_state import ended_operators, forget, key, look_again, state
-from ..bridge.net import live
+from ..bridge.net import dragging, live
 from ..bridge.net.growing import Moment
 from . import deviation_paint, editing, errands, messages, saving, texts, timers
 
@@ -18,6 +18,10 @@ def updated(scene, depsgraph):
     """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
     if not errands.is_main_thread():
         return                          # of a render: frame_changed() sees to that
+    occasion = dragging.occasion(depsgraph.updates) if state.nets else None
+    if state.drag and dragging.goes_on(occasion):
+        timers.later(editing.settle, _SETTLE)
+        return
     _put_back_after_failure()
     is_new = _look_through()
     changed = set()
@@ -40,6 +44,8 @@ def updated(scene, depsgraph):
         follow.refresh_all(changed, depsgraph)
     elif changed:
         follow.refresh(changed, depsgraph)
+    if len(state.nets) == len(written) == 1 and _is_alone(changed - written):
+        dragging.begin(*editing.nets(), occasion)
     state.seen = ended_operators()
 
 
@@ -68,6 +74,7 @@ def undone(*_):
     _put_back_after_failure()
     for known in (state.touched, state.selected, state.drawn, state.sights, state.shown, state.targets):
         known.clear()
+    state.drag = None
     state.handed = state.began = ended_operators()
     state.was_undone = True
     editing.awaken()
@@ -175,6 +182,11 @@ def _follow_nets(changed):
     if written or is_draft:
         timers.later(editing.settle, _SETTLE)
     return written
+
+
+def _is_alone(changed):
+    """Whether nothing but its net has to do with a shape, where these blocks change with it."""
+    return not state.followers and not state.targets and not any(map(keyed.is_shape, changed))
 
 
 def _is_idle():

@@ -66,8 +66,8 @@ def said(ob, before=None):
     """
     if not ob.data.is_editmode:
         return None
-    edited, vertices = bmesh.from_edit_mesh(ob.data), _Vertices(ob)
-    layers = vertices.layer('INT', NUMBER), vertices.layer('FLOAT', WEIGHT)
+    vertices = _Vertices(ob)
+    layers, edited = (vertices.layer('INT', NUMBER), vertices.layer('FLOAT', WEIGHT)), vertices.edited
     if None in layers:
         return None
     occasion = len(edited.verts), len(edited.edges), len(edited.faces), ended_operators()
@@ -169,14 +169,14 @@ class _Vertices:
     def __init__(self, block):
         """block: the Mesh, or the object that has it, which is faster in Edit Mode."""
         self._ob, self._mesh = (None, block) if isinstance(block, bpy.types.Mesh) else (block, block.data)
-        self._edited = bmesh.from_edit_mesh(self._mesh) if self._mesh.is_editmode else None
+        self.edited = bmesh.from_edit_mesh(self._mesh) if self._mesh.is_editmode else None
 
     def values(self, kind, name):
         """(m,) of an attribute, or None where there is none of that kind."""
         dtype = np.float32 if kind == 'FLOAT' else np.int32
-        if self._edited is not None:
+        if self.edited is not None:
             layer = self.layer(kind, name)
-            vertices = self._edited.verts
+            vertices = self.edited.verts
             return None if layer is None else np.fromiter(map(itemgetter(layer), vertices), dtype, len(vertices))
         attribute = self._attribute(kind, name)
         if attribute is None:
@@ -187,9 +187,9 @@ class _Vertices:
 
     def set_values(self, kind, name, values):
         """Write an attribute that is there."""
-        if self._edited is not None:
+        if self.edited is not None:
             layer = self.layer(kind, name)
-            for vertex, value in zip(self._edited.verts, values.tolist()) if layer is not None else ():
+            for vertex, value in zip(self.edited.verts, values.tolist()) if layer is not None else ():
                 vertex[layer] = value
         elif self._attribute(kind, name) is not None:
             dtype = np.float32 if kind == 'FLOAT' else np.int32
@@ -197,7 +197,7 @@ class _Vertices:
 
     def layer(self, kind, name):
         """The layer of an attribute in Edit Mode, or None."""
-        layers = self._edited.verts.layers
+        layers = self.edited.verts.layers
         return (layers.float if kind == 'FLOAT' else layers.int).get(name)
 
     def _attribute(self, kind, name):
@@ -205,39 +205,39 @@ class _Vertices:
         return attribute if attribute and attribute.domain == 'POINT' and attribute.data_type == kind else None
 
     def positions(self):
-        if self._edited is not None and self._ob is None:
-            return np.array([vertex.co[:] for vertex in self._edited.verts], np.float32).reshape(-1, 3)
-        if self._edited is not None:
+        if self.edited is not None and self._ob is None:
+            return np.array([vertex.co[:] for vertex in self.edited.verts], np.float32).reshape(-1, 3)
+        if self.edited is not None:
             self._ob.update_from_editmode()
         flat = np.empty(3 * len(self._mesh.vertices), np.float32)
         self._mesh.vertices.foreach_get('co', flat)
         return flat.reshape(-1, 3)
 
     def set_positions(self, positions):
-        if self._edited is None:
+        if self.edited is None:
             self._mesh.vertices.foreach_set('co', positions.ravel())
             return
-        for vertex, position in zip(self._edited.verts, positions.tolist()):
+        for vertex, position in zip(self.edited.verts, positions.tolist()):
             vertex.co = position
 
     def links(self):
-        if self._edited is not None:
-            self._edited.verts.index_update()
-            return np.array([[vertex.index for vertex in edge.verts] for edge in self._edited.edges], np.int64)
+        if self.edited is not None:
+            self.edited.verts.index_update()
+            return np.array([[vertex.index for vertex in edge.verts] for edge in self.edited.edges], np.int64)
         flat = np.empty(2 * len(self._mesh.edges), np.int32)
         self._mesh.edges.foreach_get('vertices', flat)
         return flat.reshape(-1, 2)
 
     def corners(self):
         """Of each face the slots of its vertices."""
-        if self._edited is None:
+        if self.edited is None:
             return [tuple(face.vertices) for face in self._mesh.polygons]
-        self._edited.verts.index_update()
-        return [tuple(vertex.index for vertex in face.verts) for face in self._edited.faces]
+        self.edited.verts.index_update()
+        return [tuple(vertex.index for vertex in face.verts) for face in self.edited.faces]
 
     def tell(self):
         """Let Blender know of what was written."""
-        if self._edited is None:
+        if self.edited is None:
             self._mesh.update()
         else:
             bmesh.update_edit_mesh(self._mesh, loop_triangles=False, destructive=False)

@@ -51,7 +51,7 @@ class Session:
         self.placed = holding.Placed()
         self.released = ""              # what holds no more since the net came
         self.keyed_rows = {}            # of bridge.net.keyed_stages
-        self._fineness = self._stamp = None     # of the faces, and of the shape when it got them
+        self._fineness = self.stamp = None      # of the faces, and of the shape when it got them
         self._look = self._last_step = self._next_check = 0.0
         self._patch_sets = {}           # the last ones, by how many points they have
         self._moved = None              # the MovedPositions on the faces
@@ -87,6 +87,10 @@ class Session:
         """Raises Refusal where others changed the shape since its net last wrote it."""
         if self.pool is not None and not are_equal(pool, self.pool):
             raise Refusal("the shape was given another definition while its net was out: leave the net")
+        self.look_at(data)
+
+    def look_at(self, data):
+        """Raises Refusal where others changed what the shape shows, which is looked for when a drag pauses."""
         start = now = time.monotonic()
         if start > self._next_check:            # not at every step of a drag
             shape.require_untouched(data)
@@ -105,7 +109,7 @@ class Session:
         """The shape has these faces now."""
         if faces is not self.faces:
             self._moved = None
-        self.faces, self._fineness, self._stamp = faces, fineness.of(data), store.read_stamp(data)
+        self.faces, self._fineness, self.stamp = faces, fineness.of(data), store.read_stamp(data)
 
     def settings(self, number, present):
         """What a number in the net stands for: from now on the present values, where it is new or none of ours."""
@@ -134,10 +138,15 @@ class Session:
         self._patch_sets[count] = found
         return found
 
+    @property
+    def is_dragged(self):
+        """Whether the shape shows moved() positions."""
+        return self._moved is not None
+
     def _has_faces(self, data, known):
         """Whether the shape has the faces that are known here. known: its stamp."""
         return (self.faces is not None and known is not None and self._fineness == fineness.of(data)
-                and stamp.same_topology(self._stamp, known))
+                and stamp.same_topology(self.stamp, known))
 
     def final_faces(self, data):
         """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
@@ -150,13 +159,17 @@ class Session:
             if faces is None:
                 return None
             self.wrote(data, faces)
+        return self.moved_on(patch_set)
+
+    def moved_on(self, patch_set, rows=None):
+        """moved() where the shape is known to have these faces. rows: as of MovedPositions.move()."""
         moved, self._moved = self._moved, None
         if not (moved or self.faces).fits(patch_set):
             return None                 # sides that were one are not any more, or the other way round
         if moved is None:
             moved = MovedPositions(self.faces, patch_set)
         else:
-            moved.move(patch_set)
+            moved.move(patch_set, rows)
         self._moved = moved
         return moved
 
@@ -223,7 +236,7 @@ def pull(ob, moment=Moment.FREE):
     Of what cannot be read or shown the shape keeps what it has; problem() says why. Whatever goes wrong is kept in words:
     others are to be brought up to date, too.
     """
-    net = ob.data
+    net, state.drag = ob.data, None
     look_again(net)
     problems.tell(net, problems.STRAYS, "")
     try:
@@ -457,13 +470,18 @@ def _show(data, definition, current):
             current.wrote(data, faces)
         current.pool = definition.pool
         return True
+    show_moved(data, definition, moved, current, known)
+    return True
+
+
+def show_moved(data, definition, moved, current, known):
+    """Let a shape be of a definition by moving its vertices. moved: its MovedPositions; known: the stamp of the shape."""
     if not _are_finite(moved.positions, definition.pool):
         raise sc.InvalidShape("a point is farther away than Blender can show (3.4e38)")
     write_mesh.move(data, moved.positions)
     current.pool = definition.pool
     store.write_draft(data, definition, stamp.moved(known, moved.checksum()))
     point_keys.show(data, definition.pool)
-    return True
 
 
 def _are_finite(positions, pool):

@@ -3,12 +3,12 @@
 It gives the bits that core.net.reading and core.net.exact_net give.
 """
 
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from ..arrays import are_equal
+from ..definition import Definition
 from .exact_net import Exact, in_rows
 
 
@@ -24,14 +24,13 @@ class Said(NamedTuple):
     def moved(self, positions):
         """(k,) the slots whose positions are others in these, as many."""
         differ = positions.view(np.uint32) != self.positions.view(np.uint32)
-        return np.flatnonzero(differ[:, 0] | differ[:, 1] | differ[:, 2])
+        return (differ[:, 0] | differ[:, 1] | differ[:, 2]).nonzero()[0]
 
 
 def of(net, said, typed, found, definition):
     """The LastReading of a net that was read, or None where it is not to be had: points are missing, or handles there."""
     is_whole = said is not None and not found.problem and not found.extra and len(said.positions) == len(found.slots)
-    rows = net.rows[net.are_points]
-    if not is_whole or len(net.handles) or len(np.unique(rows)) < len(rows):
+    if not is_whole or not net.are_points.all() or len(np.unique(net.rows)) < len(net.rows):
         return None
     return LastReading(net, said, typed, found, definition)
 
@@ -43,11 +42,14 @@ class LastReading:
         self._net, self.said, self._typed = net, said, typed
         self._found, self._definition = found, definition
         self._is_in_order = np.array_equal(found.slots, np.arange(len(found.slots)))
+        self._are_weights_kept = bool(found.state.kept_weights.all())
+        self.rows = None                # of the pool, (k,): what again() moved last
 
     def again(self, net, said, typed):
         """(the Reading, the definition) of what the net says now, which is the last one then; None where more than
         positions is other, or a typed number is concerned."""
-        if said is None or net is not self._net or not self.agrees(said) or not are_equal(typed, self._typed):
+        is_same = net is self._net and (typed is self._typed or are_equal(typed, self._typed))
+        if said is None or not is_same or not self.agrees(said):
             return None
         slots = self.said.moved(said.positions) if said.slots is None else said.slots
         if not len(slots):
@@ -56,8 +58,7 @@ class LastReading:
         positions = said.positions[slots if self._is_in_order else self._found.slots[vertices]]
         if not np.isfinite(positions).all() or len(typed) and np.isin(typed[:, 0], vertices).any():
             return None
-        self.said, self._found = said, self._found._replace(state=self._moved(vertices, positions))
-        self._definition = self._with(vertices)
+        self.said, self._found, self._definition = said, *self._with(vertices, positions)
         return self._found, self._definition
 
     def agrees(self, said):
@@ -65,22 +66,18 @@ class LastReading:
         return ((said.numbers is self.said.numbers or said.numbers == self.said.numbers)
                 and (said.weights is self.said.weights or said.weights == self.said.weights))
 
-    def _moved(self, vertices, positions):
+    def _with(self, vertices, positions):
+        """(the Reading, the definition) with vertices at other positions, float32."""
         net, state = self._net, self._found.state
         are_kept = in_rows(positions == net.single[vertices])
+        exact = np.where(are_kept[:, None], net.positions[vertices], positions)
         now, kept = state.positions.copy(), state.kept.copy()
-        now[vertices] = np.where(are_kept[:, None], net.positions[vertices], positions)
-        kept[vertices] = are_kept
-        return Exact(now, state.weights, kept, state.kept_weights)
-
-    def _with(self, vertices):
-        net, state = self._net, self._found.state
-        if state.kept.all() and state.kept_weights.all():
-            return net.source
-        first = net.definition.pool
-        pool = (first if self._definition is net.source else self._definition.pool).copy()
-        points = vertices[net.are_points[vertices]]
-        rows, are_kept = net.rows[points], state.kept[points] & state.kept_weights[points]
-        now = np.column_stack([state.positions[points], state.weights[points]])
-        pool[rows] = np.where(are_kept[:, None], first[rows], now)
-        return replace(net.definition, pool=pool)
+        now[vertices], kept[vertices] = exact, are_kept
+        self.rows = net.rows[vertices]
+        found = self._found._replace(state=Exact(now, state.weights, kept, state.kept_weights))
+        if self._are_weights_kept and kept.all():
+            return found, net.source
+        before = net.definition if self._definition is net.source else self._definition
+        pool = before.pool.copy()
+        pool[self.rows, :3] = exact
+        return found, Definition(before.form, pool, before.pieces)
