@@ -54,14 +54,15 @@ void require_both_ends(const splinecore::Interval& domain, std::optional<double>
   }
 }
 
-double length(const NurbsCurve& curve, const py::object& start, const py::object& end, const py::object& tolerance) {
+double length(const NurbsCurve& curve, const py::object& start, const py::object& end, const py::object& tolerance,
+              const py::object& cancel) {
   const splinecore::Interval domain = curve.domain();
   const std::optional<double> from = optional_real(start, "start");
   const std::optional<double> to = optional_real(end, "end");
   if (curve.periodic()) require_both_ends(domain, from, to);
   const splinecore::Interval range{from.value_or(domain.start), to.value_or(domain.end)};
   const double most = real(tolerance, "tolerance");
-  return unlocked([&] { return splinecore::length(curve, range, most).value; });
+  return unlocked([&] { return splinecore::length(curve, range, most).value; }, cancel);
 }
 
 /// One number for each parameter.
@@ -91,17 +92,17 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
 
 template <class Curve>
 void bind_curve(py::class_<Curve> cls) {
-  cls.def("length", [](const Curve& self, const py::object& start, const py::object& end, const py::object& tolerance) {
-            return length(form(self), start, end, tolerance);
-          },
+  cls.def("length", [](const Curve& self, const py::object& start, const py::object& end, const py::object& tolerance,
+                       const py::object& cancel) { return length(form(self), start, end, tolerance, cancel); },
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::kw_only(),
-          py::arg("tolerance") = splinecore::kLengthTolerance,
+          py::arg("tolerance") = splinecore::kLengthTolerance, py::arg("cancel") = py::none(),
           "The length between two parameters, by default of all: a float, off by at most the tolerance times itself,\n"
           "or by rounding of the coordinates where that is more.\n\n"
           "Adaptive quadrature of Gauss and Kronrod on every span, also through cusps and beside wild weights. Of a\n"
           "periodic curve start and end may be any numbers: it goes on, and turns are counted. InvalidShape unless\n"
           "start <= end in the domain of another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached\n"
-          "where that takes too much work: it tells an error that is above the tolerance. Row S15.");
+          "where that takes too much work: it tells an error that is above the tolerance. cancel: a callable that ends\n"
+          "the call by returning true. Row S15.");
   cls.def("curvature", [](const Curve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::curvature);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
@@ -190,7 +191,7 @@ constexpr const char* kAreaText =
     "more. Adaptive quadrature of Gauss and Kronrod on every pair of spans.\n\n"
     "PointAtInfinity if a patch runs to infinity; InvalidShape where weights differ too much in size;\n"
     "ToleranceNotReached where it takes too much work, as with many digits of a patch that folds back on itself: it\n"
-    "tells an error that is above the tolerance. Rows S19, S20.";
+    "tells an error that is above the tolerance. cancel: a callable that ends the call by returning true. Rows S19, S20.";
 
 template <class Patch>
 void bind_patch(py::class_<Patch> cls) {
@@ -208,58 +209,60 @@ void bind_patch(py::class_<Patch> cls) {
           "At a pole they are those of the one form that all lines through it agree on; nan where they do not, as\n"
           "at the tip of a cone, and where S_u and S_v are parallel. InvalidShape if one is too large for a number.\n"
           "Rows S19, S20.");
-  cls.def("area", [](const Patch& self, const py::object& tolerance) {
+  cls.def("area", [](const Patch& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
-            return unlocked([&] { return splinecore::area(patch_form(self), most).value; });
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, kAreaText);
+            return unlocked([&] { return splinecore::area(patch_form(self), most).value; }, cancel);
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(), kAreaText);
 }
 
 void bind_set(py::class_<PatchSet> cls) {
-  cls.def("area", [](const PatchSet& self, const py::object& tolerance) {
+  cls.def("area", [](const PatchSet& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
-            return unlocked([&] { return splinecore::area(self, most).value; });
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, kAreaText);
-  cls.def("volume", [](const PatchSet& self, const py::object& tolerance) {
+            return unlocked([&] { return splinecore::area(self, most).value; }, cancel);
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(), kAreaText);
+  cls.def("volume", [](const PatchSet& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
-            return unlocked([&] { return splinecore::volume(self, most).value; });
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+            return unlocked([&] { return splinecore::volume(self, most).value; }, cancel);
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(),
           "The volume that the patches enclose, a float right to a relative tolerance; negative if the normals point\n"
-          "inwards. By Gauss's theorem and adaptive quadrature.\n\n"
+          "inwards. By Gauss's theorem and adaptive quadrature. cancel: a callable that ends the call by returning true.\n\n"
           "InvalidShape names a side that meets no other, or beyond which the normals point to the other side. Sides\n"
           "meet on equal points, a side of a pole or across a periodic direction is closed. Rows S19, S20.");
 }
 
-py::array_t<double> second_moments(const PatchSet& set, const py::object& about, const py::object& tolerance) {
+py::array_t<double> second_moments(const PatchSet& set, const py::object& about, const py::object& tolerance,
+                                   const py::object& cancel) {
   std::optional<glm::dvec3> point;
   if (!about.is_none()) point = vector_of(about, "about");
   const double most = real(tolerance, "tolerance");
-  const auto found = unlocked([&] { return splinecore::second_moments(set, point, most).value; });
+  const auto found = unlocked([&] { return splinecore::second_moments(set, point, most).value; }, cancel);
   py::array_t<double> out(Shape{3, 3});
   std::copy_n(&found[0].x, 9, out.mutable_data());
   return out;
 }
 
 void bind_moments(py::class_<PatchSet> cls) {
-  cls.def("centroid", [](const PatchSet& self, const py::object& tolerance) {
+  cls.def("centroid", [](const PatchSet& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
-            const glm::dvec3 found = unlocked([&] { return splinecore::centroid(self, most).value; });
+            const glm::dvec3 found = unlocked([&] { return splinecore::centroid(self, most).value; }, cancel);
             py::array_t<double> out(Shape{3});
             std::copy_n(&found.x, 3, out.mutable_data());
             return out;
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(),
           "The centroid of the solid that the patches enclose, (3,): off by at most the tolerance times half the\n"
           "diagonal of the box of the points, or by rounding where that is more. By Gauss's theorem and adaptive\n"
           "quadrature; normals that point inwards change nothing.\n\n"
-          "InvalidShape as volume(), and where the volume is none; PointAtInfinity; ToleranceNotReached.\n"
-          "Rows S19, S20.");
-  cls.def("second_moments", [](const PatchSet& self, const py::object& about, const py::object& tolerance) {
-            return second_moments(self, about, tolerance);
-          }, py::arg("about") = py::none(), py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+          "InvalidShape as volume(), and where the volume is none; PointAtInfinity; ToleranceNotReached. cancel as of\n"
+          "volume(). Rows S19, S20.");
+  cls.def("second_moments", [](const PatchSet& self, const py::object& about, const py::object& tolerance,
+                               const py::object& cancel) { return second_moments(self, about, tolerance, cancel); },
+          py::arg("about") = py::none(), py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
+          py::arg("cancel") = py::none(),
           "The integral of d d^T over the solid that the patches enclose, a symmetric (3, 3): d is the way from a\n"
           "point (3,), by default from the centroid. The inertia tensor at density 1 is trace(m) * eye(3) - m.\n\n"
           "Those about the centroid are off by at most the tolerance times their trace, or by rounding where that is\n"
           "more. All are negative if the normals point inwards, as the volume is. InvalidShape as centroid(), and if\n"
-          "one is too large for a number; PointAtInfinity; ToleranceNotReached. Rows S19, S20.");
+          "one is too large for a number; PointAtInfinity; ToleranceNotReached. cancel as of volume(). Rows S19, S20.");
 }
 
 void bind_result(py::module_& module) {

@@ -15,20 +15,36 @@ measured, measure_here = part('core.measured'), part('ui.operators.measure_here'
 panel = part('ui.measure_panel').SPLINEWRIGHT_PT_measure
 
 
+def words(place):
+    """{name: numbers} of a Place."""
+    named = (line.split(" ", 1) for line in place.words[1:])
+    return {name: list(map(float, numbers.split(", "))) for name, numbers in named}
+
+
 def test_of_a_circle_the_radius_is_said_and_the_arms_are_tangent_and_normal():
     circle = curves.value_of('circle')
     u = circle.domain[0] + 0.3 * (circle.domain[1] - circle.domain[0])
     found = measured.place(circle, (u,))
     radius = 1 / float(circle.curvature(u))
     tangent, normal = found.arms
-    assert float(found.words[2].removeprefix("Radius ")) == pytest.approx(radius, rel=1e-3)
+    said = words(found)
+    assert said["Radius"] == pytest.approx([radius], rel=1e-3) and said["Torsion"] == [0]
+    assert said["Point"] == pytest.approx(list(circle.evaluate(u)), abs=1e-3)
+    assert said["Tangent"] == pytest.approx(list(tangent), abs=1e-3)
     assert tangent == pytest.approx(circle.frames(u)[0]) and abs(np.dot(tangent, normal)) < 1e-12
     assert found.point + radius * normal == pytest.approx(np.mean(circle.bounding_box(), axis=0), abs=1e-9)
 
 
 def test_what_is_straight_has_a_tangent_alone():
     found = measured.place(sc.BezierCurve([(0, 0, 0), (2, 0, 0)]), (0.5,))
-    assert len(found.arms) == 1 and found.words == ("u 0.5", "Curvature 0")
+    assert len(found.arms) == 1 and found.words == ("u 0.5", "Point 1, 0, 0", "Tangent 1, 0, 0", "Curvature 0")
+
+
+def test_torsion_is_said_of_a_curve_in_space():
+    """Of (t, t^2, t^3): 3 at t = 0, and 2 is the curvature."""
+    said = words(measured.place(sc.BezierCurve([(0, 0, 0), (1 / 3, 0, 0), (2 / 3, 1 / 3, 0), (1, 1, 1)]), (0.0,)))
+    assert said["Torsion"] == pytest.approx([3], rel=1e-3) and said["Curvature"] == pytest.approx([2], rel=1e-3)
+    assert said["Point"] == [0, 0, 0] and said["Tangent"] == [1, 0, 0]
 
 
 def test_of_a_patch_the_directions_of_u_and_v_the_normal_and_both_curvatures():
@@ -37,15 +53,17 @@ def test_of_a_patch_the_directions_of_u_and_v_the_normal_and_both_curvatures():
     along_u, along_v, normal = found.arms
     assert np.cross(along_u, along_v) @ normal > 0 and abs(along_u @ normal) < 1e-12 > abs(along_v @ normal)
     assert found.words[0] == "u 0.4, v 0.7"
-    smallest, largest = map(float, found.words[1].removeprefix("Curvatures ").split(", "))
-    assert [smallest, largest] == pytest.approx(sorted(patch.curvatures(0.4, 0.7).principal), rel=1e-3)
-    assert [1 / float(number) for number in found.words[2].removeprefix("Radii ").split(", ")] == pytest.approx(
-        [smallest, largest], rel=1e-3)
+    said = words(found)
+    assert said["Curvatures"] == pytest.approx(sorted(patch.curvatures(0.4, 0.7).principal), rel=1e-3)
+    assert [1 / number for number in said["Radii"]] == pytest.approx(said["Curvatures"], rel=1e-3)
+    assert said["Point"] == pytest.approx(list(patch.evaluate(0.4, 0.7)), abs=1e-3)
+    assert said["Normal"] == pytest.approx(list(normal), abs=1e-3)
 
 
 def test_a_plane_has_endless_radii():
     plane = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
-    assert measured.place(plane, (0.5, 0.5)).words[1:] == ("Curvatures 0, 0", "Radii inf, inf")
+    assert measured.place(plane, (0.5, 0.5)).words[1:] == (
+        "Point 0.5, 0.5, 0", "Normal 0, 0, 1", "Curvatures 0, 0", "Radii inf, inf")
 
 
 @pytest.mark.parametrize('value, parameters', ((curves.value_of('nurbs'), (0.3,)), (patches.value_of('bicubic'), (0.25, 0.75))))

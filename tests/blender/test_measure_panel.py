@@ -111,7 +111,7 @@ def test_where_the_area_is_refused_the_box_is_there():
 
 def test_measures_that_are_refused_for_one_reason_say_it_once():
     ob = add(curves.value_of('hyperbola'))
-    problem, = part('bridge.surveys').whole_of(ob.data, np.eye(4)).problems
+    problem, = part('bridge.surveys').whole_soon(ob.data, np.eye(4), 60).problems
     assert "infinity" in problem
 
 
@@ -119,10 +119,10 @@ def test_measures_are_kept_until_the_shape_changes():
     ob = add(curves.value_of('nurbs'))
     surveys = part('bridge.surveys')
     matrix = np.eye(4)
-    first = surveys.whole_of(ob.data, matrix)
-    assert surveys.whole_of(ob.data, matrix) is first
+    first = surveys.whole_soon(ob.data, matrix, 60)
+    assert surveys.whole_soon(ob.data, matrix, 60) is first
     ob.data.splinewright.value = curves.value_of('cubic')
-    assert surveys.whole_of(ob.data, matrix) is not first
+    assert surveys.whole_soon(ob.data, matrix, 60) is not first
     assert first.length == pytest.approx(curves.value_of('nurbs').length(), rel=1e-6)
 
 
@@ -130,3 +130,48 @@ def test_while_a_net_is_edited_too():
     ob = add(curves.value_of('nurbs'))
     enter()
     assert "Length" in said()
+
+
+def heavy():
+    """A curve of so many points all about that its length takes long."""
+    return sc.fit.interpolate(np.random.default_rng(6).uniform(-1, 1, (60_000, 3))).value
+
+
+def test_what_takes_long_is_measured_when_asked_for_and_kept(monkeypatch):
+    ob = add(sc.BezierCurve([(0, 0, 0), (1, 1, 0), (2, 0, 0)]))
+    calls = []
+
+    def measure(shape, cancel=None, work=measured.whole):
+        calls.append(cancel)
+        if cancel is not None:
+            raise sc.Cancelled("it takes too long")
+        return work(shape)
+    monkeypatch.setattr(measured, 'whole', measure)
+    for _ in range(3):
+        assert "Length" not in said() and len(calls) == 1
+    assert "splinewright.measure_whole" in drawn_by(panel, bpy.context).operators
+    assert bpy.ops.splinewright.measure_whole() == {'FINISHED'} and len(calls) == 2
+    assert said()["Length"] == pytest.approx(ob.data.splinewright.value.length(), rel=1e-6)
+    for u in np.linspace(0, 1, 50):
+        ob.data.splinewright.measure_u = u
+        assert "Length" in said()
+    assert len(calls) == 2
+    ob.location.x = 3
+    bpy.context.view_layer.update()
+    assert "Length" not in said() and len(calls) == 3
+
+
+def test_the_panel_of_a_curve_of_very_many_points_is_drawn_soon():
+    """Work that is called off is counted by what it asked, not by the clock."""
+    curve, asked = heavy(), []
+
+    def after(calls):
+        asked.append(1)
+        return len(asked) > calls
+    shape = measured.moved(part('core.definition').from_value(curve), np.eye(4))
+    with pytest.raises(sc.Cancelled):
+        measured.whole(shape, lambda: after(3))
+    assert len(asked) == 4
+    rows = dict(measured.at_parameter(curve, (0.9, 0.0), lambda: True))
+    assert "Length to here" not in rows and "Curvature" in rows
+    assert dict(measured.at_parameter(curve, (0.9, 0.0)))["Length to here"] > 1

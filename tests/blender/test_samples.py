@@ -207,4 +207,18 @@ def test_the_fitted_patch_is_near_the_scan_and_farthest_at_the_fold():
     assert distances[at_fold & (points[:, 0] > 0.5)].mean() > 2 * distances[~at_fold].mean()
     sights = bpy.context.scene.splinewright_sights
     assert sights.deviation and sights.deviation_object == bpy.data.objects["Scan"]
-    assert len(bpy.data.objects["Fitted patch"].data.attributes["Distance"].data) == len(bpy.data.objects["Fitted patch"].data.vertices)
+
+
+def test_the_scan_is_coloured_by_the_mean_distance_of_the_points_near_by():
+    """From dark blue where there is none to dark red from 0.06 on, by the sixteen points that are nearest."""
+    patch = opened('scan')["Fitted patch"]
+    points, mesh = vertices(bpy.data.objects["Scan"].data), bpy.data.objects["Fitted patch"].data
+    distances, places = patch.nearest(points).distances, vertices(mesh)
+    near = np.argsort(((places[:, None] - points[None]) ** 2).sum(-1), axis=1)[:, :16]
+    means = distances[near].mean(1)
+    shown = np.array([each.color[:3] for each in mesh.attributes["Distance"].data])
+    assert len(shown) == len(places) and means.max() > 0.06 > 0.02 > means.min()
+    parts = np.clip(means / 0.06, 0, 1) * 4
+    key = np.array([(0.06, 0.16, 0.42), (0.05, 0.40, 0.45), (0.60, 0.62, 0.20), (0.85, 0.35, 0.08), (0.62, 0.03, 0.03)])
+    expected = np.stack([np.interp(parts, range(5), channel) for channel in key.T], -1)
+    assert np.abs(shown - expected).max() < 1e-3

@@ -290,6 +290,8 @@ def test_smoothing_that_keeps_a_tolerance_away_is_named():
         fit.approximate(walk(30), tolerance=0.1, smoothing=1e6)
     with pytest.raises(sc.InvalidShape, match="smoothing = 1e\\+25 leaves nothing of the points: .* less smoothing are needed$"):
         fit.approximate(walk(30), 9, smoothing=1e25, fixed_ends=False)
+    with pytest.raises(sc.InvalidShape, match="smoothing = 1e\\+20 leaves nothing of the points: .* less smoothing are needed$"):
+        fit.approximate(walk(30), 4, smoothing=1e20, fixed_ends=False)
 
 
 BAD = [

@@ -70,6 +70,28 @@ def test_a_closed_direction_and_a_tolerance():
         fit.approximate_patch(tube, 5, tolerance=1e-9, closed=(True, False))
 
 
+def test_where_parameters_are_almost_equal_a_tolerance_is_reached_or_said_not_to_be():
+    rng, found = np.random.default_rng(6), set()
+    for _ in range(400):
+        u, v = (np.sort(rng.uniform(0, 1, count)) for count in rng.integers(6, 12, 2))
+        for parameters in (u, v):
+            i = rng.integers(1, len(parameters) - 1)
+            parameters[i] = parameters[i - 1] + 10.0**-rng.uniform(8, 16)
+        if min(np.diff(u).min(), np.diff(v).min()) <= 0:
+            continue
+        points = rng.normal(size=(len(u), len(v), 3))
+        tolerance = 10.0**-rng.uniform(-1, 6)
+        try:
+            made = fit.approximate_patch(points, tolerance=tolerance, degrees=tuple(rng.integers(1, 4, 2).tolist()),
+                                         parameters=(u, v))
+        except sc.ToleranceNotReached:
+            found.add('not reached')
+            continue
+        assert np.abs(made.value.evaluate_grid(u, v) - points).max() <= made.error * (1 + 1e-9) <= tolerance * (1 + 1e-9)
+        found.add('reached')
+    assert found == {'reached', 'not reached'}
+
+
 def test_smoothing_of_a_grid():
     u, v = np.linspace(0, 1, 30), np.linspace(0, 1, 30)
     noisy = wave(*np.meshgrid(u, v, indexing='ij')) + 0.02 * RNG.standard_normal((30, 30, 3))

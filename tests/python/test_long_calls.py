@@ -42,6 +42,33 @@ def test_cancel_ends_a_call_when_it_returns_true(name):
     assert len(asked) == 2
 
 
+def closed():
+    """A torus of many spans."""
+    whole = torus()
+    for axis, (start, end) in zip("uv", whole.domain):
+        whole = whole.refine(axis, start + (end - start) * np.linspace(0, 1, 42)[1:-1])
+    return sc.PatchSet.from_patches([whole])
+
+
+MEASURES = {
+    "curve.length": lambda **options: sc.fit.interpolate(random_points(20_000, seed=2)).value.length(**options),
+    "patch.area": lambda **options: wavy_patch().area(tolerance=1e-13, **options),
+    "PatchSet.area": lambda **options: sc.PatchSet.from_patches([wavy_patch()]).area(tolerance=1e-13, **options),
+    "PatchSet.volume": lambda **options: closed().volume(**options),
+    "PatchSet.centroid": lambda **options: closed().centroid(**options),
+    "PatchSet.second_moments": lambda **options: closed().second_moments(**options),
+}
+
+
+@pytest.mark.parametrize("name", MEASURES)
+def test_measures_are_ended_and_are_the_same_where_they_are_not(name):
+    with pytest.raises(sc.Cancelled, match="cancel"):
+        MEASURES[name](cancel=lambda: True)
+    assert np.array_equal(MEASURES[name](cancel=lambda: False), MEASURES[name]())
+    with pytest.raises(TypeError, match="cancel = 3 is not callable"):
+        MEASURES[name](cancel=3)
+
+
 @pytest.mark.parametrize("answer", [False, None, 0, np.bool_(False), []])
 def test_cancel_that_says_no_changes_nothing(answer):
     kept = circle().evaluate(MANY)

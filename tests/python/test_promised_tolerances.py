@@ -231,11 +231,16 @@ import numpy as np
 from splinecore import fit
 def most():                                             # that of resource begins with what the parent had
     return int(re.search(r"VmHWM:\\s+(\\d+)", Path("/proc/self/status").read_text())[1])
+def grid_of(p):
+    u, v = np.meshgrid(np.linspace(0, 1, len(p) // 100), np.linspace(0, 1, 100), indexing="ij")
+    return np.stack([u, v, np.sin(5 * u) * np.cos(3 * v)], -1)
 t = np.linspace(0, 1, 200_000)
 points = np.stack([np.cos(40 * t), np.sin(30 * t), t], -1)
 calls = {"interpolate": lambda p: fit.interpolate(p), "count": lambda p: fit.approximate(p, 200),
          "tolerance": lambda p: fit.approximate(p, tolerance=1e-3),
-         "scattered": lambda p: fit.approximate_scattered(np.random.default_rng(1).uniform(0, 1, p.shape) * [1, 1, 0.01], 20)}
+         "scattered": lambda p: fit.approximate_scattered(np.random.default_rng(1).uniform(0, 1, p.shape) * [1, 1, 0.01], 20),
+         "grid": lambda p: fit.interpolate_patch(grid_of(p)), "grid count": lambda p: fit.approximate_patch(grid_of(p), (15, 20)),
+         "grid tolerance": lambda p: fit.approximate_patch(grid_of(p), tolerance=1e-2)}
 call = calls[sys.argv[1]]
 call(points[::100])
 before = most()
@@ -244,7 +249,8 @@ print(most() - before)
 """
 
 
-@pytest.mark.parametrize("call", ["interpolate", "count", "tolerance", "scattered"])
+@pytest.mark.parametrize("call", [
+    "interpolate", "count", "tolerance", "scattered", "grid", "grid count", "grid tolerance"])
 def test_memory_grows_as_the_points_do(call):
     """In kilobytes: 100,000 points take no more than their share of what 200,000 take, and 500 bytes each."""
     taken = [int(subprocess.run([sys.executable, "-c", MEMORY, call, str(count)], capture_output=True, text=True,

@@ -1,6 +1,10 @@
 """What is shown of shapes beside themselves, worked out when their definition changes and not at every redraw."""
 
+import time
+from contextlib import suppress
+
 from ..core import aiming, continuity, landmarks, measured, offers, seams, verbs
+from ..core.library import sc
 from . import store
 from .file_state import remember, state
 
@@ -8,8 +12,8 @@ from .file_state import remember, state
 SHOWN = 50
 #: Seams that are drawn.
 DRAWN = 500
-#: Definitions of which something is kept.
-_KEPT = 8
+#: So much of definitions is kept.
+_KEPT = 32
 
 
 def survey_of(data):
@@ -60,9 +64,40 @@ def moved_of(data, matrix):
     return _kept(('moved', matrix.tobytes()), data, lambda definition: measured.moved(definition, matrix))
 
 
-def whole_of(data, matrix):
-    """The core.measured.Whole of it. Raises as moved_of() does."""
-    return _kept(('whole', matrix.tobytes()), data, lambda definition: measured.whole(moved_of(data, matrix)))
+def whole_soon(data, matrix, seconds):
+    """The core.measured.Whole of it where that is known, or found in so many seconds, which a panel has; None where it takes
+    longer, until keep_whole(). Raises as moved_of() does."""
+    def measure(definition):
+        with suppress(sc.Cancelled):
+            return measured.whole(moved_of(data, matrix), _after(seconds))
+        return None
+    return _kept(_whole(matrix), data, measure)
+
+
+def keep_whole(data, matrix, whole):
+    """Have this for the Whole of a definition under a matrix."""
+    remember(state.surveys, (_whole(matrix), store.digest(data)), whole, _KEPT)
+
+
+def place_of(data, matrix, number, fractions, seconds):
+    """core.measured.at_parameter() of a piece, by its number from 0, without what takes longer than so many seconds. The last
+    place of a definition is kept."""
+    key = ('place', matrix.tobytes()), store.digest(data)
+    place, rows = state.surveys.get(key, (None, None))
+    if place != (number, fractions):
+        rows = measured.at_parameter(moved_of(data, matrix).pieces[number], fractions, _after(seconds))
+        remember(state.surveys, key, ((number, fractions), rows), _KEPT)
+    return rows
+
+
+def _whole(matrix):
+    return 'whole', matrix.tobytes()
+
+
+def _after(seconds):
+    """A `cancel` as the library takes it that calls off what takes longer."""
+    end = time.monotonic() + seconds
+    return lambda: time.monotonic() > end
 
 
 def _survey(definition):

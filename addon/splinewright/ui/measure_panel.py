@@ -13,8 +13,8 @@ from .sub_panel import SubPanel
 #: While a net is edited shapes of more points are measured when it is left.
 _MOST_WHILE_EDITED = 2000
 _DIGITS = 7
-#: A coordinate so far below the largest is none.
-_ROUNDING = 1e-12
+#: Seconds that may go by while the panel is drawn; while a net is edited, which may be at every step of a drag.
+_SOON, _SOON_WHILE_EDITED = 0.1, 0.02
 
 
 class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
@@ -29,12 +29,13 @@ class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
         ob = hand.shape_of(context.object)
         try:
             definition = store.read(ob.data)
-            if net_object.is_net(context.object) and len(definition.pool) > _MOST_WHILE_EDITED:
+            is_edited = net_object.is_net(context.object)
+            if is_edited and len(definition.pool) > _MOST_WHILE_EDITED:
                 texts.draw_note(self.layout, "So many points are measured when the net is left")
                 return
-            matrix = np.array(ob.matrix_world)
-            _draw_whole(self.layout, surveys.whole_of(ob.data, matrix))
-            _draw_place(self.layout, ob.data, surveys.moved_of(ob.data, matrix).pieces)
+            matrix, seconds = np.array(ob.matrix_world), _SOON_WHILE_EDITED if is_edited else _SOON
+            _draw_whole(self.layout, surveys.whole_soon(ob.data, matrix, seconds))
+            _draw_place(self.layout, ob.data, matrix, len(definition.pieces), seconds)
         except store.UnreadableDefinition:
             return                      # the panel above says it
         except FAILURES as error:
@@ -42,6 +43,9 @@ class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
 
 
 def _draw_whole(layout, whole):
+    if whole is None:
+        layout.operator("splinewright.measure_whole", icon='DRIVER_DISTANCE')
+        return
     for problem in whole.problems:
         texts.draw_note(layout, problem)
     column = layout.column(align=True)
@@ -54,28 +58,27 @@ def _draw_whole(layout, whole):
         _draw_row(column, "To", whole.box[1])
 
 
-def _draw_place(layout, data, pieces):
+def _draw_place(layout, data, matrix, count, seconds):
     chosen = data.splinewright
-    if len(pieces) > 1:
+    if count > 1:
         layout.prop(chosen, "piece")
     layout.operator("splinewright.measure_here", icon='EYEDROPPER')
-    piece = pieces[min(max(chosen.piece, 1), len(pieces)) - 1]
+    number = min(max(chosen.piece, 1), count) - 1
     layout.prop(chosen, "measure_u", slider=True)
     if isinstance(data, bpy.types.Mesh):
         layout.prop(chosen, "measure_v", slider=True)
     column = layout.column(align=True)
-    for name, value in measured.at_parameter(piece, (chosen.measure_u, chosen.measure_v)):
+    for name, value in surveys.place_of(data, matrix, number, (chosen.measure_u, chosen.measure_v), seconds):
         _draw_row(column, name, value)
 
 
 def _draw_row(column, name, value):
     """A number beside its name, or three below one another."""
-    numbers = np.atleast_1d(value)
-    numbers = np.where(np.abs(numbers) > _ROUNDING * np.abs(numbers).max(), numbers, 0.0)
+    numbers = measured.shown(value)
     for i, number in enumerate(numbers):
         row = column.split(factor=0.5)
         row.label(text=f"{name} {'XYZ'[i]}" if len(numbers) > 1 else name)
-        row.label(text=decimals.text_of(float(number), _DIGITS))
+        row.label(text=decimals.text_of(number, _DIGITS))
 
 
 CLASSES = (SPLINEWRIGHT_PT_measure,)

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "along.hpp"
 #include "base/distance.hpp"
@@ -68,31 +70,55 @@ double miss(const FittedAxis& axis, std::span<const double> values, std::size_t 
   return largest;
 }
 
-/// As few control points along an axis as bring its lines within the tolerance; the most where none do.
+std::size_t least_of(const NearDirection& given) {
+  return least_count(given.degree, given.closing == Closing::closed);
+}
+
+/// What is refused with the fewest control points is with any number.
+NearDirection with_least(NearDirection given) {
+  given.count = std::min(given.count, least_of(given));
+  return given;
+}
+
+/// As few control points along an axis as bring its lines within the tolerance; where none do, the most that numbers tell.
 std::size_t sufficient_count(NearDirection given, std::size_t rows, std::span<const double> values, double tolerance,
                              bool fixed_ends) {
   const std::size_t columns = values.size() / rows;
   const std::size_t most = given.count;
-  const auto is_enough = [&](std::size_t count) {
+  const auto miss_of = [&](std::size_t count) -> std::optional<double> {
     given.count = count;
     try {
-      return miss(axis_of(given, rows, fixed_ends), values, columns) <= tolerance;
+      return miss(axis_of(given, rows, fixed_ends), values, columns);
     } catch (const InvalidShape&) {
-      return false;
+      return {};
     }
   };
-  const std::size_t least = least_count(given.degree, given.closing == Closing::closed);
+  const auto needs_more = [&](std::size_t count) {
+    const auto found = miss_of(count);
+    return found && *found > tolerance;
+  };
+  const std::size_t least = least_of(given);
   std::size_t low = least - 1;
   std::size_t high = least;
-  while (high < most && !is_enough(high)) {
+  while (high < most && needs_more(high)) {
     low = high;
     high = std::min(2 * high, most);
   }
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
-    (is_enough(middle) ? high : low) = middle;
+    (needs_more(middle) ? low : high) = middle;
   }
-  return high;
+  return high > least && !miss_of(high) ? high - 1 : high;
+}
+
+/// The patch on as many control points, if numbers tell them.
+std::optional<Approximation<NurbsPatch>> tried(const PointGrid& grid, const NearDirection& u, const NearDirection& v,
+                                               bool fixed_ends) {
+  try {
+    return approximate(grid, u, v, fixed_ends);
+  } catch (const InvalidShape&) {
+    return {};
+  }
 }
 
 }  // namespace
@@ -114,8 +140,8 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   v.count = std::min(v.count, grid.count_v);
   const NearDirection most_u = u;
   const NearDirection most_v = v;
-  static_cast<void>(along("u", [&] { return axis_of(u, grid.count_u, fixed_ends); }));
-  static_cast<void>(along("v", [&] { return axis_of(v, grid.count_v, fixed_ends); }));
+  static_cast<void>(along("u", [&] { return axis_of(with_least(u), grid.count_u, fixed_ends); }));
+  static_cast<void>(along("v", [&] { return axis_of(with_least(v), grid.count_v, fixed_ends); }));
   const auto rows = numbers(grid.points);
   const auto columns = transposed(rows, grid.count_u, grid.count_v);
   u.count = sufficient_count(most_u, grid.count_u, rows, kShareOfEach * tolerance, fixed_ends);
@@ -124,7 +150,9 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   while (made.error > tolerance && (u.count < most_u.count || v.count < most_v.count)) {
     u.count = std::min(most_u.count, u.count + u.count / 4 + 1);
     v.count = std::min(most_v.count, v.count + v.count / 4 + 1);
-    made = approximate(grid, u, v, fixed_ends);
+    auto next = tried(grid, u, v, fixed_ends);
+    if (!next) break;
+    made = *std::move(next);
   }
   if (made.error <= tolerance) return made;
   throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(u.count) + " x " +

@@ -207,6 +207,14 @@ InvalidShape LeastSquaresFit::undetermined() const {
                       " leaves nothing of the points: knots farther from each other or less smoothing are needed");
 }
 
+void LeastSquaresFit::solve_free(const BandedRows& rows, std::span<double> right, std::size_t columns) const {
+  try {
+    splinecore::solve(knots_, rows, right, columns);
+  } catch (const InvalidShape&) {
+    throw undetermined();
+  }
+}
+
 /// What writes the sums of a span for values of `columns` numbers each.
 auto LeastSquaresFit::rows_of(std::span<const double> values, std::size_t columns) const {
   return [this, values, columns](std::size_t s, const SpanParameters& at, std::span<const double> piece,
@@ -233,7 +241,7 @@ void LeastSquaresFit::require_energy_leaves_points() const {
   std::vector<double> left(straight.size());
   residual_sums(columns, straight, left, rows_of(nothing, columns));
   const std::span<double> found = std::span(left).subspan(begin, free);
-  if (free > 0) splinecore::solve(knots_, free_rows(), found, columns);
+  if (free > 0) solve_free(free_rows(), found, columns);
   for (std::size_t k = 0; k < free; ++k) {
     if (!(std::abs(found[k] + straight[begin + k]) <= kMostLost)) throw undetermined();
   }
@@ -257,7 +265,7 @@ double LeastSquaresFit::improve(std::size_t columns, double size, std::span<doub
   for (int round = 0; round < kMostRounds; ++round) {
     residual_sums(columns, controls, right, write_sums);
     const std::span<double> correction = std::span(right).subspan(begin, free);
-    splinecore::solve(knots_, rows, correction, columns);
+    solve_free(rows, correction, columns);
     for (std::size_t k = 0; k < free; ++k) controls[begin + k] += correction[k];
     change = largest_of(correction);
     share = change / std::max({largest_of(controls), size, std::numeric_limits<double>::min()});

@@ -51,6 +51,7 @@ class LeastSquaresFit {
   InvalidShape undetermined() const;
   auto rows_of(std::span<const double> values, std::size_t columns) const;
   BandedRows free_rows() const;
+  void solve_free(const BandedRows& rows, std::span<double> right, std::size_t columns) const;
   template <class Sums>
   double improve(std::size_t columns, double size, std::span<double> controls, const Sums& residual_sums) const;
   template <class Sums>

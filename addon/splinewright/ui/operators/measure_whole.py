@@ -1,0 +1,45 @@
+"""What takes too long to measure for the panel Measure is measured when a user asks for it."""
+
+import bpy
+import numpy as np
+
+from ...bridge import surveys
+from ...core import measured
+from ...core.failures import FAILURES
+from .. import hand
+from . import reports
+from .long_work import LongWork
+from .pointing import redraw
+
+
+class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
+    bl_idname = "splinewright.measure_whole"
+    bl_label = "Measure"
+    bl_description = "Find length, or area and volume, and the box of the active shape, which takes a while"
+
+    @classmethod
+    def poll(cls, context):
+        if hand.shape_of(context.object) is None:
+            cls.poll_message_set("Make a Splinewright shape active")
+            return False
+        return True
+
+    def tasks(self, context):
+        return {'whole': self._task(context)}
+
+    def execute(self, context):
+        ob = hand.shape_of(context.object)
+        try:
+            surveys.keep_whole(ob.data, np.array(ob.matrix_world), self.result_of('whole', self._task(context)))
+        except FAILURES as error:
+            return reports.failed(self, error, ob.name)
+        redraw()
+        return {'FINISHED'}
+
+    def _task(self, context):
+        ob = hand.shape_of(context.object)
+        there = surveys.moved_of(ob.data, np.array(ob.matrix_world))
+        return lambda cancel: measured.whole(there, cancel)
+
+
+CLASSES = (SPLINEWRIGHT_OT_measure_whole,)
