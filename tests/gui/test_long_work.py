@@ -86,6 +86,49 @@ def of_a_curve(view, name, endless, short):
     print(name, flush=True)
 
 
+def hills(count):
+    """A shape of so many wavy patches of many spans, one above the other, active."""
+    empty_file()
+    rng, sc = np.random.default_rng(3), part('core.library').sc
+    x, y = np.meshgrid(np.arange(60.0), np.arange(60.0), indexing='ij')
+    knots = np.concatenate([np.zeros(3), np.arange(58.0), np.full(3, 57.0)])
+    patches = [sc.NurbsPatch((3, 3), (knots, knots), np.stack([x, y, rng.normal(3 * k, 0.7, (60, 60))], -1)) for k in range(count)]
+    data = part('bridge.shape').new_data("hills", sc.PatchSet.from_patches(patches), (1, 1))
+    ob = bpy.data.objects.new("hills", data)
+    bpy.context.collection.objects.link(ob)
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    bpy.ops.view3d.view_all(center=False)
+
+
+def area():
+    """As the panel shows it; None where it has a button."""
+    whole = part('bridge.surveys').whole_soon(bpy.context.object.data, np.eye(4), 0.02)
+    return whole and whole.area
+
+
+def of_a_large_shape(view):
+    """Steps: the panel Measure has a button for it; stopped, and pressed again."""
+    with view.override():
+        hills(60)
+    view.open_sidebar()
+    yield from redrawn()
+    assert area() is None
+    view.move(420, 420)
+    assert begun(view, 'measure_whole') == {'RUNNING_MODAL'}
+    yield from redrawn()
+    save_picture(OUTPUT / "long-measure.png")
+    view.press('ESC')
+    yield from until(lambda: not at_work(), "Esc stops it")
+    assert area() is None
+    begun(view, 'measure_whole')
+    yield from until(lambda: area() is not None, "it is measured")
+    yield from redrawn()
+    save_picture(OUTPUT / "long-measured.png")
+    assert area() > 60 * 57**2
+    print("measure", flush=True)
+
+
 def steps():
     view = View()
     with view.override():
@@ -117,6 +160,7 @@ def steps():
     yield from of_a_curve(view, 'rebuild', {'by': 'TOLERANCE', 'tolerance': 1e-6}, {'by': 'COUNT', 'count': 500})
     yield from of_a_curve(view, 'add_projected', {'tolerance': 1e-9}, {'tolerance': 0.5})
     yield from of_a_curve(view, 'divide_equally', {'count': 1_000_000, 'make': 'POINTS'}, {'count': 5000, 'make': 'EMPTIES'})
+    yield from of_a_large_shape(view)
     work._SHORT = 30.0
     with view.override():
         cloud(50)
