@@ -121,6 +121,20 @@ def test_what_else_is_other_is_seen_at_the_next_step(what, pulls):
     require_exact(ob)
 
 
+def test_a_shape_that_may_not_be_written_meanwhile_is_left_alone_and_says_why():
+    ob, held = dragged(VALUES['nurbs patch']())
+    before = store.pool(ob.data)
+    ob.shape_key_add(name="Basis")
+    step(held, 7)
+    assert "shape keys" in live.problem(held) and file_state.state.drag is None
+    assert store.pool(ob.data).tobytes() == before.tobytes()
+    ob.shape_key_clear()
+    step(held, 7)
+    assert live.problem(held) == ""
+    require_exact(ob)
+    leave()
+
+
 def test_an_operator_and_undo_end_a_drag(pulls):
     ob, held = dragged(VALUES['nurbs patch']())
     select(held, 7)

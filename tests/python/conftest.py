@@ -1,6 +1,7 @@
 """Every run tries the same random numbers and examples; `--seed N` tries others."""
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, settings
 
 SLOW_IS_WELL = [HealthCheck.too_slow, HealthCheck.filter_too_much]
@@ -11,7 +12,7 @@ settings.register_profile("other", database=None, deadline=None, max_examples=10
 
 def pytest_addoption(parser):
     parser.addoption("--seed", type=int, default=0, metavar="N", help="other random numbers than those of every run")
-    parser.addoption("--inputs", type=int, default=0, metavar="N", help="so many of each kind in test_promised_tolerances")
+    parser.addoption("--inputs", type=int, default=0, metavar="N", help="so many random inputs of each kind where a tolerance is promised")
 
 
 def pytest_configure(config):
@@ -20,3 +21,9 @@ def pytest_configure(config):
     if seed:
         of_every_run = np.random.default_rng
         np.random.default_rng = lambda given: of_every_run([seed, *np.atleast_1d(given)])
+
+
+@pytest.fixture
+def inputs(request):
+    """How many random inputs of a kind are drawn: what a test takes for that, unless --inputs says another number."""
+    return lambda usual: request.config.getoption("inputs") or usual

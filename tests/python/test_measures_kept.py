@@ -106,8 +106,8 @@ def check_patch(rng):
 
 
 @pytest.mark.parametrize("check, count", [(check_curve, 120), (check_patch, 50)])
-def test_random_shapes_keep_every_tolerance(check, count):
-    rng = np.random.default_rng(23)
+def test_random_shapes_keep_every_tolerance(check, count, inputs):
+    rng, count = np.random.default_rng(23), inputs(count)
     found = [check(rng) for _ in range(count)]
     sure = [worst for worst, unsure in found if unsure < 1e-10]
     assert len(sure) > 0.9 * count

@@ -6,7 +6,7 @@ out and writes positions, and leaves the rest alone.
 
 from typing import Any, NamedTuple
 
-from .. import held, keyed, point_keys, recipes, store
+from .. import held, keyed, point_keys, recipes, shape
 from ..file_state import ended_operators, key, look_again, state
 from . import cage, live, net_object
 
@@ -62,6 +62,7 @@ def _step(drag):
     found, definition = again
     current.take(found.state, found.slots)
     current.look_at(data)
+    shape.require_writable(data)
     moved = current.moved_on(current.patch_set(definition), last.rows)
     if moved is None:
         return False
