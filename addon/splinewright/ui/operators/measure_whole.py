@@ -16,6 +16,7 @@ class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
     bl_idname = "splinewright.measure_whole"
     bl_label = "Measure"
     bl_description = "Find length, or area and volume, and the box of the active shape, which takes a while"
+    bl_options = {'INTERNAL'}
 
     @classmethod
     def poll(cls, context):
