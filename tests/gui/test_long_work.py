@@ -103,7 +103,8 @@ def hills(count):
 
 def area():
     """As the panel shows it; None where it has a button."""
-    whole = part('bridge.surveys').whole_soon(bpy.context.object.data, np.eye(4), 0.02)
+    ob = bpy.context.object
+    whole = part('bridge.surveys').whole_soon(ob.data, np.array(ob.matrix_world), 0.02)
     return whole and whole.area
 
 
