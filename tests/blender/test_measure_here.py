@@ -12,7 +12,14 @@ from shapes import activate, add, enter, op
 from support import part, splinecore as sc
 
 measured, measure_here = part('core.measured'), part('ui.operators.measure_here')
-panel = part('ui.measure_panel').SPLINEWRIGHT_PT_measure
+measure_panel = part('ui.measure_panel')
+panel = measure_panel.SPLINEWRIGHT_PT_measure
+
+
+@pytest.fixture(autouse=True)
+def patience(monkeypatch):
+    """A busy machine takes its time."""
+    monkeypatch.setattr(measure_panel, '_SOON', 60)
 
 
 def words(place):

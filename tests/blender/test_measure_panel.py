@@ -11,7 +11,15 @@ from layouts import drawn_by
 from shapes import add, enter
 from support import part, splinecore as sc
 
-measured, panel = part('core.measured'), part('ui.measure_panel').SPLINEWRIGHT_PT_measure
+measured, measure_panel = part('core.measured'), part('ui.measure_panel')
+panel = measure_panel.SPLINEWRIGHT_PT_measure
+
+
+@pytest.fixture(autouse=True)
+def patience(monkeypatch):
+    """A busy machine takes its time."""
+    monkeypatch.setattr(measure_panel, '_SOON', 60)
+    monkeypatch.setattr(measure_panel, '_SOON_WHILE_EDITED', 60)
 
 
 def said():

@@ -12,8 +12,8 @@ from .file_state import remember, state
 SHOWN = 50
 #: Seams that are drawn.
 DRAWN = 500
-#: So much of definitions is kept.
-_KEPT = 32
+#: So much of definitions is kept, and so many measures.
+_KEPT, _MEASURES = 8, 64
 
 
 def survey_of(data):
@@ -67,31 +67,33 @@ def moved_of(data, matrix):
 def whole_soon(data, matrix, seconds):
     """The core.measured.Whole of it where that is known, or found in so many seconds, which a panel has; None where it takes
     longer, until keep_whole(). Raises as moved_of() does."""
-    def measure(definition):
+    def whole(moved):
         with suppress(sc.Cancelled):
-            return measured.whole(moved_of(data, matrix), _after(seconds))
+            return measured.whole(moved, _after(seconds))
         return None
-    return _kept(_whole(matrix), data, measure)
+    return _measured(data, matrix, 'whole', (), whole)
 
 
 def keep_whole(data, matrix, whole):
     """Have this for the Whole of a definition under a matrix."""
-    remember(state.surveys, (_whole(matrix), store.digest(data)), whole, _KEPT)
+    _keep_measured(data, matrix, 'whole', (), whole)
 
 
 def place_of(data, matrix, number, fractions, seconds):
     """core.measured.at_parameter() of a piece, by its number from 0, without what takes longer than so many seconds. The last
     place of a definition is kept."""
-    key = ('place', matrix.tobytes()), store.digest(data)
-    place, rows = state.surveys.get(key, (None, None))
-    if place != (number, fractions):
-        rows = measured.at_parameter(moved_of(data, matrix).pieces[number], fractions, _after(seconds))
-        remember(state.surveys, key, ((number, fractions), rows), _KEPT)
-    return rows
+    return _measured(data, matrix, 'place', (number, fractions),
+                     lambda moved: measured.at_parameter(moved.pieces[number], fractions, _after(seconds)))
 
 
-def _whole(matrix):
-    return 'whole', matrix.tobytes()
+def _measured(data, matrix, what, where, work):
+    known, found = state.measures.get((what, matrix.tobytes(), store.digest(data)), (None, None))
+    return found if known == where else _keep_measured(data, matrix, what, where, work(moved_of(data, matrix)))
+
+
+def _keep_measured(data, matrix, what, where, found):
+    remember(state.measures, (what, matrix.tobytes(), store.digest(data)), (where, found), _MEASURES)
+    return found
 
 
 def _after(seconds):
