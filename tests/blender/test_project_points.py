@@ -130,3 +130,14 @@ def test_undo_takes_it_back():
     assert name not in bpy.data.objects and "cloud" in bpy.data.objects
     bpy.ops.ed.redo()
     assert np.array_equal(world_points(bpy.data.objects[name]), wanted)
+
+
+def test_a_mesh_of_any_scale_is_projected():
+    """Products of three scales are below the least number of single precision."""
+    ball = sphere()
+    cloud = mesh_of(RNG.uniform(-3e16, 3e16, (20, 3)))
+    cloud.scale = (1e-16, 1e-16, 1e-16)
+    onto(ball, cloud)
+    before = world_points(cloud)
+    radius = ball.dimensions.x / 2
+    np.testing.assert_allclose(world_points(run()), radius * before / np.linalg.norm(before, axis=1)[:, None], atol=1e-5)

@@ -168,6 +168,16 @@ def test_one_file_of_the_addon_knows_versions_of_blender():
             assert not re.search(r'\bapp\.version|hasattr\(bpy\.', path.read_text()), path
 
 
+def test_what_blender_gives_as_a_matrix_becomes_float64():
+    """NumPy makes float32 of it from Blender 5.2 on."""
+    for _, path in addon_files():
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Call) and ast.unparse(node.func) in ('np.array', 'np.asarray'):
+                given = ast.unparse(node.args[0])
+                is_matrix = re.search(r'matrix_(world|local|layer)|calc_matrix|to_3x3|to_camera', given)
+                assert not is_matrix or any(keyword.arg == 'dtype' for keyword in node.keywords), (path, given)
+
+
 def test_operators_report_through_one_function_only():
     for room, path in addon_files():
         calls = [node for node in ast.walk(ast.parse(path.read_text()))

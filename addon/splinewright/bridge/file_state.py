@@ -37,7 +37,8 @@ class FileState:
     definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
     surveys: dict = field(default_factory=dict)         # of bridge.surveys
-    measures: dict = field(default_factory=dict)        # of bridge.surveys: what shapes measure
+    wholes: dict = field(default_factory=dict)          # of bridge.surveys: what shapes measure, None for what takes long
+    place: tuple = (None, ())                           # of bridge.surveys: a place of a shape, and what that measures there
     suspended: list = field(default_factory=list)       # of ui.saving
     asking: set = field(default_factory=set)            # names of open dialogs that ask for a piece
     asked: dict = field(default_factory=dict)           # of ui.hand: what the last operator asked for pieces of

@@ -42,13 +42,13 @@ def of_render(ob, points, scene, depsgraph):
         raise Refusal("it has a scale of 0: no camera sees it")
     render = scene.render
     width, height = (size * render.resolution_percentage / 100 for size in (render.resolution_x, render.resolution_y))
-    window = np.array(camera.calc_matrix_camera(depsgraph, x=round(width), y=round(height),
-                                                scale_x=render.pixel_aspect_x, scale_y=render.pixel_aspect_y))
+    window = np.array(camera.calc_matrix_camera(depsgraph, x=round(width), y=round(height), scale_x=render.pixel_aspect_x,
+                                                scale_y=render.pixel_aspect_y), dtype=np.float64)
     camera_world = camera.matrix_world.normalized()
     if camera_world.determinant() == 0.0:
         raise Refusal("the camera has a scale of 0")
     to_camera = camera_world.inverted() @ ob.matrix_world
-    depth = -(np.array(to_camera)[2, :3] @ points.T + to_camera[2][3])
+    depth = -(np.array(to_camera, dtype=np.float64)[2, :3] @ points.T + to_camera[2][3])
     # The window's matrix leads to clip space, which is 2 wide and divided by w: the depth, or 1 where all is parallel.
     is_perspective = window[3, 3] == 0.0
     start = camera.data.clip_start if camera.type == 'CAMERA' else 0.0
@@ -62,4 +62,4 @@ def of_render(ob, points, scene, depsgraph):
 
 def largest_scale(matrix: Matrix):
     """By how much a matrix lengthens what it lengthens most."""
-    return float(np.linalg.svd(np.array(matrix.to_3x3()), compute_uv=False)[0])
+    return float(np.linalg.svd(np.array(matrix.to_3x3(), dtype=np.float64), compute_uv=False)[0])

@@ -10,10 +10,15 @@ from . import store
 KEY = "splinewright_held"
 
 
+def has(data):
+    """Whether any are stored, readable or not."""
+    return KEY in data.keys()
+
+
 def read(data, definition=None):
     """The Helds of a shape. Raises UnreadableDefinition where what is stored is none. definition: of the shape, where it is
     known."""
-    if KEY not in data.keys():
+    if not has(data):
         return ()
     try:
         seams = tuple(Held((a, side), (b, other), smoothness, moves)
@@ -37,7 +42,7 @@ def known(data):
 def write(data, seams):
     if seams:
         data[KEY] = json.dumps([[*seam.first, *seam.second, seam.smoothness, seam.moves] for seam in seams])
-    elif KEY in data.keys():
+    elif has(data):
         del data[KEY]
 
 

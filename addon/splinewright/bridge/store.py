@@ -65,6 +65,7 @@ def write(data, definition):
 
 
 def _tell(data):
+    """Whoever goes by what was written before is to look again."""
     look_again(data)
     state.drag = None
 

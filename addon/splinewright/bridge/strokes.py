@@ -20,7 +20,8 @@ def of_object(ob, frame):
     for layer in ob.data.layers:
         if layer.hide:
             continue
-        matrix = np.array(getattr(layer, 'matrix_layer', None) or getattr(layer, 'matrix_local', None) or np.eye(4))
+        matrix = np.array(getattr(layer, 'matrix_layer', None) or getattr(layer, 'matrix_local', None) or np.eye(4),
+                          dtype=np.float64)
         for stroke in _strokes(layer, frame):
             points = np.array([_place(point) for point in stroke.points], dtype=np.float64).reshape(-1, 3)
             closed = stroke.cyclic if hasattr(stroke, 'cyclic') else stroke.use_cyclic

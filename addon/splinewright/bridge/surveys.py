@@ -12,8 +12,8 @@ from .file_state import remember, state
 SHOWN = 50
 #: Seams that are drawn.
 DRAWN = 500
-#: So much of definitions is kept, and so many measures.
-_KEPT, _MEASURES = 8, 64
+#: So much of definitions is kept, and so many Wholes.
+_KEPT, _WHOLES = 8, 64
 
 
 def survey_of(data):
@@ -67,33 +67,31 @@ def moved_of(data, matrix):
 def whole_soon(data, matrix, seconds):
     """The core.measured.Whole of it where that is known, or found in so many seconds, which a panel has; None where it takes
     longer, until keep_whole(). Raises as moved_of() does."""
-    def whole(moved):
+    key = _key(data, matrix)
+    if key not in state.wholes:
+        whole = None
         with suppress(sc.Cancelled):
-            return measured.whole(moved, _after(seconds))
-        return None
-    return _measured(data, matrix, 'whole', (), whole)
+            whole = measured.whole(moved_of(data, matrix), _after(seconds))
+        remember(state.wholes, key, whole, _WHOLES)
+    return state.wholes[key]
 
 
 def keep_whole(data, matrix, whole):
     """Have this for the Whole of a definition under a matrix."""
-    _keep_measured(data, matrix, 'whole', (), whole)
+    remember(state.wholes, _key(data, matrix), whole, _WHOLES)
 
 
 def place_of(data, matrix, number, fractions, seconds):
     """core.measured.at_parameter() of a piece, by its number from 0, without what takes longer than so many seconds. The last
-    place of a definition is kept."""
-    return _measured(data, matrix, 'place', (number, fractions),
-                     lambda moved: measured.at_parameter(moved.pieces[number], fractions, _after(seconds)))
+    one is kept."""
+    key = *_key(data, matrix), number, fractions
+    if state.place[0] != key:
+        state.place = key, measured.at_parameter(moved_of(data, matrix).pieces[number], fractions, _after(seconds))
+    return state.place[1]
 
 
-def _measured(data, matrix, what, where, work):
-    known, found = state.measures.get((what, matrix.tobytes(), store.digest(data)), (None, None))
-    return found if known == where else _keep_measured(data, matrix, what, where, work(moved_of(data, matrix)))
-
-
-def _keep_measured(data, matrix, what, where, found):
-    remember(state.measures, (what, matrix.tobytes(), store.digest(data)), (where, found), _MEASURES)
-    return found
+def _key(data, matrix):
+    return matrix.tobytes(), store.digest(data)
 
 
 def _after(seconds):

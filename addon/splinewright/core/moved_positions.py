@@ -30,10 +30,10 @@ class MovedPositions:
         where that is known."""
         before, self._evaluated = self._evaluated, None
         kept, self._checksum = self._checksum, None         # of what may be no more
-        is_known = kept is not None and before is not None
-        if is_known and rows is None:
-            rows = _moved_rows(before, patch_set)
-        places = self._places_of(kept, before, rows) if is_known and rows is not None else None
+        places = None
+        if kept is not None and before is not None:
+            rows = _moved_rows(before, patch_set) if rows is None else rows
+            places = None if rows is None else self._places_of(kept, before, rows)
         if places is not None:
             kept.writes(places)
         self.faces.evaluate_positions(patch_set, before=before, out=self.positions)

@@ -40,7 +40,8 @@ def line_of(ob):
 
 def _axis(stored, ob):
     """(a point of the axis, its direction) in the space of a surface of revolution. Raises Refusal."""
-    frames = [np.array(ob.matrix_world.inverted_safe() @ frame.matrix_world) for frame in stored.frames if frame]
+    frames = [np.array(ob.matrix_world.inverted_safe() @ frame.matrix_world, dtype=np.float64)
+              for frame in stored.frames if frame]
     return axis_of(stored.values['axis'], [stored.values[f"offset_{name}"] for name in "xyz"], *frames)
 
 

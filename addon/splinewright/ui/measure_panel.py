@@ -33,7 +33,7 @@ class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
             if is_edited and len(definition.pool) > _MOST_WHILE_EDITED:
                 texts.draw_note(self.layout, "So many points are measured when the net is left")
                 return
-            matrix, seconds = np.array(ob.matrix_world), _SOON_WHILE_EDITED if is_edited else _SOON
+            matrix, seconds = np.array(ob.matrix_world, dtype=np.float64), _SOON_WHILE_EDITED if is_edited else _SOON
             _draw_whole(self.layout, surveys.whole_soon(ob.data, matrix, seconds))
             _draw_place(self.layout, ob.data, matrix, len(definition.pieces), seconds)
         except store.UnreadableDefinition:

@@ -85,22 +85,23 @@ std::size_t sufficient_count(NearDirection given, std::size_t rows, std::span<co
                              bool fixed_ends) {
   const std::size_t columns = values.size() / rows;
   const std::size_t most = given.count;
-  const auto miss_of = [&](std::size_t count) -> std::optional<double> {
+  bool is_told = true;
+  const auto needs_more = [&](std::size_t count) {
     given.count = count;
     try {
-      return miss(axis_of(given, rows, fixed_ends), values, columns);
+      const bool is_far = miss(axis_of(given, rows, fixed_ends), values, columns) > tolerance;
+      if (!is_far) is_told = true;
+      return is_far;
     } catch (const InvalidShape&) {
-      return {};
+      is_told = false;
+      return false;
     }
-  };
-  const auto needs_more = [&](std::size_t count) {
-    const auto found = miss_of(count);
-    return found && *found > tolerance;
   };
   const std::size_t least = least_of(given);
   std::size_t low = least - 1;
   std::size_t high = least;
-  while (high < most && needs_more(high)) {
+  while (needs_more(high)) {
+    if (high == most) return most;
     low = high;
     high = std::min(2 * high, most);
   }
@@ -108,7 +109,7 @@ std::size_t sufficient_count(NearDirection given, std::size_t rows, std::span<co
     const std::size_t middle = low + (high - low) / 2;
     (needs_more(middle) ? low : high) = middle;
   }
-  return high > least && !miss_of(high) ? high - 1 : high;
+  return is_told || high == least ? high : low;
 }
 
 /// The patch on as many control points, if numbers tell them.
@@ -150,9 +151,7 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   while (made.error > tolerance && (u.count < most_u.count || v.count < most_v.count)) {
     u.count = std::min(most_u.count, u.count + u.count / 4 + 1);
     v.count = std::min(most_v.count, v.count + v.count / 4 + 1);
-    auto next = tried(grid, u, v, fixed_ends);
-    if (!next) break;
-    made = *std::move(next);
+    if (auto next = tried(grid, u, v, fixed_ends)) made = *std::move(next);
   }
   if (made.error <= tolerance) return made;
   throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(u.count) + " x " +

@@ -29,10 +29,10 @@ def occasion(updates):
 
 
 def begin(ob, occasion):
-    """Let steps() follow a net that was just pulled, if nothing but its points has a say in its shape."""
+    """Let goes_on() follow a net that was just pulled, if nothing but its points has a say in its shape."""
     data, current = net_object.shape_of(ob).data, live.session(ob.data)
     is_plain = (current.last is not None and current.is_dragged and not live.problem(ob) and not live.note(ob)
-                and not current.is_waiting and not recipes.has(data) and not held.known(data)
+                and not current.is_waiting and not recipes.has(data) and not held.has(data)
                 and not len(point_keys.of(data)) and not keyed.has_keys(data))
     state.drag = Drag(occasion, ob, data, current, net_object.typed(ob.data, current.net)) if is_plain else None
 

@@ -236,7 +236,8 @@ def pull(ob, moment=Moment.FREE):
     Of what cannot be read or shown the shape keeps what it has; problem() says why. Whatever goes wrong is kept in words:
     others are to be brought up to date, too.
     """
-    net, state.drag = ob.data, None
+    state.drag = None
+    net = ob.data
     look_again(net)
     problems.tell(net, problems.STRAYS, "")
     try:

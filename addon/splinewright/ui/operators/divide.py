@@ -84,7 +84,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         a sentence about the parts). Raises Refusal."""
         if not _is_curve(ob):
             raise Refusal("make a curve shape active")
-        curves = measured.moved(store.read(ob.data), np.array(ob.matrix_world)).pieces
+        curves = measured.moved(store.read(ob.data), np.array(ob.matrix_world, dtype=np.float64)).pieces
         wanted = {'count': self.count} if self.by == 'COUNT' else {'length': decimals.typed(self.length)}
         wanted['with_ends'] = self.with_ends
         turned, along = 'not' if self.make == 'POINTS' else self.turned, self.along

@@ -156,7 +156,7 @@ class _Export(ExportHelper):
     def _value(self, ob):
         if not self.transform:
             return shape.value_of(ob.data)
-        return definitions.to_value(transform.transformed(store.read(ob.data), np.array(ob.matrix_world)))
+        return definitions.to_value(transform.transformed(store.read(ob.data), np.array(ob.matrix_world, dtype=np.float64)))
 
 
 def _exported(context):

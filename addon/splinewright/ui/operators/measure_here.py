@@ -78,7 +78,7 @@ def _measured_at(context, x, y):
         return None, None
     ob, number, parameters = found
     try:
-        piece = surveys.moved_of(ob.data, np.array(ob.matrix_world)).pieces[number - 1]
+        piece = surveys.moved_of(ob.data, np.array(ob.matrix_world, dtype=np.float64)).pieces[number - 1]
         place = measured.place(piece, parameters)
     except FAILURES as error:
         return None, measure_overlay.Measured(view[0].as_pointer(), x, y, None, (sentence(error),))

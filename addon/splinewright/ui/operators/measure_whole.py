@@ -26,21 +26,23 @@ class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
         return True
 
     def tasks(self, context):
-        return {'whole': self._task(context)}
+        there = surveys.moved_of(*_data_and_matrix(context))
+        return {'whole': lambda cancel: measured.whole(there, cancel)}
 
     def execute(self, context):
         ob = hand.shape_of(context.object)
         try:
-            surveys.keep_whole(ob.data, np.array(ob.matrix_world), self.result_of('whole', self._task(context)))
+            whole = self.result_of('whole', self.tasks(context)['whole'])
+            surveys.keep_whole(*_data_and_matrix(context), whole)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         redraw()
         return {'FINISHED'}
 
-    def _task(self, context):
-        ob = hand.shape_of(context.object)
-        there = surveys.moved_of(ob.data, np.array(ob.matrix_world))
-        return lambda cancel: measured.whole(there, cancel)
+
+def _data_and_matrix(context):
+    ob = hand.shape_of(context.object)
+    return ob.data, np.array(ob.matrix_world, dtype=np.float64)
 
 
 CLASSES = (SPLINEWRIGHT_OT_measure_whole,)

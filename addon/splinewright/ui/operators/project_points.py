@@ -88,7 +88,7 @@ def _meshes(context):
 def _task(onto, chosen, told=lambda done: None):
     """A function that gives the nearest points, and their distances, on a shape of each of the _Points, for a `cancel` as the
     library takes it."""
-    pieces = measured.moved(store.read(onto.data), np.array(onto.matrix_world)).pieces
+    pieces = measured.moved(store.read(onto.data), np.array(onto.matrix_world, dtype=np.float64)).pieces
     worlds = [points.world for points in chosen]
     firsts = np.cumsum([0, *map(len, worlds)]).tolist()
 
@@ -110,7 +110,7 @@ class _Points:
         self._moves = np.ones(len(self._local), bool)
         if selected_only:
             mesh.vertices.foreach_get('select', self._moves)
-        self._matrix = np.array(ob.matrix_world)
+        self._matrix = np.array(ob.matrix_world, dtype=np.float64)
         if np.linalg.det(self._matrix[:3, :3]) == 0.0:
             raise Refusal(f"{ob.name} has a scale of 0")
         self.world = self._local[self._moves] @ self._matrix[:3, :3].T + self._matrix[:3, 3]
