@@ -17,6 +17,7 @@ class _OnSelectedPoints:
 
     @staticmethod
     def changed(definition, rows):
+        """The definition with these rows of its pool changed. Raises Refusal."""
         raise NotImplementedError
 
     @classmethod
