@@ -19,6 +19,21 @@ SERIES = ((3.0, 'hyperbola'), (1.0, 'parabola'), (np.sqrt(0.5), 'ellipse'), (0.3
 SIZE = 2.6
 HALF = SIZE * np.sqrt(0.5)
 
+#: Of the arcs above the chord, which lie close: the right end of the uppermost line to a label, and how far the next is below.
+ASIDE, DOWN = (1.9, 1.75), 0.38
+
+
+def label(weight, height):
+    """Below the lowest place of what is seen of a curve, or beside the arcs, in their order."""
+    text, number = f"w = {weight:.3g}", [each for each, _ in SERIES].index(weight)
+    if weight < 0:
+        stage.label(text, (0, height - 0.22), 0.28, 'CENTER')
+        return
+    x, y = ASIDE[0] + 0.1 * number, ASIDE[1] - DOWN * number
+    stage.polygon([(0.0, height, 0), (x, y, 0)], f"To {text}")
+    stage.label(text, (x + 0.1, y), 0.28)
+
+
 # The recipe's own triangle is (1, 0), (1, 1), (0, 1): turned, its middle point is above.
 for weight, kind in SERIES:
     ob = stage.add('add_conic', f"w = {weight:.3g}", (0, -HALF, 0), (0, 0, np.pi / 4), COLORS[kind], weight=weight,
@@ -26,9 +41,8 @@ for weight, kind in SERIES:
     ob.data.splinewright.reach = 6.0 if kind == 'ellipse' else 2.4
     stage.tube(ob, 0.03)
     if weight != -1:
-        place = HALF * weight / (1 + weight) + (0.1 if weight == 1 else -0.17)
-        stage.label(f"w = {weight:.3g}", (0, place), 0.2, 'CENTER')
-stage.label("w = -1 and w = -3 go on through infinity", (0, -5.0), 0.3, 'CENTER')
+        label(weight, HALF * weight / (1 + weight))
+stage.label("w = -1 and w = -3 go on through infinity", (0, -5.12), 0.3, 'CENTER')
 corners = [(-HALF, 0, 0), (0, HALF, 0), (HALF, 0, 0)]
 stage.polygon(corners, "Triangle")
 stage.beads(corners, "Its corners", radius=0.07)
