@@ -64,8 +64,9 @@ run_in_root() {
   exec 9>"$root/.lock"
   flock 9                       # whoever leaves unmounts the project
   trap "leave '$root'" EXIT
+  leave "$root"                 # a run that was killed left its own project there
   mkdir -p "$root/project"
-  mounted "$root/project" || mount --bind "$project" "$root/project"
+  mount --bind "$project" "$root/project"
   enter "$root" "$@"
 }
 
