@@ -104,7 +104,7 @@ def hills(count):
 def area():
     """As the panel shows it; None where it has a button."""
     ob = bpy.context.object
-    whole = part('bridge.surveys').whole_soon(ob.data, np.array(ob.matrix_world), 0.02)
+    whole = part('bridge.surveys').whole_soon(ob.data, np.array(ob.matrix_world, dtype=np.float64), 0.02)
     return whole and whole.area
 
 

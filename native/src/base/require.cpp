@@ -38,14 +38,16 @@ void require_finite(std::span<const glm::dvec3> vectors, const std::string& argu
 }
 
 void require_increasing(std::span<const double> values, const std::string& argument) {
-  require_finite(values, argument);
+  if (values.empty()) return;
   const bool increase = kernels().are_increasing(values.data(), values.size());
+  // What increases to a number from one is all numbers.
+  if (increase && std::isfinite(values.back() - values.front())) return;
+  require_finite(values, argument);
   for (std::size_t i = 1; i < values.size() && !increase; ++i) {
     if (values[i] > values[i - 1]) continue;
     throw InvalidShape(argument + index_text(i) + " = " + text_of(values[i]) + " does not increase from " +
                        text_of(values[i - 1]));
   }
-  if (values.empty() || std::isfinite(values.back() - values.front())) return;
   throw InvalidShape(argument + " from " + text_of(values.front()) + " to " + text_of(values.back()) +
                      " overflow: their distance is not a finite number");
 }

@@ -39,9 +39,9 @@ bool do_not_fall(std::span<const double> knots) {
 }
 
 /// Whether they do not decrease, none more often than degree + 1 times.
-bool is_in_order(std::span<const double> knots, int degree) {
+bool is_in_order(std::span<const double> knots, int degree, bool are_simple) {
   const std::size_t order = static_cast<std::size_t>(degree) + 1;
-  if (are_simple_inside(knots, degree)) {
+  if (are_simple) {
     return do_not_fall(knots.first(order)) && do_not_fall(knots.last(order));
   }
   std::int64_t wrong = 0;  // as wide as a knot, so that several are compared at once
@@ -51,8 +51,8 @@ bool is_in_order(std::span<const double> knots, int degree) {
 }
 
 /// @throws InvalidShape naming the knot that is not in order, or not finite.
-void require_order(std::span<const double> knots, int degree) {
-  if (std::isfinite(knots.front()) && std::isfinite(knots.back()) && is_in_order(knots, degree)) return;
+void require_order(std::span<const double> knots, int degree, bool are_simple) {
+  if (std::isfinite(knots.front()) && std::isfinite(knots.back()) && is_in_order(knots, degree, are_simple)) return;
   require_finite(knots, "knots");
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (knots[i] < knots[i - 1]) {
@@ -89,10 +89,10 @@ std::vector<double> unroll(std::span<const double> period, int degree) {
   return unrolled;
 }
 
-std::vector<int> positive_spans(std::span<const double> knots, int degree) {
+std::vector<int> positive_spans(std::span<const double> knots, int degree, bool are_simple) {
   const int last = static_cast<int>(knots.size()) - degree - 1;
   std::vector<int> spans(std::max(last - degree, 0));
-  if (are_simple_inside(knots, degree)) {
+  if (are_simple) {
     std::iota(spans.begin(), spans.end(), degree);
     return spans;
   }
@@ -138,7 +138,8 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
     throw InvalidShape("knots has " + std::to_string(knots.size()) + " values, at least " +
                        std::to_string(needed) + " are needed for degree " + std::to_string(degree));
   }
-  require_order(knots, degree);
+  const bool are_simple = are_simple_inside(knots, degree);
+  require_order(knots, degree, are_simple);
   if (!std::isfinite(knots.back() - knots.front())) {
     throw InvalidShape("knots from " + text_of(knots.front()) + " to " + text_of(knots.back()) +
                        " overflow: their distance is not a finite number");
@@ -152,7 +153,8 @@ KnotVector KnotVector::make(int degree, std::vector<double> knots, bool periodic
   if (periodic) state->periods = unroll(knots, degree);
   state->knots = std::move(knots);
   state->unrolled = periodic ? state->periods : state->knots;
-  state->spans = positive_spans(state->unrolled, degree);
+  const bool are_spans_simple = periodic ? are_simple_inside(state->unrolled, degree) : are_simple;
+  state->spans = positive_spans(state->unrolled, degree, are_spans_simple);
   require_size(degree, state->spans.size());
   state->tables = std::make_shared<KnotTables>(state->unrolled, state->spans, degree);
   return KnotVector(std::move(state));

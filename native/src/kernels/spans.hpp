@@ -25,14 +25,21 @@ bool are_increasing(const double* values, std::size_t count) {
 /// Without an end before the last: those of most shapes are. Bits that differ from those of 1 are gathered.
 bool are_weights_one(const double* points, std::size_t count) {
   constexpr std::size_t kTogether = 4;
-  const MaskLanes one = reinterpret_cast<MaskLanes>(all(1.0));
-  MaskLanes others[kTogether]{};
+  constexpr std::int64_t kOne = __builtin_bit_cast(std::int64_t, 1.0);
+  const WideBits one = WideBits{} + kOne;
+  WideBits others[kTogether]{};
+  const std::size_t numbers = 4 * count;
   std::size_t i = 0;
-  for (; i + kTogether <= count; i += kTogether) {
-    for (std::size_t k = 0; k < kTogether; ++k) others[k] |= one ^ reinterpret_cast<MaskLanes>(load(points + 4 * (i + k)));
+  for (; i + kTogether * kWide <= numbers; i += kTogether * kWide) {
+    for (std::size_t k = 0; k < kTogether; ++k) {
+      others[k] |= one ^ reinterpret_cast<WideBits>(load<WideLanes>(points + i + k * kWide));
+    }
   }
-  for (; i < count; ++i) others[0] |= one ^ reinterpret_cast<MaskLanes>(load(points + 4 * i));
-  return ((others[0] | others[1]) | (others[2] | others[3]))[3] == 0;
+  const WideBits most = (others[0] | others[1]) | (others[2] | others[3]);
+  bool are_ones = true;
+  for (int lane = 3; lane < kWide; lane += 4) are_ones &= most[lane] == 0;
+  for (; i < numbers; i += 4) are_ones &= __builtin_bit_cast(std::int64_t, points[i + 3]) == kOne;
+  return are_ones;
 }
 
 /// Bits without the sign are in the order of the absolute values, infinity and what is no number behind all others.
