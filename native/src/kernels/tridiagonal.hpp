@@ -27,7 +27,7 @@ void knot_rows(const double* knots, std::size_t count, const TridiagonalRows& ro
 template <std::ptrdiff_t kStep>
 class RowsFromEnd {
  public:
-  static constexpr std::ptrdiff_t kBlock = 32;
+  static constexpr std::ptrdiff_t kBlock = 48;
 
   SPLINECORE_INLINE explicit RowsFromEnd(const TridiagonalEnd& end)
       : taken_(kStep > 0 ? end.rows.before : end.rows.after), at_(end.rows.at),
