@@ -108,6 +108,40 @@ def test_a_grid_that_is_long_in_either_direction_has_the_bits_of_its_pairs():
 
 
 @pytest.mark.parametrize('rational', [False, True])
+def test_columns_of_several_spans_have_the_bits_of_pairs_zeros_with_their_signs(rational):
+    rng = np.random.default_rng(7)
+    for degree in (1, 2, 3, 5):
+        values = np.concatenate([np.zeros(degree + 1), np.arange(1.0, 12.0), [11.5, 11.5], np.full(degree + 1, 12.0)])
+        count = len(values) - degree - 1
+        points = rng.normal(size=(3, count, 3))
+        points[..., 1] = np.where(rng.random((3, count)) < 0.5, -0.0, 0.0)
+        points[..., 2] = -0.0
+        patch = sc.NurbsPatch((2, degree), [[0.0, 0, 0, 1, 1, 1], values], points, weights((3, count), rational, rng))
+        u = rng.uniform(0.0, 1.0, 3)
+        for most in range(1, 11):
+            places = [np.sort(rng.uniform(i, i + 1, rng.integers(0, most + 1))) for i in range(12)]
+            v = np.concatenate(places)
+            if not len(v):
+                continue
+            for at in (v, v[::-1], rng.permutation(v)):
+                pairs = patch.evaluate(u[:, None], at[None, :])
+                assert patch.evaluate_grid(u, at).tobytes() == pairs.tobytes()
+                normals = patch.evaluate_grid_with_normals(u, at)[1]
+                alone = [patch.evaluate_grid_with_normals(u, at[i:i + 1])[1] for i in range(len(at))]
+                assert normals.tobytes() == np.concatenate(alone, axis=1).tobytes()
+
+
+def test_a_grid_that_no_cache_holds_has_the_bits_of_its_pairs():
+    patch = next(iter(patches(np.random.default_rng(8))))
+    u, v = np.linspace(0.0, 1.0, 800), np.linspace(0.0, 1.0, 1001)
+    grid, normals = patch.evaluate_grid_with_normals(u, v)
+    assert grid.nbytes > 1 << 24
+    assert grid.tobytes() == patch.evaluate_grid(u, v).tobytes() == patch.evaluate(u[:, None], v[None, :]).tobytes()
+    some = slice(300, 303)
+    assert normals[some].tobytes() == patch.evaluate_grid_with_normals(u[some], v)[1].tobytes()
+
+
+@pytest.mark.parametrize('rational', [False, True])
 def test_a_grid_lying_down_is_the_standing_one_of_the_swapped_patch(rational):
     """The functions along u are summed first, so the last bits may differ: 4 ulp of the largest coordinate at most."""
     rng = np.random.default_rng(6)

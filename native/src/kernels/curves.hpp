@@ -182,6 +182,7 @@ std::size_t run(const CurveForm& form, const CurveHalf& half, double low, double
     }
     project<kRational>(d, x, factor_left<kRational>(left, far - near), degree);
     doubts = doubt(doubts, d);
+    ask_ahead<3 * (kOrder + 1) * kWide * sizeof(Real)>(out + 3 * (kOrder + 1) * i);
     store_all(d, out + 3 * (kOrder + 1) * i);
   }
   if (!is_certain(doubts)) *found |= kNotFinite;

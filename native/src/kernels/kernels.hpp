@@ -115,6 +115,7 @@ struct GridBlocks {
   std::size_t range_count;
   std::size_t width;  ///< how many points that are
   std::size_t columns;  ///< neighbours of all blocks
+  bool is_far;          ///< whether what is written comes from far memory, which is asked for ahead
 };
 
 /// What normals of pairs need to know.

@@ -218,6 +218,15 @@ SPLINECORE_INLINE Points transposed(Lanes a, Lanes b, Lanes c, Lanes d) {
           __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7), __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)};
 }
 
+/// Asks for the memory some way behind, as much as is written here, so that stores there need not wait for it.
+template <std::size_t kBytes>
+SPLINECORE_INLINE void ask_ahead(const void* out) {
+  constexpr std::size_t kAhead = 4096;
+  constexpr std::size_t kLine = 64;
+  const auto from = reinterpret_cast<std::uintptr_t>(out) + kAhead;
+  for (std::size_t i = 0; i < kBytes; i += kLine) __builtin_prefetch(reinterpret_cast<const void*>(from + i), 1);
+}
+
 /// Writes x, y, z after x, y, z of four points.
 template <class Real>
 SPLINECORE_INLINE void store_triples(Lanes x, Lanes y, Lanes z, Real* out) {

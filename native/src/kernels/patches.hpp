@@ -111,6 +111,7 @@ int grid_points_of(const GridForm& form, const GridRow& row, const GridBlocks& b
     WidePoints p = row_sum<kRational>(scratch + 4 * block.first, degree, block.values);
     project_point<kRational>(p);
     doubts = doubt(doubts, p);
+    if (blocks.is_far) ask_ahead<3 * kWide * sizeof(Real)>(out);
     store_block(p, block.count, left, out);
     left -= block.count;
     out += 3 * block.count;
@@ -181,6 +182,10 @@ int grid_normals_of(const GridForm& form, const GridRow& row, const GridBlocks& 
         normal_of(su, sv, plain * (sizes * sizes), row.rounding.of_points, all<WideLanes>(row.size), sizes);
     doubts = doubt(doubts, p);
     weak += n.x;
+    if (blocks.is_far) {
+      ask_ahead<3 * kWide * sizeof(Real)>(out);
+      ask_ahead<3 * kWide * sizeof(Real)>(normals);
+    }
     store_block(p, block.count, left, out);
     store_block(n, block.count, left, normals);
     left -= block.count;

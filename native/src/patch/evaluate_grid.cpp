@@ -53,6 +53,7 @@ void grid_points(const NurbsPatch& patch, const GridPlan& plan, std::span<Real> 
   if (out.empty()) return;
   const GridForm form = form_of(patch);
   const GridColumns& columns = plan.columns;
+  const GridBlocks blocks = columns.blocks(out.size_bytes());
   const std::size_t steps = steps_of_row(columns, plan.u, plan.v, 1);
   in_ranges(plan.u.size(), steps / kStepsAtOnce + 1, threads, [&](std::size_t begin, std::size_t end) {
     CallMemory memory;
@@ -60,7 +61,7 @@ void grid_points(const NurbsPatch& patch, const GridPlan& plan, std::span<Real> 
     for (std::size_t i = begin; i < end; ++i) {
       breathe(steps);
       Real* const row = &out[3 * plan.v.size() * i];
-      const int found = points_of(form, grid_row(plan.u, i), columns.blocks(), scratch.data(), row);
+      const int found = points_of(form, grid_row(plan.u, i), blocks, scratch.data(), row);
       if (found != 0) settle_row(patch, plan.u, i, plan.v, at_infinity, row);
     }
   });
@@ -99,7 +100,7 @@ void grid_with_normals(const NurbsPatch& patch, const GridPlan& plan, std::span<
   const PoleNormals at_poles(finder.poles(), finder.rounding(), plan, of_poles.resource());
   const GridForm form = form_of(patch);
   const GridForm seen_form = form_of(finder.seen());
-  const GridBlocks blocks = plan.columns.blocks();
+  const GridBlocks blocks = plan.columns.blocks(points.size_bytes() + normals.size_bytes());
   const std::size_t numbers = 3 * plan.v.size();
   const std::size_t steps = steps_of_row(plan.columns, plan.u, plan.v, 3);
   in_ranges(plan.u.size(), steps / kStepsAtOnce + 1, threads, [&](std::size_t begin, std::size_t end) {

@@ -32,8 +32,10 @@ class GridColumns {
   /// For normals. @param scale  by what slopes are multiplied
   GridColumns(const Samples& v, double scale, std::pmr::memory_resource* memory);
 
-  GridBlocks blocks() const noexcept {
-    return {blocks_.data(), blocks_.size(), ranges_.data(), ranges_.size(), width_, columns_};
+  /// @param written  bytes that a call writes
+  GridBlocks blocks(std::size_t written) const noexcept {
+    constexpr std::size_t kNear = std::size_t{1} << 24;  // what caches may keep from one call to the next
+    return {blocks_.data(), blocks_.size(), ranges_.data(), ranges_.size(), width_, columns_, written > kNear};
   }
 
   /// Numbers that a kernel needs for so many rows of columns.

@@ -49,7 +49,7 @@ std::optional<Pole> Pole::at(const NurbsPatch& patch, Border side) {
 
 std::pmr::vector<double> Pole::normals(const GridColumns& along, const NormalRounding& rounding,
                                        std::pmr::memory_resource* memory) const {
-  const GridBlocks blocks = along.blocks();
+  const GridBlocks blocks = along.blocks(0);
   const GridForm form{&points_.data()->x, points_.size(), 0, degree_, false};
   const double one = 1.0;
   const double sense = sense_of(side_);
