@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include "class_of.hpp"
+#include "splinecore/base/errors.hpp"
 #include "splinecore/curve/bezier_curve.hpp"
 #include "splinecore/curve/hermite_curve.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
@@ -16,6 +19,17 @@ inline const splinecore::NurbsCurve& form(const splinecore::NurbsCurve& curve) {
 template <class Curve>
 const splinecore::NurbsCurve& form(const Curve& curve) {
   return curve.nurbs();
+}
+
+/// The NURBS form of a curve of any kind. @throws InvalidShape if it is none
+inline const splinecore::NurbsCurve& any_curve(const pybind11::object& value, const char* name) {
+  namespace py = pybind11;
+  if (py::isinstance<splinecore::NurbsCurve>(value)) return value.cast<const splinecore::NurbsCurve&>();
+  if (py::isinstance<splinecore::BezierCurve>(value)) return form(value.cast<const splinecore::BezierCurve&>());
+  if (py::isinstance<splinecore::HermiteCurve>(value)) return form(value.cast<const splinecore::HermiteCurve&>());
+  if (py::isinstance<splinecore::PowerCurve>(value)) return form(value.cast<const splinecore::PowerCurve&>());
+  throw splinecore::InvalidShape(std::string(name) + " is " + std::string(py::str(py::type::of(value).attr("__name__"))) +
+                                 ", a curve is expected");
 }
 
 /// The NURBS form of any kind of patch.

@@ -61,6 +61,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_plane_curves(module);
   bindings::bind_nearest(module);
   bindings::bind_stationary(module);
+  bindings::bind_intersections(module);
   bindings::bind_approximate(module);
   bindings::bind_approximate_patch(module);
   bindings::bind_drags(module);

@@ -20,6 +20,7 @@ __all__ = [
     "FormulaError",
     "HermiteCurve",
     "HermitePatch",
+    "Intersections",
     "InvalidShape",
     "JoinedPatches",
     "Nearest",
@@ -55,6 +56,7 @@ _Knots = Sequence[ArrayLike]
 _Cancel = Callable[[], object]
 _Interval = tuple[float, float]
 _Floats = NDArray[np.float64]
+_Curve = NurbsCurve | BezierCurve | HermiteCurve | PowerCurve
 _Points = NDArray[Any]  # float64, or float32 where dtype or out ask for it
 
 class Error(Exception):
@@ -158,6 +160,25 @@ class Nearest:
     def distances(self) -> _Floats: ...
     def __copy__(self) -> Nearest: ...
     def __deepcopy__(self, memo: object, /) -> Nearest: ...
+
+@final
+class Intersections:
+    """The n places where two curves meet, and the m stretches, (start, end) of each, that they have in common."""
+
+    @property
+    def parameters(self) -> _Floats: ...
+    @property
+    def points(self) -> _Floats: ...
+    @property
+    def distances(self) -> _Floats: ...
+    @property
+    def touches(self) -> NDArray[np.bool_]: ...
+    @property
+    def overlaps(self) -> _Floats: ...
+    @property
+    def reversed(self) -> NDArray[np.bool_]: ...
+    def __copy__(self) -> Intersections: ...
+    def __deepcopy__(self, memo: object, /) -> Intersections: ...
 
 @final
 class StationaryPoints:
@@ -310,6 +331,12 @@ class NurbsCurve:
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
     ) -> Nearest: ...
+    def intersections(
+        self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
+    def self_intersections(
+        self, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -428,6 +455,12 @@ class BezierCurve:
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
     ) -> Nearest: ...
+    def intersections(
+        self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
+    def self_intersections(
+        self, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -536,6 +569,12 @@ class HermiteCurve:
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
     ) -> Nearest: ...
+    def intersections(
+        self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
+    def self_intersections(
+        self, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -653,6 +692,12 @@ class PowerCurve:
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
     ) -> Nearest: ...
+    def intersections(
+        self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
+    def self_intersections(
+        self, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Intersections: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None

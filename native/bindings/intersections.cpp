@@ -1,0 +1,106 @@
+#include "splinecore/meet/intersections.hpp"
+
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::CurveIntersections;
+using splinecore::NurbsCurve;
+
+namespace {
+
+/// What Python sees of the places where two shapes meet.
+struct Intersections {
+  py::array_t<double> parameters;
+  py::array_t<double> points;
+  py::array_t<double> distances;
+  py::array_t<bool> touches;
+  py::array_t<double> overlaps;
+  py::array_t<bool> reversed;
+};
+
+Intersections arrays_of(const CurveIntersections& found) {
+  const auto count = static_cast<py::ssize_t>(found.places.size());
+  const auto overlaps = static_cast<py::ssize_t>(found.overlaps.size());
+  Intersections out{py::array_t<double>({count, py::ssize_t{2}}), py::array_t<double>({count, py::ssize_t{3}}),
+                    py::array_t<double>(count), py::array_t<bool>(count),
+                    py::array_t<double>({overlaps, py::ssize_t{2}, py::ssize_t{2}}), py::array_t<bool>(overlaps)};
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const auto& place = found.places[static_cast<std::size_t>(i)];
+    out.parameters.mutable_at(i, 0) = place.a;
+    out.parameters.mutable_at(i, 1) = place.b;
+    for (int axis = 0; axis < 3; ++axis) out.points.mutable_at(i, axis) = place.point[axis];
+    out.distances.mutable_at(i) = place.distance;
+    out.touches.mutable_at(i) = place.touches;
+  }
+  for (py::ssize_t i = 0; i < overlaps; ++i) {
+    const auto& overlap = found.overlaps[static_cast<std::size_t>(i)];
+    out.overlaps.mutable_at(i, 0, 0) = overlap.a.start;
+    out.overlaps.mutable_at(i, 0, 1) = overlap.a.end;
+    out.overlaps.mutable_at(i, 1, 0) = overlap.b.start;
+    out.overlaps.mutable_at(i, 1, 1) = overlap.b.end;
+    out.reversed.mutable_at(i) = overlap.is_reversed;
+  }
+  return out;
+}
+
+template <class Curve>
+void bind_curve(py::class_<Curve> cls) {
+  cls.def("intersections", [](const Curve& self, const py::object& other, const py::object& tolerance,
+                              const py::object& cancel) {
+            const NurbsCurve& with = any_curve(other, "other");
+            const auto most = tolerance_of(tolerance);
+            return arrays_of(unlocked([&] { return splinecore::intersections(form(self), with, most); }, cancel));
+          },
+          py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
+          "Where the curve and another one, of any kind, are at most tolerance apart, as Intersections: places where\n"
+          "their distance is least, ends included, in the order of the parameters of this one, and stretches that\n"
+          "they have in common. tolerance is a length, by default 2^-33 of the size of both.\n\n"
+          "Curves that cross are found however near the crossings are to each other; of places that the curves join\n"
+          "within the tolerance there is one. Of a curve that ends where it begins places are in [start, end). Parts\n"
+          "that run through infinity meet nothing. Pairs of Bernstein pieces on two trees of boxes are halved until\n"
+          "their hulls are apart, their tangents differ so that they cross once at most (Sederberg and Meyers 1988),\n"
+          "or they lie together. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
+          "InvalidShape if the tolerance is below 0, or where more than 2^22 pairs of parts are within it.");
+  cls.def("self_intersections", [](const Curve& self, const py::object& tolerance, const py::object& cancel) {
+            const auto most = tolerance_of(tolerance);
+            return arrays_of(unlocked([&] { return splinecore::self_intersections(form(self), most); }, cancel));
+          },
+          py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
+          "Where the curve meets itself, as intersections() has it of two: the first parameter is the smaller one.\n\n"
+          "Without places next to each other along the curve, as at a cusp, and where it ends at its beginning.");
+}
+
+void bind_result(py::module_& module) {
+  py::class_<Intersections> cls(module, "Intersections", py::module_local(),
+                                "The n places where two curves meet, and the m stretches that they have in common.\n\n"
+                                "parameters is (n, 2): of the first and the second curve; points (n, 3), in the middle\n"
+                                "between both; distances (n,), of the curves there; touches (n,), whether their tangents\n"
+                                "are parallel. overlaps is (m, 2, 2): start and end on the first curve and on the second;\n"
+                                "reversed (m,), whether they run against each other.");
+  seal(cls);
+  cls.def_property_readonly("parameters", [](const Intersections& self) { return self.parameters; });
+  cls.def_property_readonly("points", [](const Intersections& self) { return self.points; });
+  cls.def_property_readonly("distances", [](const Intersections& self) { return self.distances; });
+  cls.def_property_readonly("touches", [](const Intersections& self) { return self.touches; });
+  cls.def_property_readonly("overlaps", [](const Intersections& self) { return self.overlaps; });
+  cls.def_property_readonly("reversed", [](const Intersections& self) { return self.reversed; });
+  cls.def("__repr__", [](const Intersections& self) {
+    return "Intersections(count=" + std::to_string(self.distances.size()) +
+           ", overlaps=" + std::to_string(self.reversed.size()) + ")";
+  });
+}
+
+}  // namespace
+
+void bind_intersections(py::module_& module) {
+  bind_result(module);
+  for_curves(module, [](auto cls) { bind_curve(cls); });
+}
+
+}  // namespace bindings

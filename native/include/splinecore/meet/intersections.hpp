@@ -1,0 +1,49 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "splinecore/base/interval.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+
+namespace splinecore {
+
+/// A place where two curves meet.
+struct CurveIntersection {
+  double a;          ///< the parameter of the first curve
+  double b;          ///< and of the second one
+  glm::dvec3 point;  ///< in the middle between both
+  double distance;   ///< of the curves there
+  bool touches;      ///< whether their tangents are parallel
+};
+
+/// A stretch along which two curves are one, up to the tolerance.
+struct CurveOverlap {
+  Interval a;
+  Interval b;
+  bool is_reversed;  ///< whether the parameter of the second one falls where that of the first rises
+};
+
+struct CurveIntersections {
+  std::vector<CurveIntersection> places;    ///< in the order of the parameters of the first curve
+  std::vector<CurveOverlap> overlaps;  ///< likewise
+};
+
+/// Where two curves are at most `tolerance` apart: places where their distance is least, ends included, and stretches
+/// that they have in common. Curves that cross are found however close the crossings are; of places that the curves
+/// join within the tolerance there is one. Of a curve that ends where it begins places are in [start, end). Parts that
+/// run through infinity meet nothing.
+///
+/// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart, their tangents differ so that
+/// they cross once at most (Sederberg and Meyers 1988), which Newton's method finds, or they lie within the tolerance of
+/// each other. S18.
+/// @param tolerance  none: 2^-33 of the size of both
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^22 pairs.
+CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance = {});
+
+/// Where a curve meets itself: places with a < b, without those that its neighbourhood is always within the tolerance
+/// of, as at a cusp.
+CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance = {});
+
+}  // namespace splinecore

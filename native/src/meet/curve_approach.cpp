@@ -1,0 +1,167 @@
+#include "curve_approach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// How two curves lie at a pair of places: b - a, and the derivatives.
+struct Approach {
+  glm::dvec3 gap;
+  glm::dvec3 a;
+  glm::dvec3 b;
+
+  double square() const noexcept { return glm::dot(gap, gap); }
+};
+
+Approach approach_at(const TwoCurves& curves, const SpotPair& at) {
+  const Slopes<1> a = curves.a.at(at.a);
+  const Slopes<1> b = curves.b.at(at.b, a.point);
+  return {b.offset, a.first[0], b.first[0]};
+}
+
+/// By how much both parameters go to where straight lines with these tangents are nearest.
+std::array<double, 2> steps_of(const Approach& now) {
+  const double aa = glm::dot(now.a, now.a);
+  const double bb = glm::dot(now.b, now.b);
+  const glm::dvec3 normal = glm::cross(now.a, now.b);
+  const double square = glm::dot(normal, normal);
+  if (!(square > 0.0)) {
+    // Parallel ones: one of them goes to the foot of the other's point.
+    if (!(aa > 0.0) && !(bb > 0.0)) return {0.0, 0.0};
+    if (aa >= bb) return {glm::dot(now.gap, now.a) / aa, 0.0};
+    return {0.0, -glm::dot(now.gap, now.b) / bb};
+  }
+  return {glm::dot(glm::cross(now.gap, now.b), normal) / square, glm::dot(glm::cross(now.gap, now.a), normal) / square};
+}
+
+/// Steps that leave their ranges go along the border.
+void hold_at_borders(const Approach& now, const std::array<double, 2>& at, const std::array<Interval, 2>& ranges,
+                     std::array<double, 2>& steps) {
+  const auto is_held = [&](int k) {
+    return (at[k] <= ranges[k].start && steps[k] < 0.0) || (at[k] >= ranges[k].end && steps[k] > 0.0);
+  };
+  const bool hold_a = is_held(0);
+  const bool hold_b = is_held(1);
+  const double aa = glm::dot(now.a, now.a);
+  const double bb = glm::dot(now.b, now.b);
+  if (hold_a) steps = {0.0, bb > 0.0 ? -glm::dot(now.gap, now.b) / bb : 0.0};
+  if (hold_b) steps = {aa > 0.0 ? glm::dot(now.gap, now.a) / aa : 0.0, 0.0};
+  for (int k = 0; k < 2; ++k) {
+    if (is_held(k)) steps[k] = 0.0;
+  }
+}
+
+struct Descent {
+  SpotPair at;
+  bool has_converged;
+};
+
+Descent descended(const TwoCurves& curves, SpotPair at, const Interval& range_a, const Interval& range_b) {
+  constexpr int kMost = 60;
+  constexpr double kStill = 0x1p-52;
+  const std::array<Interval, 2> ranges{range_a, range_b};
+  Approach now = approach_at(curves, at);
+  for (int round = 0; round < kMost; ++round) {
+    breathe(64);
+    std::array<double, 2> steps = steps_of(now);
+    hold_at_borders(now, {at.a.t, at.b.t}, ranges, steps);
+    bool is_lower = false;
+    double share = 1.0;
+    for (int halving = 0; halving < 8 && !is_lower; ++halving, share *= 0.5) {
+      SpotPair next = at;
+      next.a.t = std::clamp(at.a.t + share * steps[0], range_a.start, range_a.end);
+      next.b.t = std::clamp(at.b.t + share * steps[1], range_b.start, range_b.end);
+      const double moved = std::max(std::abs(next.a.t - at.a.t), std::abs(next.b.t - at.b.t));
+      if (moved <= kStill) return {at, true};
+      const Approach then = approach_at(curves, next);
+      is_lower = then.square() < now.square();
+      if (!is_lower) continue;
+      at = next;
+      now = then;
+    }
+    if (!is_lower) return {at, true};  // nothing but rounding is left
+  }
+  return {at, false};
+}
+
+/// To the piece beyond the end that it is at; whether there is one.
+bool hop(const CurvePieces& curve, CurveSpot& spot) {
+  if (spot.t == 1.0) {
+    if (const auto next = curve.after(spot.piece)) {
+      spot = {*next, 0.0};
+      return true;
+    }
+  } else if (spot.t == 0.0) {
+    if (const auto next = curve.before(spot.piece)) {
+      spot = {*next, 1.0};
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<SpotPair> nearest_pair(const TwoCurves& curves, SpotPair at, const Interval& range_a,
+                                     const Interval& range_b) {
+  const Descent found = descended(curves, at, range_a, range_b);
+  if (!found.has_converged) return {};
+  return found.at;
+}
+
+SpotPair settled(const TwoCurves& curves, SpotPair at) {
+  constexpr int kMostHops = 64;
+  const Interval whole;
+  at = descended(curves, at, whole, whole).at;
+  double least = curves.distance(at);
+  for (int hops = 0; hops < kMostHops; ++hops) {
+    SpotPair best = at;
+    for (int which = 1; which < 4; ++which) {
+      SpotPair other = at;
+      const bool a_hops = (which & 1) != 0 && hop(curves.a, other.a);
+      const bool b_hops = (which & 2) != 0 && hop(curves.b, other.b);
+      if (a_hops != ((which & 1) != 0) || b_hops != ((which & 2) != 0)) continue;
+      other = descended(curves, other, whole, whole).at;
+      const double distance = curves.distance(other);
+      if (!(distance < least)) continue;
+      least = distance;
+      best = other;
+    }
+    const bool is_moved = best.a.piece != at.a.piece || best.b.piece != at.b.piece;
+    at = best;
+    if (!is_moved) break;
+  }
+  return at;
+}
+
+double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point) {
+  constexpr int kMost = 100;
+  double low = range.start;
+  double high = range.end;
+  const auto slope_at = [&](double t) {
+    const Slopes<1> s = curve.at({piece, t}, point);
+    const double slope = glm::dot(s.offset, s.first[0]);
+    return std::pair(slope, glm::dot(s.first[0], s.first[0]) + glm::dot(s.offset, s.second[0]));
+  };
+  if (slope_at(low).first >= 0.0) return low;
+  if (slope_at(high).first <= 0.0) return high;
+  double t = 0.5 * (low + high);
+  for (int round = 0; round < kMost; ++round) {
+    breathe(32);
+    const auto [slope, curving] = slope_at(t);
+    (slope < 0.0 ? low : high) = t;
+    double next = t - slope / curving;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - t) <= 0x1p-52 || high - low <= 0x1p-52) return next;
+    t = next;
+  }
+  return t;
+}
+
+}  // namespace splinecore

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "curve_pieces.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A place of each of two curves.
+struct SpotPair {
+  CurveSpot a;
+  CurveSpot b;
+};
+
+/// Two curves in one space.
+struct TwoCurves {
+  const CurvePieces& a;
+  const CurvePieces& b;
+
+  double distance(const SpotPair& at) const noexcept { return glm::length(b.at(at.b, a.at(at.a).point).offset); }
+};
+
+/// Of parts of two pieces the places where they are nearest, of those around a pair: by Newton's method without the second
+/// derivatives, on borders along them. @returns none where it does not converge
+std::optional<SpotPair> nearest_pair(const TwoCurves& curves, SpotPair at, const Interval& range_a, const Interval& range_b);
+
+/// The same on the whole curves, across the ends of pieces.
+SpotPair settled(const TwoCurves& curves, SpotPair at);
+
+/// Of a part of a piece whose tangents differ by less than a right angle the nearest place to a point.
+double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point);
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,245 @@
+#include "curve_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// So narrow parts of a piece, by its parameter, are not halved; nor so narrow ones with weights of both signs, which run
+/// to infinity.
+constexpr double kNarrow = 0x1p-50;
+constexpr double kNarrowAtInfinity = 0x1p-14;
+/// Radians by which tangents of parts may differ that are looked at as one line.
+constexpr double kGentle = 0.25;
+/// Parts of this part of the tolerance are points.
+constexpr double kSmall = 0.5;
+constexpr std::size_t kMostPairs = std::size_t{1} << 22;
+
+std::vector<CurvePart> parts_of(const CurvePieces& curve) {
+  std::vector<CurvePart> parts;
+  parts.reserve(curve.size());
+  for (std::size_t i = 0; i < curve.size(); ++i) parts.emplace_back(i, Interval{}, curve.piece(i));
+  return parts;
+}
+
+/// A box of a tree.
+struct Node {
+  std::size_t level;
+  std::size_t i;
+};
+
+TreeBox box_of(const BoxTree& tree, const Node& node) {
+  const BoxTree::Group& group = tree.group(node.level, node.i / BoxTree::kGroup);
+  const std::size_t lane = node.i % BoxTree::kGroup;
+  TreeBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = group.middle[axis][lane] - group.half[axis][lane];
+    box.high[axis] = group.middle[axis][lane] + group.half[axis][lane];
+  }
+  return box;
+}
+
+bool are_apart(const TreeBox& a, const TreeBox& b, double distance) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.low[axis] - b.high[axis] > distance || b.low[axis] - a.high[axis] > distance) return true;
+  }
+  return false;
+}
+
+/// The boxes in one.
+template <class Work>
+void for_children(const BoxTree& tree, const Node& node, Work work) {
+  const std::size_t level = node.level - 1;
+  const std::size_t end = std::min((node.i + 1) * BoxTree::kGroup, tree.count(level));
+  for (std::size_t i = node.i * BoxTree::kGroup; i < end; ++i) work(Node{level, i});
+}
+
+class PairSearch {
+ public:
+  PairSearch(const CurvePieces& a, const CurvePieces& b, double tolerance)
+      : curves_{a, b}, tolerance_(tolerance), is_one_(&a == &b), parts_a_(parts_of(a)) {
+    if (!is_one_) parts_b_ = parts_of(b);
+  }
+
+  PairFindings found() {
+    const auto roots = [](const BoxTree& tree) { return tree.count(tree.levels() - 1); };
+    const BoxTree& a = curves_.a.tree();
+    const BoxTree& b = curves_.b.tree();
+    for (std::size_t i = 0; i < roots(a); ++i) {
+      for (std::size_t j = 0; j < roots(b); ++j) nodes({a.levels() - 1, i}, {b.levels() - 1, j});
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void nodes(const Node& a, const Node& b) {
+    if (is_one_ && a.level == b.level && a.i > b.i) return;
+    breathe(32);
+    const double slack = tolerance_ + 0x1p-40;  // the middles of boxes are rounded
+    if (are_apart(box_of(curves_.a.tree(), a), box_of(curves_.b.tree(), b), slack)) return;
+    if (a.level == 0 && b.level == 0) return pieces(a.i, b.i);
+    if (a.level == b.level) {
+      for_children(curves_.a.tree(), a, [&](const Node& in_a) {
+        for_children(curves_.b.tree(), b, [&](const Node& in_b) { nodes(in_a, in_b); });
+      });
+    } else if (a.level > b.level) {
+      for_children(curves_.a.tree(), a, [&](const Node& in_a) { nodes(in_a, b); });
+    } else {
+      for_children(curves_.b.tree(), b, [&](const Node& in_b) { nodes(a, in_b); });
+    }
+  }
+
+  void pieces(std::size_t i, std::size_t j) {
+    const CurvePart& a = parts_a_[i];
+    const CurvePart& b = is_one_ ? parts_a_[j] : parts_b_[j];
+    if (is_one_ && i == j) return own(a);
+    is_one_ ? own_pair(a, b) : pair(a, b);
+  }
+
+  /// Counts a pair of parts. @returns whether they are near enough to meet
+  bool are_near(const CurvePart& a, const CurvePart& b) {
+    breathe(16 * (a.net.rows + b.net.rows));
+    if (++pairs_ > kMostPairs) {
+      throw InvalidShape("more than " + std::to_string(kMostPairs) +
+                         " pairs of parts are within the tolerance: they are one along too much of them, or it is too small");
+    }
+    return !are_apart(a, b, tolerance_);
+  }
+
+  static bool is_lost(const CurvePart& part) { return !part.is_boxed && part.range.length() <= kNarrowAtInfinity; }
+  static bool is_narrow(const CurvePart& part) { return part.range.length() <= kNarrow; }
+
+  void pair(const CurvePart& a, const CurvePart& b) {
+    using splinecore::are_apart;
+    if (is_lost(a) || is_lost(b) || !are_near(a, b)) return;
+    if (do_tangents_differ(a, b) && cross(a, b)) return;
+    const bool are_boxed = a.is_boxed && b.is_boxed;
+    if (are_boxed && std::max(a.spread, b.spread) <= kGentle && are_together(a, b)) return;
+    const bool is_end = is_narrow(a) && is_narrow(b);
+    if (is_end || (are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_)) return add(a, a.range, b, b.range, false);
+    if (halves_first(a, b)) {
+      const auto [first, second] = a.halves();
+      pair(first, b);
+      pair(second, b);
+    } else {
+      const auto [first, second] = b.halves();
+      pair(a, first);
+      pair(a, second);
+    }
+  }
+
+  static bool halves_first(const CurvePart& a, const CurvePart& b) {
+    if (is_narrow(b)) return true;
+    if (is_narrow(a)) return false;
+    if (a.is_boxed != b.is_boxed) return !a.is_boxed;
+    return a.is_boxed ? a.size >= b.size : a.range.length() >= b.range.length();
+  }
+
+  /// A part with itself.
+  void own(const CurvePart& part) {
+    if (part.spread < 0.5 * std::numbers::pi || is_narrow(part) || is_lost(part)) return;
+    const auto [first, second] = part.halves();
+    own(first);
+    own(second);
+    own_pair(first, second);
+  }
+
+  /// Parts of one curve, the first before the second.
+  void own_pair(const CurvePart& a, const CurvePart& b) {
+    const bool b_follows = follows(a, b);
+    const bool a_follows = follows(b, a);
+    if (!b_follows && !a_follows) return pair(a, b);
+    if (is_lost(a) || is_lost(b) || !are_near(a, b)) return;
+    if (b_follows != a_follows && are_monotone(a, b)) return;
+    const bool are_boxed = a.is_boxed && b.is_boxed;
+    const bool is_end = is_narrow(a) || is_narrow(b);
+    if (is_end || (are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_)) return add(a, a.range, b, b.range, true);
+    const auto of_a = a.halves();
+    const auto of_b = b.halves();
+    for (const CurvePart* in_a : {&of_a.first, &of_a.second}) {
+      for (const CurvePart* in_b : {&of_b.first, &of_b.second}) own_pair(*in_a, *in_b);
+    }
+  }
+
+  bool follows(const CurvePart& a, const CurvePart& b) const {
+    if (a.piece == b.piece) return a.range.end == b.range.start;
+    return a.range.end == 1.0 && b.range.start == 0.0 && curves_.a.after(a.piece) == b.piece;
+  }
+
+  /// Finds where parts cross whose tangents differ. @returns false if Newton's method does not
+  bool cross(const CurvePart& a, const CurvePart& b) {
+    const SpotPair middle{{a.piece, a.range.middle()}, {b.piece, b.range.middle()}};
+    const std::optional<SpotPair> near = nearest_pair(curves_, middle, a.range, b.range);
+    if (!near) return false;
+    if (curves_.distance(*near) <= tolerance_) found_.crossings.push_back(settled(curves_, *near));
+    return true;
+  }
+
+  /// Whether nearly straight parts, where they lie side by side, are within the tolerance; they are one then if so many
+  /// places are (Bézout: curves of degrees p and q that meet more than p q times are one).
+  bool are_together(const CurvePart& a, const CurvePart& b) {
+    const auto ends_in = [](const CurvePieces& of, const CurvePart& part, const CurvePart& other) {
+      Interval in{foot_of(of, part.piece, part.range, other.points.front()),
+                  foot_of(of, part.piece, part.range, other.points.back())};
+      if (in.start > in.end) std::swap(in.start, in.end);
+      return in;
+    };
+    const Interval in_a = ends_in(curves_.a, a, b);
+    const Interval in_b = ends_in(curves_.b, b, a);
+    if (in_a.length() == 0.0 && in_b.length() == 0.0) return are_end_to_end(a, in_a.start, b, in_b.start);
+    if (in_a.length() == 0.0 || in_b.length() == 0.0) return false;
+    constexpr std::size_t kMost = 65;
+    const std::size_t count = std::min((a.net.rows - 1) * (b.net.rows - 1) + 2, kMost);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = in_a.start + in_a.length() * static_cast<double>(i) / static_cast<double>(count - 1);
+      const glm::dvec3 point = curves_.a.at({a.piece, t}).point;
+      const double foot = foot_of(curves_.b, b.piece, b.range, point);
+      if (glm::length(curves_.b.at({b.piece, foot}, point).offset) > tolerance_) return false;
+    }
+    add(a, in_a, b, in_b, false);
+    return true;
+  }
+
+  /// Nearly straight parts one behind the other are nearest at their ends.
+  bool are_end_to_end(const CurvePart& a, double end_a, const CurvePart& b, double end_b) {
+    const SpotPair ends{{a.piece, end_a}, {b.piece, end_b}};
+    const std::optional<SpotPair> near = nearest_pair(curves_, ends, a.range, b.range);
+    if (!near || near->a.t != end_a || near->b.t != end_b) return false;
+    if (curves_.distance(ends) <= tolerance_) add(a, {end_a, end_a}, b, {end_b, end_b}, false);
+    return true;
+  }
+
+  void add(const CurvePart& a, const Interval& in_a, const CurvePart& b, const Interval& in_b, bool is_trivial) {
+    found_.stretches.push_back({a.piece, in_a, b.piece, in_b, is_trivial});
+  }
+
+  TwoCurves curves_;
+  double tolerance_;
+  bool is_one_;
+  std::vector<CurvePart> parts_a_;
+  std::vector<CurvePart> parts_b_;
+  std::size_t pairs_ = 0;
+  PairFindings found_;
+};
+
+}  // namespace
+
+PairFindings find_pairs(const CurvePieces& a, const CurvePieces& b, double tolerance) {
+  return PairSearch(a, b, tolerance).found();
+}
+
+PairFindings find_own_pairs(const CurvePieces& curve, double tolerance) {
+  return PairSearch(curve, curve, tolerance).found();
+}
+
+}  // namespace splinecore

@@ -1,0 +1,110 @@
+#include "curve_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "base/one_sign.hpp"
+#include "base/quotient.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// The angle between two vectors, the first of length 1, without loss where it is small (Kahan).
+double angle_between(const glm::dvec3& unit, const glm::dvec3& other, double length) {
+  return 2.0 * std::atan2(glm::length(other - length * unit), glm::length(other + length * unit));
+}
+
+glm::dvec3 across(const glm::dvec3& unit) {
+  const glm::dvec3 steps = glm::abs(unit);
+  const glm::dvec3 axis = steps.x <= steps.y && steps.x <= steps.z ? glm::dvec3(1, 0, 0)
+                          : steps.y <= steps.z                     ? glm::dvec3(0, 1, 0)
+                                                                   : glm::dvec3(0, 0, 1);
+  return glm::normalize(glm::cross(unit, axis));
+}
+
+Interval extent_along(const CurvePart& part, const glm::dvec3& axis, const glm::dvec3& origin) {
+  Interval extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const glm::dvec3& p : part.points) {
+    const double at = glm::dot(p - origin, axis);
+    extent.start = std::min(extent.start, at);
+    extent.end = std::max(extent.end, at);
+  }
+  return extent;
+}
+
+bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& axis, double distance) {
+  const glm::dvec3& origin = a.points.front();
+  const Interval of_a = extent_along(a, axis, origin);
+  const Interval of_b = extent_along(b, axis, origin);
+  return of_a.start - of_b.end > distance || of_b.start - of_a.end > distance;
+}
+
+}  // namespace
+
+/// Tangents of a rational piece with weights of one sign are in the cone of its polygon's legs: each step of de
+/// Casteljau's algorithm makes legs that are sums of multiples above zero of those before.
+CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given)
+    : piece(of_piece), range(of_range), net(std::move(given)), is_boxed(has_one_sign(net.values, &glm::dvec4::w)),
+      spread(std::numbers::pi), size(std::numeric_limits<double>::infinity()) {
+  if (!is_boxed) return;
+  points.reserve(net.rows);
+  for (const glm::dvec4& h : net.values) points.push_back(project(h));
+  size = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) size += glm::distance(points[i], points[i - 1]);
+  const glm::dvec3 chord = points.back() - points.front();
+  const double length = glm::length(chord);
+  if (!(length > 0.0)) return;
+  along = chord / length;
+  spread = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const glm::dvec3 leg = points[i] - points[i - 1];
+    const double leg_length = glm::length(leg);
+    if (leg_length > 0.0) spread = std::max(spread, angle_between(along, leg, leg_length));
+  }
+}
+
+std::pair<CurvePart, CurvePart> CurvePart::halves() const {
+  BernsteinNet<glm::dvec4> first = net;
+  BernsteinNet<glm::dvec4> second;
+  first.halve(Axis::u, second);
+  const double middle = range.middle();
+  return {CurvePart(piece, {range.start, middle}, std::move(first)),
+          CurvePart(piece, {middle, range.end}, std::move(second))};
+}
+
+bool are_apart(const CurvePart& a, const CurvePart& b, double distance) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  for (const glm::dvec3& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+    if (are_apart_along(a, b, axis, distance)) return true;
+  }
+  // What lies beside each other along a slope is told apart by axes along and across it.
+  for (const CurvePart* part : {&a, &b}) {
+    if (are_apart_along(a, b, part->along, distance)) return true;
+    const glm::dvec3 offset = b.points.front() - a.points.front();
+    const glm::dvec3 beside = offset - glm::dot(offset, part->along) * part->along;
+    const double length = glm::length(beside);
+    const glm::dvec3 one = length > 0.0 ? beside / length : across(part->along);
+    if (are_apart_along(a, b, one, distance)) return true;
+    if (are_apart_along(a, b, glm::cross(part->along, one), distance)) return true;
+  }
+  return false;
+}
+
+bool do_tangents_differ(const CurvePart& a, const CurvePart& b) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  constexpr double kMargin = 1.25;
+  const double angle = angle_between(a.along, b.along, 1.0);
+  return std::min(angle, std::numbers::pi - angle) > kMargin * (a.spread + b.spread);
+}
+
+bool are_monotone(const CurvePart& a, const CurvePart& b) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  const double between = angle_between(a.along, b.along, 1.0);
+  return 0.5 * between + std::max(a.spread, b.spread) < 0.5 * std::numbers::pi;
+}
+
+}  // namespace splinecore

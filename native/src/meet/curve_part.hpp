@@ -1,0 +1,40 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <utility>
+#include <vector>
+
+#include "basis/bernstein_net.hpp"
+#include "splinecore/base/interval.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A part of a Bernstein piece of a curve, and what its hull says of it.
+struct CurvePart {
+  std::size_t piece;
+  Interval range;  ///< in [0, 1]
+  BernsteinNet<glm::dvec4> net;
+  bool is_boxed;    ///< or its weights have both signs, and nothing below is known
+  glm::dvec3 along{1.0, 0.0, 0.0};  ///< a unit vector, nearly that of all tangents
+  double spread;    ///< the largest angle of a tangent with it; above pi/2 where that is not known
+  double size;      ///< no two points are farther apart
+  std::vector<glm::dvec3> points;  ///< the net projected
+
+  CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given);
+
+  std::pair<CurvePart, CurvePart> halves() const;
+};
+
+/// Whether hulls are farther apart than that, as seen along some axes of both.
+bool are_apart(const CurvePart& a, const CurvePart& b, double distance);
+
+/// Whether no tangent of one is parallel to one of the other, by a margin: then they cross once at most.
+bool do_tangents_differ(const CurvePart& a, const CurvePart& b);
+
+/// Whether all tangents of both together are within a right angle of one direction: then the parts, one after the other,
+/// do not cross themselves.
+bool are_monotone(const CurvePart& a, const CurvePart& b);
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+
+#include "curve_cluster.hpp"
+#include "near_space.hpp"
+#include "patch/tolerance.hpp"
+#include "splinecore/meet/intersections.hpp"
+
+namespace splinecore {
+
+namespace {
+
+std::vector<glm::dvec4> points_of_both(const NurbsCurve& a, const NurbsCurve& b) {
+  std::vector<glm::dvec4> points(a.points().begin(), a.points().end());
+  points.insert(points.end(), b.points().begin(), b.points().end());
+  return points;
+}
+
+/// Two curves, or one twice, in a space of their own, and the tolerance there.
+class IntersectionSearch {
+ public:
+  IntersectionSearch(const NurbsCurve& a, const NurbsCurve* b, std::optional<double> tolerance)
+      : space_(b ? points_of_both(a, *b) : std::vector<glm::dvec4>(a.points().begin(), a.points().end())),
+        a_(a, space_), domain_a_(a.domain()), domain_b_(b ? b->domain() : a.domain()) {
+    require_tolerance(tolerance);
+    if (b) b_.emplace(*b, space_);
+    constexpr double kOfSize = 0x1p-33;
+    constexpr double kRounding = 0x1p-46;
+    const double near = tolerance ? *tolerance / space_.length(1.0) : kOfSize;
+    tolerance_ = std::max(near, kRounding + 4.0 * space_.rounding());
+  }
+
+  CurveIntersections found() const {
+    const PairFindings pairs = b_ ? find_pairs(a_, *b_, tolerance_) : find_own_pairs(a_, tolerance_);
+    const std::vector<CurveCluster> clusters = clusters_of(curves(), pairs.stretches, tolerance_);
+    CurveIntersections found;
+    std::vector<Place> places;
+    for (const CurveCluster& cluster : clusters) {
+      if (cluster.is_trivial()) continue;
+      const ClusterShape shape = shape_of(cluster, curves(), tolerance_);
+      if (shape.is_overlap) {
+        found.overlaps.push_back(overlap(cluster));
+      } else if (curves().distance(shape.at) <= tolerance_) {
+        places.push_back({shape.at, shape.touches});
+      }
+    }
+    for (const SpotPair& crossing : pairs.crossings) {
+      if (std::ranges::none_of(clusters, [&](const auto& c) { return holds(c, curves(), crossing, tolerance_); })) {
+        places.push_back({crossing, false});
+      }
+    }
+    found.places = once_each(std::move(places));
+    std::ranges::sort(found.overlaps, {}, [](const CurveOverlap& overlap) { return overlap.a.start; });
+    return found;
+  }
+
+ private:
+  struct Place {
+    SpotPair at;
+    bool touches;
+  };
+
+  const CurvePieces& b() const { return b_ ? *b_ : a_; }
+  TwoCurves curves() const { return {a_, b()}; }
+
+  bool are_one(const CurvePieces& curve, const CurveSpot& a, const CurveSpot& b) const {
+    constexpr double kNext = 0.25;  // of a piece
+    double apart = std::abs(CurvePieces::place(a) - CurvePieces::place(b));
+    if (curve.is_closed()) apart = std::min(apart, std::abs(static_cast<double>(curve.size()) - apart));
+    return apart < kNext && glm::length(curve.at(b, curve.at(a).point).offset) <= tolerance_;
+  }
+
+  std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
+    std::vector<CurveIntersection> found;
+    std::vector<SpotPair> known;
+    std::ranges::stable_sort(places, {}, [&](const Place& place) { return std::pair(!place.touches, curves().distance(place.at)); });
+    for (Place place : places) {
+      if (!b_ && are_one(a_, place.at.a, place.at.b)) continue;
+      if (!b_ && CurvePieces::place(place.at.a) > CurvePieces::place(place.at.b)) std::swap(place.at.a, place.at.b);
+      const bool is_known = std::ranges::any_of(known, [&](const SpotPair& other) {
+        return are_one(a_, place.at.a, other.a) && are_one(b(), place.at.b, other.b);
+      });
+      if (is_known) continue;
+      known.push_back(place.at);
+      found.push_back(intersection(place));
+    }
+    std::ranges::sort(found, {}, [](const CurveIntersection& place) { return std::pair(place.a, place.b); });
+    return found;
+  }
+
+  CurveIntersection intersection(const Place& place) const {
+    const auto [a, b] = place.at;
+    const glm::dvec3 on_a = a_.at(a).point;
+    const glm::dvec3 gap = this->b().at(b, on_a).offset;
+    return {from_start(a_, domain_a_, a), from_start(this->b(), domain_b_, b), space_.leave(on_a + 0.5 * gap),
+            space_.length(glm::length(gap)), place.touches};
+  }
+
+  /// Of a curve that ends where it begins the end is the start.
+  static double from_start(const CurvePieces& curve, const Interval& domain, const CurveSpot& spot) {
+    const double u = curve.parameter(spot);
+    return curve.is_closed() && u >= domain.end ? domain.start : u;
+  }
+
+  CurveOverlap overlap(const CurveCluster& cluster) const {
+    const auto parameters = [](const CurvePieces& curve, const Interval& places) {
+      return Interval{curve.parameter(curve.spot(places.start)), curve.parameter(curve.spot(places.end))};
+    };
+    const SpotPair first = cluster.at(curves(), cluster.a().start);
+    const SpotPair last = cluster.at(curves(), cluster.a().end);
+    return {parameters(a_, cluster.a()), parameters(b(), cluster.b()),
+            CurvePieces::place(first.b) > CurvePieces::place(last.b)};
+  }
+
+  NearSpace space_;
+  CurvePieces a_;
+  std::optional<CurvePieces> b_;
+  Interval domain_a_;
+  Interval domain_b_;
+  double tolerance_;
+};
+
+}  // namespace
+
+CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance) {
+  return IntersectionSearch(a, &b, tolerance).found();
+}
+
+CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance) {
+  return IntersectionSearch(curve, nullptr, tolerance).found();
+}
+
+}  // namespace splinecore
