@@ -296,6 +296,7 @@ METHODS = {
     "Curvatures": COPIES,
     "JoinedPatches": COPIES,
     "Nearest": COPIES,
+    "Intersections": COPIES,
     "StationaryPoints": COPIES,
 }
 
@@ -432,6 +433,7 @@ def others(at):
     yield lambda: sc.BezierPatch(flat).curvatures(0.5, 0.5)
     yield lambda: sc.BezierPatch(flat).nearest((0, 0, 0))
     yield lambda: at.nurbs.stationary_points(xyz(at, 1, 2))
+    yield lambda: at.nurbs.intersections(at.bezier)
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
 
 

@@ -25,11 +25,31 @@ bool are_beside(const CurvePieces& curve, const Interval& a, const Interval& b, 
   return glm::length(curve.at(curve.spot(behind), curve.at(curve.spot(before)).point).offset) <= tolerance;
 }
 
+Interval moved(const Interval& in, double by) { return {in.start + by, in.end + by}; }
+
+/// How many places further a stretch lies beside another one; on a closed curve it may be a turn further.
+std::optional<double> turn_beside(const CurvePieces& curve, const Interval& in, const Interval& stretch, double tolerance) {
+  if (are_beside(curve, in, stretch, tolerance)) return 0.0;
+  if (!curve.is_closed()) return {};
+  const auto turn = static_cast<double>(curve.size());
+  for (const double turns : {1.0, -1.0, 2.0}) {
+    if (are_beside(curve, in, moved(stretch, turns * turn), tolerance)) return turns * turn;
+  }
+  return {};
+}
+
 /// How curves lie at a pair of places.
 struct Crossing {
   glm::dvec3 gap;
   glm::dvec3 normal;  ///< of both tangents, as long as the sine of their angle
+  glm::dvec3 bend;    ///< the difference of their curvature vectors
 };
+
+/// The part of the second derivative across the first one, by its square.
+glm::dvec3 curvature_vector(const glm::dvec3& first, const glm::dvec3& second) {
+  const double square = glm::dot(first, first);
+  return square > 0.0 ? (second - glm::dot(second, first) / square * first) / square : glm::dvec3(0.0);
+}
 
 Crossing crossing_at(const TwoCurves& curves, const SpotPair& at) {
   const Slopes<1> a = curves.a.at(at.a);
@@ -38,7 +58,8 @@ Crossing crossing_at(const TwoCurves& curves, const SpotPair& at) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : v;
   };
-  return {b.offset, glm::cross(unit(a.first[0]), unit(b.first[0]))};
+  return {b.offset, glm::cross(unit(a.first[0]), unit(b.first[0])),
+          curvature_vector(b.first[0], b.second[0]) - curvature_vector(a.first[0], a.second[0])};
 }
 
 /// Between two places where a vector has opposite directions the one where it is zero, by halving.
@@ -50,36 +71,76 @@ double zero_between(Interval in, Vector vector) {
   return in.middle();
 }
 
+/// A cluster with all of others that it reaches, which are taken out of them.
+CurveCluster merged(const TwoCurves& curves, CurveCluster cluster, std::vector<CurveCluster>& others, double tolerance) {
+  std::vector<CurveCluster> rest;
+  for (CurveCluster& other : others) {
+    if (const auto turns = other.reaches(curves, cluster.a(), cluster.b(), tolerance)) {
+      other.add(cluster, *turns);
+      cluster = std::move(other);
+    } else {
+      rest.push_back(std::move(other));
+    }
+  }
+  others = std::move(rest);
+  return cluster;
+}
+
+/// Of a closed first curve those that go on from its end to its start put together.
+std::vector<CurveCluster> merged_at_seam(const TwoCurves& curves, std::vector<CurveCluster> clusters, double tolerance) {
+  const auto end = static_cast<double>(curves.a.size());
+  const auto is_at_start = [&](const CurveCluster& c) { return are_beside(curves.a, c.a(), {0.0, 0.0}, tolerance); };
+  const auto inner = std::partition(clusters.begin(), clusters.end(), is_at_start);
+  std::vector<CurveCluster> found(std::make_move_iterator(inner), std::make_move_iterator(clusters.end()));
+  clusters.erase(inner, clusters.end());
+  std::ranges::sort(found, {}, [](const CurveCluster& c) { return -c.a().end; });
+  for (CurveCluster& cluster : clusters) {
+    const auto goes_on = [&](const CurveCluster& c) {
+      return are_beside(curves.a, c.a(), {end, end}, tolerance) &&
+             c.reaches(curves, cluster.a(), cluster.b(), tolerance).has_value();
+    };
+    const auto before = std::ranges::find_if(found, goes_on);
+    if (before == found.end()) {
+      found.push_back(std::move(cluster));
+    } else {
+      before->add(cluster, *before->reaches(curves, cluster.a(), cluster.b(), tolerance));
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 CurveCluster::CurveCluster(const CurveStretch& first)
-    : stretches_{first}, a_(along_a(first)), b_(along_b(first)), is_trivial_(first.is_trivial) {}
+    : stretches_{{first, {}}}, a_(along_a(first)), b_(along_b(first)), is_trivial_(first.is_trivial) {}
 
-bool CurveCluster::reaches(const TwoCurves& curves, const CurveStretch& stretch, double tolerance) const {
-  return are_beside(curves.a, a_, along_a(stretch), tolerance) && are_beside(curves.b, b_, along_b(stretch), tolerance);
+std::optional<Turns> CurveCluster::reaches(const TwoCurves& curves, const Interval& a, const Interval& b,
+                                           double tolerance) const {
+  const std::optional<double> of_a = turn_beside(curves.a, a_, a, tolerance);
+  if (!of_a) return {};
+  const std::optional<double> of_b = turn_beside(curves.b, b_, b, tolerance);
+  if (!of_b) return {};
+  return Turns{*of_a, *of_b};
 }
 
-void CurveCluster::add(const CurveStretch& stretch) {
-  stretches_.push_back(stretch);
-  a_ = joined(a_, along_a(stretch));
-  b_ = joined(b_, along_b(stretch));
-  is_trivial_ = is_trivial_ || stretch.is_trivial;
-}
-
-void CurveCluster::add(const CurveCluster& other) {
-  stretches_.insert(stretches_.end(), other.stretches_.begin(), other.stretches_.end());
-  a_ = joined(a_, other.a_);
-  b_ = joined(b_, other.b_);
+void CurveCluster::add(const CurveCluster& other, const Turns& turns) {
+  for (const Laid& laid : other.stretches_) {
+    stretches_.push_back({laid.stretch, {laid.turns.a + turns.a, laid.turns.b + turns.b}});
+  }
+  a_ = joined(a_, moved(other.a_, turns.a));
+  b_ = joined(b_, moved(other.b_, turns.b));
   is_trivial_ = is_trivial_ || other.is_trivial_;
 }
 
 SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
-  const auto distance_to = [&](const CurveStretch& s) {
-    const Interval in = along_a(s);
+  const auto distance_to = [&](const Laid& laid) {
+    const Interval in = moved(along_a(laid.stretch), laid.turns.a);
     return std::max({in.start - place, place - in.end, 0.0});
   };
-  const CurveStretch& on = *std::ranges::min_element(stretches_, {}, distance_to);
-  const CurveSpot spot{on.piece_a, std::clamp(place - static_cast<double>(on.piece_a), on.a.start, on.a.end)};
+  const Laid& nearest = *std::ranges::min_element(stretches_, {}, distance_to);
+  const CurveStretch& on = nearest.stretch;
+  const double t = place - nearest.turns.a - static_cast<double>(on.piece_a);
+  const CurveSpot spot{on.piece_a, std::clamp(t, on.a.start, on.a.end)};
   return {spot, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, curves.a.at(spot).point)}};
 }
 
@@ -93,25 +154,16 @@ std::vector<CurveCluster> clusters_of(const TwoCurves& curves, std::vector<Curve
     });
     std::move(behind, open.end(), std::back_inserter(done));
     open.erase(behind, open.end());
-    const auto others = std::partition(open.begin(), open.end(), [&](const CurveCluster& cluster) {
-      return !cluster.reaches(curves, stretch, tolerance);
-    });
-    if (others == open.end()) {
-      open.emplace_back(stretch);
-      continue;
-    }
-    others->add(stretch);
-    for (auto other = others + 1; other != open.end(); ++other) others->add(*other);
-    open.erase(others + 1, open.end());
+    open.push_back(merged(curves, CurveCluster(stretch), open, tolerance));
   }
   std::move(open.begin(), open.end(), std::back_inserter(done));
-  return done;
+  return curves.a.is_closed() ? merged_at_seam(curves, std::move(done), tolerance) : done;
 }
 
 bool holds(const CurveCluster& cluster, const TwoCurves& curves, const SpotPair& at, double tolerance) {
   const double a = CurvePieces::place(at.a);
   const double b = CurvePieces::place(at.b);
-  return are_beside(curves.a, cluster.a(), {a, a}, tolerance) && are_beside(curves.b, cluster.b(), {b, b}, tolerance);
+  return cluster.reaches(curves, {a, a}, {b, b}, tolerance).has_value();
 }
 
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
@@ -133,17 +185,24 @@ ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, doub
   const bool is_overlap = length > 8.0 * tolerance && 4 * near >= 3 * kCount;
   const auto gap = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).gap; };
   const auto normal = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).normal; };
+  const auto bend = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).bend; };
+  const auto turns_in = [](const auto& vector, const Interval& in) { return glm::dot(vector(in.start), vector(in.end)) < 0.0; };
+  const Interval whole{places.front(), places.back()};
   const Interval around{places[best == 0 ? 0 : best - 1], places[std::min(best + 1, kCount - 1)]};
+  const double sine_at_ends = std::max(glm::length(normal(whole.start)), glm::length(normal(whole.end)));
+  const auto is_parallel = [&](double place) {
+    constexpr double kParallel = 1e-6;
+    return glm::length(normal(place)) <= std::max(0.5 * sine_at_ends, kParallel);
+  };
   double place = places[best];
-  if (glm::dot(gap(places.front()), gap(places.back())) < 0.0) {
-    place = zero_between({places.front(), places.back()}, gap);
-  } else if (glm::dot(normal(around.start), normal(around.end)) < 0.0) {
+  if (turns_in(gap, whole)) {
+    place = zero_between(whole, gap);
+    // Where they cross and have a tangent in common the difference of their curvatures is zero.
+    if (is_parallel(place) && turns_in(bend, whole)) place = zero_between(whole, bend);
+  } else if (turns_in(normal, around)) {
     place = zero_between(around, normal);
   }
-  const double sine = glm::length(normal(place));
-  const double sine_at_ends = std::max(glm::length(normal(places.front())), glm::length(normal(places.back())));
-  constexpr double kParallel = 1e-6;
-  return {is_overlap, cluster.at(curves, place), sine <= std::max(0.5 * sine_at_ends, kParallel)};
+  return {is_overlap, cluster.at(curves, place), is_parallel(place)};
 }
 
 }  // namespace splinecore

@@ -10,15 +10,20 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// Stretches that follow each other on both curves, in the order of the first one.
+/// By how many places further both curves are counted: whole turns of closed ones.
+struct Turns {
+  double a = 0.0;
+  double b = 0.0;
+};
+
+/// Stretches that follow each other on both curves, on closed ones beyond their ends.
 class CurveCluster {
  public:
   explicit CurveCluster(const CurveStretch& first);
 
-  /// Whether a stretch goes on where this one is, up to the tolerance.
-  bool reaches(const TwoCurves& curves, const CurveStretch& stretch, double tolerance) const;
-  void add(const CurveStretch& stretch);
-  void add(const CurveCluster& other);
+  /// The turns by which a stretch, or another cluster, goes on where this one is, up to the tolerance.
+  std::optional<Turns> reaches(const TwoCurves& curves, const Interval& a, const Interval& b, double tolerance) const;
+  void add(const CurveCluster& other, const Turns& turns);
 
   /// Places, as numbers, of both curves.
   const Interval& a() const noexcept { return a_; }
@@ -29,12 +34,18 @@ class CurveCluster {
   SpotPair at(const TwoCurves& curves, double place) const;
 
  private:
-  std::vector<CurveStretch> stretches_;
+  struct Laid {
+    CurveStretch stretch;
+    Turns turns;
+  };
+
+  std::vector<Laid> stretches_;
   Interval a_;
   Interval b_;
   bool is_trivial_;
 };
 
+/// Stretches put together, in no order.
 std::vector<CurveCluster> clusters_of(const TwoCurves& curves, std::vector<CurveStretch> stretches, double tolerance);
 
 /// Whether a place of both curves is one of a cluster.

@@ -1,6 +1,7 @@
 #include "curve_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "boxed_pieces.hpp"
 #include "piece_side.hpp"
@@ -40,6 +41,8 @@ double CurvePieces::parameter(const CurveSpot& spot) const {
 }
 
 CurveSpot CurvePieces::spot(double place) const noexcept {
+  const auto turn = static_cast<double>(pieces_.size());
+  if (is_closed() && (place < 0.0 || place > turn)) place -= std::floor(place / turn) * turn;
   const std::size_t piece = std::min(static_cast<std::size_t>(std::max(place, 0.0)), pieces_.size() - 1);
   return {piece, std::clamp(place - static_cast<double>(piece), 0.0, 1.0)};
 }

@@ -45,6 +45,7 @@ class CurvePieces {
 
   /// Piece and t as one number, which rises along the curve.
   static double place(const CurveSpot& spot) noexcept { return static_cast<double>(spot.piece) + spot.t; }
+  /// Of a closed curve on any of its turns.
   CurveSpot spot(double place) const noexcept;
 
  private:

@@ -103,13 +103,32 @@ class IntersectionSearch {
   }
 
   CurveOverlap overlap(const CurveCluster& cluster) const {
-    const auto parameters = [](const CurvePieces& curve, const Interval& places) {
-      return Interval{curve.parameter(curve.spot(places.start)), curve.parameter(curve.spot(places.end))};
+    constexpr int kSteps = 64;
+    const auto turn_a = static_cast<double>(a_.size());
+    const auto turn_b = static_cast<double>(b().size());
+    const double length = std::min(cluster.a().length(), turn_a);
+    const auto place_b = [&](int i) {
+      return CurvePieces::place(cluster.at(curves(), cluster.a().start + length * i / kSteps).b);
     };
-    const SpotPair first = cluster.at(curves(), cluster.a().start);
-    const SpotPair last = cluster.at(curves(), cluster.a().end);
-    return {parameters(a_, cluster.a()), parameters(b(), cluster.b()),
-            CurvePieces::place(first.b) > CurvePieces::place(last.b)};
+    const double start = place_b(0);
+    double end = start;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double step = place_b(i) - end;
+      end += b().is_closed() ? step - std::round(step / turn_b) * turn_b : step;
+    }
+    return {parameters(a_, domain_a_, {cluster.a().start, cluster.a().start + length}),
+            parameters(b(), domain_b_, {std::min(start, end), std::max(start, end)}), start > end};
+  }
+
+  /// On a closed curve the end may be a turn further.
+  static Interval parameters(const CurvePieces& curve, const Interval& domain, const Interval& places) {
+    const auto turn = static_cast<double>(curve.size());
+    const double before = curve.is_closed() ? std::floor(places.start / turn) * turn : 0.0;
+    const double start = places.start - before;
+    const double end = places.end - before;
+    const bool is_beyond = curve.is_closed() && end > turn;
+    const double of_end = curve.parameter(curve.spot(is_beyond ? end - turn : end));
+    return {curve.parameter(curve.spot(start)), is_beyond ? of_end + domain.length() : of_end};
   }
 
   NearSpace space_;
