@@ -39,6 +39,16 @@ const splinecore::NurbsPatch& patch_form(const Patch& patch) {
   return patch.nurbs();
 }
 
+/// The NURBS form of a patch of any kind. @throws InvalidShape if it is none
+inline const splinecore::NurbsPatch& any_patch(const pybind11::object& value, const char* name) {
+  namespace py = pybind11;
+  if (py::isinstance<splinecore::NurbsPatch>(value)) return value.cast<const splinecore::NurbsPatch&>();
+  if (py::isinstance<splinecore::BezierPatch>(value)) return patch_form(value.cast<const splinecore::BezierPatch&>());
+  if (py::isinstance<splinecore::HermitePatch>(value)) return patch_form(value.cast<const splinecore::HermitePatch&>());
+  throw splinecore::InvalidShape(std::string(name) + " is " + std::string(py::str(py::type::of(value).attr("__name__"))) +
+                                 ", a patch is expected");
+}
+
 /// Gives the class of every kind of curve, bound before, more methods.
 template <class Bind>
 void for_curves(const pybind11::module_& module, Bind bind) {

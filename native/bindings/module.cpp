@@ -62,6 +62,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_nearest(module);
   bindings::bind_stationary(module);
   bindings::bind_intersections(module);
+  bindings::bind_sections(module);
   bindings::bind_approximate(module);
   bindings::bind_approximate_patch(module);
   bindings::bind_drags(module);

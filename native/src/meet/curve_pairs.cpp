@@ -10,6 +10,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
+#include "tree_pairs.hpp"
 
 namespace splinecore {
 
@@ -32,38 +33,6 @@ std::vector<CurvePart> parts_of(const CurvePieces& curve) {
   return parts;
 }
 
-/// A box of a tree.
-struct Node {
-  std::size_t level;
-  std::size_t i;
-};
-
-TreeBox box_of(const BoxTree& tree, const Node& node) {
-  const BoxTree::Group& group = tree.group(node.level, node.i / BoxTree::kGroup);
-  const std::size_t lane = node.i % BoxTree::kGroup;
-  TreeBox box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.low[axis] = group.middle[axis][lane] - group.half[axis][lane];
-    box.high[axis] = group.middle[axis][lane] + group.half[axis][lane];
-  }
-  return box;
-}
-
-bool are_apart(const TreeBox& a, const TreeBox& b, double distance) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (a.low[axis] - b.high[axis] > distance || b.low[axis] - a.high[axis] > distance) return true;
-  }
-  return false;
-}
-
-/// The boxes in one.
-template <class Work>
-void for_children(const BoxTree& tree, const Node& node, Work work) {
-  const std::size_t level = node.level - 1;
-  const std::size_t end = std::min((node.i + 1) * BoxTree::kGroup, tree.count(level));
-  for (std::size_t i = node.i * BoxTree::kGroup; i < end; ++i) work(Node{level, i});
-}
-
 class PairSearch {
  public:
   PairSearch(const CurvePieces& a, const CurvePieces& b, double tolerance)
@@ -72,33 +41,11 @@ class PairSearch {
   }
 
   PairFindings found() {
-    const auto roots = [](const BoxTree& tree) { return tree.count(tree.levels() - 1); };
-    const BoxTree& a = curves_.a.tree();
-    const BoxTree& b = curves_.b.tree();
-    for (std::size_t i = 0; i < roots(a); ++i) {
-      for (std::size_t j = 0; j < roots(b); ++j) nodes({a.levels() - 1, i}, {b.levels() - 1, j});
-    }
+    for_near_pairs(curves_.a.tree(), curves_.b.tree(), tolerance_, [&](std::size_t i, std::size_t j) { pieces(i, j); });
     return std::move(found_);
   }
 
  private:
-  void nodes(const Node& a, const Node& b) {
-    if (is_one_ && a.level == b.level && a.i > b.i) return;
-    breathe(32);
-    const double slack = tolerance_ + 0x1p-40;  // the middles of boxes are rounded
-    if (are_apart(box_of(curves_.a.tree(), a), box_of(curves_.b.tree(), b), slack)) return;
-    if (a.level == 0 && b.level == 0) return pieces(a.i, b.i);
-    if (a.level == b.level) {
-      for_children(curves_.a.tree(), a, [&](const Node& in_a) {
-        for_children(curves_.b.tree(), b, [&](const Node& in_b) { nodes(in_a, in_b); });
-      });
-    } else if (a.level > b.level) {
-      for_children(curves_.a.tree(), a, [&](const Node& in_a) { nodes(in_a, b); });
-    } else {
-      for_children(curves_.b.tree(), b, [&](const Node& in_b) { nodes(a, in_b); });
-    }
-  }
-
   void pieces(std::size_t i, std::size_t j) {
     const CurvePart& a = parts_a_[i];
     const CurvePart& b = is_one_ ? parts_a_[j] : parts_b_[j];
@@ -120,7 +67,6 @@ class PairSearch {
   static bool is_narrow(const CurvePart& part) { return part.range.length() <= kNarrow; }
 
   void pair(const CurvePart& a, const CurvePart& b) {
-    using splinecore::are_apart;
     if (is_lost(a) || is_lost(b) || !are_near(a, b)) return;
     if (do_tangents_differ(a, b) && cross(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;

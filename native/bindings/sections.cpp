@@ -1,0 +1,103 @@
+#include "splinecore/meet/sections.hpp"
+
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::NurbsCurve;
+using splinecore::NurbsPatch;
+using splinecore::Sections;
+
+namespace {
+
+py::tuple curves_of(const Sections& found, NurbsCurve splinecore::SectionCurve::*which) {
+  py::tuple out(found.curves.size());
+  for (std::size_t i = 0; i < found.curves.size(); ++i) out[i] = py::cast(found.curves[i].*which);
+  return out;
+}
+
+py::array_t<bool> closed_of(const Sections& found) {
+  py::array_t<bool> out(static_cast<py::ssize_t>(found.curves.size()));
+  for (std::size_t i = 0; i < found.curves.size(); ++i) out.mutable_at(static_cast<py::ssize_t>(i)) = found.curves[i].is_closed;
+  return out;
+}
+
+py::array_t<double> points_of(const Sections& found) {
+  py::array_t<double> out({static_cast<py::ssize_t>(found.points.size()), py::ssize_t{3}});
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    for (int k = 0; k < 3; ++k) out.mutable_at(static_cast<py::ssize_t>(i), k) = found.points[i].point[k];
+  }
+  return out;
+}
+
+py::array_t<double> parameters_of(const Sections& found) {
+  py::array_t<double> out({static_cast<py::ssize_t>(found.points.size()), py::ssize_t{2}, py::ssize_t{2}});
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      out.mutable_at(static_cast<py::ssize_t>(i), 0, static_cast<py::ssize_t>(k)) = found.points[i].a[k];
+      out.mutable_at(static_cast<py::ssize_t>(i), 1, static_cast<py::ssize_t>(k)) = found.points[i].b[k];
+    }
+  }
+  return out;
+}
+
+template <class Patch>
+void bind_patch(py::class_<Patch> cls) {
+  cls.def("sections", [](const Patch& self, const py::object& other, const py::object& tolerance, const py::object& cancel) {
+            const NurbsPatch& with = any_patch(other, "other");
+            const auto most = tolerance_of(tolerance);
+            return unlocked([&] { return splinecore::sections(patch_form(self), with, most); }, cancel);
+          },
+          py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
+          "The curves along which the patch and another one, of any kind, cross, as Sections: cubics within the\n"
+          "tolerance of both, and the points where they touch. tolerance is a length, by default 2^-20 of the size of\n"
+          "both. A curve ends at borders, at poles and where the patches touch.\n\n"
+          "Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals\n"
+          "differ, so that they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988), which\n"
+          "Newton's method follows. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
+          "InvalidShape if the tolerance is below 0, or the patches touch along a curve or are one in a part.");
+  cls.def("plane_sections", [](const Patch& self, const py::object& origin, const py::object& normal,
+                               const py::object& tolerance, const py::object& cancel) {
+            const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));
+            const auto most = tolerance_of(tolerance);
+            return unlocked([&] { return splinecore::sections(patch_form(self), plane, most); }, cancel);
+          },
+          py::arg("origin"), py::arg("normal"), py::arg("tolerance") = py::none(), py::kw_only(),
+          py::arg("cancel") = py::none(),
+          "The same with the plane through a point (3,) at right angles to a vector (3,). Images on it are in its own\n"
+          "coordinates, with axes by the rule of DXF files: x and y where the normal is z.\n\n"
+          "InvalidShape as sections(), and if the normal is zero.");
+}
+
+void bind_result(py::module_& module) {
+  py::class_<Sections> cls(module, "Sections", py::module_local(),
+                           "The n curves that two shapes have in common, and the m points where they touch beside them.\n\n"
+                           "curves is a tuple of n NurbsCurve; on_a and on_b are their images on the first and the second\n"
+                           "shape, points (u, v, 0) by the same parameter, over the seam of a closed patch beyond its domain;\n"
+                           "closed (n,), whether they end where they begin. points is (m, 3), parameters (m, 2, 2): u and v\n"
+                           "on the first shape, and on the second.");
+  seal(cls);
+  cls.def_property_readonly("curves", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::curve); });
+  cls.def_property_readonly("on_a", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::on_a); });
+  cls.def_property_readonly("on_b", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::on_b); });
+  cls.def_property_readonly("closed", &closed_of);
+  cls.def_property_readonly("points", &points_of);
+  cls.def_property_readonly("parameters", &parameters_of);
+  cls.def("__repr__", [](const Sections& self) {
+    return "Sections(curves=" + std::to_string(self.curves.size()) + ", points=" + std::to_string(self.points.size()) + ")";
+  });
+}
+
+}  // namespace
+
+void bind_sections(py::module_& module) {
+  bind_result(module);
+  for_patches(module, [](auto cls) { bind_patch(cls); });
+}
+
+}  // namespace bindings

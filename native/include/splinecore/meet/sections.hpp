@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "splinecore/conic/plane.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+namespace splinecore {
+
+/// A curve that two shapes have in common, and its images: the points (u, v, 0) of both by the same parameter, which is
+/// nearly the length. Over the seam of a closed patch an image goes on beyond the domain.
+struct SectionCurve {
+  NurbsCurve curve;
+  NurbsCurve on_a;
+  NurbsCurve on_b;
+  bool is_closed;  ///< whether it ends where it begins
+};
+
+/// A place where two shapes touch.
+struct SectionPoint {
+  std::array<double, 2> a;
+  std::array<double, 2> b;
+  glm::dvec3 point;
+};
+
+struct Sections {
+  std::vector<SectionCurve> curves;
+  std::vector<SectionPoint> points;  ///< that are on none of the curves
+};
+
+/// The curves along which two patches cross, cubics that are within the tolerance of both, and the points where they
+/// touch. A curve ends at borders, at poles and where the patches touch.
+///
+/// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals differ, so that
+/// they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988); from a place in each such pair
+/// Newton's method follows the line. S18.
+/// @param tolerance  none: 2^-20 of the size of both
+/// @throws InvalidShape if the tolerance is below 0 or no number, or the patches touch along a curve or are one in a part.
+Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
+
+/// The same with a plane; on_b and b have its coordinates.
+Sections sections(const NurbsPatch& patch, const Plane& plane, std::optional<double> tolerance = {});
+
+}  // namespace splinecore

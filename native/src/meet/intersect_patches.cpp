@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+
+#include "patch/tolerance.hpp"
+#include "patch_march.hpp"
+#include "patch_pairs.hpp"
+#include "section_curve.hpp"
+#include "splinecore/meet/sections.hpp"
+
+namespace splinecore {
+
+namespace {
+
+std::vector<glm::dvec4> points_of_both(const NurbsPatch& a, const NurbsPatch& b) {
+  std::vector<glm::dvec4> points(a.points().begin(), a.points().end());
+  points.insert(points.end(), b.points().begin(), b.points().end());
+  return points;
+}
+
+/// Places in which a pair of places is the same one: in the pieces beyond sides that it is on.
+std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot) {
+  std::vector<PatchSpot> twins{spot};
+  for (const Axis axis : {Axis::u, Axis::v}) {
+    const std::size_t k = axis == Axis::u ? 0 : 1;
+    const std::size_t count = twins.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const bool is_end : {false, true}) {
+        if (std::abs(twins[i].at[k] - (is_end ? 1.0 : 0.0)) > kOnSide) continue;
+        const auto next = pieces.beyond(twins[i].piece, {axis, is_end});
+        if (!next) continue;
+        PatchSpot twin{*next, twins[i].at};
+        twin.at[k] = is_end ? 0.0 : 1.0;
+        twins.push_back(twin);
+      }
+    }
+  }
+  return twins;
+}
+
+/// Two patches in a space of their own, and the tolerance there.
+class SectionSearch {
+ public:
+  SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance)
+      : space_(points_of_both(a, b)), a_(a, space_), b_(b, space_) {
+    require_tolerance(tolerance);
+    constexpr double kOfSize = 0x1p-20;
+    constexpr double kRounding = 0x1p-36;
+    tolerance_ = std::max(tolerance ? *tolerance / space_.length(1.0) : kOfSize, kRounding + 4.0 * space_.rounding());
+  }
+
+  Sections found() {
+    constexpr double kRounding = 0x1p-48;
+    constexpr double kSmallest = 0x1p-26;
+    constexpr double kOfTolerance = 0x1p-4;  // a loop ten tolerances wide is told from a point
+    const PatchPairFindings pairs = find_pairs(patches(), std::max(kOfTolerance * tolerance_, kSmallest),
+                                               kRounding + 2.0 * space_.rounding());
+    for (const PatchPairSpot& pair : pairs.crossing) trace(pair);
+    Sections found;
+    for (const SectionTrace& trace : traces_) {
+      if (length_of(trace) > tolerance_) found.curves.push_back(section_curve(trace, patches(), space_));
+    }
+    for (const PatchPairSpot& pair : pairs.touching) touch(pair, found);
+    return found;
+  }
+
+ private:
+  struct StepOfTrace {
+    std::size_t trace;
+    std::size_t step;
+  };
+
+  TwoPatches patches() const { return {a_, b_}; }
+
+  static double length_of(const SectionTrace& trace) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < trace.places.size(); ++i) {
+      length += glm::distance(trace.places[i].point, trace.places[i - 1].point);
+    }
+    return length;
+  }
+
+  void trace(const PatchPairSpot& pair) {
+    const std::optional<SectionPlace> seed = seed_near(pair.middle);
+    if (!seed || is_traced(*seed)) return;
+    traces_.push_back(traced(patches(), *seed, 0.5 * tolerance_));
+    const std::vector<SectionPlace>& places = traces_.back().places;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      if (!places[i].has_pieces_of(places[i + 1])) continue;
+      steps_[{places[i].at.a.piece, places[i].at.b.piece}].push_back({traces_.size() - 1, i});
+    }
+  }
+
+  /// The place of both patches nearest to the middles of parts, in their pieces; where it lies beyond, on their sides.
+  std::optional<SectionPlace> seed_near(const PatchSpots& middle) const {
+    const PatchMeeting there = meeting_at(patches(), middle);
+    const double sine = glm::length(there.along);
+    if (!(sine > 0.0)) return {};
+    const InPlane plane{there.a.point + 0.5 * there.b.offset, there.along / sine};
+    std::optional<PatchSpots> at = place_near(patches(), middle, plane);
+    if (!at) return {};
+    if (enters(*at)) return section_place(patches(), *at);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((*at)[i] >= 0.0 && (*at)[i] <= 1.0) continue;
+      auto on_side = place_near(patches(), *at, OnFace{i, (*at)[i] > 1.0 ? 1.0 : 0.0});
+      if (on_side && enters(*on_side)) return section_place(patches(), *on_side);
+    }
+    return {};
+  }
+
+  bool is_traced(const SectionPlace& seed) const {
+    const auto is_end = [&](const SectionPlace& end) { return glm::distance(end.point, seed.point) <= tolerance_; };
+    const auto ends_here = [&](const SectionTrace& t) { return is_end(t.places.front()) || is_end(t.places.back()); };
+    if (std::ranges::any_of(traces_, ends_here)) return true;
+    for (const PatchSpot& in_a : twins_of(a_, seed.at.a)) {
+      for (const PatchSpot& in_b : twins_of(b_, seed.at.b)) {
+        const auto steps = steps_.find({in_a.piece, in_b.piece});
+        if (steps == steps_.end()) continue;
+        if (std::ranges::any_of(steps->second, [&](const StepOfTrace& step) { return is_on(step, seed); })) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether Newton's method comes to a place from the step of a trace beside it: where surfaces cross at a small angle a
+  /// step may be far from the place, within the tolerance of both.
+  bool is_on(const StepOfTrace& which, const SectionPlace& place) const {
+    const SectionTrace& trace = traces_[which.trace];
+    const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
+    const glm::dvec3 chord = step.to.point - step.from.point;
+    const double square = glm::dot(chord, chord);
+    if (!(square > 0.0)) return false;
+    const double s = glm::dot(place.point - step.from.point, chord) / square;
+    const double beyond = 1e-6 + tolerance_ / step.length;
+    if (s < -beyond || s > 1.0 + beyond) return false;
+    constexpr double kBeside = 0.25;
+    if (glm::distance(step.point(std::clamp(s, 0.0, 1.0)), place.point) > kBeside * step.length + tolerance_) return false;
+    const std::optional<PatchSpots> at =
+        place_near(patches(), step.spots(std::clamp(s, 0.0, 1.0)), InPlane{place.point, place.tangent});
+    if (!at) return false;
+    constexpr double kSame = 0x1p-26;
+    constexpr double kRounding = 0x1p-44;
+    const double sine = glm::length(meeting_at(patches(), place.at).along);
+    return glm::distance(a_.at(at->a).point, place.point) <= kSame * step.length + kRounding / sine;
+  }
+
+  void touch(const PatchPairSpot& pair, Sections& found) const {
+    std::optional<PatchSpots> at = touch_near(patches(), pair.middle);
+    if (!at || !enters(*at)) at = pair.middle;  // at a pole nothing tells where normals are parallel
+    const PatchMeeting there = meeting_at(patches(), *at);
+    if (there.distance() > tolerance_) return;
+    const glm::dvec3 point = there.a.point + 0.5 * there.b.offset;
+    const auto is_here = [&](const glm::dvec3& p) { return glm::distance(p, point) <= 4.0 * tolerance_; };
+    const bool is_on_curve = std::ranges::any_of(traces_, [&](const SectionTrace& trace) {
+      return std::ranges::any_of(trace.places, [&](const SectionPlace& place) { return is_here(place.point); });
+    });
+    if (is_on_curve) return;
+    const glm::dvec3 out = space_.leave(point);
+    const double near = 4.0 * space_.length(tolerance_);
+    if (std::ranges::any_of(found.points, [&](const SectionPoint& p) { return distance_of(p.point, out) <= near; })) return;
+    found.points.push_back({a_.parameters(at->a), b_.parameters(at->b), out});
+  }
+
+  NearSpace space_;
+  PatchPieces a_;
+  PatchPieces b_;
+  double tolerance_;
+  std::vector<SectionTrace> traces_;
+  std::map<std::array<std::size_t, 2>, std::vector<StepOfTrace>> steps_;
+};
+
+/// A plane as a patch with its own coordinates as parameters, farther out than a patch.
+NurbsPatch plane_about(const NurbsPatch& patch, const Plane& plane) {
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high(-std::numeric_limits<double>::infinity());
+  double size = 0.0;
+  const glm::dvec4* first = nullptr;
+  for (const glm::dvec4& p : patch.points()) {
+    if (p.w == 0.0) continue;
+    if (!first) first = &p;
+    size = std::max(size, distance_of(glm::dvec3(p), glm::dvec3(*first)));
+    const glm::dvec2 at = point_in(plane, glm::dvec3(p));
+    low = glm::min(low, at);
+    high = glm::max(high, at);
+  }
+  const KnotVector u = KnotVector::make(1, {low.x - size, low.x - size, high.x + size, high.x + size}, false);
+  const KnotVector v = KnotVector::make(1, {low.y - size, low.y - size, high.y + size, high.y + size}, false);
+  std::vector<glm::dvec4> points;
+  for (const double x : {low.x - size, high.x + size}) {
+    for (const double y : {low.y - size, high.y + size}) points.emplace_back(plane.point({x, y}), 1.0);
+  }
+  return NurbsPatch::make(u, v, std::move(points));
+}
+
+}  // namespace
+
+Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance) {
+  return SectionSearch(a, b, tolerance).found();
+}
+
+Sections sections(const NurbsPatch& patch, const Plane& plane, std::optional<double> tolerance) {
+  return SectionSearch(patch, plane_about(patch, plane), tolerance).found();
+}
+
+}  // namespace splinecore

@@ -1,0 +1,329 @@
+#include "patch_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// The cosine of the angle by which a step may turn.
+constexpr double kTurn = 0.9;
+constexpr double kFirstStep = 0x1p-7;
+constexpr double kLeastStep = 0x1p-40;
+/// Places so near are one.
+constexpr double kSame = 0x1p-36;
+constexpr std::size_t kMostPlaces = std::size_t{1} << 18;
+
+/// Hermite's cubics, or their first derivatives.
+struct HermiteBlends {
+  double start, end, start_slope, end_slope;
+};
+
+HermiteBlends blends(double s) {
+  const double r = 1.0 - s;
+  return {r * r * (1.0 + 2.0 * s), s * s * (1.0 + 2.0 * r), s * r * r, -s * s * r};
+}
+
+HermiteBlends blend_slopes(double s) {
+  const double r = 1.0 - s;
+  return {-6.0 * s * r, 6.0 * s * r, r * (r - 2.0 * s), s * (s - 2.0 * r)};
+}
+
+/// One way along a curve.
+class March {
+ public:
+  March(const TwoPatches& patches, const SectionPlace& seed, double way, double tolerance)
+      : patches_(patches), seed_(seed), way_(way), tolerance_(tolerance) {
+    trace_.places.push_back(turned(seed));
+  }
+
+  SectionTrace done() {
+    while (step()) {
+      if (trace_.places.size() > kMostPlaces) {
+        throw InvalidShape("the curve that the shapes have in common has more than " + std::to_string(kMostPlaces) +
+                           " places within the tolerance: it is too small");
+      }
+    }
+    return std::move(trace_);
+  }
+
+ private:
+  const SectionPlace& last() const { return trace_.places.back(); }
+
+  SectionPlace turned(SectionPlace place) const {
+    if (way_ > 0.0) return place;
+    place.tangent = -place.tangent;
+    for (double& slope : place.slopes) slope = -slope;
+    return place;
+  }
+
+  std::optional<SectionPlace> place(const PatchSpots& at) const {
+    auto found = section_place(patches_, at);
+    if (found) found = turned(*found);
+    return found;
+  }
+
+  PatchSpots ahead(double length) const {
+    PatchSpots at = last().at;
+    for (std::size_t i = 0; i < 4; ++i) at[i] += length * last().slopes[i];
+    return at;
+  }
+
+  /// By how much a step leaves the patches.
+  double error(const SectionStep& step) const {
+    double most = 0.0;
+    for (const double s : {0.25, 0.5, 0.75}) {
+      const glm::dvec3 point = step.point(s);
+      const PatchSpots at = step.spots(s);
+      most = std::max({most, glm::length(patches_.a.at(at.a, point).offset), glm::length(patches_.b.at(at.b, point).offset)});
+    }
+    return most;
+  }
+
+  /// @returns whether the curve goes on
+  bool step() {
+    breathe(2048);
+    if (length_ < kLeastStep) return false;
+    const InPlane plane{last().point + length_ * last().tangent, last().tangent};
+    std::optional<PatchSpots> at = place_near(patches_, ahead(length_), plane);
+    if (!at) return shorter(0.5);
+    if (!enters(*at)) return leave(*at);
+    const std::optional<SectionPlace> next = place(*at);
+    if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return shorter(0.5);
+    return take(*next);
+  }
+
+  bool shorter(double share) {
+    length_ *= share;
+    if (is_near_touch()) {
+      if (const auto end = touching_end()) return finish(*end);
+    }
+    return length_ >= kLeastStep;
+  }
+
+  bool take(const SectionPlace& next) {
+    const SectionStep step(last(), next);
+    if (step.length > 2.0 * length_) return shorter(0.5);
+    const double off = error(step);
+    const double share = std::clamp(0.9 * std::sqrt(std::sqrt(0.5 * tolerance_ / std::max(off, 1e-300))), 0.2, 2.0);
+    if (off > tolerance_) return shorter(std::min(share, 0.7));
+    if (closes(step)) return false;
+    travelled_ += step.length;
+    trace_.places.push_back(next);
+    length_ *= share;
+    hops_ = 0;
+    return true;
+  }
+
+  /// Where a step passes the place that the curve was begun at it ends.
+  bool closes(const SectionStep& step) {
+    if (!(travelled_ > kSame)) return false;
+    const double along = glm::dot(seed_.point - step.from.point, step.from.tangent);
+    if (along < -kSame || along > glm::dot(step.to.point - step.from.point, step.from.tangent) + kSame) return false;
+    const SectionPlace end = turned(seed_);
+    if (glm::dot(end.tangent, step.from.tangent) < kTurn) return false;
+    if (seed_.has_pieces_of(step.to)) {
+      if (glm::distance(step.point(std::clamp(along / step.length, 0.0, 1.0)), seed_.point) > 0.05 * step.length + kSame) return false;
+      if (error(SectionStep(step.from, end)) > tolerance_) return false;
+      trace_.places.push_back(end);
+    } else {
+      // It was begun on the side of a piece that the curve does not run in.
+      const bool is_at_start = glm::distance(step.from.point, seed_.point) <= kSame;
+      if (!is_at_start && glm::distance(step.to.point, seed_.point) > kSame) return false;
+      if (!is_at_start) trace_.places.push_back(step.to);
+    }
+    trace_.is_closed = true;
+    return true;
+  }
+
+  /// The next place is beyond a side of a piece: to the first side, and to the piece beyond.
+  bool leave(const PatchSpots& out) {
+    std::optional<SectionPlace> first;
+    std::size_t through = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
+      const std::optional<SectionPlace> on = on_face(i, out);
+      if (!on) continue;
+      const double far = glm::dot(on->point - last().point, last().tangent);
+      if (far < -kOnSide || far >= least) continue;
+      first = on;
+      through = i;
+      least = far;
+    }
+    if (!first) return shorter(0.5);
+    if (least > kOnSide) {
+      if (glm::dot(first->tangent, last().tangent) < kTurn) return shorter(0.5);
+      const SectionStep step(last(), *first);
+      if (error(step) > tolerance_) return shorter(0.7);
+      if (closes(step)) return false;
+      travelled_ += step.length;
+      trace_.places.push_back(*first);
+      hops_ = 0;
+    } else {
+      trace_.places.back().at[through] = first->at[through];
+    }
+    return hop(through);
+  }
+
+  static bool is_at_end(double out) { return out > 1.0; }
+
+  std::optional<SectionPlace> on_face(std::size_t i, const PatchSpots& out) const {
+    const double value = is_at_end(out[i]) ? 1.0 : 0.0;
+    if (piece_of(i).is_pole(piece_at(i), side(i, value == 1.0))) return on_pole(i, value);
+    const double before = last().at[i];
+    const double share = std::abs(out[i] - before) > 0.0 ? (value - before) / (out[i] - before) : 0.0;
+    PatchSpots start = last().at;
+    for (std::size_t k = 0; k < 4; ++k) start[k] += share * (out[k] - start[k]);
+    std::optional<PatchSpots> at = place_near(patches_, start, OnFace{i, value});
+    if (!at || !enters(*at)) return {};
+    (*at)[i] = value;
+    return place(*at);
+  }
+
+  /// The curve ends at the point that a side of a piece is; there it goes on as on a circle.
+  std::optional<SectionPlace> on_pole(std::size_t i, double value) const {
+    PatchSpots at = last().at;
+    const double slope = last().slopes[i];
+    if (!(std::abs(slope) > 0.0)) return {};
+    const double far = (value - at[i]) / slope;
+    for (std::size_t k = 0; k < 4; ++k) at[k] += far * last().slopes[k];
+    at[i] = value;
+    const bool is_a = i < 2;
+    const glm::dvec3 pole = is_a ? patches_.a.at(at.a).point : patches_.b.at(at.b).point;
+    PatchSpot& other = is_a ? at.b : at.a;
+    const PatchPieces& pieces = is_a ? patches_.b : patches_.a;
+    for (int round = 0; round < 8; ++round) {
+      const Slopes<2> s = pieces.at(other, pole);
+      const glm::dvec3 normal = glm::cross(s.first[0], s.first[1]);
+      const double square = glm::dot(normal, normal);
+      if (!(square > 0.0)) return {};
+      other.at[0] -= glm::dot(glm::cross(s.offset, s.first[1]), normal) / square;
+      other.at[1] -= glm::dot(glm::cross(s.first[0], s.offset), normal) / square;
+    }
+    if (glm::length(pieces.at(other, pole).offset) > tolerance_) return {};
+    return mirrored(at, pole);
+  }
+
+  /// A place at which no tangent is known: as on a circle the one before it has.
+  std::optional<SectionPlace> mirrored(const PatchSpots& at, const glm::dvec3& point) const {
+    const glm::dvec3 chord = point - last().point;
+    const double length = glm::length(chord);
+    if (!(length > 0.0)) return {};
+    const glm::dvec3 way = chord / length;
+    SectionPlace end{at, point, 2.0 * glm::dot(way, last().tangent) * way - last().tangent, {}};
+    for (std::size_t k = 0; k < 4; ++k) end.slopes[k] = 2.0 * (at[k] - last().at[k]) / length - last().slopes[k];
+    return end;
+  }
+
+  const PatchPieces& piece_of(std::size_t i) const { return i < 2 ? patches_.a : patches_.b; }
+  std::size_t piece_at(std::size_t i) const { return i < 2 ? last().at.a.piece : last().at.b.piece; }
+  static PieceSide side(std::size_t i, bool is_end) { return {i % 2 == 0 ? Axis::u : Axis::v, is_end}; }
+
+  bool hop(std::size_t i) {
+    constexpr int kMostHops = 8;
+    PatchSpots at = last().at;
+    const bool is_end = at[i] == 1.0;
+    const auto next = piece_of(i).beyond(piece_at(i), side(i, is_end));
+    if (!next || ++hops_ > kMostHops) return false;
+    (i < 2 ? at.a : at.b).piece = *next;
+    at[i] = is_end ? 0.0 : 1.0;
+    const std::optional<SectionPlace> there = place(at);
+    if (!there) return false;
+    // Where the surfaces are folded the curve may come back through the same side: there it ends.
+    if (is_end ? there->slopes[i] < 0.0 : there->slopes[i] > 0.0) return false;
+    trace_.places.push_back(*there);
+    return true;
+  }
+
+  bool is_near_touch() const {
+    constexpr double kSine = 0.05;
+    return glm::length(meeting_at(patches_, last().at).along) < kSine;
+  }
+
+  /// A place ahead where the patches touch.
+  std::optional<SectionPlace> touching_end() const {
+    constexpr double kNear = 0x1p-4;
+    std::optional<PatchSpots> at = touch_near(patches_, last().at);
+    if (!at || !enters(*at)) return {};
+    const PatchMeeting there = meeting_at(patches_, *at);
+    // Beside a smaller gap the curves are less than a tenth of the tolerance apart.
+    constexpr double kRounding = 0x1p-43;
+    if (there.distance() > std::max(0.01 * tolerance_ * tolerance_, kRounding)) return {};
+    const glm::dvec3 point = there.a.point + 0.5 * there.b.offset;
+    const double ahead = glm::dot(point - last().point, last().tangent);
+    if (!(ahead > 0.0) || ahead > kNear || glm::distance(point, last().point) > 1.1 * ahead) return {};
+    const auto end = mirrored(*at, point);
+    if (!end || error(SectionStep(last(), *end)) > tolerance_) return {};
+    return end;
+  }
+
+  bool finish(const SectionPlace& end) {
+    trace_.places.push_back(end);
+    return false;
+  }
+
+  TwoPatches patches_;
+  const SectionPlace& seed_;
+  double way_;
+  double tolerance_;
+  double length_ = kFirstStep;
+  double travelled_ = 0.0;
+  int hops_ = 0;
+  SectionTrace trace_{{}, false};
+};
+
+}  // namespace
+
+SectionStep::SectionStep(const SectionPlace& begin, const SectionPlace& end) noexcept
+    : from(begin), to(end), length(glm::distance(begin.point, end.point)) {}
+
+glm::dvec3 SectionStep::point(double s) const noexcept {
+  const HermiteBlends b = blends(s);
+  return b.start * from.point + b.end * to.point + length * (b.start_slope * from.tangent + b.end_slope * to.tangent);
+}
+
+glm::dvec3 SectionStep::slope(double s) const noexcept {
+  const HermiteBlends b = blend_slopes(s);
+  return b.start * from.point + b.end * to.point + length * (b.start_slope * from.tangent + b.end_slope * to.tangent);
+}
+
+PatchSpots SectionStep::spots(double s) const noexcept {
+  const HermiteBlends b = blends(s);
+  PatchSpots at = from.at;
+  for (std::size_t i = 0; i < 4; ++i) {
+    at[i] = b.start * from.at[i] + b.end * to.at[i] + length * (b.start_slope * from.slopes[i] + b.end_slope * to.slopes[i]);
+  }
+  return at;
+}
+
+std::optional<SectionPlace> section_place(const TwoPatches& patches, const PatchSpots& at) {
+  constexpr double kParallel = 0x1p-30;
+  const PatchMeeting here = meeting_at(patches, at);
+  const double sine = glm::length(here.along);
+  if (!(sine > kParallel)) return {};
+  const glm::dvec3 tangent = here.along / sine;
+  return SectionPlace{at, here.a.point + 0.5 * here.b.offset, tangent, slopes_along(here, tangent)};
+}
+
+SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, double tolerance) {
+  SectionTrace forward = March(patches, seed, 1.0, tolerance).done();
+  if (forward.is_closed) return forward;
+  SectionTrace back = March(patches, seed, -1.0, tolerance).done();
+  std::vector<SectionPlace> places;
+  for (auto place = back.places.rbegin(); place != back.places.rend(); ++place) {
+    place->tangent = -place->tangent;
+    for (double& slope : place->slopes) slope = -slope;
+    places.push_back(*place);
+  }
+  places.insert(places.end(), forward.places.begin() + 1, forward.places.end());
+  return {std::move(places), false};
+}
+
+}  // namespace splinecore

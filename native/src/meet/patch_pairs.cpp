@@ -1,0 +1,74 @@
+#include "patch_pairs.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "tree_pairs.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// So narrow parts with weights of both signs, by their parameter, which run to infinity, are not halved.
+constexpr double kNarrowAtInfinity = 0x1p-10;
+constexpr std::size_t kMostPairs = std::size_t{1} << 21;
+constexpr std::size_t kMostTouching = std::size_t{1} << 13;
+
+class PatchPairSearch {
+ public:
+  PatchPairSearch(const TwoPatches& patches, double smallest, double rounding)
+      : patches_(patches), smallest_(smallest), slack_(rounding) {}
+
+  PatchPairFindings found() {
+    for_near_pairs(patches_.a.tree(), patches_.b.tree(), slack_, [&](std::size_t i, std::size_t j) {
+      pair(PatchPart(i, {}, patches_.a.piece(i)), PatchPart(j, {}, patches_.b.piece(j)));
+    });
+    return std::move(found_);
+  }
+
+ private:
+  static bool is_lost(const PatchPart& part) {
+    return !part.is_boxed && std::max(part.range[0].length(), part.range[1].length()) <= kNarrowAtInfinity;
+  }
+
+  void pair(const PatchPart& a, const PatchPart& b) {
+    breathe(64 * (a.net.values.size() + b.net.values.size()));
+    if (++pairs_ > kMostPairs) refuse();
+    if (is_lost(a) || is_lost(b) || are_apart(a, b, slack_)) return;
+    if (do_normals_differ(a, b)) return add(found_.crossing, a, b);
+    if (a.is_boxed && b.is_boxed && std::max(a.largest_size(), b.largest_size()) <= smallest_) {
+      add(found_.touching, a, b);
+      if (found_.touching.size() > kMostTouching) refuse();
+      return;
+    }
+    const bool halves_a = a.is_boxed == b.is_boxed ? a.largest_size() >= b.largest_size() : !a.is_boxed;
+    const auto [first, second] = (halves_a ? a : b).halves();
+    halves_a ? pair(first, b) : pair(a, first);
+    halves_a ? pair(second, b) : pair(a, second);
+  }
+
+  static void add(std::vector<PatchPairSpot>& to, const PatchPart& a, const PatchPart& b) {
+    to.push_back({{{a.piece, a.middle()}, {b.piece, b.middle()}}, std::max(a.largest_size(), b.largest_size())});
+  }
+
+  [[noreturn]] void refuse() const {
+    throw InvalidShape("the shapes touch along a curve, or are one in a part: more than " + std::to_string(pairs_ - 1) +
+                       " pairs of parts are not apart");
+  }
+
+  TwoPatches patches_;
+  double smallest_;
+  double slack_;
+  std::size_t pairs_ = 0;
+  PatchPairFindings found_;
+};
+
+}  // namespace
+
+PatchPairFindings find_pairs(const TwoPatches& patches, double smallest, double rounding) {
+  return PatchPairSearch(patches, smallest, rounding).found();
+}
+
+}  // namespace splinecore

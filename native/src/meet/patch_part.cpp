@@ -1,0 +1,173 @@
+#include "patch_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "base/one_sign.hpp"
+#include "base/quotient.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Points = std::span<const glm::dvec3>;
+
+/// A unit vector, and the largest angle with it.
+struct Cone {
+  glm::dvec3 along{0.0};
+  double spread = std::numbers::pi;
+};
+
+/// Directions of the derivative of a rational piece: X' - S w' with S in a ball about `centre`.
+Cone cone_along(const BernsteinNet<glm::dvec4>& net, Axis axis, const glm::dvec3& centre, double radius) {
+  const std::size_t rows = axis == Axis::u ? net.rows - 1 : net.rows;
+  const std::size_t columns = axis == Axis::v ? net.columns - 1 : net.columns;
+  const double sign = net.values.front().w < 0.0 ? -1.0 : 1.0;
+  std::vector<glm::dvec4> steps;  // and how far the ball makes them wrong
+  steps.reserve(rows * columns);
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const glm::dvec4 step = sign * ((axis == Axis::u ? net.at(i + 1, j) : net.at(i, j + 1)) - net.at(i, j));
+      const glm::dvec3 way = glm::dvec3(step) - step.w * centre;
+      steps.emplace_back(way, radius * std::abs(step.w));
+      sum += way;
+    }
+  }
+  const double length = glm::length(sum);
+  if (!(length > 0.0)) return {};
+  Cone cone{sum / length, 0.0};
+  for (const glm::dvec4& step : steps) {
+    const glm::dvec3 way(step);
+    const double own = glm::length(way);
+    if (own <= step.w) {
+      if (own == 0.0 && step.w == 0.0) continue;
+      return {cone.along, std::numbers::pi};
+    }
+    const double off = 2.0 * std::atan2(glm::length(way - own * cone.along), glm::length(way + own * cone.along));
+    cone.spread = std::max(cone.spread, off + std::asin(step.w / own));
+  }
+  return cone;
+}
+
+/// The longest polygon of the net along an axis.
+double size_along(const BernsteinNet<glm::dvec4>& net, Points points, Axis axis) {
+  const std::size_t lines = axis == Axis::u ? net.columns : net.rows;
+  const std::size_t count = net.count(axis);
+  double most = 0.0;
+  for (std::size_t line = 0; line < lines; ++line) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < count; ++i) {
+      const auto at = [&](std::size_t k) { return axis == Axis::u ? k * net.columns + line : line * net.columns + k; };
+      length += glm::distance(points[at(i)], points[at(i - 1)]);
+    }
+    most = std::max(most, length);
+  }
+  return most;
+}
+
+Interval extent_along(Points points, const glm::dvec3& axis, const glm::dvec3& origin) {
+  Interval extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const glm::dvec3& p : points) {
+    const double at = glm::dot(p - origin, axis);
+    extent.start = std::min(extent.start, at);
+    extent.end = std::max(extent.end, at);
+  }
+  return extent;
+}
+
+bool are_apart_along(Points a, Points b, const glm::dvec3& axis, double distance) {
+  const Interval of_a = extent_along(a, axis, a.front());
+  const Interval of_b = extent_along(b, axis, a.front());
+  return of_a.start - of_b.end > distance || of_b.start - of_a.end > distance;
+}
+
+bool are_apart_along_any(Points a, Points b, std::span<const glm::dvec3> axes, double distance) {
+  return std::ranges::any_of(axes, [&](const glm::dvec3& axis) { return are_apart_along(a, b, axis, distance); });
+}
+
+/// A vector made a unit one; zero is told apart by nothing.
+glm::dvec3 unit(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : v;
+}
+
+bool are_boxes_apart(Points a, Points b, double distance) {
+  const std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+  return are_apart_along_any(a, b, axes, distance);
+}
+
+constexpr double kMargin = 1.25;
+
+}  // namespace
+
+/// Tangents along u within `a`, along v within `b` of two unit vectors whose cross product is as long as the sine of their
+/// angle: the normal is that, and what their deviations add.
+PatchPart::PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_range, BernsteinNet<glm::dvec4> given)
+    : piece(of_piece), range(of_range), net(std::move(given)), is_boxed(has_one_sign(net.values, &glm::dvec4::w)),
+      spread(std::numbers::pi), size{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()} {
+  if (!is_boxed) return;
+  points.reserve(net.values.size());
+  for (const glm::dvec4& h : net.values) points.push_back(project(h));
+  size = {size_along(net, points, Axis::u), size_along(net, points, Axis::v)};
+  const glm::dvec3 centre = 0.25 * (points.front() + points[net.columns - 1] + points[points.size() - net.columns] + points.back());
+  double radius = 0.0;
+  for (const glm::dvec3& p : points) radius = std::max(radius, glm::distance(p, centre));
+  const Cone u = cone_along(net, Axis::u, centre, radius);
+  const Cone v = cone_along(net, Axis::v, centre, radius);
+  const glm::dvec3 cross = glm::cross(u.along, v.along);
+  const double sine = glm::length(cross);
+  if (!(sine > 0.0)) return;
+  normal = cross / sine;
+  const double off = (u.spread + v.spread + u.spread * v.spread) / sine;
+  if (off < 1.0) spread = std::asin(off);
+}
+
+std::pair<PatchPart, PatchPart> PatchPart::halves() const {
+  const bool is_u = is_boxed ? size[0] >= size[1] : range[0].length() >= range[1].length();
+  BernsteinNet<glm::dvec4> first = net;
+  BernsteinNet<glm::dvec4> second;
+  first.halve(is_u ? Axis::u : Axis::v, second);
+  std::array<Interval, 2> before = range;
+  std::array<Interval, 2> behind = range;
+  Interval& cut = before[is_u ? 0 : 1];
+  behind[is_u ? 0 : 1].start = cut.middle();
+  cut.end = cut.middle();
+  return {PatchPart(piece, before, std::move(first)), PatchPart(piece, behind, std::move(second))};
+}
+
+bool are_apart(const PatchPart& a, const PatchPart& b, double distance) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  if (are_boxes_apart(a.points, b.points, distance)) return true;
+  const glm::dvec3 along = unit(glm::cross(a.normal, b.normal));
+  const std::array<glm::dvec3, 5> axes{a.normal, b.normal, along, unit(glm::cross(a.normal, along)),
+                                       unit(glm::cross(b.normal, along))};
+  return are_apart_along_any(a.points, b.points, axes, distance);
+}
+
+bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  if (are_boxes_apart(a.points, b.points, distance)) return true;
+  const glm::dvec3 beside = unit(glm::cross(a.along, b.normal));
+  const std::array<glm::dvec3, 4> axes{b.normal, beside, unit(glm::cross(a.along, beside)),
+                                       unit(glm::cross(b.normal, beside))};
+  return are_apart_along_any(a.points, b.points, axes, distance);
+}
+
+bool do_normals_differ(const PatchPart& a, const PatchPart& b) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  const double angle = std::atan2(glm::length(glm::cross(a.normal, b.normal)), std::abs(glm::dot(a.normal, b.normal)));
+  return angle > kMargin * (a.spread + b.spread);
+}
+
+bool goes_through(const CurvePart& a, const PatchPart& b) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  const double angle = std::atan2(std::abs(glm::dot(a.along, b.normal)), glm::length(glm::cross(a.along, b.normal)));
+  return angle > kMargin * (a.spread + b.spread);
+}
+
+}  // namespace splinecore

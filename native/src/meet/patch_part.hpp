@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <utility>
+#include <vector>
+
+#include "basis/bernstein_net.hpp"
+#include "curve_part.hpp"
+#include "splinecore/base/interval.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A part of a Bernstein piece of a patch, and what its hull says of it.
+struct PatchPart {
+  std::size_t piece;
+  std::array<Interval, 2> range;  ///< in [0, 1]²
+  BernsteinNet<glm::dvec4> net;
+  bool is_boxed;                     ///< or its weights have both signs, and nothing below is known
+  glm::dvec3 normal{0.0, 0.0, 1.0};  ///< a unit vector, nearly that of all normals
+  double spread;                     ///< the largest angle of a normal with it; above pi/2 where that is not known
+  std::array<double, 2> size;        ///< no line along u, or v, is longer
+  std::vector<glm::dvec3> points;    ///< the net projected
+
+  PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_range, BernsteinNet<glm::dvec4> given);
+
+  /// Halves along the longer direction.
+  std::pair<PatchPart, PatchPart> halves() const;
+
+  double largest_size() const noexcept { return size[0] > size[1] ? size[0] : size[1]; }
+  std::array<double, 2> middle() const noexcept { return {range[0].middle(), range[1].middle()}; }
+};
+
+/// Whether hulls are farther apart than that, as seen along some axes of both.
+bool are_apart(const PatchPart& a, const PatchPart& b, double distance);
+bool are_apart(const CurvePart& a, const PatchPart& b, double distance);
+
+/// Whether no normal of one is parallel to one of the other, by a margin: then they meet in one line at most, which goes
+/// one way.
+bool do_normals_differ(const PatchPart& a, const PatchPart& b);
+
+/// Whether no tangent of a curve is parallel to a tangent plane, by a margin: then they meet once at most.
+bool goes_through(const CurvePart& a, const PatchPart& b);
+
+}  // namespace splinecore
+#pragma GCC visibility pop

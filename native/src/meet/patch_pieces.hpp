@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "basis/bernstein_net.hpp"
+#include "box_tree.hpp"
+#include "near_space.hpp"
+#include "piece_side.hpp"
+#include "slopes.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A place of a patch: a piece, and (u, v) in [0, 1]² of it.
+struct PatchSpot {
+  std::size_t piece;
+  std::array<double, 2> at;
+};
+
+/// The Bernstein pieces of a patch in a space that it shares with another shape.
+class PatchPieces {
+ public:
+  PatchPieces(const NurbsPatch& patch, const NearSpace& space);
+
+  std::size_t size() const noexcept { return pieces_.size(); }
+  const BernsteinNet<glm::dvec4>& piece(std::size_t i) const noexcept { return pieces_[i]; }
+  const BoxTree& tree() const noexcept { return *tree_; }
+
+  /// The piece that goes on at a side of this one, over the seam of a closed patch; none at a border and at a gap.
+  std::optional<std::size_t> beyond(std::size_t piece, const PieceSide& side) const noexcept;
+
+  /// Whether a side of a piece is a single point.
+  bool is_pole(std::size_t piece, const PieceSide& side) const noexcept { return poles_[4 * piece + number(side)]; }
+
+  Slopes<2> at(const PatchSpot& spot, const glm::dvec3& from = glm::dvec3(0.0)) const noexcept {
+    const BernsteinNet<glm::dvec4>& net = pieces_[spot.piece];
+    return slopes_of<2>(kernels_, net.values.data(), net.rows, net.columns, spot.at, from);
+  }
+
+  const KnotVector& knots(Axis axis) const noexcept { return axis == Axis::u ? u_ : v_; }
+  std::array<double, 2> parameters(const PatchSpot& spot) const;
+
+  /// How long the span of a piece is along an axis, in the patch's parameter.
+  double span_length(std::size_t piece, Axis axis) const;
+
+ private:
+  static std::size_t number(const PieceSide& side) noexcept {
+    return (side.axis == Axis::u ? 0U : 2U) + (side.is_end ? 1U : 0U);
+  }
+  std::size_t spans(Axis axis) const noexcept { return knots(axis).spans().size(); }
+  std::size_t span(std::size_t piece, Axis axis) const noexcept {
+    return axis == Axis::u ? piece / spans(Axis::v) : piece % spans(Axis::v);
+  }
+  bool are_joined(std::size_t before, std::size_t behind, Axis axis, double rounding) const;
+
+  const Kernels& kernels_;
+  KnotVector u_;
+  KnotVector v_;
+  std::vector<BernsteinNet<glm::dvec4>> pieces_;
+  std::vector<bool> goes_on_;  ///< behind each piece along u, and along v
+  std::vector<bool> poles_;    ///< sides of each piece
+  std::optional<BoxTree> tree_;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop
