@@ -49,6 +49,65 @@ Intersections arrays_of(const CurveIntersections& found) {
   return out;
 }
 
+/// The same of a curve and a patch.
+struct PatchIntersections {
+  py::array_t<double> parameters;
+  py::array_t<double> points;
+  py::array_t<double> distances;
+  py::array_t<bool> touches;
+  py::array_t<double> overlaps;
+};
+
+PatchIntersections arrays_of(const splinecore::PatchIntersections& found) {
+  const auto count = static_cast<py::ssize_t>(found.places.size());
+  const auto overlaps = static_cast<py::ssize_t>(found.overlaps.size());
+  PatchIntersections out{py::array_t<double>({count, py::ssize_t{3}}), py::array_t<double>({count, py::ssize_t{3}}),
+                         py::array_t<double>(count), py::array_t<bool>(count),
+                         py::array_t<double>({overlaps, py::ssize_t{2}})};
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const auto& place = found.places[static_cast<std::size_t>(i)];
+    out.parameters.mutable_at(i, 0) = place.t;
+    out.parameters.mutable_at(i, 1) = place.parameters[0];
+    out.parameters.mutable_at(i, 2) = place.parameters[1];
+    for (int axis = 0; axis < 3; ++axis) out.points.mutable_at(i, axis) = place.point[axis];
+    out.distances.mutable_at(i) = place.distance;
+    out.touches.mutable_at(i) = place.touches;
+  }
+  for (py::ssize_t i = 0; i < overlaps; ++i) {
+    out.overlaps.mutable_at(i, 0) = found.overlaps[static_cast<std::size_t>(i)].start;
+    out.overlaps.mutable_at(i, 1) = found.overlaps[static_cast<std::size_t>(i)].end;
+  }
+  return out;
+}
+
+template <class Curve>
+void bind_with_patches(py::class_<Curve> cls) {
+  cls.def("patch_intersections", [](const Curve& self, const py::object& patch, const py::object& tolerance,
+                                    const py::object& cancel) {
+            const splinecore::NurbsPatch& with = any_patch(patch, "patch");
+            const auto most = tolerance_of(tolerance);
+            return arrays_of(unlocked([&] { return splinecore::intersections(form(self), with, most); }, cancel));
+          },
+          py::arg("patch"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
+          "Where the curve and a patch, of any kind, are at most tolerance apart, as PatchIntersections: places where\n"
+          "their distance is least, ends of the curve included, in the order of its parameters, and stretches that lie\n"
+          "on the patch. tolerance is a length, by default 2^-33 of the size of both.\n\n"
+          "By halving, as intersections(): a part goes through a part of the patch once at most where no tangent is\n"
+          "parallel to a tangent plane. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
+          "InvalidShape if the tolerance is below 0, or where more than 2^22 pairs of parts are within it.");
+  cls.def("plane_intersections", [](const Curve& self, const py::object& origin, const py::object& normal,
+                                    const py::object& tolerance, const py::object& cancel) {
+            const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));
+            const auto most = tolerance_of(tolerance);
+            return arrays_of(unlocked([&] { return splinecore::intersections(form(self), plane, most); }, cancel));
+          },
+          py::arg("origin"), py::arg("normal"), py::arg("tolerance") = py::none(), py::kw_only(),
+          py::arg("cancel") = py::none(),
+          "The same with the plane through a point (3,) at right angles to a vector (3,). Parameters on it are its own\n"
+          "coordinates, with axes by the rule of DXF files: x and y where the normal is z.\n\n"
+          "InvalidShape as patch_intersections(), and if the normal is zero.");
+}
+
 template <class Curve>
 void bind_curve(py::class_<Curve> cls) {
   cls.def("intersections", [](const Curve& self, const py::object& other, const py::object& tolerance,
@@ -96,11 +155,33 @@ void bind_result(py::module_& module) {
   });
 }
 
+void bind_patch_result(py::module_& module) {
+  py::class_<PatchIntersections> cls(module, "PatchIntersections", py::module_local(),
+                                     "The n places where a curve meets a patch, and the m stretches that lie on it.\n\n"
+                                     "parameters is (n, 3): t of the curve, u and v of the patch; points (n, 3), in the\n"
+                                     "middle between both; distances (n,), of both there; touches (n,), whether the curve\n"
+                                     "does not go through the patch. overlaps is (m, 2): start and end on the curve.");
+  seal(cls);
+  cls.def_property_readonly("parameters", [](const PatchIntersections& self) { return self.parameters; });
+  cls.def_property_readonly("points", [](const PatchIntersections& self) { return self.points; });
+  cls.def_property_readonly("distances", [](const PatchIntersections& self) { return self.distances; });
+  cls.def_property_readonly("touches", [](const PatchIntersections& self) { return self.touches; });
+  cls.def_property_readonly("overlaps", [](const PatchIntersections& self) { return self.overlaps; });
+  cls.def("__repr__", [](const PatchIntersections& self) {
+    return "PatchIntersections(count=" + std::to_string(self.distances.size()) +
+           ", overlaps=" + std::to_string(self.overlaps.shape(0)) + ")";
+  });
+}
+
 }  // namespace
 
 void bind_intersections(py::module_& module) {
   bind_result(module);
-  for_curves(module, [](auto cls) { bind_curve(cls); });
+  bind_patch_result(module);
+  for_curves(module, [](auto cls) {
+    bind_curve(cls);
+    bind_with_patches(cls);
+  });
 }
 
 }  // namespace bindings

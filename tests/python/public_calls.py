@@ -70,6 +70,10 @@ CURVE = {
     "divide_by_length": lambda one, at: one.divide_by_length(at.size, tolerance=1e-3),
     "curvature": lambda one, at: one.curvature(inside(one.domain)),
     "signed_curvature": lambda one, at: one.signed_curvature(inside(one.domain), (0, 0, 1)),
+    "intersections": lambda one, at: one.intersections(at.bezier),
+    "self_intersections": lambda one, at: one.self_intersections(),
+    "patch_intersections": lambda one, at: one.patch_intersections(at.patch),
+    "plane_intersections": lambda one, at: one.plane_intersections(xyz(at, 0.3), (1, 2, 3)),
     "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
     "stationary_points": lambda one, at: one.stationary_points(xyz(at, 1, 2)),
     "nearest_all": lambda one, at: one.nearest_all(xyz(at, 1, 2), 0.1 * at.size),
@@ -165,6 +169,8 @@ PATCH = {
     "to_nurbs": lambda one, at: one.to_nurbs(),
     "fundamental_forms": lambda one, at: one.fundamental_forms(*pairs_of(one)),
     "curvatures": lambda one, at: one.curvatures(*pairs_of(one)),
+    "sections": lambda one, at: one.sections(at.patch.transformed(matrix(0.1 * at.size))),
+    "plane_sections": lambda one, at: one.plane_sections(xyz(at, 0.3), (1, 2, 3)),
     "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
     "stationary_points": lambda one, at: one.stationary_points(xyz(at, 1, 2)),
     "nearest_all": lambda one, at: one.nearest_all(xyz(at, 1, 2), 0.1 * at.size),
@@ -297,6 +303,8 @@ METHODS = {
     "JoinedPatches": COPIES,
     "Nearest": COPIES,
     "Intersections": COPIES,
+    "PatchIntersections": COPIES,
+    "Sections": COPIES,
     "StationaryPoints": COPIES,
 }
 
@@ -434,6 +442,8 @@ def others(at):
     yield lambda: sc.BezierPatch(flat).nearest((0, 0, 0))
     yield lambda: at.nurbs.stationary_points(xyz(at, 1, 2))
     yield lambda: at.nurbs.intersections(at.bezier)
+    yield lambda: at.nurbs.patch_intersections(at.patch)
+    yield lambda: at.patch.plane_sections(xyz(at, 0.3), (1, 2, 3))
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
 
 

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <map>
 
 #include "patch/tolerance.hpp"
 #include "patch_march.hpp"
 #include "patch_pairs.hpp"
+#include "plane_patch.hpp"
 #include "section_curve.hpp"
 #include "splinecore/meet/sections.hpp"
 
@@ -172,29 +171,6 @@ class SectionSearch {
   std::map<std::array<std::size_t, 2>, std::vector<StepOfTrace>> steps_;
 };
 
-/// A plane as a patch with its own coordinates as parameters, farther out than a patch.
-NurbsPatch plane_about(const NurbsPatch& patch, const Plane& plane) {
-  glm::dvec2 low(std::numeric_limits<double>::infinity());
-  glm::dvec2 high(-std::numeric_limits<double>::infinity());
-  double size = 0.0;
-  const glm::dvec4* first = nullptr;
-  for (const glm::dvec4& p : patch.points()) {
-    if (p.w == 0.0) continue;
-    if (!first) first = &p;
-    size = std::max(size, distance_of(glm::dvec3(p), glm::dvec3(*first)));
-    const glm::dvec2 at = point_in(plane, glm::dvec3(p));
-    low = glm::min(low, at);
-    high = glm::max(high, at);
-  }
-  const KnotVector u = KnotVector::make(1, {low.x - size, low.x - size, high.x + size, high.x + size}, false);
-  const KnotVector v = KnotVector::make(1, {low.y - size, low.y - size, high.y + size, high.y + size}, false);
-  std::vector<glm::dvec4> points;
-  for (const double x : {low.x - size, high.x + size}) {
-    for (const double y : {low.y - size, high.y + size}) points.emplace_back(plane.point({x, y}), 1.0);
-  }
-  return NurbsPatch::make(u, v, std::move(points));
-}
-
 }  // namespace
 
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance) {
@@ -202,7 +178,7 @@ Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double
 }
 
 Sections sections(const NurbsPatch& patch, const Plane& plane, std::optional<double> tolerance) {
-  return SectionSearch(patch, plane_about(patch, plane), tolerance).found();
+  return SectionSearch(patch, plane_about(patch.points(), plane), tolerance).found();
 }
 
 }  // namespace splinecore

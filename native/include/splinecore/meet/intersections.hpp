@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
+#include "splinecore/conic/plane.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
 
 namespace splinecore {
 
@@ -27,7 +30,21 @@ struct CurveOverlap {
 
 struct CurveIntersections {
   std::vector<CurveIntersection> places;    ///< in the order of the parameters of the first curve
-  std::vector<CurveOverlap> overlaps;  ///< likewise
+  std::vector<CurveOverlap> overlaps;        ///< likewise
+};
+
+/// A place where a curve meets a patch.
+struct PatchIntersection {
+  double t;                         ///< the parameter of the curve
+  std::array<double, 2> parameters; ///< u and v of the patch
+  glm::dvec3 point;                 ///< in the middle between both
+  double distance;                  ///< of both there
+  bool touches;                     ///< whether the curve does not go through the patch
+};
+
+struct PatchIntersections {
+  std::vector<PatchIntersection> places;  ///< in the order of the parameters of the curve
+  std::vector<Interval> overlaps;         ///< stretches of the curve that lie on the patch, likewise
 };
 
 /// Where two curves are at most `tolerance` apart: places where their distance is least, ends included, and stretches
@@ -45,5 +62,14 @@ CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::
 /// Where a curve meets itself: places with a < b, without those that its neighbourhood is always within the tolerance
 /// of, as at a cusp.
 CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance = {});
+
+/// Where a curve and a patch are at most `tolerance` apart: places where their distance is least, the ends of the curve
+/// included, and stretches that lie on the patch; by halving, as of two curves. S18.
+/// @param tolerance  none: 2^-33 of the size of both
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^22 pairs.
+PatchIntersections intersections(const NurbsCurve& curve, const NurbsPatch& patch, std::optional<double> tolerance = {});
+
+/// The same with a plane, whose coordinates are the parameters.
+PatchIntersections intersections(const NurbsCurve& curve, const Plane& plane, std::optional<double> tolerance = {});
 
 }  // namespace splinecore
