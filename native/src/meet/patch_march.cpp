@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -38,8 +39,8 @@ HermiteBlends blend_slopes(double s) {
 /// One way along a curve.
 class March {
  public:
-  March(const TwoPatches& patches, const SectionPlace& seed, double way, double tolerance)
-      : patches_(patches), seed_(seed), way_(way), tolerance_(tolerance) {
+  March(const TwoPatches& patches, const SectionPlace& seed, double way, const MarchLimits& limits)
+      : patches_(patches), seed_(seed), way_(way), touches_(limits.touches), tolerance_(limits.tolerance) {
     trace_.places.push_back(turned(seed));
   }
 
@@ -90,6 +91,8 @@ class March {
   bool step() {
     breathe(2048);
     if (length_ < kLeastStep) return false;
+    if (const auto end = touching_end()) return finish(*end);
+    keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
     std::optional<PatchSpots> at = place_near(patches_, ahead(length_), plane);
     if (!at) return shorter(0.5);
@@ -101,9 +104,6 @@ class March {
 
   bool shorter(double share) {
     length_ *= share;
-    if (is_near_touch()) {
-      if (const auto end = touching_end()) return finish(*end);
-    }
     return length_ >= kLeastStep;
   }
 
@@ -149,6 +149,7 @@ class March {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 4; ++i) {
       if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
+      if (is_on_face(i, out)) return cross_at_once(i, out);
       const std::optional<SectionPlace> on = on_face(i, out);
       if (!on) continue;
       const double far = glm::dot(on->point - last().point, last().tangent);
@@ -173,6 +174,18 @@ class March {
   }
 
   static bool is_at_end(double out) { return out > 1.0; }
+
+  /// Whether the last place is on the side that the next one is beyond, which a curve may leave at any angle.
+  bool is_on_face(std::size_t i, const PatchSpots& out) const {
+    constexpr double kNear = 0x1p-36;
+    const double value = is_at_end(out[i]) ? 1.0 : 0.0;
+    return std::abs(last().at[i] - value) <= kNear && !piece_of(i).is_pole(piece_at(i), side(i, value == 1.0));
+  }
+
+  bool cross_at_once(std::size_t i, const PatchSpots& out) {
+    trace_.places.back().at[i] = is_at_end(out[i]) ? 1.0 : 0.0;
+    return hop(i);
+  }
 
   std::optional<SectionPlace> on_face(std::size_t i, const PatchSpots& out) const {
     const double value = is_at_end(out[i]) ? 1.0 : 0.0;
@@ -237,31 +250,30 @@ class March {
     const std::optional<SectionPlace> there = place(at);
     if (!there) return false;
     // Where the surfaces are folded the curve may come back through the same side: there it ends.
-    if (is_end ? there->slopes[i] < 0.0 : there->slopes[i] > 0.0) return false;
+    constexpr double kAlong = 1e-3;
+    if (is_end ? there->slopes[i] < -kAlong : there->slopes[i] > kAlong) return false;
     trace_.places.push_back(*there);
     return true;
   }
 
-  bool is_near_touch() const {
-    constexpr double kSine = 0.05;
-    return glm::length(meeting_at(patches_, last().at).along) < kSine;
+  /// The place ahead where the patches touch that the next step comes near, if the curve goes there.
+  std::optional<SectionPlace> touching_end() const {
+    for (const SectionTouch& touch : touches_) {
+      const double ahead = glm::dot(touch.point - last().point, last().tangent);
+      if (!(ahead > 0.0) || ahead > 3.0 * length_ || glm::distance(touch.point, last().point) > 1.2 * ahead) continue;
+      if (touch.at.a.piece != last().at.a.piece || touch.at.b.piece != last().at.b.piece) continue;
+      const auto end = mirrored(touch.at, touch.point);
+      if (end && error(SectionStep(last(), *end)) <= tolerance_) return end;
+    }
+    return {};
   }
 
-  /// A place ahead where the patches touch.
-  std::optional<SectionPlace> touching_end() const {
-    constexpr double kNear = 0x1p-4;
-    std::optional<PatchSpots> at = touch_near(patches_, last().at);
-    if (!at || !enters(*at)) return {};
-    const PatchMeeting there = meeting_at(patches_, *at);
-    // Beside a smaller gap the curves are less than a tenth of the tolerance apart.
-    constexpr double kRounding = 0x1p-43;
-    if (there.distance() > std::max(0.01 * tolerance_ * tolerance_, kRounding)) return {};
-    const glm::dvec3 point = there.a.point + 0.5 * there.b.offset;
-    const double ahead = glm::dot(point - last().point, last().tangent);
-    if (!(ahead > 0.0) || ahead > kNear || glm::distance(point, last().point) > 1.1 * ahead) return {};
-    const auto end = mirrored(*at, point);
-    if (!end || error(SectionStep(last(), *end)) > tolerance_) return {};
-    return end;
+  /// No step is longer than half the way to a place where the patches touch.
+  void keep_before_touches() {
+    for (const SectionTouch& touch : touches_) {
+      const double far = glm::distance(touch.point, last().point);
+      if (glm::dot(touch.point - last().point, last().tangent) > 0.5 * far) length_ = std::min(length_, 0.5 * far);
+    }
   }
 
   bool finish(const SectionPlace& end) {
@@ -272,6 +284,7 @@ class March {
   TwoPatches patches_;
   const SectionPlace& seed_;
   double way_;
+  std::span<const SectionTouch> touches_;
   double tolerance_;
   double length_ = kFirstStep;
   double travelled_ = 0.0;
@@ -312,10 +325,10 @@ std::optional<SectionPlace> section_place(const TwoPatches& patches, const Patch
   return SectionPlace{at, here.a.point + 0.5 * here.b.offset, tangent, slopes_along(here, tangent)};
 }
 
-SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, double tolerance) {
-  SectionTrace forward = March(patches, seed, 1.0, tolerance).done();
+SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits) {
+  SectionTrace forward = March(patches, seed, 1.0, limits).done();
   if (forward.is_closed) return forward;
-  SectionTrace back = March(patches, seed, -1.0, tolerance).done();
+  SectionTrace back = March(patches, seed, -1.0, limits).done();
   std::vector<SectionPlace> places;
   for (auto place = back.places.rbegin(); place != back.places.rend(); ++place) {
     place->tangent = -place->tangent;

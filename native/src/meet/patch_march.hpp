@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "patch_approach.hpp"
@@ -45,8 +46,19 @@ struct SectionStep {
 /// A place of the curve through a pair of places. @returns none where normals are parallel
 std::optional<SectionPlace> section_place(const TwoPatches& patches, const PatchSpots& at);
 
+/// A place where normals are parallel, in one of the pieces that it is in.
+struct SectionTouch {
+  PatchSpots at;
+  glm::dvec3 point;
+};
+
+struct MarchLimits {
+  std::span<const SectionTouch> touches;  ///< where curves end
+  double tolerance;                       ///< how far they are from the patches
+};
+
 /// The whole curve through a place: both ways, to borders, poles and places where the patches touch, or round.
-SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, double tolerance);
+SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits);
 
 }  // namespace splinecore
 #pragma GCC visibility pop
