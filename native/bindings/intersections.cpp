@@ -94,7 +94,7 @@ void bind_with_patches(py::class_<Curve> cls) {
           "on the patch. tolerance is a length, by default 2^-33 of the size of both.\n\n"
           "By halving, as intersections(): a part goes through a part of the patch once at most where no tangent is\n"
           "parallel to a tangent plane. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
-          "InvalidShape if the tolerance is below 0, or where more than 2^22 pairs of parts are within it.");
+          "InvalidShape if the tolerance is below 0, or where more than 2^20 pairs of parts are within it.");
   cls.def("plane_intersections", [](const Curve& self, const py::object& origin, const py::object& normal,
                                     const py::object& tolerance, const py::object& cancel) {
             const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));

@@ -441,9 +441,10 @@ def others(at):
     yield lambda: sc.BezierPatch(flat).curvatures(0.5, 0.5)
     yield lambda: sc.BezierPatch(flat).nearest((0, 0, 0))
     yield lambda: at.nurbs.stationary_points(xyz(at, 1, 2))
-    yield lambda: at.nurbs.intersections(at.bezier)
-    yield lambda: at.nurbs.patch_intersections(at.patch)
-    yield lambda: at.patch.plane_sections(xyz(at, 0.3), (1, 2, 3))
+    line = sc.BezierCurve([xyz(at, 0, 0, -1), xyz(at, 1, 1, 1)])
+    yield lambda: line.intersections(line.reversed())
+    yield lambda: line.patch_intersections(sc.BezierPatch(flat))
+    yield lambda: sc.BezierPatch(flat).plane_sections(xyz(at, 0.3), (1, 2, 3))
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
 
 

@@ -22,7 +22,7 @@ NATIVE_ARROWS = {
     'tessellate': {'base', 'basis', 'curve', 'patch', 'convert'},
     'formula': {'base'},
     'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
-    'meet': {'base', 'basis', 'curve', 'patch', 'kernels'},
+    'meet': {'base', 'basis', 'curve', 'patch', 'conic', 'kernels'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula', 'kernels'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
     'exchange': {'base', 'basis', 'curve', 'patch'},

@@ -24,7 +24,9 @@ constexpr double kNarrowPatchAtInfinity = 0x1p-8;
 constexpr double kGentle = 0.25;
 /// Parts of this part of the tolerance are points.
 constexpr double kSmall = 0.5;
-constexpr std::size_t kMostPairs = std::size_t{1} << 22;
+/// A look at how parts lie counts as so many pairs.
+constexpr std::size_t kLook = 16;
+constexpr std::size_t kMostPairs = std::size_t{1} << 20;
 
 double held(double t, const Interval& range) { return std::clamp(t, range.start, range.end); }
 
@@ -141,9 +143,10 @@ class PierceSearch {
     off
   };
 
-  Lying how_lies(const CurvePart& curve, const PatchPart& patch) const {
+  Lying how_lies(const CurvePart& curve, const PatchPart& patch) {
     constexpr std::size_t kMost = 33;
     const std::size_t count = std::min(curve.net.rows * (patch.net.rows + patch.net.columns), kMost);
+    pairs_ += kLook;
     PatchSpot foot{patch.piece, patch.middle()};
     bool is_on = true;
     bool is_inside = false;

@@ -12,8 +12,8 @@ namespace splinecore {
 
 namespace {
 
-using Row = std::array<double, 4>;
-using Matrix = std::array<Row, 4>;
+using Four = std::array<double, 4>;
+using FourByFour = std::array<Four, 4>;
 
 /// So far beyond its piece a patch is looked at.
 constexpr double kBeyond = 1.0;
@@ -26,7 +26,7 @@ glm::dvec3 unit(const glm::dvec3& v) {
 }
 
 /// Gauss's elimination with the largest pivots. @returns none if one is zero
-std::optional<Row> solved(Matrix m, Row right) {
+std::optional<Four> solved(FourByFour m, Four right) {
   for (std::size_t k = 0; k < 4; ++k) {
     std::size_t best = k;
     for (std::size_t i = k + 1; i < 4; ++i) {
@@ -49,8 +49,8 @@ std::optional<Row> solved(Matrix m, Row right) {
 }
 
 /// Rows of what changes where the gap does: its derivatives.
-Matrix gap_rows(const PatchMeeting& at) {
-  Matrix rows{};
+FourByFour gap_rows(const PatchMeeting& at) {
+  FourByFour rows{};
   for (int i = 0; i < 3; ++i) {
     rows[static_cast<std::size_t>(i)] = {-at.a.first[0][i], -at.a.first[1][i], at.b.first[0][i], at.b.first[1][i]};
   }
@@ -74,11 +74,11 @@ std::optional<PatchSpots> newton(const TwoPatches& patches, PatchSpots at, Fourt
   for (int round = 0; round < kMost; ++round) {
     breathe(256);
     const PatchMeeting now = meeting_at(patches, at);
-    Matrix rows = gap_rows(now);
+    FourByFour rows = gap_rows(now);
     const glm::dvec3 gap = now.b.offset;
     const auto [row, off] = fourth(now, at);
     rows[3] = row;
-    const std::optional<Row> steps = solved(rows, {-gap.x, -gap.y, -gap.z, -off});
+    const std::optional<Four> steps = solved(rows, {-gap.x, -gap.y, -gap.z, -off});
     if (!steps) return {};
     double most = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -116,7 +116,7 @@ PatchMeeting meeting_at(const TwoPatches& patches, const PatchSpots& at) noexcep
 
 std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const InPlane& plane) {
   return newton(patches, at, [&](const PatchMeeting& now, const PatchSpots&) {
-    const Row row{glm::dot(now.a.first[0], plane.normal), glm::dot(now.a.first[1], plane.normal), 0.0, 0.0};
+    const Four row{glm::dot(now.a.first[0], plane.normal), glm::dot(now.a.first[1], plane.normal), 0.0, 0.0};
     return std::pair(row, glm::dot(now.a.point - plane.origin, plane.normal));
   });
 }
@@ -124,7 +124,7 @@ std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, c
 std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const OnFace& face) {
   at[face.parameter] = face.value;
   return newton(patches, at, [&](const PatchMeeting&, const PatchSpots& now) {
-    Row row{};
+    Four row{};
     row[face.parameter] = 1.0;
     return std::pair(row, now[face.parameter] - face.value);
   });
@@ -146,15 +146,15 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
     const glm::dvec3 n = glm::cross(au, av);
     const glm::dvec3 n_u = glm::cross(auu, av) + glm::cross(au, auv);
     const glm::dvec3 n_v = glm::cross(auv, av) + glm::cross(au, avv);
-    const Row value{glm::dot(gap, au), glm::dot(gap, av), glm::dot(n, bu), glm::dot(n, bv)};
-    const Matrix j{Row{glm::dot(gap, auu) - glm::dot(au, au), glm::dot(gap, auv) - glm::dot(au, av), glm::dot(bu, au),
+    const Four value{glm::dot(gap, au), glm::dot(gap, av), glm::dot(n, bu), glm::dot(n, bv)};
+    const FourByFour j{Four{glm::dot(gap, auu) - glm::dot(au, au), glm::dot(gap, auv) - glm::dot(au, av), glm::dot(bu, au),
                        glm::dot(bv, au)},
-                   Row{glm::dot(gap, auv) - glm::dot(au, av), glm::dot(gap, avv) - glm::dot(av, av), glm::dot(bu, av),
+                   Four{glm::dot(gap, auv) - glm::dot(au, av), glm::dot(gap, avv) - glm::dot(av, av), glm::dot(bu, av),
                        glm::dot(bv, av)},
-                   Row{glm::dot(n_u, bu), glm::dot(n_v, bu), glm::dot(n, buu), glm::dot(n, buv)},
-                   Row{glm::dot(n_u, bv), glm::dot(n_v, bv), glm::dot(n, buv), glm::dot(n, bvv)}};
-    Matrix normal{};
-    Row right{};
+                   Four{glm::dot(n_u, bu), glm::dot(n_v, bu), glm::dot(n, buu), glm::dot(n, buv)},
+                   Four{glm::dot(n_u, bv), glm::dot(n_v, bv), glm::dot(n, buv), glm::dot(n, bvv)}};
+    FourByFour normal{};
+    Four right{};
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t k = 0; k < 4; ++k) {
         for (std::size_t row = 0; row < 4; ++row) normal[i][k] += j[row][i] * j[row][k];
@@ -162,7 +162,7 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
       for (std::size_t row = 0; row < 4; ++row) right[i] -= j[row][i] * value[row];
     }
     for (std::size_t i = 0; i < 4; ++i) normal[i][i] *= 1.0 + 0x1p-30;
-    const std::optional<Row> steps = solved(normal, right);
+    const std::optional<Four> steps = solved(normal, right);
     if (!steps) return {};
     double most = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {

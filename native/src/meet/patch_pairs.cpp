@@ -13,7 +13,7 @@ namespace {
 
 /// So narrow parts with weights of both signs, by their parameter, which run to infinity, are not halved.
 constexpr double kNarrowAtInfinity = 0x1p-10;
-constexpr std::size_t kMostPairs = std::size_t{1} << 21;
+constexpr std::size_t kMostPairs = std::size_t{1} << 20;
 constexpr std::size_t kMostTouching = std::size_t{1} << 13;
 
 class PatchPairSearch {

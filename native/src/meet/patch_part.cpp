@@ -14,7 +14,7 @@ namespace splinecore {
 
 namespace {
 
-using Points = std::span<const glm::dvec3>;
+using HullPoints = std::span<const glm::dvec3>;
 
 /// A unit vector, and the largest angle with it.
 struct Cone {
@@ -55,7 +55,7 @@ Cone cone_along(const BernsteinNet<glm::dvec4>& net, Axis axis, const glm::dvec3
 }
 
 /// The longest polygon of the net along an axis.
-double size_along(const BernsteinNet<glm::dvec4>& net, Points points, Axis axis) {
+double size_along(const BernsteinNet<glm::dvec4>& net, HullPoints points, Axis axis) {
   const std::size_t lines = axis == Axis::u ? net.columns : net.rows;
   const std::size_t count = net.count(axis);
   double most = 0.0;
@@ -70,7 +70,7 @@ double size_along(const BernsteinNet<glm::dvec4>& net, Points points, Axis axis)
   return most;
 }
 
-Interval extent_along(Points points, const glm::dvec3& axis, const glm::dvec3& origin) {
+Interval extent_along(HullPoints points, const glm::dvec3& axis, const glm::dvec3& origin) {
   Interval extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const glm::dvec3& p : points) {
     const double at = glm::dot(p - origin, axis);
@@ -80,13 +80,13 @@ Interval extent_along(Points points, const glm::dvec3& axis, const glm::dvec3& o
   return extent;
 }
 
-bool are_apart_along(Points a, Points b, const glm::dvec3& axis, double distance) {
+bool are_apart_along(HullPoints a, HullPoints b, const glm::dvec3& axis, double distance) {
   const Interval of_a = extent_along(a, axis, a.front());
   const Interval of_b = extent_along(b, axis, a.front());
   return of_a.start - of_b.end > distance || of_b.start - of_a.end > distance;
 }
 
-bool are_apart_along_any(Points a, Points b, std::span<const glm::dvec3> axes, double distance) {
+bool are_apart_along_any(HullPoints a, HullPoints b, std::span<const glm::dvec3> axes, double distance) {
   return std::ranges::any_of(axes, [&](const glm::dvec3& axis) { return are_apart_along(a, b, axis, distance); });
 }
 
@@ -96,7 +96,7 @@ glm::dvec3 unit(const glm::dvec3& v) {
   return length > 0.0 ? v / length : v;
 }
 
-bool are_boxes_apart(Points a, Points b, double distance) {
+bool are_boxes_apart(HullPoints a, HullPoints b, double distance) {
   const std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
   return are_apart_along_any(a, b, axes, distance);
 }

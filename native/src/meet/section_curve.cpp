@@ -9,7 +9,7 @@ namespace splinecore {
 namespace {
 
 /// A place, and its derivative, in space or in the parameters of a patch.
-struct Knot {
+struct SectionKnot {
   glm::dvec3 value;
   glm::dvec3 slope;
 };
@@ -20,14 +20,14 @@ bool are_equal(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 /// Places of one curve, and where it is smooth.
-struct Chain {
-  std::vector<Knot> starts;  ///< of every step
-  std::vector<Knot> ends;
+struct SectionChain {
+  std::vector<SectionKnot> starts;  ///< of every step
+  std::vector<SectionKnot> ends;
 
   bool is_smooth(std::size_t joint) const { return are_equal(ends[joint].slope, starts[joint + 1].slope); }
 };
 
-NurbsCurve curve_of(const Chain& chain, const KnotVector& knots, const std::vector<double>& lengths,
+NurbsCurve curve_of(const SectionChain& chain, const KnotVector& knots, const std::vector<double>& lengths,
                     const std::vector<bool>& smooth) {
   std::vector<glm::dvec4> points{{chain.starts.front().value, 1.0}};
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -54,10 +54,10 @@ class Images {
  public:
   Images(const PatchPieces& pieces, std::size_t first) : pieces_(pieces), first_(first) {}
 
-  Knot at(const SectionPlace& place) {
+  SectionKnot at(const SectionPlace& place) {
     const PatchSpot& spot = first_ == 0 ? place.at.a : place.at.b;
     const std::array<double, 2> own = pieces_.parameters(spot);
-    Knot knot{glm::dvec3(0.0), glm::dvec3(0.0)};
+    SectionKnot knot{glm::dvec3(0.0), glm::dvec3(0.0)};
     for (std::size_t i = 0; i < 2; ++i) {
       const Axis axis = i == 0 ? Axis::u : Axis::v;
       const auto k = static_cast<int>(i);
@@ -83,26 +83,26 @@ class Images {
 
 SectionCurve section_curve(const SectionTrace& trace, const TwoPatches& patches, const NearSpace& space) {
   constexpr double kNothing = 0x1p-35;
-  Chain in_space;
-  Chain on_a;
-  Chain on_b;
+  SectionChain in_space;
+  SectionChain on_a;
+  SectionChain on_b;
   std::vector<double> lengths;
   Images of_a(patches.a, 0);
   Images of_b(patches.b, 2);
   const double unit = space.length(1.0);
-  const auto put = [&](std::vector<Knot> Chain::*which, const SectionPlace& place) {
+  const auto put = [&](std::vector<SectionKnot> SectionChain::*which, const SectionPlace& place) {
     (in_space.*which).push_back({space.leave(place.point), place.tangent});
     (on_a.*which).push_back(of_a.at(place));
     (on_b.*which).push_back(of_b.at(place));
-    for (Knot* image : {&(on_a.*which).back(), &(on_b.*which).back()}) image->slope /= unit;
+    for (SectionKnot* image : {&(on_a.*which).back(), &(on_b.*which).back()}) image->slope /= unit;
   };
   for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
     const SectionPlace& from = trace.places[i];
     const SectionPlace& to = trace.places[i + 1];
     if (!from.has_pieces_of(to) || glm::distance(from.point, to.point) <= kNothing) continue;
     lengths.push_back(space.length(glm::distance(from.point, to.point)));
-    put(&Chain::starts, from);
-    put(&Chain::ends, to);
+    put(&SectionChain::starts, from);
+    put(&SectionChain::ends, to);
   }
   std::vector<bool> smooth;
   for (std::size_t i = 0; i + 1 < lengths.size(); ++i) {

@@ -66,7 +66,7 @@ CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<dou
 /// Where a curve and a patch are at most `tolerance` apart: places where their distance is least, the ends of the curve
 /// included, and stretches that lie on the patch; by halving, as of two curves. S18.
 /// @param tolerance  none: 2^-33 of the size of both
-/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^22 pairs.
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs.
 PatchIntersections intersections(const NurbsCurve& curve, const NurbsPatch& patch, std::optional<double> tolerance = {});
 
 /// The same with a plane, whose coordinates are the parameters.
