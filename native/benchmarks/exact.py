@@ -182,6 +182,7 @@ def references():
         "W7 least squares": lambda: least_squares(data["lsq.knots"], data["lsq.parameters"], data["coil100000"]),
         "W8 curve": lambda: least_distances((knots,), points, data["near_curve"][::workloads.NEAREST_STEP]),
         "W8 patch": lambda: least_distances(sheet[:2], sheet[2], data["near_surface"][::workloads.NEAREST_STEP]),
+        "W9 curves": lambda: zigzag_crossings(data["zigzag.knots"], data["zigzag_a"] - data["zigzag_b"]),
         "W10": lambda: teapot_rows(data["teapot"], data["patch_grid"]),
         "W11": lambda: np.array([[Fraction(float(arc_length(knots, points)))]]),
     }
@@ -241,6 +242,24 @@ def least_distances(knots, points, places):
             found, reach = sampled(around), reach / 3
         rows.append([Fraction(float(np.sqrt(((found - place) ** 2).sum(-1).min())))])
     return np.array(rows)
+
+
+def zigzag_crossings(knots, differences):
+    """Parameters at which curves with one x for one parameter are equally high: one number a row, by halving."""
+    knots, heights = knots.astype(np.longdouble), differences[:, 1].astype(np.longdouble)
+
+    def height(u):
+        return functions(knots, u) @ heights
+
+    u = np.linspace(0, 1, 20_001).astype(np.longdouble)
+    rises = height(u) > 0
+    low, high = u[:-1][rises[1:] != rises[:-1]], u[1:][rises[1:] != rises[:-1]]
+    sign = np.where(height(low) > 0, 1, -1)
+    for _ in range(60):
+        middle = (low + high) / 2
+        is_before = sign * height(middle) > 0
+        low, high = np.where(is_before, middle, low), np.where(is_before, high, middle)
+    return np.array([[Fraction(*root.as_integer_ratio())] for root in low])
 
 
 def teapot_rows(nets, line):

@@ -182,6 +182,22 @@ def nearest(run, shape, name):
         run.time("all cores", len(places), lambda: shape.nearest(places), clock=time.perf_counter)
 
 
+def crossings(run):
+    knots = run.input("zigzag.knots")
+    a, b = (sc.NurbsCurve(3, knots, run.input(name, -1, 3)) for name in ("zigzag_a", "zigzag_b"))
+    found = a.intersections(b)
+    run.time("intersections", 1, lambda: a.intersections(b), f"{len(found.parameters)} crossings")
+    run.keep("intersections", np.sort(found.parameters[:, 0]), step=1)
+
+
+def sections(run):
+    knots = run.input("waves.knots")
+    a, b = (sc.NurbsPatch((3, 3), (knots, knots), run.input(name, 12, 12, 3)) for name in ("waves_a", "waves_b"))
+    found = a.sections(b, 1e-5)
+    run.time("sections", 1, lambda: a.sections(b, 1e-5),
+             f"{len(found.curves)} curves, {sum(len(curve.points) for curve in found.curves)} control points, within 1e-5")
+
+
 def length(run):
     shape = curve(run)
     run.time("length", 1, lambda: shape.length(tolerance=1e-9))
@@ -221,6 +237,8 @@ RUNS = {
     "W7 least squares": least_squares,
     "W8 curve": lambda run: nearest(run, curve(run), "near_curve"),
     "W8 patch": lambda run: nearest(run, surface(run), "near_surface"),
+    "W9 curves": crossings,
+    "W9 surfaces": sections,
     "W10": many_patches,
     "W11": length,
     "adaptive": adaptive,

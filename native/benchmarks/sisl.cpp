@@ -1,6 +1,7 @@
 // SISL, SINTEF's spline library, as Debian packages it.
 #include <sisl.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <memory>
@@ -59,6 +60,29 @@ Curve bezier_curve(const Run& run, int degree) {
   Numbers knots(2 * (degree + 1), 0.0);
   std::fill(knots.begin() + degree + 1, knots.end(), 1.0);
   return Curve(newCurve(degree + 1, degree + 1, knots.data(), points.data(), kPolynomial, 3, kCopy));
+}
+
+Curve zigzag(const Run& run, const std::string& name) {
+  Numbers knots = run.input("zigzag.knots");
+  const Numbers rows = run.input(name);
+  Numbers plane;
+  for (std::size_t i = 0; i < rows.size(); i += 3) plane.insert(plane.end(), {rows[i], rows[i + 1]});
+  return Curve(newCurve(static_cast<int>(rows.size() / 3), 4, knots.data(), plane.data(), kPolynomial, 2, kCopy));
+}
+
+Surface waves(const Run& run, const std::string& name) {
+  Numbers knots = run.input("waves.knots");
+  const Numbers rows = run.input(name);
+  const std::size_t count = knots.size() - 4;
+  Numbers points;
+  for (std::size_t j = 0; j < count; ++j) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* p = &rows[3 * (i * count + j)];
+      points.insert(points.end(), {p[0], p[1], p[2]});
+    }
+  }
+  const auto size = static_cast<int>(count);
+  return Surface(newSurf(size, size, 4, 4, knots.data(), knots.data(), points.data(), kPolynomial, 3, kCopy));
 }
 
 /// SISL runs along u fastest.
@@ -264,6 +288,57 @@ void length(const Run& run) {
   run.keep("s1240", 1, 1, [&](std::size_t) { return &result; });
 }
 
+void crossings(const Run& run) {
+  const Curve a = zigzag(run, "zigzag_a");
+  const Curve b = zigzag(run, "zigzag_b");
+  int points = 0;
+  int status = 0;
+  Numbers found;
+  const auto work = [&] {
+    int curves = 0;
+    double* of_a = nullptr;
+    double* of_b = nullptr;
+    SISLIntcurve** stretches = nullptr;
+    s1857(a.get(), b.get(), 1e-12, 1e-9, &points, &of_a, &of_b, &curves, &stretches, &status);
+    found.assign(of_a, of_a + points);
+    std::free(of_a);
+    std::free(of_b);
+    if (stretches) freeIntcrvlist(stretches, curves);
+  };
+  work();
+  run.time("s1857", 1, work, std::to_string(points) + " crossings");
+  require(status);
+  std::sort(found.begin(), found.end());
+  run.keep("s1857", found.size(), 1, [&](std::size_t i) { return &found[i]; }, 1);
+}
+
+void sections(const Run& run) {
+  const Surface a = waves(run, "waves_a");
+  const Surface b = waves(run, "waves_b");
+  int curves = 0;
+  int made = 0;
+  int status = 0;
+  const auto work = [&] {
+    int points = 0;
+    double* of_a = nullptr;
+    double* of_b = nullptr;
+    SISLIntcurve** found = nullptr;
+    s1859(a.get(), b.get(), 1e-12, 1e-6, &points, &of_a, &of_b, &curves, &found, &status);
+    made = 0;
+    for (int i = 0; i < curves; ++i) {
+      s1310(a.get(), b.get(), found[i], 1e-5, 0.05, 3, 0, &status);
+      if (found[i]->pgeom) made += found[i]->pgeom->in;
+    }
+    std::free(of_a);
+    std::free(of_b);
+    if (found) freeIntcrvlist(found, curves);
+  };
+  work();
+  run.time("s1859, s1310", 1, work,
+           std::to_string(curves) + " curves, " + std::to_string(made) + " control points, within 1e-5");
+  require(status);
+}
+
 const benchmarks::Workloads kWorkloads = {
     {"W1 sorted", sorted_points},
     {"W1 random", [](const Run& run) { evaluate_each(run, rational_curve(run), run.input("random"), 0); }},
@@ -293,6 +368,8 @@ const benchmarks::Workloads kWorkloads = {
     {"W7 curve 1e4", [](const Run& run) { interpolated_curve(run, 10000); }},
     {"W7 curve 1e5", [](const Run& run) { interpolated_curve(run, 100000); }},
     {"W7 surface", interpolated_surface},
+    {"W9 curves", crossings},
+    {"W9 surfaces", sections},
     {"W10", many_patches},
     {"W11", length},
 };

@@ -11,7 +11,7 @@ MARKS = {"W1 sorted": 35, "W1 random": 18, "W2": 20, "W3 points": 13, "W3 normal
          "W5 degree 25": 84, "W6 refine": 2, "W6 elevate": 4, "W6 Beziers": 2,
          "W7 curve 1e3": 10, "W7 curve 1e4": 10, "W7 curve 1e5": 10, "W7 surface": 2,
          "W7 least squares": 12, "W8 curve": 60, "W8 patch": 60,
-         "W10": 12, "W11": 2}
+         "W9 curves": 1, "W9 surfaces": 1, "W10": 12, "W11": 2}
 MARKS_BY_EARLIER = {"adaptive": 10}
 FASTER_OF_BOTH = ("W6 refine", "W6 elevate", "W6 Beziers")
 AGAINST_SCIPY = ("W7 least squares",)
@@ -153,6 +153,7 @@ WHAT = {
     "W7 surface": "a bicubic through 300 × 300 points",
     "W7 least squares": "a cubic of 200 control points near 100,000, a point",
     "W8 curve": "the nearest point of a rational cubic curve, a query", "W8 patch": "of a rational bicubic surface",
+    "W9 curves": "63 crossings of two cubics of 64 points", "W9 surfaces": "the curves of two bicubic waves within 1e-5",
     "W10": "32 patches of 64 × 64 points with normals",
     "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3",
 }

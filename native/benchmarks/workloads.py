@@ -7,7 +7,7 @@ import numpy as np
 
 WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
              "W6 refine", "W6 elevate", "W6 Beziers", "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface",
-             "W7 least squares", "W8 curve", "W8 patch", "W10", "W11", "adaptive")
+             "W7 least squares", "W8 curve", "W8 patch", "W9 curves", "W9 surfaces", "W10", "W11", "adaptive")
 PARAMETERS = 1_000_000
 GRID = 1000
 PATCH_GRID = 64
@@ -62,6 +62,23 @@ def sheet(count):
     return np.stack([u + step * noise[..., 0], v + step * noise[..., 1], z, weights], -1)
 
 
+def uniform_knots(count, degree=3):
+    return np.concatenate([np.zeros(degree + 1), np.arange(1, count - degree) / (count - degree), np.ones(degree + 1)])
+
+
+def zigzag(count, side):
+    """Points of a plane cubic that goes up and down: (count, 3)."""
+    noise = random(20, 2 * count).reshape(2, count)[0 if side > 0 else 1]
+    sign = np.where(np.arange(count) % 2 == 0, 1.0, -1.0)
+    return np.stack([np.linspace(0, 1, count), side * 0.1 * sign * (0.8 + 0.4 * noise), np.zeros(count)], 1)
+
+
+def waves(count, height):
+    """Points of a sheet over the unit square of heights by a function of both coordinates: (count, count, 3)."""
+    x, y = np.meshgrid(*[np.linspace(0, 1, count)] * 2, indexing="ij")
+    return np.stack([x, y, height(x, y)], -1)
+
+
 def bezier(degree, seed):
     noise = random(seed, 2 * (degree + 1)).reshape(-1, 2)
     return np.stack([0.3 + noise[:, 0], 0.2 * noise[:, 1], 3 * np.linspace(0, 1, degree + 1)], 1)
@@ -95,6 +112,10 @@ def inputs():
         "sheet300": sheet(300)[..., :3], "line300": np.linspace(0, 1, 300),
         "near_curve": about(helix(64, 2)[:, :3], 18, 10_000),
         "near_surface": about(sheet(32)[..., :3].reshape(-1, 3), 19, 1000),
+        "zigzag.knots": uniform_knots(64), "zigzag_a": zigzag(64, 1.0), "zigzag_b": zigzag(64, -1.0),
+        "waves.knots": uniform_knots(12),
+        "waves_a": waves(12, lambda x, y: 0.15 * np.sin(8 * x) * np.cos(6 * y)),
+        "waves_b": waves(12, lambda x, y: 0.1 * np.sin(5 * y + 1) * np.cos(7 * x) + 0.02),
         "teapot": teapot(), "patch_grid": np.linspace(0, 1, PATCH_GRID),
     }
 

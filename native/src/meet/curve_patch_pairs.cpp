@@ -91,7 +91,7 @@ class PierceSearch {
     if (is_lost(curve) || is_lost(patch) || are_apart(curve, patch, tolerance_)) return;
     if (goes_through(curve, patch) && cross(curve, patch)) return;
     const bool are_boxed = curve.is_boxed && patch.is_boxed;
-    const bool are_gentle = are_boxed && std::max(curve.spread, patch.spread) <= kGentle;
+    const bool are_gentle = are_boxed && std::max(curve.spread, patch.normals().spread) <= kGentle;
     const Lying lying = are_gentle ? how_lies(curve, patch) : Lying::off;
     if (lying == Lying::on) return add(curve, patch);
     const bool is_small = are_boxed && std::max(curve.size, patch.largest_size()) <= kSmall * tolerance_;

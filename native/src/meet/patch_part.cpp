@@ -16,42 +16,37 @@ namespace {
 
 using HullPoints = std::span<const glm::dvec3>;
 
-/// A unit vector, and the largest angle with it.
-struct Cone {
-  glm::dvec3 along{0.0};
-  double spread = std::numbers::pi;
-};
-
 /// Directions of the derivative of a rational piece: X' - S w' with S in a ball about `centre`.
-Cone cone_along(const BernsteinNet<glm::dvec4>& net, Axis axis, const glm::dvec3& centre, double radius) {
+VectorCone cone_along(const BernsteinNet<glm::dvec4>& net, Axis axis, const glm::dvec3& centre, double radius) {
+  const std::size_t step = axis == Axis::u ? net.columns : 1;
   const std::size_t rows = axis == Axis::u ? net.rows - 1 : net.rows;
   const std::size_t columns = axis == Axis::v ? net.columns - 1 : net.columns;
   const double sign = net.values.front().w < 0.0 ? -1.0 : 1.0;
-  std::vector<glm::dvec4> steps;  // and how far the ball makes them wrong
-  steps.reserve(rows * columns);
+  const auto way_at = [&](std::size_t i, std::size_t j) {
+    const std::size_t k = i * net.columns + j;
+    const glm::dvec4 way = sign * (net.values[k + step] - net.values[k]);
+    return glm::dvec4(glm::dvec3(way) - way.w * centre, radius * std::abs(way.w));  // and how far the ball makes it wrong
+  };
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      const glm::dvec4 step = sign * ((axis == Axis::u ? net.at(i + 1, j) : net.at(i, j + 1)) - net.at(i, j));
-      const glm::dvec3 way = glm::dvec3(step) - step.w * centre;
-      steps.emplace_back(way, radius * std::abs(step.w));
-      sum += way;
-    }
+    for (std::size_t j = 0; j < columns; ++j) sum += glm::dvec3(way_at(i, j));
   }
   const double length = glm::length(sum);
-  if (!(length > 0.0)) return {};
-  Cone cone{sum / length, 0.0};
-  for (const glm::dvec4& step : steps) {
-    const glm::dvec3 way(step);
-    const double own = glm::length(way);
-    if (own <= step.w) {
-      if (own == 0.0 && step.w == 0.0) continue;
-      return {cone.along, std::numbers::pi};
+  if (!(length > 0.0)) return {glm::dvec3(0.0)};
+  const glm::dvec3 along = sum / length;
+  double sine = 0.0;
+  double wrong = 0.0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const glm::dvec4 way = way_at(i, j);
+      const double own = glm::length(glm::dvec3(way));
+      if (own == 0.0 && way.w == 0.0) continue;
+      if (own <= way.w || glm::dot(glm::dvec3(way), along) <= 0.0) return {along};
+      sine = std::max(sine, glm::length(glm::cross(glm::dvec3(way), along)) / own);
+      wrong = std::max(wrong, way.w / own);
     }
-    const double off = 2.0 * std::atan2(glm::length(way - own * cone.along), glm::length(way + own * cone.along));
-    cone.spread = std::max(cone.spread, off + std::asin(step.w / own));
   }
-  return cone;
+  return {along, std::asin(std::min(sine, 1.0)) + std::asin(wrong)};
 }
 
 /// The longest polygon of the net along an axis.
@@ -105,26 +100,30 @@ constexpr double kMargin = 1.25;
 
 }  // namespace
 
-/// Tangents along u within `a`, along v within `b` of two unit vectors whose cross product is as long as the sine of their
-/// angle: the normal is that, and what their deviations add.
 PatchPart::PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_range, BernsteinNet<glm::dvec4> given)
     : piece(of_piece), range(of_range), net(std::move(given)), is_boxed(has_one_sign(net.values, &glm::dvec4::w)),
-      spread(std::numbers::pi), size{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()} {
+      size{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()} {
   if (!is_boxed) return;
   points.reserve(net.values.size());
   for (const glm::dvec4& h : net.values) points.push_back(project(h));
   size = {size_along(net, points, Axis::u), size_along(net, points, Axis::v)};
-  const glm::dvec3 centre = 0.25 * (points.front() + points[net.columns - 1] + points[points.size() - net.columns] + points.back());
-  double radius = 0.0;
-  for (const glm::dvec3& p : points) radius = std::max(radius, glm::distance(p, centre));
-  const Cone u = cone_along(net, Axis::u, centre, radius);
-  const Cone v = cone_along(net, Axis::v, centre, radius);
+}
+
+/// Tangents along u within `a`, along v within `b` of two unit vectors whose cross product is as long as the sine of their
+/// angle: the normal is that, and what their deviations add.
+VectorCone PatchPart::normal_cone() const {
+  if (!is_boxed) return {};
+  const glm::dvec3 corners = points.front() + points[net.columns - 1] + points[points.size() - net.columns] + points.back();
+  const glm::dvec3 centre = 0.25 * corners;
+  double square = 0.0;
+  for (const glm::dvec3& p : points) square = std::max(square, glm::dot(p - centre, p - centre));
+  const VectorCone u = cone_along(net, Axis::u, centre, std::sqrt(square));
+  const VectorCone v = cone_along(net, Axis::v, centre, std::sqrt(square));
   const glm::dvec3 cross = glm::cross(u.along, v.along);
   const double sine = glm::length(cross);
-  if (!(sine > 0.0)) return;
-  normal = cross / sine;
+  if (!(sine > 0.0)) return {};
   const double off = (u.spread + v.spread + u.spread * v.spread) / sine;
-  if (off < 1.0) spread = std::asin(off);
+  return {cross / sine, off < 1.0 ? std::asin(off) : std::numbers::pi};
 }
 
 std::pair<PatchPart, PatchPart> PatchPart::halves() const {
@@ -143,31 +142,37 @@ std::pair<PatchPart, PatchPart> PatchPart::halves() const {
 bool are_apart(const PatchPart& a, const PatchPart& b, double distance) {
   if (!a.is_boxed || !b.is_boxed) return false;
   if (are_boxes_apart(a.points, b.points, distance)) return true;
-  const glm::dvec3 along = unit(glm::cross(a.normal, b.normal));
-  const std::array<glm::dvec3, 5> axes{a.normal, b.normal, along, unit(glm::cross(a.normal, along)),
-                                       unit(glm::cross(b.normal, along))};
+  const glm::dvec3& of_a = a.normals().along;
+  const glm::dvec3& of_b = b.normals().along;
+  const glm::dvec3 along = unit(glm::cross(of_a, of_b));
+  const std::array<glm::dvec3, 5> axes{of_a, of_b, along, unit(glm::cross(of_a, along)), unit(glm::cross(of_b, along))};
   return are_apart_along_any(a.points, b.points, axes, distance);
 }
 
 bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
   if (!a.is_boxed || !b.is_boxed) return false;
   if (are_boxes_apart(a.points, b.points, distance)) return true;
-  const glm::dvec3 beside = unit(glm::cross(a.along, b.normal));
-  const std::array<glm::dvec3, 4> axes{b.normal, beside, unit(glm::cross(a.along, beside)),
-                                       unit(glm::cross(b.normal, beside))};
+  const glm::dvec3& normal = b.normals().along;
+  const glm::dvec3 beside = unit(glm::cross(a.along, normal));
+  const std::array<glm::dvec3, 4> axes{normal, beside, unit(glm::cross(a.along, beside)), unit(glm::cross(normal, beside))};
   return are_apart_along_any(a.points, b.points, axes, distance);
 }
 
 bool do_normals_differ(const PatchPart& a, const PatchPart& b) {
   if (!a.is_boxed || !b.is_boxed) return false;
-  const double angle = std::atan2(glm::length(glm::cross(a.normal, b.normal)), std::abs(glm::dot(a.normal, b.normal)));
-  return angle > kMargin * (a.spread + b.spread);
+  const VectorCone& of_a = a.normals();
+  const VectorCone& of_b = b.normals();
+  const double spread = kMargin * (of_a.spread + of_b.spread);
+  if (!(spread < 0.5 * std::numbers::pi)) return false;
+  return std::atan2(glm::length(glm::cross(of_a.along, of_b.along)), std::abs(glm::dot(of_a.along, of_b.along))) > spread;
 }
 
 bool goes_through(const CurvePart& a, const PatchPart& b) {
   if (!a.is_boxed || !b.is_boxed) return false;
-  const double angle = std::atan2(std::abs(glm::dot(a.along, b.normal)), glm::length(glm::cross(a.along, b.normal)));
-  return angle > kMargin * (a.spread + b.spread);
+  const VectorCone& normals = b.normals();
+  const double spread = kMargin * (a.spread + normals.spread);
+  if (!(spread < 0.5 * std::numbers::pi)) return false;
+  return std::atan2(std::abs(glm::dot(a.along, normals.along)), glm::length(glm::cross(a.along, normals.along))) > spread;
 }
 
 }  // namespace splinecore

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,24 +14,39 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
+/// A unit vector, and the largest angle of others with it, above pi/2 where that is not known.
+struct VectorCone {
+  glm::dvec3 along{0.0, 0.0, 1.0};
+  double spread = std::numbers::pi;
+};
+
 /// A part of a Bernstein piece of a patch, and what its hull says of it.
 struct PatchPart {
   std::size_t piece;
   std::array<Interval, 2> range;  ///< in [0, 1]²
   BernsteinNet<glm::dvec4> net;
-  bool is_boxed;                     ///< or its weights have both signs, and nothing below is known
-  glm::dvec3 normal{0.0, 0.0, 1.0};  ///< a unit vector, nearly that of all normals
-  double spread;                     ///< the largest angle of a normal with it; above pi/2 where that is not known
-  std::array<double, 2> size;        ///< no line along u, or v, is longer
-  std::vector<glm::dvec3> points;    ///< the net projected
+  bool is_boxed;                   ///< or its weights have both signs, and nothing below is known
+  std::array<double, 2> size;      ///< no line along u, or v, is longer
+  std::vector<glm::dvec3> points;  ///< the net projected
 
   PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_range, BernsteinNet<glm::dvec4> given);
+
+  /// Of all normals.
+  const VectorCone& normals() const {
+    if (!normals_) normals_ = normal_cone();
+    return *normals_;
+  }
 
   /// Halves along the longer direction.
   std::pair<PatchPart, PatchPart> halves() const;
 
   double largest_size() const noexcept { return size[0] > size[1] ? size[0] : size[1]; }
   std::array<double, 2> middle() const noexcept { return {range[0].middle(), range[1].middle()}; }
+
+ private:
+  VectorCone normal_cone() const;
+
+  mutable std::optional<VectorCone> normals_;  ///< for most parts nobody asks
 };
 
 /// Whether hulls are farther apart than that, as seen along some axes of both.
