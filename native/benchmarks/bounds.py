@@ -52,6 +52,10 @@ BOUNDS = {
                       "40 bytes"),
     "W8 patch": Bound(400 + 3 * 90 + 160, 5, 48, "20 groups of 8 boxes of 20 operations each, 3 Newton steps of 90, "
                       "and 160 for the coefficients of the squared distance; 48 bytes"),
+    "W9 curves": Bound(63 * 4 * 40 + 61 * 8 * 10, 63 * 4, 0, "63 crossings of 4 Newton steps of 40 operations each, "
+                       "and 8 looks at pairs of 10 a span"),
+    "W9 surfaces": Bound(270 / 2 * 25 * 200, 270 / 2 * 25, 0, "135 places of 25 evaluations of both surfaces each, of "
+                         "200 operations"),
     "W10": Bound(11, 0.5, 48, "24 FMA for S, Su, Sv, 18 for cross product and length, in lanes of 4, 0.5 for rows; "
                  "48 bytes"),
     "W11": Bound(61 * 31 * 5, 61 * 31 / 2, 0, "61 spans, 31 nodes of Kronrod's rule each: 15 FMA for the speed, its "

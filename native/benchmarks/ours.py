@@ -196,6 +196,13 @@ def sections(run):
     found = a.sections(b, 1e-5)
     run.time("sections", 1, lambda: a.sections(b, 1e-5),
              f"{len(found.curves)} curves, {sum(len(curve.points) for curve in found.curves)} control points, within 1e-5")
+    rows = []
+    for curve, on_a, on_b in zip(found.curves, found.on_a, found.on_b):
+        t = np.linspace(*curve.domain, workloads.BRANCH_SAMPLES)
+        apart = [patch.evaluate(*np.clip(image.evaluate(t)[:, :2], 0, 1).T) - curve.evaluate(t)
+                 for patch, image in ((a, on_a), (b, on_b))]
+        rows.append(np.linalg.norm(apart, axis=-1).max(0))
+    run.keep("sections", np.concatenate(rows), step=1)
 
 
 def length(run):

@@ -13,6 +13,8 @@ GRID = 1000
 PATCH_GRID = 64
 SAMPLE_STEP = 2503
 NEAREST_STEP = 37
+BRANCHES = 4
+BRANCH_SAMPLES = 50
 TEAPOT = Path(__file__).parents[2] / "addon/splinewright/core/teapot.json"
 
 

@@ -63,6 +63,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_stationary(module);
   bindings::bind_intersections(module);
   bindings::bind_sections(module);
+  bindings::bind_offset(module);
   bindings::bind_approximate(module);
   bindings::bind_approximate_patch(module);
   bindings::bind_drags(module);

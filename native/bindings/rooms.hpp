@@ -26,6 +26,7 @@ void bind_nearest(pybind11::module_& module);
 void bind_stationary(pybind11::module_& module);
 void bind_intersections(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
+void bind_offset(pybind11::module_& module);
 void bind_approximate(pybind11::module_& module);
 void bind_approximate_patch(pybind11::module_& module);
 void bind_drags(pybind11::module_& module);

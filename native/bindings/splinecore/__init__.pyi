@@ -382,6 +382,16 @@ class NurbsCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def offset(
+        self,
+        distance: float,
+        normal: ArrayLike = (0, 0, 1),
+        *,
+        tolerance: float | None = None,
+        corner: Literal["round", "sharp"] = "round",
+        trimmed: bool = False,
+        cancel: _Cancel | None = None,
+    ) -> list[NurbsCurve]: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -512,6 +522,16 @@ class BezierCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def offset(
+        self,
+        distance: float,
+        normal: ArrayLike = (0, 0, 1),
+        *,
+        tolerance: float | None = None,
+        corner: Literal["round", "sharp"] = "round",
+        trimmed: bool = False,
+        cancel: _Cancel | None = None,
+    ) -> list[NurbsCurve]: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -632,6 +652,16 @@ class HermiteCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def offset(
+        self,
+        distance: float,
+        normal: ArrayLike = (0, 0, 1),
+        *,
+        tolerance: float | None = None,
+        corner: Literal["round", "sharp"] = "round",
+        trimmed: bool = False,
+        cancel: _Cancel | None = None,
+    ) -> list[NurbsCurve]: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -761,6 +791,16 @@ class PowerCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def offset(
+        self,
+        distance: float,
+        normal: ArrayLike = (0, 0, 1),
+        *,
+        tolerance: float | None = None,
+        corner: Literal["round", "sharp"] = "round",
+        trimmed: bool = False,
+        cancel: _Cancel | None = None,
+    ) -> list[NurbsCurve]: ...
     def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None

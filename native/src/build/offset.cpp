@@ -1,0 +1,292 @@
+#include "splinecore/build/offset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "meet/near_space.hpp"
+#include "offset_piece.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/build/join.hpp"
+#include "splinecore/convert/to_bezier.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/meet/intersections.hpp"
+#include "splinecore/meet/nearest.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Places so near, in a space where the curve is about 1 large, are one.
+constexpr double kSame = 0x1p-40;
+/// A corner whose tangents meet farther away than so many distances is not sharp.
+constexpr double kLongestCorner = 4.0;
+
+using BezierPieces = std::vector<BezierCurve>;
+
+/// A piece of a curve in a space of its own.
+BezierCurve in_space(const BezierCurve& curve, const NearSpace& space) {
+  std::vector<glm::dvec4> points;
+  for (const glm::dvec4& p : curve.points()) {
+    points.push_back(p.w == 0.0 ? glm::dvec4(glm::dvec3(p) / space.length(1.0), 0.0)
+                                : glm::dvec4(space.enter(glm::dvec3(p)).at, p.w));
+  }
+  return BezierCurve::make(std::move(points));
+}
+
+NurbsCurve out_of_space(const NurbsCurve& curve, const NearSpace& space) {
+  std::vector<glm::dvec4> points;
+  for (const glm::dvec4& p : curve.points()) {
+    points.push_back(p.w == 0.0 ? glm::dvec4(glm::dvec3(p) * space.length(1.0), 0.0)
+                                : glm::dvec4(space.leave(glm::dvec3(p)), p.w));
+  }
+  return NurbsCurve::make(curve.knot_vector(), std::move(points));
+}
+
+glm::dvec3 start_of(const BezierCurve& curve) { return glm::dvec3(curve.points().front()); }
+glm::dvec3 end_of(const BezierCurve& curve) { return glm::dvec3(curve.points().back()); }
+
+BezierCurve line_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return BezierCurve::make({glm::dvec4(a, 1.0), glm::dvec4(b, 1.0)});
+}
+
+/// How long the polygon of a piece is.
+double length_of(const BezierCurve& curve) {
+  double length = 0.0;
+  const auto points = curve.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].w != 0.0 && points[i - 1].w != 0.0) length += glm::distance(glm::dvec3(points[i]), glm::dvec3(points[i - 1]));
+  }
+  return length;
+}
+
+/// A curve piece after piece, each as long in its parameter as its polygon is.
+NurbsCurve curve_of(const BezierPieces& pieces) {
+  std::vector<double> parameters{0.0};
+  for (const BezierCurve& piece : pieces) parameters.push_back(parameters.back() + std::max(length_of(piece), kSame));
+  constexpr double kGap = 0x1p-24;
+  return join_beziers(pieces, std::move(parameters), kGap);
+}
+
+/// Runs of pieces that follow each other, offset; what is at their joints.
+class CurveOffset {
+ public:
+  CurveOffset(const BezierPieces& pieces, const SideStep& step, OffsetCorner corner)
+      : pieces_(pieces), step_(step), corner_(corner) {}
+
+  std::vector<BezierPieces> runs() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (i == 0 || glm::distance(end_of(pieces_[i - 1]), start_of(pieces_[i])) > kSame) {
+        runs_.emplace_back();
+      } else {
+        turn(pieces_[i - 1], pieces_[i]);
+      }
+      for (BezierCurve& made : offset_piece(pieces_[i], step_)) runs_.back().push_back(std::move(made));
+    }
+    if (runs_.size() == 1 && glm::distance(end_of(pieces_.back()), start_of(pieces_.front())) <= kSame) {
+      turn(pieces_.back(), pieces_.front());
+    }
+    std::erase_if(runs_, [](const BezierPieces& run) { return run.empty(); });
+    return std::move(runs_);
+  }
+
+ private:
+  /// What joins the offsets of two pieces at their corner.
+  void turn(const BezierCurve& before, const BezierCurve& behind) {
+    const OffsetPlace a = offset_place(before, 1.0, step_);
+    const OffsetPlace b = offset_place(behind, 0.0, step_);
+    if (glm::distance(a.moved, b.moved) <= kSame) return;
+    const double sine = glm::dot(glm::cross(a.tangent, b.tangent), step_.normal);
+    const double cosine = glm::dot(a.tangent, b.tangent);
+    const double angle = std::atan2(sine, cosine);
+    // On the inner side of a corner offsets cross; a line between them is nearer to the curve than they are.
+    if (angle * step_.distance > 0.0) {
+      runs_.back().push_back(line_between(a.moved, b.moved));
+    } else if (corner_ == OffsetCorner::sharp && 1.0 < kLongestCorner * std::cos(0.5 * angle)) {
+      const glm::dvec3 tip = a.moved + std::abs(step_.distance) * std::tan(0.5 * std::abs(angle)) * a.tangent;
+      runs_.back().push_back(line_between(a.moved, tip));
+      runs_.back().push_back(line_between(tip, b.moved));
+    } else {
+      arc(a, angle);
+    }
+  }
+
+  void arc(const OffsetPlace& from, double angle) {
+    const int count = static_cast<int>(std::ceil(std::abs(angle) / (0.5 * std::numbers::pi) - 1e-9));
+    const double half = 0.5 * std::abs(angle) / count;
+    const glm::dvec3 x = from.moved - from.point;
+    const glm::dvec3 y = glm::cross(step_.normal, x) * (angle < 0.0 ? -1.0 : 1.0);
+    const auto at = [&](double turn, double stretch) {
+      return from.point + stretch * (std::cos(turn) * x + std::sin(turn) * y);
+    };
+    for (int i = 0; i < count; ++i) {
+      const double start = 2.0 * half * i;
+      runs_.back().push_back(BezierCurve::make({glm::dvec4(at(start, 1.0), 1.0),
+                                                glm::dvec4(at(start + half, 1.0 / std::cos(half)), std::cos(half)),
+                                                glm::dvec4(at(start + 2.0 * half, 1.0), 1.0)}));
+    }
+  }
+
+  const BezierPieces& pieces_;
+  const SideStep& step_;
+  OffsetCorner corner_;
+  std::vector<BezierPieces> runs_;
+};
+
+/// A circle about a point.
+BezierPieces circle_about(const glm::dvec3& centre, const SideStep& step) {
+  const glm::dvec3 across = std::abs(step.normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 x = std::abs(step.distance) * glm::normalize(glm::cross(step.normal, across));
+  const glm::dvec3 y = glm::cross(step.normal, x);
+  BezierPieces circle;
+  for (const auto& [a, b] : {std::pair{x, y}, std::pair{y, -x}, std::pair{-x, -y}, std::pair{-y, x}}) {
+    circle.push_back(BezierCurve::make({glm::dvec4(centre + a, 1.0), glm::dvec4(centre + a + b, std::numbers::sqrt2 / 2.0),
+                                        glm::dvec4(centre + b, 1.0)}));
+  }
+  return circle;
+}
+
+/// What bounds the places that are nearer to a curve than its offset, beside that.
+std::vector<BezierPieces> other_bounds(const BezierPieces& pieces, const SideStep& step) {
+  const SideStep other{step.normal, -step.distance, step.tolerance};
+  std::vector<BezierPieces> bounds = CurveOffset(pieces, other, OffsetCorner::round).runs();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const BezierCurve& next = pieces[(i + 1) % pieces.size()];
+    if (glm::distance(end_of(pieces[i]), start_of(next)) <= kSame) continue;
+    bounds.push_back(circle_about(end_of(pieces[i]), step));
+    bounds.push_back(circle_about(start_of(next), step));
+  }
+  return bounds;
+}
+
+/// The part of a curve between two parameters.
+NurbsCurve part_of(const NurbsCurve& curve, double from, double to) {
+  NurbsCurve part = curve;
+  if (to < part.domain().end) part = split(part, to).first;
+  if (from > part.domain().start) part = split(part, from).second;
+  return part;
+}
+
+/// Without the parts that are nearer to a curve than the distance.
+class TrimmedOffset {
+ public:
+  TrimmedOffset(const NurbsCurve& curve, const NearSpace& space, const SideStep& step)
+      : curve_(curve), space_(space), step_(step) {}
+
+  /// @param others  curves at the same distance that are cut with, too: on the other side, and about ends
+  std::vector<BezierPieces> parts(const std::vector<BezierPieces>& runs, const std::vector<BezierPieces>& others) const {
+    std::vector<NurbsCurve> raw;
+    for (const BezierPieces& run : runs) raw.push_back(curve_of(run));
+    const std::size_t count = raw.size();
+    for (const BezierPieces& other : others) raw.push_back(curve_of(other));
+    std::vector<std::vector<double>> cuts(raw.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const CurveIntersection& place : self_intersections(raw[i]).places) cuts[i].insert(cuts[i].end(), {place.a, place.b});
+      for (std::size_t j = i + 1; j < raw.size(); ++j) {
+        for (const CurveIntersection& place : intersections(raw[i], raw[j]).places) {
+          cuts[i].push_back(place.a);
+          cuts[j].push_back(place.b);
+        }
+      }
+    }
+    std::vector<BezierPieces> kept;
+    for (std::size_t i = 0; i < count; ++i) keep(raw[i], std::move(cuts[i]), kept);
+    return joined_ends(std::move(kept));
+  }
+
+ private:
+  void keep(const NurbsCurve& raw, std::vector<double> cuts, std::vector<BezierPieces>& kept) const {
+    const Interval domain = raw.domain();
+    cuts.insert(cuts.end(), {domain.start, domain.end});
+    std::ranges::sort(cuts);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (cuts[i + 1] - cuts[i] <= kSame * domain.length()) continue;
+      if (!is_far_enough(raw, cuts[i], cuts[i + 1])) continue;
+      kept.push_back(to_bezier(part_of(raw, cuts[i], cuts[i + 1])));
+    }
+  }
+
+  bool is_far_enough(const NurbsCurve& raw, double from, double to) const {
+    for (const double s : {0.5, 0.25, 0.75}) {
+      const double u = from + s * (to - from);
+      glm::dvec3 point;
+      evaluate(raw, std::span(&u, 1), std::span(&point.x, 3));
+      point = space_.leave(point);
+      NearestOnCurve found;
+      nearest(curve_, std::span(&point, 1), std::span(&found, 1), 1);
+      if (found.distance / space_.length(1.0) < std::abs(step_.distance) - 2.0 * step_.tolerance) return false;
+    }
+    return true;
+  }
+
+  /// Parts that begin where others end put together.
+  std::vector<BezierPieces> joined_ends(std::vector<BezierPieces> parts) const {
+    const double near = std::max(step_.tolerance, 0x1p-30);
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (std::size_t i = 0; i < parts.size() && !is_changed; ++i) {
+        for (std::size_t j = 0; j < parts.size() && !is_changed; ++j) {
+          if (i == j || glm::distance(end_of(parts[i].back()), start_of(parts[j].front())) > near) continue;
+          parts[i].insert(parts[i].end(), parts[j].begin(), parts[j].end());
+          parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
+          is_changed = true;
+        }
+      }
+    }
+    return parts;
+  }
+
+  const NurbsCurve& curve_;
+  const NearSpace& space_;
+  const SideStep& step_;
+};
+
+void require_plane(const BezierPieces& pieces, const SideStep& step, const NearSpace& space) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const BezierCurve& piece : pieces) {
+    for (const glm::dvec4& p : piece.points()) {
+      if (p.w == 0.0) continue;
+      const double height = glm::dot(glm::dvec3(p), step.normal);
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  }
+  if (high - low > step.tolerance) {
+    throw InvalidShape("the curve is not in a plane with this normal: its points differ by " +
+                       std::to_string(space.length(high - low)) + " along it");
+  }
+}
+
+}  // namespace
+
+std::vector<NurbsCurve> offset(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
+  if (!std::isfinite(distance) || distance == 0.0) throw InvalidShape("the distance is zero or no number");
+  const double length = glm::length(options.normal);
+  if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or no vector of numbers");
+  if (options.tolerance && !(*options.tolerance > 0.0)) throw InvalidShape("the tolerance is not above 0");
+  const NearSpace space(curve.points());
+  const double unit = space.length(1.0);
+  constexpr double kOfSize = 0x1p-20;
+  const SideStep step{options.normal / length, distance / unit,
+                      std::max(options.tolerance ? *options.tolerance / unit : kOfSize, 0x1p-40)};
+  BezierPieces pieces;
+  for (const BezierCurve& piece : to_bezier(curve)) {
+    if (length_of(piece) > 0.0) pieces.push_back(in_space(piece, space));
+  }
+  require_plane(pieces, step, space);
+  std::vector<BezierPieces> runs = CurveOffset(pieces, step, options.corner).runs();
+  if (options.trimmed) runs = TrimmedOffset(curve, space, step).parts(runs, other_bounds(pieces, step));
+  if (runs.empty()) {
+    throw InvalidShape("nothing is left of the offset: the distance is larger than every radius of the curve");
+  }
+  std::vector<NurbsCurve> found;
+  for (const BezierPieces& run : runs) found.push_back(out_of_space(curve_of(run), space));
+  return found;
+}
+
+}  // namespace splinecore

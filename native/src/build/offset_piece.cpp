@@ -1,0 +1,165 @@
+#include "offset_piece.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/curve/evaluate.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// So much of a length of about 1 is rounding.
+constexpr double kRounding = 0x1p-44;
+
+/// The point and two derivatives.
+std::array<glm::dvec3, 3> derivatives_at(const BezierCurve& curve, double t) {
+  std::array<glm::dvec3, 3> found;
+  derivatives(curve.nurbs(), std::span(&t, 1), 2, std::span(&found[0].x, 9));
+  return found;
+}
+
+glm::dvec4 moved(const glm::dvec4& p, const glm::dvec3& by) { return {glm::dvec3(p) + by, p.w}; }
+
+/// A straight piece is moved as it is.
+std::optional<BezierCurve> moved_line(const BezierCurve& curve, const SideStep& step) {
+  const auto points = curve.points();
+  const glm::dvec3 chord = glm::dvec3(points.back()) - glm::dvec3(points.front());
+  const double length = glm::length(chord);
+  if (!(length > 0.0)) return {};
+  glm::dvec3 before = glm::dvec3(points.front());
+  for (const glm::dvec4& p : points) {
+    const glm::dvec3 from_start = glm::dvec3(p) - glm::dvec3(points.front());
+    const bool is_beside = glm::length(glm::cross(from_start, chord)) > kRounding * length;
+    if (!(p.w > 0.0) || is_beside || glm::dot(glm::dvec3(p) - before, chord) < 0.0) return {};
+    before = glm::dvec3(p);
+  }
+  const glm::dvec3 by = step.distance * glm::cross(step.normal, chord / length);
+  std::vector<glm::dvec4> made;
+  for (const glm::dvec4& p : points) made.push_back(moved(p, by));
+  return BezierCurve::make(std::move(made));
+}
+
+/// An arc of a circle is blown up from its centre. @returns its pieces, none if it is no arc
+std::optional<std::vector<BezierCurve>> scaled_arc(const BezierCurve& curve, const SideStep& step) {
+  constexpr int kPlaces = 7;
+  if (!curve.nurbs().rational()) return {};
+  glm::dvec3 centre(0.0);
+  double radius = 0.0;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const auto [point, first, second] = derivatives_at(curve, static_cast<double>(i) / kPlaces);
+    const double speed = glm::length(first);
+    const double turn = glm::dot(glm::cross(first, second), step.normal);
+    if (!(std::abs(turn) > 0.0)) return {};
+    const glm::dvec3 to_centre = speed * speed / turn * glm::cross(step.normal, first);
+    if (i == 0) {
+      centre = point + to_centre;
+      radius = glm::dot(to_centre, glm::cross(step.normal, first)) > 0.0 ? glm::length(to_centre) : -glm::length(to_centre);
+    }
+    if (glm::distance(point + to_centre, centre) > kRounding * (1.0 + std::abs(radius))) return {};
+  }
+  const double share = (radius - step.distance) / radius;
+  if (std::abs(share * radius) <= kRounding) return std::vector<BezierCurve>{};
+  std::vector<glm::dvec4> made;
+  for (const glm::dvec4& p : curve.points()) {
+    made.push_back(p.w == 0.0 ? glm::dvec4(share * glm::dvec3(p), 0.0) : glm::dvec4(centre + share * (glm::dvec3(p) - centre), p.w));
+  }
+  return std::vector{BezierCurve::make(std::move(made))};
+}
+
+class PieceOffset {
+ public:
+  PieceOffset(const BezierCurve& curve, const SideStep& step) : curve_(curve), step_(step) {}
+
+  std::vector<BezierCurve> made() {
+    std::vector<double> cuts{0.0};
+    constexpr int kLooks = 16;
+    for (int i = 0; i < kLooks; ++i) {
+      if (const auto cusp = cusp_between(i / static_cast<double>(kLooks), (i + 1) / static_cast<double>(kLooks))) cuts.push_back(*cusp);
+    }
+    cuts.push_back(1.0);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (cuts[i + 1] - cuts[i] > 0x1p-40) fit(cuts[i], cuts[i + 1], 0);
+    }
+    return std::move(made_);
+  }
+
+ private:
+  double stretch(double t) const { return offset_place(curve_, t, step_).stretch; }
+
+  std::optional<double> cusp_between(double low, double high) const {
+    const bool rises = stretch(low) < 0.0;
+    if (rises == (stretch(high) < 0.0)) return {};
+    constexpr int kHalvings = 60;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((stretch(middle) < 0.0) == rises ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  void fit(double from, double to, int depth) {
+    breathe(4096);
+    constexpr int kDeepest = 24;
+    const OffsetPlace a = offset_place(curve_, from, step_);
+    const OffsetPlace b = offset_place(curve_, to, step_);
+    const double third = (to - from) / 3.0;
+    const std::array<glm::dvec3, 4> p{a.moved, a.moved + third * a.slope, b.moved - third * b.slope, b.moved};
+    if (is_near(p, from, to)) {
+      std::vector<glm::dvec4> points;
+      for (const glm::dvec3& point : p) points.emplace_back(point, 1.0);
+      made_.push_back(BezierCurve::make(std::move(points)));
+      return;
+    }
+    if (depth >= kDeepest) throw InvalidShape("the offset does not come within the tolerance: it is too small");
+    const double middle = 0.5 * (from + to);
+    fit(from, middle, depth + 1);
+    fit(middle, to, depth + 1);
+  }
+
+  bool is_near(const std::array<glm::dvec3, 4>& p, double from, double to) const {
+    for (const double s : {0.125, 0.25, 0.5, 0.75, 0.875}) {
+      const double r = 1.0 - s;
+      const glm::dvec3 point = r * r * r * p[0] + 3.0 * s * r * (r * p[1] + s * p[2]) + s * s * s * p[3];
+      const OffsetPlace there = offset_place(curve_, from + s * (to - from), step_);
+      if (glm::distance(point, there.moved) > 0.5 * step_.tolerance) return false;
+    }
+    return true;
+  }
+
+  const BezierCurve& curve_;
+  const SideStep& step_;
+  std::vector<BezierCurve> made_;
+};
+
+}  // namespace
+
+OffsetPlace offset_place(const BezierCurve& curve, double t, const SideStep& step) {
+  const auto [point, first, second] = derivatives_at(curve, t);
+  const double speed = glm::length(first);
+  constexpr double kStill = 1e-10;
+  if (speed <= kStill * glm::length(second)) {
+    // It stands still at an end: the second derivative tells where it goes.
+    const double length = glm::length(second);
+    const glm::dvec3 tangent = length > 0.0 ? (t < 0.5 ? 1.0 : -1.0) / length * second : glm::dvec3(0.0);
+    return {point, tangent, point + step.distance * glm::cross(step.normal, tangent), first, 1.0};
+  }
+  const glm::dvec3 tangent = first / speed;
+  const double curvature = glm::dot(glm::cross(first, second), step.normal) / (speed * speed * speed);
+  const double stretch = 1.0 - step.distance * curvature;
+  return {point, tangent, point + step.distance * glm::cross(step.normal, tangent), stretch * first, stretch};
+}
+
+std::vector<BezierCurve> offset_piece(const BezierCurve& curve, const SideStep& step) {
+  if (const auto line = moved_line(curve, step)) return {*line};
+  if (const auto arc = scaled_arc(curve, step)) return *arc;
+  return PieceOffset(curve, step).made();
+}
+
+}  // namespace splinecore
