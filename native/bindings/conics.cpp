@@ -2,6 +2,7 @@
 #include "arrays.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
+#include "splinecore/conic/arcs.hpp"
 #include "splinecore/conic/conic_arc.hpp"
 #include "splinecore/conic/ellipse.hpp"
 #include "splinecore/conic/hermite_conic.hpp"
@@ -179,6 +180,23 @@ void bind_implicit_conic(py::module_& conics) {
 
 void bind_makers(py::module_& conics) {
   const auto up = py::make_tuple(0.0, 0.0, 1.0);
+  conics.def("arc_through", [](const py::object& start, const py::object& through, const py::object& end) {
+               return splinecore::arc_through(vector_of(start, "start"), vector_of(through, "through"), vector_of(end, "end"));
+             }, py::arg("start"), py::arg("through"), py::arg("end"),
+             "The arc of a circle from a point (3,) through another one to a third one, a NurbsCurve. InvalidShape if two\n"
+             "are one or all are on a line. Lecture row S10.");
+  conics.def("arc_from_tangent", [](const py::object& start, const py::object& tangent, const py::object& end) {
+               return splinecore::arc_from_tangent(vector_of(start, "start"), vector_of(tangent, "tangent"), vector_of(end, "end"));
+             }, py::arg("start"), py::arg("tangent"), py::arg("end"),
+             "The arc of a circle from a point (3,) in a direction (3,) to another point (3,), a NurbsCurve. InvalidShape if\n"
+             "the points are one, or the direction is zero or along the line of both. Lecture row S10.");
+  conics.def("arc_about", [](const py::object& centre, const py::object& start, const py::object& end, const py::object& normal) {
+               return splinecore::arc_about(vector_of(centre, "centre"), vector_of(start, "start"), vector_of(end, "end"),
+                                            vector_of(normal, "normal"));
+             }, py::arg("centre"), py::arg("start"), py::arg("end"), py::arg("normal") = up,
+             "The arc about a centre (3,) from a point (3,), counterclockwise seen against the normal (3,), to the direction of\n"
+             "another one (3,), a NurbsCurve; a whole circle where that is the same. InvalidShape if a point is the centre, or\n"
+             "the normal is zero or along the radius. Lecture row S10.");
   conics.def("circle", [](const py::object& centre, const py::object& radius, const py::object& normal, const py::object& form) {
                return splinecore::circle(vector_of(centre, "centre"), real(radius, "radius"), vector_of(normal, "normal"),
                                          form_of(form));

@@ -68,6 +68,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_approximate_patch(module);
   bindings::bind_drags(module);
   bindings::bind_primitives(module);
+  bindings::bind_fillets(module);
   bindings::bind_patch_joins(module);
   bindings::bind_formula(module);
   bindings::bind_from_formulas(module);

@@ -31,6 +31,7 @@ void bind_approximate(pybind11::module_& module);
 void bind_approximate_patch(pybind11::module_& module);
 void bind_drags(pybind11::module_& module);
 void bind_primitives(pybind11::module_& module);
+void bind_fillets(pybind11::module_& module);
 void bind_patch_joins(pybind11::module_& module);
 void bind_formula(pybind11::module_& module);
 void bind_from_formulas(pybind11::module_& module);

@@ -359,6 +359,11 @@ FUNCTIONS = {
     "build.ruled": lambda at: build.ruled(at.bezier, at.nurbs),
     "build.join_patches": lambda at: [build.join_patches(at.patch, "u_end", at.patch, "u_start", word)
                                       for word in ("C0", "G1", "C2")],
+    "conics.arc_about": lambda at: conics.arc_about(xyz(at, 0), xyz(at, 1), xyz(at, 0, 1)),
+    "conics.arc_from_tangent": lambda at: conics.arc_from_tangent(xyz(at, 0), (1, 0, 0), xyz(at, 1, 1)),
+    "conics.arc_through": lambda at: conics.arc_through(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1)),
+    "build.fillets": lambda at: build.fillets(sc.BezierCurve([xyz(at, -1), xyz(at, 1)]),
+                                              sc.BezierCurve([xyz(at, 0, -1), xyz(at, 0, 1)]), 0.25 * at.size),
     "conics.arc": lambda at: conics.arc(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1), 0.1, 2.0),
     "conics.as_hermite": lambda at: conics.as_hermite(conics.circle(xyz(at, 1), at.size), 1e-3 * at.size),
     "conics.by_foci": lambda at: conics.by_foci(xyz(at, 0), xyz(at, 1), 2 * at.size),

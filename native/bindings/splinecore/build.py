@@ -10,6 +10,7 @@ curve_from_formulas = _build.curve_from_formulas
 cylinder = _build.cylinder
 disc = _build.disc
 extrude = _build.extrude
+fillets = _build.fillets
 join_beziers = _build.join_beziers
 join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
@@ -33,6 +34,7 @@ __all__ = [
     "cylinder",
     "disc",
     "extrude",
+    "fillets",
     "join_beziers",
     "join_patches",
     "kochanek_bartels",

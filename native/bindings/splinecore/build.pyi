@@ -1,6 +1,6 @@
 """Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20, S21)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Literal
 
 import numpy as np
@@ -28,6 +28,7 @@ __all__ = [
     "cylinder",
     "disc",
     "extrude",
+    "fillets",
     "join_beziers",
     "join_patches",
     "kochanek_bartels",
@@ -152,6 +153,9 @@ def revolve(
     sweep: float | None = None,
 ) -> NurbsPatch: ...
 def extrude(curve: _Curve, vector: ArrayLike) -> NurbsPatch: ...
+def fillets(
+    a: _Curve, b: _Curve, radius: float, normal: ArrayLike = (0, 0, 1), *, cancel: Callable[[], object] | None = None
+) -> list[tuple[NurbsCurve, float, float, bool, bool]]: ...
 def ruled(a: _Curve, b: _Curve) -> NurbsPatch: ...
 def join_patches(
     first: _Patch,

@@ -4,6 +4,9 @@ from ._splinecore import conics as _conics
 
 ImplicitConic = _conics.ImplicitConic
 arc = _conics.arc
+arc_about = _conics.arc_about
+arc_from_tangent = _conics.arc_from_tangent
+arc_through = _conics.arc_through
 as_hermite = _conics.as_hermite
 by_foci = _conics.by_foci
 circle = _conics.circle
@@ -19,6 +22,9 @@ through_points = _conics.through_points
 __all__ = [
     "ImplicitConic",
     "arc",
+    "arc_about",
+    "arc_from_tangent",
+    "arc_through",
     "as_hermite",
     "by_foci",
     "circle",

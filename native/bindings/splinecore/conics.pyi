@@ -10,6 +10,9 @@ from . import Approximation, BezierCurve, HermiteCurve, NurbsCurve
 __all__ = [
     "ImplicitConic",
     "arc",
+    "arc_about",
+    "arc_from_tangent",
+    "arc_through",
     "as_hermite",
     "by_foci",
     "circle",
@@ -95,6 +98,11 @@ def arc(
     sweep: float,
     span_count: SupportsIndex = 0,
 ) -> NurbsCurve: ...
+def arc_about(
+    centre: ArrayLike, start: ArrayLike, end: ArrayLike, normal: ArrayLike = (0, 0, 1)
+) -> NurbsCurve: ...
+def arc_from_tangent(start: ArrayLike, tangent: ArrayLike, end: ArrayLike) -> NurbsCurve: ...
+def arc_through(start: ArrayLike, through: ArrayLike, end: ArrayLike) -> NurbsCurve: ...
 def as_hermite(curve: BezierCurve | NurbsCurve, tolerance: float) -> Approximation[HermiteCurve]: ...
 def by_foci(
     focus_1: ArrayLike, focus_2: ArrayLike, distance: float, normal: ArrayLike = (0, 0, 1)

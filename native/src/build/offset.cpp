@@ -1,5 +1,3 @@
-#include "splinecore/build/offset.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "meet/near_space.hpp"
+#include "offset_parts.hpp"
 #include "offset_piece.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/build/join.hpp"
@@ -264,7 +263,7 @@ void require_plane(const BezierPieces& pieces, const SideStep& step, const NearS
 
 }  // namespace
 
-std::vector<NurbsCurve> offset(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
+std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
   if (!std::isfinite(distance) || distance == 0.0) throw InvalidShape("the distance is zero or no number");
   const double length = glm::length(options.normal);
   if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or no vector of numbers");
@@ -281,11 +280,16 @@ std::vector<NurbsCurve> offset(const NurbsCurve& curve, double distance, const O
   require_plane(pieces, step, space);
   std::vector<BezierPieces> runs = CurveOffset(pieces, step, options.corner).runs();
   if (options.trimmed) runs = TrimmedOffset(curve, space, step).parts(runs, other_bounds(pieces, step));
-  if (runs.empty()) {
-    throw InvalidShape("nothing is left of the offset: the distance is larger than every radius of the curve");
-  }
   std::vector<NurbsCurve> found;
   for (const BezierPieces& run : runs) found.push_back(out_of_space(curve_of(run), space));
+  return found;
+}
+
+std::vector<NurbsCurve> offset(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
+  std::vector<NurbsCurve> found = offset_parts(curve, distance, options);
+  if (found.empty()) {
+    throw InvalidShape("nothing is left of the offset: the distance is larger than every radius of the curve");
+  }
   return found;
 }
 

@@ -1,0 +1,38 @@
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "rooms.hpp"
+#include "splinecore/build/fillet.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::Fillet;
+using splinecore::NurbsCurve;
+
+void bind_fillets(py::module_& module) {
+  py::module_ build = module.attr("build");
+  build.def("fillets", [](const py::object& a, const py::object& b, const py::object& radius, const py::object& normal,
+                          const py::object& cancel) {
+              const NurbsCurve& first = any_curve(a, "a");
+              const NurbsCurve& second = any_curve(b, "b");
+              const double of = real(radius, "radius");
+              const glm::dvec3 up = vector_of(normal, "normal");
+              py::list found;
+              for (const Fillet& one : unlocked([&] { return splinecore::fillets(first, second, of, up); }, cancel)) {
+                found.append(py::make_tuple(one.arc, one.a, one.b, one.goes_on_a, one.goes_on_b));
+              }
+              return found;
+            }, py::arg("a"), py::arg("b"), py::arg("radius"), py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0),
+            py::kw_only(), py::arg("cancel") = py::none(),
+            "All arcs of circles with a radius that touch two curves of any kinds in one plane, in the order of the\n"
+            "parameters of a: a list of (arc, a, b, goes_on_a, goes_on_b). arc is a NurbsCurve from a to b, no longer than\n"
+            "half a turn; a and b are the parameters at which it touches them; goes_on_a is whether a runs into the arc\n"
+            "there rather than away from it, goes_on_b whether the arc runs along b rather than against it.\n\n"
+            "Centres are where the offsets of both curves cross, to either side, by Newton's method to rounding. Corners\n"
+            "of the curves are touched by nothing. Lecture row S18. InvalidShape if the radius is not above 0, the normal\n"
+            "(3,) is zero, or the curves are not in a plane with it.");
+}
+
+}  // namespace bindings

@@ -1,0 +1,129 @@
+#include "splinecore/build/fillet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <span>
+
+#include "offset_parts.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/conic/arcs.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/meet/intersections.hpp"
+#include "splinecore/meet/nearest.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A place of a curve, the unit tangent, the point beside it, and how that goes by the parameter.
+struct BesidePlace {
+  glm::dvec3 point;
+  glm::dvec3 tangent;
+  glm::dvec3 centre;
+  glm::dvec3 slope;
+};
+
+/// Two curves, and on which side of each the centre is.
+class TouchingCircle {
+ public:
+  TouchingCircle(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides)
+      : a_(a), b_(b), normal_(normal), sides_(sides) {}
+
+  /// Newton's method for where the points beside both curves are one.
+  std::optional<Fillet> near(double u, double v) const {
+    constexpr int kMost = 40;
+    const std::array<Interval, 2> domains{a_.domain(), b_.domain()};
+    std::array<double, 2> before{domains[0].length(), domains[1].length()};
+    for (int round = 0; round < kMost; ++round) {
+      breathe(1024);
+      const BesidePlace on_a = place(a_, u, sides_[0]);
+      const BesidePlace on_b = place(b_, v, sides_[1]);
+      const glm::dvec3 gap = on_b.centre - on_a.centre;
+      const double area = glm::dot(glm::cross(on_a.slope, on_b.slope), normal_);
+      if (!(std::abs(area) > 0.0)) return {};
+      const double next_u = std::clamp(u + glm::dot(glm::cross(gap, on_b.slope), normal_) / area, domains[0].start, domains[0].end);
+      const double next_v = std::clamp(v + glm::dot(glm::cross(gap, on_a.slope), normal_) / area, domains[1].start, domains[1].end);
+      const std::array<double, 2> steps{std::abs(next_u - u), std::abs(next_v - v)};
+      u = next_u;
+      v = next_v;
+      constexpr double kStill = 0x1p-50;
+      const bool is_still = steps[0] <= kStill * domains[0].length() && steps[1] <= kStill * domains[1].length();
+      const bool is_noise = round > 4 && steps[0] >= before[0] && steps[1] >= before[1];
+      if (is_still || is_noise) return fillet(u, v);
+      before = steps;
+    }
+    return {};
+  }
+
+ private:
+  BesidePlace place(const NurbsCurve& curve, double u, double side) const {
+    std::array<glm::dvec3, 3> d;
+    derivatives(curve, std::span(&u, 1), 2, std::span(&d[0].x, 9));
+    const double speed = glm::length(d[1]);
+    const glm::dvec3 tangent = d[1] / speed;
+    const double curvature = glm::dot(glm::cross(tangent, d[2] / speed), normal_) / speed;
+    return {d[0], tangent, d[0] + side * glm::cross(normal_, tangent), (1.0 - side * curvature) * d[1]};
+  }
+
+  std::optional<Fillet> fillet(double u, double v) const {
+    constexpr double kOff = 1e-9;
+    const BesidePlace on_a = place(a_, u, sides_[0]);
+    const BesidePlace on_b = place(b_, v, sides_[1]);
+    const double radius = std::abs(sides_[0]);
+    const glm::dvec3 centre = 0.5 * (on_a.centre + on_b.centre);
+    if (!(glm::distance(on_a.centre, on_b.centre) <= kOff * radius)) return {};
+    if (!(glm::distance(on_a.point, on_b.point) > kOff * radius)) return {};
+    const glm::dvec3 from = on_a.point - centre;
+    const glm::dvec3 to = on_b.point - centre;
+    const double turn = glm::dot(glm::cross(from / radius, to / radius), normal_) < 0.0 ? -1.0 : 1.0;
+    const glm::dvec3 start = turn * glm::cross(normal_, from);
+    const glm::dvec3 end = turn * glm::cross(normal_, to);
+    return Fillet{arc_about(centre, on_a.point, on_b.point, turn * normal_), u, v, centre,
+                  glm::dot(start, on_a.tangent) > 0.0, glm::dot(end, on_b.tangent) > 0.0};
+  }
+
+  const NurbsCurve& a_;
+  const NurbsCurve& b_;
+  glm::dvec3 normal_;
+  std::array<double, 2> sides_;
+};
+
+double parameter_near(const NurbsCurve& curve, const glm::dvec3& point) {
+  NearestOnCurve found;
+  nearest(curve, std::span(&point, 1), std::span(&found, 1), 1);
+  return found.parameter;
+}
+
+}  // namespace
+
+std::vector<Fillet> fillets(const NurbsCurve& a, const NurbsCurve& b, double radius, const glm::dvec3& normal) {
+  if (!(radius > 0.0) || !std::isfinite(radius)) throw InvalidShape("the radius is not above 0");
+  const double length = glm::length(normal);
+  if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or no vector of numbers");
+  const glm::dvec3 up = normal / length;
+  OffsetOptions beside;
+  beside.normal = up;
+  std::vector<Fillet> found;
+  for (const double side_a : {radius, -radius}) {
+    for (const double side_b : {radius, -radius}) {
+      const TouchingCircle circle(a, b, up, {side_a, side_b});
+      for (const NurbsCurve& of_a : offset_parts(a, side_a, beside)) {
+        for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
+          for (const CurveIntersection& place : intersections(of_a, of_b).places) {
+            const auto made = circle.near(parameter_near(a, place.point), parameter_near(b, place.point));
+            const auto is_made = [&](const Fillet& other) { return glm::distance(other.centre, made->centre) <= 1e-9 * radius; };
+            if (made && std::ranges::none_of(found, is_made)) found.push_back(*made);
+          }
+        }
+      }
+    }
+  }
+  std::ranges::sort(found, {}, [](const Fillet& fillet) { return std::pair(fillet.a, fillet.b); });
+  return found;
+}
+
+}  // namespace splinecore
