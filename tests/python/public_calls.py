@@ -72,7 +72,7 @@ CURVE = {
     "signed_curvature": lambda one, at: one.signed_curvature(inside(one.domain), (0, 0, 1)),
     "intersections": lambda one, at: one.intersections(at.bezier),
     "self_intersections": lambda one, at: one.self_intersections(),
-    "offset": lambda one, at: one.offset(0.1 * at.size),
+    "offset": lambda one, at: one.offset(0.1 * at.size, tolerance=10 * at.size),
     "patch_intersections": lambda one, at: one.patch_intersections(at.patch),
     "plane_intersections": lambda one, at: one.plane_intersections(xyz(at, 0.3), (1, 2, 3)),
     "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
