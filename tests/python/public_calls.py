@@ -362,6 +362,7 @@ FUNCTIONS = {
     "conics.arc_about": lambda at: conics.arc_about(xyz(at, 0), xyz(at, 1), xyz(at, 0, 1)),
     "conics.arc_from_tangent": lambda at: conics.arc_from_tangent(xyz(at, 0), (1, 0, 0), xyz(at, 1, 1)),
     "conics.arc_through": lambda at: conics.arc_through(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1)),
+    "build.blend": lambda at: build.blend(at.bezier, sc.BezierCurve([xyz(at, 5), xyz(at, 6, 1)])),
     "build.fillets": lambda at: build.fillets(sc.BezierCurve([xyz(at, -1), xyz(at, 1)]),
                                               sc.BezierCurve([xyz(at, 0, -1), xyz(at, 0, 1)]), 0.25 * at.size),
     "conics.arc": lambda at: conics.arc(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1), 0.1, 2.0),

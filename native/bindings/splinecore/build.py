@@ -2,6 +2,7 @@
 
 from ._splinecore import build as _build
 
+blend = _build.blend
 c2_pair = _build.c2_pair
 catmull_rom = _build.catmull_rom
 chain_from_polygon = _build.chain_from_polygon
@@ -26,6 +27,7 @@ sphere = _build.sphere
 torus = _build.torus
 
 __all__ = [
+    "blend",
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",

@@ -1,7 +1,7 @@
 """Curves and patches from points, curves and formulas (lecture rows S1, S3, S5, S7, S8, S20, S21)."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Literal
+from typing import Literal, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,6 +20,7 @@ from . import (
 )
 
 __all__ = [
+    "blend",
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",
@@ -79,6 +80,15 @@ def polygon_of_chain(
 def join_beziers(
     curves: Sequence[BezierCurve], parameters: ArrayLike | None = None, tolerance: float = 0.0
 ) -> NurbsCurve: ...
+def blend(
+    a: _Curve,
+    b: _Curve,
+    continuity: SupportsIndex = 2,
+    *,
+    end_a: Literal["start", "end"] = "end",
+    end_b: Literal["start", "end"] = "start",
+    strengths: ArrayLike = (1.0, 1.0),
+) -> BezierCurve: ...
 def c2_pair(
     q0: ArrayLike,
     q1: ArrayLike,
