@@ -1,6 +1,7 @@
 #include "curve_part.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -8,6 +9,7 @@
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
+#include "hull_extent.hpp"
 
 namespace splinecore {
 
@@ -24,23 +26,6 @@ glm::dvec3 across(const glm::dvec3& unit) {
                           : steps.y <= steps.z                     ? glm::dvec3(0, 1, 0)
                                                                    : glm::dvec3(0, 0, 1);
   return glm::normalize(glm::cross(unit, axis));
-}
-
-Interval extent_along(const CurvePart& part, const glm::dvec3& axis, const glm::dvec3& origin) {
-  Interval extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const glm::dvec3& p : part.points) {
-    const double at = glm::dot(p - origin, axis);
-    extent.start = std::min(extent.start, at);
-    extent.end = std::max(extent.end, at);
-  }
-  return extent;
-}
-
-bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& axis, double distance) {
-  const glm::dvec3& origin = a.points.front();
-  const Interval of_a = extent_along(a, axis, origin);
-  const Interval of_b = extent_along(b, axis, origin);
-  return of_a.start - of_b.end > distance || of_b.start - of_a.end > distance;
 }
 
 }  // namespace
@@ -78,20 +63,16 @@ std::pair<CurvePart, CurvePart> CurvePart::halves() const {
 
 bool are_apart(const CurvePart& a, const CurvePart& b, double distance) {
   if (!a.is_boxed || !b.is_boxed) return false;
-  for (const glm::dvec3& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
-    if (are_apart_along(a, b, axis, distance)) return true;
-  }
+  if (are_boxes_apart(a.points, b.points, distance)) return true;
   // What lies beside each other along a slope is told apart by axes along and across it.
-  for (const CurvePart* part : {&a, &b}) {
-    if (are_apart_along(a, b, part->along, distance)) return true;
-    const glm::dvec3 offset = b.points.front() - a.points.front();
+  const glm::dvec3 offset = b.points.front() - a.points.front();
+  return std::ranges::any_of(std::array{&a, &b}, [&](const CurvePart* part) {
     const glm::dvec3 beside = offset - glm::dot(offset, part->along) * part->along;
     const double length = glm::length(beside);
     const glm::dvec3 one = length > 0.0 ? beside / length : across(part->along);
-    if (are_apart_along(a, b, one, distance)) return true;
-    if (are_apart_along(a, b, glm::cross(part->along, one), distance)) return true;
-  }
-  return false;
+    const std::array<glm::dvec3, 3> axes{part->along, one, glm::cross(part->along, one)};
+    return are_apart_along(a.points, b.points, axes, distance);
+  });
 }
 
 bool do_tangents_differ(const CurvePart& a, const CurvePart& b) {

@@ -57,13 +57,13 @@ class SectionSearch {
     constexpr double kOfTolerance = 0x1p-4;  // a loop ten tolerances wide is told from a point
     const PatchPairFindings pairs = find_pairs(patches(), std::max(kOfTolerance * tolerance_, kSmallest),
                                                kRounding + 2.0 * space_.rounding());
-    for (const PatchPairSpot& pair : pairs.touching) touch(pair);
-    for (const PatchPairSpot& pair : pairs.crossing) trace(pair);
+    for (const PatchSpots& middle : pairs.touching) touch(middle);
+    for (const PatchSpots& middle : pairs.crossing) trace(middle);
     Sections found;
     for (const SectionTrace& trace : traces_) {
       if (length_of(trace) > tolerance_) found.curves.push_back(section_curve(trace, patches(), space_));
     }
-    for (const glm::dvec3& point : touching_) add_lonely(point, found);
+    for (const SectionTouch& touch : near_touches_) add_lonely(touch, found);
     return found;
   }
 
@@ -83,8 +83,8 @@ class SectionSearch {
     return length;
   }
 
-  void trace(const PatchPairSpot& pair) {
-    const std::optional<SectionPlace> seed = seed_near(pair.middle);
+  void trace(const PatchSpots& middle) {
+    const std::optional<SectionPlace> seed = seed_near(middle);
     if (!seed || is_traced(*seed)) return;
     traces_.push_back(traced(patches(), *seed, {touches_, 0.5 * tolerance_}));
     const std::vector<SectionPlace>& places = traces_.back().places;
@@ -115,8 +115,8 @@ class SectionSearch {
     // Nothing is to be told of what lies so near to a place where the patches touch, or to a pole.
     constexpr double kNear = 0x1p-14;
     const double near = std::max(kNear, 16.0 * tolerance_);
-    const auto is_near = [&](const glm::dvec3& touch) { return glm::distance(touch, seed.point) <= near; };
-    if (std::ranges::any_of(touching_, is_near)) return true;
+    const auto is_near = [&](const SectionTouch& touch) { return glm::distance(touch.point, seed.point) <= near; };
+    if (std::ranges::any_of(near_touches_, is_near)) return true;
     for (const PatchSpot& in_a : twins_of(a_, seed.at.a)) {
       for (const PatchSpot& in_b : twins_of(b_, seed.at.b)) {
         const auto steps = steps_.find({in_a.piece, in_b.piece});
@@ -150,28 +150,27 @@ class SectionSearch {
   }
 
   /// Notes where patches touch in parts, or may do: at a pole nothing tells where normals are parallel.
-  void touch(const PatchPairSpot& pair) {
-    std::optional<PatchSpots> at = touch_near(patches(), pair.middle);
+  void touch(const PatchSpots& middle) {
+    std::optional<PatchSpots> at = touch_near(patches(), middle);
     const bool is_exact = at && enters(*at);
-    if (!is_exact) at = pair.middle;
+    if (!is_exact) at = middle;
     const PatchMeeting there = meeting_at(patches(), *at);
     constexpr double kNoGap = 0x1p-40;
     if (there.distance() > (is_exact ? kNoGap + 0.01 * tolerance_ * tolerance_ : tolerance_)) return;
     const glm::dvec3 point = there.a.point + 0.5 * there.b.offset;
-    const auto is_here = [&](const glm::dvec3& p) { return glm::distance(p, point) <= tolerance_; };
-    const auto known = std::ranges::find_if(touching_, is_here);
-    if (known == touching_.end()) {
-      touching_.push_back(point);
-      spots_.push_back(*at);
+    const auto is_here = [&](const SectionTouch& other) { return glm::distance(other.point, point) <= tolerance_; };
+    const auto known = std::ranges::find_if(near_touches_, is_here);
+    if (known == near_touches_.end()) {
+      near_touches_.push_back({*at, point});
     } else if (is_exact) {
-      *known = point;
+      *known = {*at, point};
     }
     if (!is_exact) return;
     for (const PatchSpot& in_a : twins_of(a_, at->a)) {
       for (const PatchSpot& in_b : twins_of(b_, at->b)) {
         const PatchSpots twin{in_a, in_b};
         const auto is_this = [&](const SectionTouch& other) {
-          return other.at.a.piece == in_a.piece && other.at.b.piece == in_b.piece && is_here(other.point);
+          return other.at.a.piece == in_a.piece && other.at.b.piece == in_b.piece && is_here(other);
         };
         if (std::ranges::none_of(touches_, is_this)) touches_.push_back({twin, point});
       }
@@ -179,26 +178,26 @@ class SectionSearch {
   }
 
   /// A place where the patches touch, if no curve ends there.
-  void add_lonely(const glm::dvec3& point, Sections& found) const {
-    const auto is_here = [&](const SectionPlace& place) { return glm::distance(place.point, point) <= 4.0 * tolerance_; };
+  void add_lonely(const SectionTouch& touch, Sections& found) const {
+    const auto is_here = [&](const SectionPlace& place) {
+      return glm::distance(place.point, touch.point) <= 4.0 * tolerance_;
+    };
     const bool is_on_curve = std::ranges::any_of(traces_, [&](const SectionTrace& trace) {
       return std::ranges::any_of(trace.places, is_here);
     });
     if (is_on_curve) return;
-    const PatchSpots& at = spots_[static_cast<std::size_t>(&point - touching_.data())];
-    const glm::dvec3 out = space_.leave(point);
+    const glm::dvec3 out = space_.leave(touch.point);
     const double near = 4.0 * space_.length(tolerance_);
     if (std::ranges::any_of(found.points, [&](const SectionPoint& p) { return distance_of(p.point, out) <= near; })) return;
-    found.points.push_back({a_.parameters(at.a), b_.parameters(at.b), out});
+    found.points.push_back({a_.parameters(touch.at.a), b_.parameters(touch.at.b), out});
   }
 
   NearSpace space_;
   PatchPieces a_;
   PatchPieces b_;
   double tolerance_;
-  std::vector<glm::dvec3> touching_;   ///< points where the patches touch, or a pole is
-  std::vector<PatchSpots> spots_;      ///< the same
-  std::vector<SectionTouch> touches_;  ///< those at which normals are parallel, in every piece
+  std::vector<SectionTouch> near_touches_;  ///< where the patches touch, or a pole is
+  std::vector<SectionTouch> touches_;       ///< where normals are parallel, in every piece
   std::vector<SectionTrace> traces_;
   std::map<std::array<std::size_t, 2>, std::vector<StepOfTrace>> steps_;
 };

@@ -57,11 +57,15 @@ FourByFour gap_rows(const PatchMeeting& at) {
   return rows;
 }
 
-bool is_far_out(const PatchSpots& at) {
+/// @returns the largest step, none if it leads too far out
+std::optional<double> advance(PatchSpots& at, const Four& steps) {
+  double most = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!(at[i] >= -kBeyond && at[i] <= 1.0 + kBeyond)) return true;
+    at[i] += steps[i];
+    most = std::max(most, std::abs(steps[i]));
+    if (!(at[i] >= -kBeyond && at[i] <= 1.0 + kBeyond)) return {};
   }
-  return false;
+  return most;
 }
 
 /// Newton's method with a fourth equation: its row, and how far it is from being satisfied. Where normals are nearly
@@ -80,14 +84,10 @@ std::optional<PatchSpots> newton(const TwoPatches& patches, PatchSpots at, Fourt
     rows[3] = row;
     const std::optional<Four> steps = solved(rows, {-gap.x, -gap.y, -gap.z, -off});
     if (!steps) return {};
-    double most = 0.0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      at[i] += (*steps)[i];
-      most = std::max(most, std::abs((*steps)[i]));
-    }
-    if (is_far_out(at)) return {};
-    if (most <= kStill || (most >= 0.25 * before && glm::length(gap) <= kNoGap)) return at;
-    before = most;
+    const std::optional<double> most = advance(at, *steps);
+    if (!most) return {};
+    if (*most <= kStill || (*most >= 0.25 * before && glm::length(gap) <= kNoGap)) return at;
+    before = *most;
   }
   return {};
 }
@@ -164,13 +164,9 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
     for (std::size_t i = 0; i < 4; ++i) normal[i][i] *= 1.0 + 0x1p-30;
     const std::optional<Four> steps = solved(normal, right);
     if (!steps) return {};
-    double most = 0.0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      at[i] += (*steps)[i];
-      most = std::max(most, std::abs((*steps)[i]));
-    }
-    if (is_far_out(at)) return {};
-    if (most <= kStill) return at;
+    const std::optional<double> most = advance(at, *steps);
+    if (!most) return {};
+    if (*most <= kStill) return at;
   }
   return {};
 }

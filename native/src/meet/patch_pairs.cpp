@@ -49,8 +49,8 @@ class PatchPairSearch {
     halves_a ? pair(second, b) : pair(a, second);
   }
 
-  static void add(std::vector<PatchPairSpot>& to, const PatchPart& a, const PatchPart& b) {
-    to.push_back({{{a.piece, a.middle()}, {b.piece, b.middle()}}, std::max(a.largest_size(), b.largest_size())});
+  static void add(std::vector<PatchSpots>& to, const PatchPart& a, const PatchPart& b) {
+    to.push_back({{a.piece, a.middle()}, {b.piece, b.middle()}});
   }
 
   [[noreturn]] void refuse() const {

@@ -8,16 +8,10 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// The middles of parts of two pieces, and how large these are.
-struct PatchPairSpot {
-  PatchSpots middle;
-  double size;
-};
-
-/// What two patches have of pairs of parts that are not known to be apart.
+/// Of pairs of parts that are not known to be apart the middles.
 struct PatchPairFindings {
-  std::vector<PatchPairSpot> crossing;  ///< whose normals differ, so that they meet in one line at most
-  std::vector<PatchPairSpot> touching;  ///< as small as is asked, whose normals do not
+  std::vector<PatchSpots> crossing;  ///< whose normals differ, so that they meet in one line at most
+  std::vector<PatchSpots> touching;  ///< as small as is asked, whose normals do not
 };
 
 /// @param smallest  parts of that size are not halved

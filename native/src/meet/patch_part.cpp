@@ -9,6 +9,7 @@
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
+#include "hull_extent.hpp"
 
 namespace splinecore {
 
@@ -65,35 +66,10 @@ double size_along(const BernsteinNet<glm::dvec4>& net, HullPoints points, Axis a
   return most;
 }
 
-Interval extent_along(HullPoints points, const glm::dvec3& axis, const glm::dvec3& origin) {
-  Interval extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const glm::dvec3& p : points) {
-    const double at = glm::dot(p - origin, axis);
-    extent.start = std::min(extent.start, at);
-    extent.end = std::max(extent.end, at);
-  }
-  return extent;
-}
-
-bool are_apart_along(HullPoints a, HullPoints b, const glm::dvec3& axis, double distance) {
-  const Interval of_a = extent_along(a, axis, a.front());
-  const Interval of_b = extent_along(b, axis, a.front());
-  return of_a.start - of_b.end > distance || of_b.start - of_a.end > distance;
-}
-
-bool are_apart_along_any(HullPoints a, HullPoints b, std::span<const glm::dvec3> axes, double distance) {
-  return std::ranges::any_of(axes, [&](const glm::dvec3& axis) { return are_apart_along(a, b, axis, distance); });
-}
-
 /// A vector made a unit one; zero is told apart by nothing.
 glm::dvec3 unit(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0.0 ? v / length : v;
-}
-
-bool are_boxes_apart(HullPoints a, HullPoints b, double distance) {
-  const std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
-  return are_apart_along_any(a, b, axes, distance);
 }
 
 constexpr double kMargin = 1.25;
@@ -146,7 +122,7 @@ bool are_apart(const PatchPart& a, const PatchPart& b, double distance) {
   const glm::dvec3& of_b = b.normals().along;
   const glm::dvec3 along = unit(glm::cross(of_a, of_b));
   const std::array<glm::dvec3, 5> axes{of_a, of_b, along, unit(glm::cross(of_a, along)), unit(glm::cross(of_b, along))};
-  return are_apart_along_any(a.points, b.points, axes, distance);
+  return are_apart_along(a.points, b.points, axes, distance);
 }
 
 bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
@@ -155,7 +131,7 @@ bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
   const glm::dvec3& normal = b.normals().along;
   const glm::dvec3 beside = unit(glm::cross(a.along, normal));
   const std::array<glm::dvec3, 4> axes{normal, beside, unit(glm::cross(a.along, beside)), unit(glm::cross(normal, beside))};
-  return are_apart_along_any(a.points, b.points, axes, distance);
+  return are_apart_along(a.points, b.points, axes, distance);
 }
 
 bool do_normals_differ(const PatchPart& a, const PatchPart& b) {
