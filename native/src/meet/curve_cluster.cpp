@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "zero_between.hpp"
+
 namespace splinecore {
 
 namespace {
@@ -15,25 +17,15 @@ Interval along_b(const CurveStretch& s) { return {place_b(s, s.b.start), place_b
 
 Interval joined(const Interval& a, const Interval& b) { return {std::min(a.start, b.start), std::max(a.end, b.end)}; }
 
-/// Whether places of a curve are next to each other, and not farther apart than that.
-bool are_beside(const CurvePieces& curve, const Interval& a, const Interval& b, double tolerance) {
-  const double before = std::min(a.end, b.end);
-  const double behind = std::max(a.start, b.start);
-  if (behind <= before) return true;
-  constexpr double kNext = 0.5;  // of a piece
-  if (behind - before > kNext) return false;
-  return glm::length(curve.at(curve.spot(behind), curve.at(curve.spot(before)).point).offset) <= tolerance;
-}
-
 Interval moved(const Interval& in, double by) { return {in.start + by, in.end + by}; }
 
 /// How many places further a stretch lies beside another one; on a closed curve it may be a turn further.
 std::optional<double> turn_beside(const CurvePieces& curve, const Interval& in, const Interval& stretch, double tolerance) {
-  if (are_beside(curve, in, stretch, tolerance)) return 0.0;
+  if (curve.are_beside(in, stretch, tolerance)) return 0.0;
   if (!curve.is_closed()) return {};
   const auto turn = static_cast<double>(curve.size());
   for (const double turns : {1.0, -1.0, 2.0}) {
-    if (are_beside(curve, in, moved(stretch, turns * turn), tolerance)) return turns * turn;
+    if (curve.are_beside(in, moved(stretch, turns * turn), tolerance)) return turns * turn;
   }
   return {};
 }
@@ -62,15 +54,6 @@ Crossing crossing_at(const TwoCurves& curves, const SpotPair& at) {
           curvature_vector(b.first[0], b.second[0]) - curvature_vector(a.first[0], a.second[0])};
 }
 
-/// Between two places where a vector has opposite directions the one where it is zero, by halving.
-template <class Vector>
-double zero_between(Interval in, Vector vector) {
-  const glm::dvec3 way = vector(in.end) - vector(in.start);
-  constexpr int kHalvings = 60;
-  for (int i = 0; i < kHalvings; ++i) (glm::dot(vector(in.middle()), way) < 0.0 ? in.start : in.end) = in.middle();
-  return in.middle();
-}
-
 /// A cluster with all of others that it reaches, which are taken out of them.
 CurveCluster merged(const TwoCurves& curves, CurveCluster cluster, std::vector<CurveCluster>& others, double tolerance) {
   std::vector<CurveCluster> rest;
@@ -89,14 +72,14 @@ CurveCluster merged(const TwoCurves& curves, CurveCluster cluster, std::vector<C
 /// Of a closed first curve those that go on from its end to its start put together.
 std::vector<CurveCluster> merged_at_seam(const TwoCurves& curves, std::vector<CurveCluster> clusters, double tolerance) {
   const auto end = static_cast<double>(curves.a.size());
-  const auto is_at_start = [&](const CurveCluster& c) { return are_beside(curves.a, c.a(), {0.0, 0.0}, tolerance); };
+  const auto is_at_start = [&](const CurveCluster& c) { return curves.a.are_beside(c.a(), {0.0, 0.0}, tolerance); };
   const auto inner = std::partition(clusters.begin(), clusters.end(), is_at_start);
   std::vector<CurveCluster> found(std::make_move_iterator(inner), std::make_move_iterator(clusters.end()));
   clusters.erase(inner, clusters.end());
   std::ranges::sort(found, {}, [](const CurveCluster& c) { return -c.a().end; });
   for (CurveCluster& cluster : clusters) {
     const auto goes_on = [&](const CurveCluster& c) {
-      return are_beside(curves.a, c.a(), {end, end}, tolerance) &&
+      return curves.a.are_beside(c.a(), {end, end}, tolerance) &&
              c.reaches(curves, cluster.a(), cluster.b(), tolerance).has_value();
     };
     const auto before = std::ranges::find_if(found, goes_on);
@@ -150,7 +133,7 @@ std::vector<CurveCluster> clusters_of(const TwoCurves& curves, std::vector<Curve
   std::vector<CurveCluster> open;
   for (const CurveStretch& stretch : stretches) {
     const auto behind = std::partition(open.begin(), open.end(), [&](const CurveCluster& cluster) {
-      return are_beside(curves.a, cluster.a(), along_a(stretch), tolerance);
+      return curves.a.are_beside(cluster.a(), along_a(stretch), tolerance);
     });
     std::move(behind, open.end(), std::back_inserter(done));
     open.erase(behind, open.end());

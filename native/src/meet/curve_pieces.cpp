@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "boxed_pieces.hpp"
 #include "piece_side.hpp"
@@ -23,7 +24,7 @@ CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)
   tree_.emplace(boxes);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec4& next = pieces_[(i + 1) % count].values.front();
-    goes_on_.push_back(are_one(pieces_[i].values.back(), next, space.rounding()));
+    goes_on_.push_back(splinecore::are_one(pieces_[i].values.back(), next, space.rounding()));
   }
 }
 
@@ -38,6 +39,22 @@ std::optional<std::size_t> CurvePieces::before(std::size_t i) const noexcept {
 
 double CurvePieces::parameter(const CurveSpot& spot) const {
   return parameter_at(knots_.span_interval(static_cast<int>(spot.piece)), spot.t);
+}
+
+bool CurvePieces::are_beside(const Interval& a, const Interval& b, double tolerance) const noexcept {
+  const double before = std::min(a.end, b.end);
+  const double behind = std::max(a.start, b.start);
+  if (behind <= before) return true;
+  constexpr double kNext = 0.5;  // of a piece
+  if (behind - before > kNext) return false;
+  return glm::length(at(spot(behind), at(spot(before)).point).offset) <= tolerance;
+}
+
+bool CurvePieces::are_one(const CurveSpot& a, const CurveSpot& b, double tolerance) const noexcept {
+  constexpr double kNext = 0.25;  // of a piece
+  double apart = std::abs(place(a) - place(b));
+  if (is_closed()) apart = std::min(apart, std::abs(static_cast<double>(size()) - apart));
+  return apart < kNext && glm::length(at(b, at(a).point).offset) <= tolerance;
 }
 
 CurveSpot CurvePieces::spot(double place) const noexcept {

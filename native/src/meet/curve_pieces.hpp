@@ -43,6 +43,12 @@ class CurvePieces {
 
   double parameter(const CurveSpot& spot) const;
 
+  /// Whether stretches of places are next to each other, and not farther apart than that.
+  bool are_beside(const Interval& a, const Interval& b, double tolerance) const noexcept;
+
+  /// Whether places are next to each other, over the end of a closed curve, too, and as near.
+  bool are_one(const CurveSpot& a, const CurveSpot& b, double tolerance) const noexcept;
+
   /// Piece and t as one number, which rises along the curve.
   static double place(const CurveSpot& spot) noexcept { return static_cast<double>(spot.piece) + spot.t; }
   /// Of a closed curve on any of its turns.

@@ -5,19 +5,13 @@
 
 #include "curve_patch_pairs.hpp"
 #include "near_space.hpp"
-#include "patch/tolerance.hpp"
 #include "plane_patch.hpp"
 #include "splinecore/meet/intersections.hpp"
+#include "zero_between.hpp"
 
 namespace splinecore {
 
 namespace {
-
-std::vector<glm::dvec4> points_of_both(const NurbsCurve& curve, const NurbsPatch& patch) {
-  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
-  points.insert(points.end(), patch.points().begin(), patch.points().end());
-  return points;
-}
 
 /// Stretches of a curve that follow each other, as places of it, and the patch beside their middles.
 struct Cluster {
@@ -35,12 +29,8 @@ struct Beside {
 class PierceOutcome {
  public:
   PierceOutcome(const NurbsCurve& curve, const NurbsPatch& patch, std::optional<double> tolerance)
-      : space_(points_of_both(curve, patch)), curve_(curve, space_), patch_(patch, space_), domain_(curve.domain()) {
-    require_tolerance(tolerance);
-    constexpr double kOfSize = 0x1p-33;
-    constexpr double kRounding = 0x1p-46;
-    const double near = tolerance ? *tolerance / space_.length(1.0) : kOfSize;
-    tolerance_ = std::max(near, kRounding + 4.0 * space_.rounding());
+      : space_(together(curve.points(), patch.points())), curve_(curve, space_), patch_(patch, space_), domain_(curve.domain()) {
+    tolerance_ = place_tolerance(space_, tolerance);
   }
 
   PatchIntersections found() const {
@@ -52,7 +42,7 @@ class PierceOutcome {
     for (const PierceSpot& crossing : pairs.crossings) {
       const double at = CurvePieces::place(crossing.curve);
       const bool is_known = std::ranges::any_of(clusters, [&](const Cluster& c) {
-        return are_beside(c.along, {at, at});
+        return curve_.are_beside(c.along, {at, at}, tolerance_);
       });
       if (!is_known) places.push_back({crossing, false});
     }
@@ -68,15 +58,6 @@ class PierceOutcome {
 
   CurveAndPatch shapes() const { return {curve_, patch_}; }
 
-  bool are_beside(const Interval& a, const Interval& b) const {
-    const double before = std::min(a.end, b.end);
-    const double behind = std::max(a.start, b.start);
-    if (behind <= before) return true;
-    constexpr double kNext = 0.5;  // of a piece
-    if (behind - before > kNext) return false;
-    return glm::length(curve_.at(curve_.spot(behind), curve_.at(curve_.spot(before)).point).offset) <= tolerance_;
-  }
-
   std::vector<Cluster> clusters_of(std::vector<CurveOnPatch> stretches) const {
     const auto along = [](const CurveOnPatch& s) {
       return Interval{CurvePieces::place({s.piece, s.range.start}), CurvePieces::place({s.piece, s.range.end})};
@@ -85,7 +66,7 @@ class PierceOutcome {
     std::vector<Cluster> clusters;
     for (const CurveOnPatch& stretch : stretches) {
       const Interval own = along(stretch);
-      if (clusters.empty() || !are_beside(clusters.back().along, own)) clusters.push_back({own, {}});
+      if (clusters.empty() || !curve_.are_beside(clusters.back().along, own, tolerance_)) clusters.push_back({own, {}});
       clusters.back().along.end = std::max(clusters.back().along.end, own.end);
       clusters.back().feet.emplace_back(own.middle(), stretch.patch);
     }
@@ -103,15 +84,6 @@ class PierceOutcome {
     const double speed = glm::length(c.first[0]);
     if (!(length > 0.0 && speed > 0.0)) return {{spot, foot}, 0.0, 1.0};
     return {{spot, foot}, -glm::dot(s.offset, normal) / length, glm::dot(c.first[0], normal) / (length * speed)};
-  }
-
-  /// Between two places where a number has opposite signs the one where it is zero.
-  template <class Number>
-  static double zero_between(Interval in, Number number) {
-    const bool rises = number(in.end) > number(in.start);
-    constexpr int kHalvings = 60;
-    for (int i = 0; i < kHalvings; ++i) ((number(in.middle()) < 0.0) == rises ? in.start : in.end) = in.middle();
-    return in.middle();
   }
 
   /// An overlap, or the place where a curve touches the patch or goes through it at a small angle.
@@ -158,7 +130,9 @@ class PierceOutcome {
     std::vector<PatchIntersection> found;
     for (const Place& place : places) {
       const glm::dvec3 on_curve = curve_.at(place.at.curve).point;
-      const bool is_known = std::ranges::any_of(known, [&](const PierceSpot& other) { return are_one(place.at.curve, other.curve); });
+      const bool is_known = std::ranges::any_of(known, [&](const PierceSpot& other) {
+        return curve_.are_one(place.at.curve, other.curve, tolerance_);
+      });
       if (is_known) continue;
       known.push_back(place.at);
       const glm::dvec3 gap = patch_.at(place.at.patch, on_curve).offset;
@@ -168,13 +142,6 @@ class PierceOutcome {
     }
     std::ranges::sort(found, {}, [](const PatchIntersection& place) { return place.t; });
     return found;
-  }
-
-  bool are_one(const CurveSpot& a, const CurveSpot& b) const {
-    constexpr double kNext = 0.25;  // of a piece
-    double apart = std::abs(CurvePieces::place(a) - CurvePieces::place(b));
-    if (curve_.is_closed()) apart = std::min(apart, std::abs(static_cast<double>(curve_.size()) - apart));
-    return apart < kNext && glm::length(curve_.at(b, curve_.at(a).point).offset) <= tolerance_;
   }
 
   NearSpace space_;

@@ -3,31 +3,20 @@
 
 #include "curve_cluster.hpp"
 #include "near_space.hpp"
-#include "patch/tolerance.hpp"
 #include "splinecore/meet/intersections.hpp"
 
 namespace splinecore {
 
 namespace {
 
-std::vector<glm::dvec4> points_of_both(const NurbsCurve& a, const NurbsCurve& b) {
-  std::vector<glm::dvec4> points(a.points().begin(), a.points().end());
-  points.insert(points.end(), b.points().begin(), b.points().end());
-  return points;
-}
-
 /// Two curves, or one twice, in a space of their own, and the tolerance there.
 class IntersectionSearch {
  public:
   IntersectionSearch(const NurbsCurve& a, const NurbsCurve* b, std::optional<double> tolerance)
-      : space_(b ? points_of_both(a, *b) : std::vector<glm::dvec4>(a.points().begin(), a.points().end())),
+      : space_(b ? together(a.points(), b->points()) : std::vector<glm::dvec4>(a.points().begin(), a.points().end())),
         a_(a, space_), domain_a_(a.domain()), domain_b_(b ? b->domain() : a.domain()) {
-    require_tolerance(tolerance);
     if (b) b_.emplace(*b, space_);
-    constexpr double kOfSize = 0x1p-33;
-    constexpr double kRounding = 0x1p-46;
-    const double near = tolerance ? *tolerance / space_.length(1.0) : kOfSize;
-    tolerance_ = std::max(near, kRounding + 4.0 * space_.rounding());
+    tolerance_ = place_tolerance(space_, tolerance);
   }
 
   CurveIntersections found() const {
@@ -63,22 +52,15 @@ class IntersectionSearch {
   const CurvePieces& b() const { return b_ ? *b_ : a_; }
   TwoCurves curves() const { return {a_, b()}; }
 
-  bool are_one(const CurvePieces& curve, const CurveSpot& a, const CurveSpot& b) const {
-    constexpr double kNext = 0.25;  // of a piece
-    double apart = std::abs(CurvePieces::place(a) - CurvePieces::place(b));
-    if (curve.is_closed()) apart = std::min(apart, std::abs(static_cast<double>(curve.size()) - apart));
-    return apart < kNext && glm::length(curve.at(b, curve.at(a).point).offset) <= tolerance_;
-  }
-
   std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
     std::vector<CurveIntersection> found;
     std::vector<SpotPair> known;
     std::ranges::stable_sort(places, {}, [&](const Place& place) { return std::pair(!place.touches, curves().distance(place.at)); });
     for (Place place : places) {
-      if (!b_ && are_one(a_, place.at.a, place.at.b)) continue;
+      if (!b_ && a_.are_one(place.at.a, place.at.b, tolerance_)) continue;
       if (!b_ && CurvePieces::place(place.at.a) > CurvePieces::place(place.at.b)) std::swap(place.at.a, place.at.b);
       const bool is_known = std::ranges::any_of(known, [&](const SpotPair& other) {
-        return are_one(a_, place.at.a, other.a) && are_one(b(), place.at.b, other.b);
+        return a_.are_one(place.at.a, other.a, tolerance_) && b().are_one(place.at.b, other.b, tolerance_);
       });
       if (is_known) continue;
       known.push_back(place.at);

@@ -14,12 +14,6 @@ namespace splinecore {
 
 namespace {
 
-std::vector<glm::dvec4> points_of_both(const NurbsPatch& a, const NurbsPatch& b) {
-  std::vector<glm::dvec4> points(a.points().begin(), a.points().end());
-  points.insert(points.end(), b.points().begin(), b.points().end());
-  return points;
-}
-
 /// Places in which a pair of places is the same one: in the pieces beyond sides that it is on.
 std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot) {
   std::vector<PatchSpot> twins{spot};
@@ -44,7 +38,7 @@ std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot
 class SectionSearch {
  public:
   SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance)
-      : space_(points_of_both(a, b)), a_(a, space_), b_(b, space_) {
+      : space_(together(a.points(), b.points())), a_(a, space_), b_(b, space_) {
     require_tolerance(tolerance);
     constexpr double kOfSize = 0x1p-20;
     constexpr double kRounding = 0x1p-36;

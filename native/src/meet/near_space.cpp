@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "patch/tolerance.hpp"
+
 namespace splinecore {
 
 namespace {
@@ -79,6 +81,19 @@ std::vector<glm::dvec4> NearSpace::homogeneous(std::span<const glm::dvec4> given
     points[i] = glm::dvec4(near, w);
   }
   return points;
+}
+
+std::vector<glm::dvec4> together(std::span<const glm::dvec4> a, std::span<const glm::dvec4> b) {
+  std::vector<glm::dvec4> points(a.begin(), a.end());
+  points.insert(points.end(), b.begin(), b.end());
+  return points;
+}
+
+double place_tolerance(const NearSpace& space, std::optional<double> tolerance) {
+  require_tolerance(tolerance);
+  constexpr double kOfSize = 0x1p-33;
+  constexpr double kRounding = 0x1p-46;
+  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kRounding + 4.0 * space.rounding());
 }
 
 double distance_of(const glm::dvec3& a, const glm::dvec3& b) noexcept {

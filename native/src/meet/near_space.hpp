@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,13 @@ class NearSpace {
   double rounding_ = 0.0;
   PowerOfTwo into_outer_, into_inner_, out_of_outer_, out_of_inner_;
 };
+
+/// The points of two shapes that share a space.
+std::vector<glm::dvec4> together(std::span<const glm::dvec4> a, std::span<const glm::dvec4> b);
+
+/// A tolerance there for places of shapes, of 2^-33 of their size where none is given; no smaller one than rounding leaves.
+/// @throws InvalidShape unless it is 0 or more.
+double place_tolerance(const NearSpace& space, std::optional<double> tolerance);
 
 /// The distance between two points, though its square may be no number.
 double distance_of(const glm::dvec3& a, const glm::dvec3& b) noexcept;
