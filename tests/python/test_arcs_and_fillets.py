@@ -121,6 +121,20 @@ def test_random_curves():
     assert count > 50
 
 
+@pytest.mark.parametrize("scale", [1e-150, 1e-9, 1.0, 1e9, 1e150])
+@pytest.mark.parametrize("far", [0.0, 1e3, 1e6])
+def test_fillets_stay_where_curves_are_scaled_and_moved(scale, far):
+    rng = np.random.default_rng(0)
+    a, b = (sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], np.c_[rng.uniform(-2, 2, (6, 2)), np.zeros(6)]) for _ in range(2))
+    matrix = np.diag([scale, scale, scale, 1.0])
+    matrix[:2, 3] = far * scale
+    near = build.fillets(a, b, 0.2)
+    made = build.fillets(a.transformed(matrix), b.transformed(matrix), 0.2 * scale)
+    assert len(made) == len(near) == 10
+    places = [np.array([fillet[1:3] for fillet in found]) for found in (near, made)]
+    assert places[1] == pytest.approx(places[0], abs=1e-7 if far else 1e-12)
+
+
 def test_bad_fillets():
     a, b = line((0, 0), (1, 0)), line((0, 0), (0, 1))
     assert build.fillets(a, b, 3.0) == []

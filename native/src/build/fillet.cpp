@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "meet/near_space.hpp"
 #include "offset_parts.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -100,11 +101,17 @@ double parameter_near(const NurbsCurve& curve, const glm::dvec3& point) {
 
 }  // namespace
 
-std::vector<Fillet> fillets(const NurbsCurve& a, const NurbsCurve& b, double radius, const glm::dvec3& normal) {
-  if (!(radius > 0.0) || !std::isfinite(radius)) throw InvalidShape("the radius is not above 0");
+std::vector<Fillet> fillets(const NurbsCurve& given_a, const NurbsCurve& given_b, double given_radius,
+                            const glm::dvec3& normal) {
+  if (!(given_radius > 0.0) || !std::isfinite(given_radius)) throw InvalidShape("the radius is not above 0");
   const double length = glm::length(normal);
   if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or no vector of numbers");
   const glm::dvec3 up = normal / length;
+  // Far from the origin their own digits would be lost in those of the place.
+  const NearSpace space(together(given_a.points(), given_b.points()));
+  const NurbsCurve a = given_a.with_points(space.enter(given_a.points()));
+  const NurbsCurve b = given_b.with_points(space.enter(given_b.points()));
+  const double radius = given_radius / space.length(1.0);
   OffsetOptions beside;
   beside.normal = up;
   std::vector<Fillet> found;
@@ -115,12 +122,19 @@ std::vector<Fillet> fillets(const NurbsCurve& a, const NurbsCurve& b, double rad
         for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
           for (const CurveIntersection& place : intersections(of_a, of_b).places) {
             const auto made = circle.near(parameter_near(a, place.point), parameter_near(b, place.point));
-            const auto is_made = [&](const Fillet& other) { return glm::distance(other.centre, made->centre) <= 1e-9 * radius; };
+            constexpr double kSame = 1e-9;
+            const auto is_made = [&](const Fillet& other) {
+              return glm::distance(other.centre, made->centre) <= kSame * radius;
+            };
             if (made && std::ranges::none_of(found, is_made)) found.push_back(*made);
           }
         }
       }
     }
+  }
+  for (Fillet& fillet : found) {
+    fillet.arc = fillet.arc.with_points(space.leave(fillet.arc.points()));
+    fillet.centre = space.leave(fillet.centre);
   }
   std::ranges::sort(found, {}, [](const Fillet& fillet) { return std::pair(fillet.a, fillet.b); });
   return found;

@@ -27,25 +27,6 @@ constexpr double kLongestCorner = 4.0;
 
 using BezierPieces = std::vector<BezierCurve>;
 
-/// A piece of a curve in a space of its own.
-BezierCurve in_space(const BezierCurve& curve, const NearSpace& space) {
-  std::vector<glm::dvec4> points;
-  for (const glm::dvec4& p : curve.points()) {
-    points.push_back(p.w == 0.0 ? glm::dvec4(glm::dvec3(p) / space.length(1.0), 0.0)
-                                : glm::dvec4(space.enter(glm::dvec3(p)).at, p.w));
-  }
-  return BezierCurve::make(std::move(points));
-}
-
-NurbsCurve out_of_space(const NurbsCurve& curve, const NearSpace& space) {
-  std::vector<glm::dvec4> points;
-  for (const glm::dvec4& p : curve.points()) {
-    points.push_back(p.w == 0.0 ? glm::dvec4(glm::dvec3(p) * space.length(1.0), 0.0)
-                                : glm::dvec4(space.leave(glm::dvec3(p)), p.w));
-  }
-  return NurbsCurve::make(curve.knot_vector(), std::move(points));
-}
-
 glm::dvec3 start_of(const BezierCurve& curve) { return glm::dvec3(curve.points().front()); }
 glm::dvec3 end_of(const BezierCurve& curve) { return glm::dvec3(curve.points().back()); }
 
@@ -275,13 +256,16 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
                       std::max(options.tolerance ? *options.tolerance / unit : kOfSize, 0x1p-40)};
   BezierPieces pieces;
   for (const BezierCurve& piece : to_bezier(curve)) {
-    if (length_of(piece) > 0.0) pieces.push_back(in_space(piece, space));
+    if (length_of(piece) > 0.0) pieces.push_back(piece.with_points(space.enter(piece.points())));
   }
   require_plane(pieces, step, space);
   std::vector<BezierPieces> runs = CurveOffset(pieces, step, options.corner).runs();
   if (options.trimmed) runs = TrimmedOffset(curve, space, step).parts(runs, other_bounds(pieces, step));
   std::vector<NurbsCurve> found;
-  for (const BezierPieces& run : runs) found.push_back(out_of_space(curve_of(run), space));
+  for (const BezierPieces& run : runs) {
+    const NurbsCurve near = curve_of(run);
+    found.push_back(near.with_points(space.leave(near.points())));
+  }
   return found;
 }
 

@@ -83,6 +83,24 @@ std::vector<glm::dvec4> NearSpace::homogeneous(std::span<const glm::dvec4> given
   return points;
 }
 
+std::vector<glm::dvec4> NearSpace::enter(std::span<const glm::dvec4> points) const {
+  std::vector<glm::dvec4> near;
+  near.reserve(points.size());
+  for (const glm::dvec4& p : points) {
+    near.push_back(p.w == 0.0 ? glm::dvec4(glm::dvec3(p) / length(1.0), 0.0) : glm::dvec4(enter(glm::dvec3(p)).at, p.w));
+  }
+  return near;
+}
+
+std::vector<glm::dvec4> NearSpace::leave(std::span<const glm::dvec4> near) const {
+  std::vector<glm::dvec4> points;
+  points.reserve(near.size());
+  for (const glm::dvec4& p : near) {
+    points.push_back(p.w == 0.0 ? glm::dvec4(glm::dvec3(p) * length(1.0), 0.0) : glm::dvec4(leave(glm::dvec3(p)), p.w));
+  }
+  return points;
+}
+
 std::vector<glm::dvec4> together(std::span<const glm::dvec4> a, std::span<const glm::dvec4> b) {
   std::vector<glm::dvec4> points(a.begin(), a.end());
   points.insert(points.end(), b.begin(), b.end());

@@ -38,6 +38,10 @@ class NearSpace {
   NearPoint enter(const glm::dvec3& point, double far = 0x1p27) const noexcept;
   glm::dvec3 leave(const glm::dvec3& near) const noexcept;
 
+  /// Control points with their weights, of which directions have none.
+  std::vector<glm::dvec4> enter(std::span<const glm::dvec4> points) const;
+  std::vector<glm::dvec4> leave(std::span<const glm::dvec4> near) const;
+
   /// A length out there.
   double length(double near) const noexcept { return out_of_outer_.times(out_of_inner_.times(near)); }
 
