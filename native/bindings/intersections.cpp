@@ -28,8 +28,8 @@ Intersections arrays_of(const CurveIntersections& found) {
   const auto count = static_cast<py::ssize_t>(found.places.size());
   const auto overlaps = static_cast<py::ssize_t>(found.overlaps.size());
   Intersections out{py::array_t<double>({count, py::ssize_t{2}}), py::array_t<double>({count, py::ssize_t{3}}),
-                    py::array_t<double>(count), py::array_t<bool>(count),
-                    py::array_t<double>({overlaps, py::ssize_t{2}, py::ssize_t{2}}), py::array_t<bool>(overlaps)};
+                    new_numbers<double>(found.places.size()), new_numbers<bool>(found.places.size()),
+                    py::array_t<double>({overlaps, py::ssize_t{2}, py::ssize_t{2}}), new_numbers<bool>(found.overlaps.size())};
   for (py::ssize_t i = 0; i < count; ++i) {
     const auto& place = found.places[static_cast<std::size_t>(i)];
     out.parameters.mutable_at(i, 0) = place.a;
@@ -62,7 +62,7 @@ PatchIntersections arrays_of(const splinecore::PatchIntersections& found) {
   const auto count = static_cast<py::ssize_t>(found.places.size());
   const auto overlaps = static_cast<py::ssize_t>(found.overlaps.size());
   PatchIntersections out{py::array_t<double>({count, py::ssize_t{3}}), py::array_t<double>({count, py::ssize_t{3}}),
-                         py::array_t<double>(count), py::array_t<bool>(count),
+                         new_numbers<double>(found.places.size()), new_numbers<bool>(found.places.size()),
                          py::array_t<double>({overlaps, py::ssize_t{2}})};
   for (py::ssize_t i = 0; i < count; ++i) {
     const auto& place = found.places[static_cast<std::size_t>(i)];

@@ -1,5 +1,7 @@
 #include "splinecore/meet/sections.hpp"
 
+#include <algorithm>
+
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "every_kind.hpp"
@@ -22,8 +24,8 @@ py::tuple curves_of(const Sections& found, NurbsCurve splinecore::SectionCurve::
 }
 
 py::array_t<bool> closed_of(const Sections& found) {
-  py::array_t<bool> out(static_cast<py::ssize_t>(found.curves.size()));
-  for (std::size_t i = 0; i < found.curves.size(); ++i) out.mutable_at(static_cast<py::ssize_t>(i)) = found.curves[i].is_closed;
+  auto out = new_numbers<bool>(found.curves.size());
+  std::ranges::transform(found.curves, out.mutable_data(), &splinecore::SectionCurve::is_closed);
   return out;
 }
 
@@ -56,7 +58,7 @@ void bind_patch(py::class_<Patch> cls) {
           py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
           "The curves along which the patch and another one, of any kind, cross, as Sections: cubics within the\n"
           "tolerance of both, and the points where they touch. tolerance is a length, by default 2^-20 of the size of\n"
-          "both. A curve ends at borders, at poles and where the patches touch.\n\n"
+          "both. A curve ends at borders, at poles, where the patches touch and where one is folded.\n\n"
           "Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals\n"
           "differ, so that they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988), which\n"
           "Newton's method follows. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"

@@ -215,3 +215,10 @@ def test_refusals_are_told_from_mistakes():
     for _, path in addon_files():
         if path.name not in allowed:
             assert not re.search(r'raise (ValueError|TypeError|RuntimeError|ArithmeticError)\(', path.read_text()), path
+
+
+def test_new_arrays_of_one_axis_come_from_new_numbers():
+    """The constructor of py::array_t that takes a count makes arrays of stride 0 of some pybind11 and NumPy."""
+    for path in sorted((NATIVE / "bindings").glob("*.cpp")):
+        text = path.read_text()
+        assert not re.search(r"array_t<\w+>(?: \w+)?\((?:count|overlaps|size|static_cast<)", text), path

@@ -134,6 +134,18 @@ def test_planted_crossings_in_space(degree):
         assert not (np.abs(lifted.parameters - [u, 0.37]).max(1) < 1e-9).any()
 
 
+def test_each_place_has_its_own_distance_and_touch():
+    flat = line((-2, 0), (2, 0))
+    hills = sc.NurbsCurve(1, [0, 0, 1, 2, 3, 4, 4], [[-1.5, 1, 0], [-1, 0.03, 0], [0, -1, 0], [1, 0.01, 0], [1.5, 0.5, 0]])
+    found = flat.intersections(hills, 0.02)
+    apart = np.linalg.norm(flat.evaluate(found.parameters[:, 0]) - hills.evaluate(found.parameters[:, 1]), axis=1)
+    assert len(found.distances) == 2 and found.distances == pytest.approx(apart, abs=1e-15)
+    parabola = sc.PowerCurve([[0, 0, 0], [1, 0, 0], [0, 1, 0]], domain=(-2.0, 2.0))
+    mixed = parabola.intersections(ellipse(1, 1).transformed(placed(y=1.0, turn=0.4)))
+    assert mixed.touches.tolist() == [False, True, False]
+    assert mixed.distances.strides == (8,) and mixed.touches.strides == (1,)
+
+
 def test_two_cubics_cross_nine_times():
     """y = T3(x) and x = T3(y): with x = cos s the places are those of cos 9s = cos s."""
     a, b = graph(single(3)), graph(single(3), swapped=True)

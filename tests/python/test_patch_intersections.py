@@ -67,6 +67,18 @@ def test_lines_that_touch():
         assert len(near.patch_intersections(SPHERE, 0.002).parameters) == 1
 
 
+def test_each_place_has_its_own_distance_and_touch():
+    bend = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [[-2, 1, 0], [2, 1, 0], [2, 0, 0.2]])
+    ends = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [[1.01, 0, 0], [5, 0, 0], [5, 5, 0]])
+    found = ends.patch_intersections(SPHERE, 0.05)
+    assert found.distances == pytest.approx([0.01], abs=1e-9)
+    through = sc.NurbsCurve(1, [0, 0, 1, 2, 3, 3], [[-2, 1, 0], [2, 1, 0], [2, 0, 0.2], [0, 0, 0.2]]).patch_intersections(SPHERE)
+    assert bend.patch_intersections(SPHERE).touches.tolist() == [True] and through.touches.tolist() == [True, False]
+    both = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [[1.01, 0, 0], [5, 5, 0], [0, 1.03, 0]]).patch_intersections(SPHERE, 0.05)
+    assert both.distances == pytest.approx([0.01, 0.03], abs=1e-9)
+    assert both.distances.strides == (8,) and both.touches.strides == (1,)
+
+
 def test_a_line_meets_a_torus_four_times():
     found = line((-5, 0.2, 0.1), (5, 0.3, -0.2)).patch_intersections(TORUS)
     check(line((-5, 0.2, 0.1), (5, 0.3, -0.2)), TORUS, found)

@@ -173,8 +173,20 @@ def test_every_branch_of_wavy_surfaces(degree, rational):
             assert other.nearest(middle).distances.min() > 1e-7
 
 
-def test_open_curves_end_at_borders():
-    a, b = wavy(0), wavy(1)
+def test_some_curves_are_closed_and_others_are_not():
+    x, y = np.meshgrid(np.arange(12), np.arange(12), indexing="ij")
+    knots = np.r_[[0] * 4, np.arange(1, 9), [9] * 4].astype(float)
+    egg_box = sc.NurbsPatch((3, 3), (knots, knots),
+                            np.stack([x / 11, y / 11, 0.3 * np.cos(1.2 * x) * np.cos(1.1 * y) - 0.03], -1))
+    found = egg_box.plane_sections((0, 0, 0), (0, 0, 1))
+    ends = [curve.evaluate(np.array(curve.domain)) for curve in found.curves]
+    assert found.closed.tolist() == [bool(np.linalg.norm(end - start) < 1e-9) for start, end in ends]
+    assert 0 < found.closed.sum() < len(ends) and found.closed.strides == (1,)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_open_curves_end_at_borders_and_none_is_part_of_another(seed):
+    a, b = wavy(2 * seed), wavy(2 * seed + 1)
     found = a.sections(b, 1e-7)
     for curve, on_a, closed in zip(found.curves, found.on_a, found.closed):
         ends = on_a.evaluate(np.array(on_a.domain))[:, :2]

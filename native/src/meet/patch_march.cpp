@@ -21,7 +21,7 @@ constexpr double kLeastStep = 0x1p-40;
 constexpr double kSame = 0x1p-36;
 constexpr std::size_t kMostPlaces = std::size_t{1} << 18;
 
-/// Hermite's cubics, or their first derivatives.
+/// Hermite's cubics.
 struct HermiteBlends {
   double start, end, start_slope, end_slope;
 };
@@ -29,11 +29,6 @@ struct HermiteBlends {
 HermiteBlends blends(double s) {
   const double r = 1.0 - s;
   return {r * r * (1.0 + 2.0 * s), s * s * (1.0 + 2.0 * r), s * r * r, -s * s * r};
-}
-
-HermiteBlends blend_slopes(double s) {
-  const double r = 1.0 - s;
-  return {-6.0 * s * r, 6.0 * s * r, r * (r - 2.0 * s), s * (s - 2.0 * r)};
 }
 
 /// One way along a curve.
@@ -94,12 +89,13 @@ class March {
     if (const auto end = touching_end()) return finish(*end);
     keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
-    std::optional<PatchSpots> at = place_near(patches_, ahead(length_), plane);
+    const std::optional<PatchSpots> at = place_near(patches_, ahead(length_), plane);
     if (!at) return shorter(0.5);
-    if (!enters(*at)) return leave(*at);
-    const std::optional<SectionPlace> next = place(*at);
+    if (leaves_by_pole(*at)) return leave(*at);
+    std::optional<SectionPlace> next = place(*at);
     if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return shorter(0.5);
-    return take(*next);
+    if (glm::distance(next->point, last().point) > 2.0 * length_) return shorter(0.5);
+    return enters(next->at) ? take(*next) : leave(next->at);
   }
 
   bool shorter(double share) {
@@ -109,7 +105,6 @@ class March {
 
   bool take(const SectionPlace& next) {
     const SectionStep step(last(), next);
-    if (step.length > 2.0 * length_) return shorter(0.5);
     const double off = error(step);
     const double share = std::clamp(0.9 * std::sqrt(std::sqrt(0.5 * tolerance_ / std::max(off, 1e-300))), 0.2, 2.0);
     if (off > tolerance_) return shorter(std::min(share, 0.7));
@@ -149,7 +144,11 @@ class March {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 4; ++i) {
       if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
-      if (is_on_face(i, out)) return cross_at_once(i, out);
+      if (is_on_face(i, out)) {
+        // Where it turns inward first it comes back to the side later than it leaves by another, or in a shorter step.
+        if (runs_out(last(), i, is_at_end(out[i]))) return cross_at_once(i, out);
+        continue;
+      }
       const std::optional<SectionPlace> on = on_face(i, out);
       if (!on) continue;
       const double far = glm::dot(on->point - last().point, last().tangent);
@@ -174,6 +173,21 @@ class March {
   }
 
   static bool is_at_end(double out) { return out > 1.0; }
+
+  /// Beyond a pole a surface is turned over.
+  bool leaves_by_pole(const PatchSpots& out) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
+      if (piece_of(i).is_pole(piece_at(i), side(i, is_at_end(out[i])))) return true;
+    }
+    return false;
+  }
+
+  /// Whether a parameter goes to a side, or along it.
+  static bool runs_out(const SectionPlace& place, std::size_t i, bool to_end) {
+    constexpr double kAlong = 1e-3;
+    return (to_end ? place.slopes[i] : -place.slopes[i]) > -kAlong;
+  }
 
   /// Whether the last place is on the side that the next one is beyond, which a curve may leave at any angle.
   bool is_on_face(std::size_t i, const PatchSpots& out) const {
@@ -250,8 +264,7 @@ class March {
     const std::optional<SectionPlace> there = place(at);
     if (!there) return false;
     // Where the surfaces are folded the curve may come back through the same side: there it ends.
-    constexpr double kAlong = 1e-3;
-    if (is_end ? there->slopes[i] < -kAlong : there->slopes[i] > kAlong) return false;
+    if (!runs_out(*there, i, is_end)) return false;
     trace_.places.push_back(*there);
     return true;
   }
@@ -299,11 +312,6 @@ SectionStep::SectionStep(const SectionPlace& begin, const SectionPlace& end) noe
 
 glm::dvec3 SectionStep::point(double s) const noexcept {
   const HermiteBlends b = blends(s);
-  return b.start * from.point + b.end * to.point + length * (b.start_slope * from.tangent + b.end_slope * to.tangent);
-}
-
-glm::dvec3 SectionStep::slope(double s) const noexcept {
-  const HermiteBlends b = blend_slopes(s);
   return b.start * from.point + b.end * to.point + length * (b.start_slope * from.tangent + b.end_slope * to.tangent);
 }
 

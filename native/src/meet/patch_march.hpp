@@ -35,7 +35,6 @@ struct SectionStep {
   SectionStep(const SectionPlace& from, const SectionPlace& to) noexcept;
 
   glm::dvec3 point(double s) const noexcept;
-  glm::dvec3 slope(double s) const noexcept;
   PatchSpots spots(double s) const noexcept;
 
   const SectionPlace& from;
@@ -57,7 +56,8 @@ struct MarchLimits {
   double tolerance;                       ///< how far they are from the patches
 };
 
-/// The whole curve through a place: both ways, to borders, poles and places where the patches touch, or round.
+/// The whole curve through a place: both ways, to borders, poles, places where the patches touch, and where one of them is
+/// folded or has no normal for another reason; or round.
 SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits);
 
 }  // namespace splinecore

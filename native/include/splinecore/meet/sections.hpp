@@ -33,7 +33,7 @@ struct Sections {
 };
 
 /// The curves along which two patches cross, cubics that are within the tolerance of both, and the points where they
-/// touch. A curve ends at borders, at poles and where the patches touch.
+/// touch. A curve ends at borders, at poles, where the patches touch and where one is folded.
 ///
 /// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals differ, so that
 /// they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988); from a place in each such pair
