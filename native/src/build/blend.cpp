@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
@@ -18,14 +19,18 @@ namespace {
 constexpr int kHighest = 3;
 using EndJet = std::array<glm::dvec3, kHighest + 1>;
 
-/// The point and its derivatives by the length, of a curve that is `unit` times as large.
-EndJet by_length(const BlendEnd& end, double unit) {
+/// The point and its derivatives by the parameter.
+EndJet by_parameter(const BlendEnd& end) {
   const Interval domain = end.curve.domain();
   const double u = end.is_end ? domain.end : domain.start;
   EndJet d;
   derivatives(end.curve, std::span(&u, 1), kHighest, std::span(&d[0].x, 3 * d.size()),
               {.side = end.is_end ? Side::left : Side::right, .at_infinity = AtInfinity::raise, .threads = 1});
-  const double scale = domain.length();
+  return d;
+}
+
+/// By the length, of a curve that is `unit` times as large, of which the parameter goes from 0 to `scale`.
+EndJet by_length(EndJet d, double scale, double unit) {
   double power = 1.0 / unit;
   for (int k = 1; k <= kHighest; ++k) d[static_cast<std::size_t>(k)] *= (power *= scale);
   const double v = glm::length(d[1]);
@@ -60,33 +65,27 @@ std::vector<glm::dvec3> points_beside(const EndJet& jet, int order, int degree) 
   return points;
 }
 
-double distance_between(const glm::dvec3& a, const glm::dvec3& b) { return std::hypot(std::hypot(b.x - a.x, b.y - a.y), b.z - a.z); }
-
-glm::dvec3 point_of(const BlendEnd& end) {
-  const Interval domain = end.curve.domain();
-  const double u = end.is_end ? domain.end : domain.start;
-  glm::dvec3 point;
-  evaluate(end.curve, std::span(&u, 1), std::span(&point.x, 3), {.side = end.is_end ? Side::left : Side::right, .at_infinity = AtInfinity::raise, .threads = 1});
-  return point;
-}
-
 }  // namespace
 
 BezierCurve blend(const BlendEnd& from, const BlendEnd& to, int continuity, const std::array<double, 2>& strengths) {
-  if (continuity < 0 || continuity > kHighest) throw InvalidShape("continuity is " + std::to_string(continuity) + ", not 0, 1, 2 or 3");
+  if (continuity < 0 || continuity > kHighest) {
+    throw InvalidShape("continuity is " + std::to_string(continuity) + ", not 0, 1, 2 or 3");
+  }
   for (const double strength : strengths) {
     if (!(strength > 0.0) || !std::isfinite(strength)) throw InvalidShape("a strength is not above 0");
   }
-  const glm::dvec3 start = point_of(from);
-  const glm::dvec3 end = point_of(to);
-  const double unit = distance_between(start, end);
+  const EndJet first = by_parameter(from);
+  const EndJet last = by_parameter(to);
+  const glm::dvec3 start = first[0];
+  const glm::dvec3 end = last[0];
+  const double unit = distance_of(start, end);
   if (!(unit > 0.0)) throw InvalidShape("the ends of the curves are one: there is nothing between them");
   if (continuity == 0) return BezierCurve::make({glm::dvec4(start, 1.0), glm::dvec4(end, 1.0)});
   const int degree = 2 * continuity + 1;
   std::vector<glm::dvec4> points(static_cast<std::size_t>(degree) + 1);
   for (const bool is_start : {true, false}) {
     const BlendEnd& of = is_start ? from : to;
-    EndJet jet = by_length(of, unit);
+    EndJet jet = by_length(is_start ? first : last, of.curve.domain().length(), unit);
     jet[0] = glm::dvec3(0.0);
     // Seen from its end the blend runs into the curve that it follows; away from that one along its start, or its end.
     const double way = (is_start == of.is_end ? 1.0 : -1.0) * (is_start ? 1.0 : -1.0);

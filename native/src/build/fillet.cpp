@@ -46,8 +46,10 @@ class TouchingCircle {
       const glm::dvec3 gap = on_b.centre - on_a.centre;
       const double area = glm::dot(glm::cross(on_a.slope, on_b.slope), normal_);
       if (!(std::abs(area) > 0.0)) return {};
-      const double next_u = std::clamp(u + glm::dot(glm::cross(gap, on_b.slope), normal_) / area, domains[0].start, domains[0].end);
-      const double next_v = std::clamp(v + glm::dot(glm::cross(gap, on_a.slope), normal_) / area, domains[1].start, domains[1].end);
+      const double by_u = glm::dot(glm::cross(gap, on_b.slope), normal_) / area;
+      const double by_v = glm::dot(glm::cross(gap, on_a.slope), normal_) / area;
+      const double next_u = std::clamp(u + by_u, domains[0].start, domains[0].end);
+      const double next_v = std::clamp(v + by_v, domains[1].start, domains[1].end);
       const std::array<double, 2> steps{std::abs(next_u - u), std::abs(next_v - v)};
       u = next_u;
       v = next_v;

@@ -39,7 +39,8 @@ double length_of(const BezierCurve& curve) {
   double length = 0.0;
   const auto points = curve.points();
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i].w != 0.0 && points[i - 1].w != 0.0) length += glm::distance(glm::dvec3(points[i]), glm::dvec3(points[i - 1]));
+    if (points[i].w == 0.0 || points[i - 1].w == 0.0) continue;
+    length += glm::distance(glm::dvec3(points[i]), glm::dvec3(points[i - 1]));
   }
   return length;
 }
@@ -124,8 +125,8 @@ BezierPieces circle_about(const glm::dvec3& centre, const SideStep& step) {
   const glm::dvec3 y = glm::cross(step.normal, x);
   BezierPieces circle;
   for (const auto& [a, b] : {std::pair{x, y}, std::pair{y, -x}, std::pair{-x, -y}, std::pair{-y, x}}) {
-    circle.push_back(BezierCurve::make({glm::dvec4(centre + a, 1.0), glm::dvec4(centre + a + b, std::numbers::sqrt2 / 2.0),
-                                        glm::dvec4(centre + b, 1.0)}));
+    const glm::dvec4 corner(centre + a + b, std::numbers::sqrt2 / 2.0);
+    circle.push_back(BezierCurve::make({glm::dvec4(centre + a, 1.0), corner, glm::dvec4(centre + b, 1.0)}));
   }
   return circle;
 }
@@ -165,7 +166,9 @@ class TrimmedOffset {
     for (const BezierPieces& other : others) raw.push_back(curve_of(other));
     std::vector<std::vector<double>> cuts(raw.size());
     for (std::size_t i = 0; i < count; ++i) {
-      for (const CurveIntersection& place : self_intersections(raw[i]).places) cuts[i].insert(cuts[i].end(), {place.a, place.b});
+      for (const CurveIntersection& place : self_intersections(raw[i]).places) {
+        cuts[i].insert(cuts[i].end(), {place.a, place.b});
+      }
       for (std::size_t j = i + 1; j < raw.size(); ++j) {
         for (const CurveIntersection& place : intersections(raw[i], raw[j]).places) {
           cuts[i].push_back(place.a);
@@ -206,18 +209,30 @@ class TrimmedOffset {
   /// Parts that begin where others end put together.
   std::vector<BezierPieces> joined_ends(std::vector<BezierPieces> parts) const {
     const double near = std::max(step_.tolerance, 0x1p-30);
-    for (bool is_changed = true; is_changed;) {
-      is_changed = false;
-      for (std::size_t i = 0; i < parts.size() && !is_changed; ++i) {
-        for (std::size_t j = 0; j < parts.size() && !is_changed; ++j) {
-          if (i == j || glm::distance(end_of(parts[i].back()), start_of(parts[j].front())) > near) continue;
-          parts[i].insert(parts[i].end(), parts[j].begin(), parts[j].end());
-          parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
-          is_changed = true;
+    const std::size_t none = parts.size();
+    std::vector<std::size_t> next(parts.size(), none);
+    std::vector<bool> has_before(parts.size(), false);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (std::size_t j = 0; j < parts.size() && next[i] == none; ++j) {
+        if (i == j || has_before[j] || glm::distance(end_of(parts[i].back()), start_of(parts[j].front())) > near) continue;
+        next[i] = j;
+        has_before[j] = true;
+      }
+    }
+    std::vector<BezierPieces> joined;
+    std::vector<bool> is_done(parts.size(), false);
+    // First those that nothing comes before; what is left goes round.
+    for (const bool is_round : {false, true}) {
+      for (std::size_t first = 0; first < parts.size(); ++first) {
+        if (is_done[first] || has_before[first] != is_round) continue;
+        joined.emplace_back();
+        for (std::size_t i = first; i != none && !is_done[i]; i = next[i]) {
+          joined.back().insert(joined.back().end(), parts[i].begin(), parts[i].end());
+          is_done[i] = true;
         }
       }
     }
-    return parts;
+    return joined;
   }
 
   const NurbsCurve& curve_;

@@ -60,7 +60,8 @@ std::optional<std::vector<BezierCurve>> scaled_arc(const BezierCurve& curve, con
     const glm::dvec3 to_centre = speed * speed / turn * glm::cross(step.normal, first);
     if (i == 0) {
       centre = point + to_centre;
-      radius = glm::dot(to_centre, glm::cross(step.normal, first)) > 0.0 ? glm::length(to_centre) : -glm::length(to_centre);
+      const bool is_left = glm::dot(to_centre, glm::cross(step.normal, first)) > 0.0;
+      radius = is_left ? glm::length(to_centre) : -glm::length(to_centre);
     }
     if (glm::distance(point + to_centre, centre) > kRounding * (1.0 + std::abs(radius))) return {};
   }
@@ -68,7 +69,8 @@ std::optional<std::vector<BezierCurve>> scaled_arc(const BezierCurve& curve, con
   if (std::abs(share * radius) <= kRounding) return std::vector<BezierCurve>{};
   std::vector<glm::dvec4> made;
   for (const glm::dvec4& p : curve.points()) {
-    made.push_back(p.w == 0.0 ? glm::dvec4(share * glm::dvec3(p), 0.0) : glm::dvec4(centre + share * (glm::dvec3(p) - centre), p.w));
+    const glm::dvec3 at(p);
+    made.push_back(p.w == 0.0 ? glm::dvec4(share * at, 0.0) : glm::dvec4(centre + share * (at - centre), p.w));
   }
   return std::vector{BezierCurve::make(std::move(made))};
 }
@@ -81,7 +83,8 @@ class PieceOffset {
     std::vector<double> cuts{0.0};
     constexpr int kLooks = 16;
     for (int i = 0; i < kLooks; ++i) {
-      if (const auto cusp = cusp_between(i / static_cast<double>(kLooks), (i + 1) / static_cast<double>(kLooks))) cuts.push_back(*cusp);
+      const auto at = [](int k) { return static_cast<double>(k) / kLooks; };
+      if (const auto cusp = cusp_between(at(i), at(i + 1))) cuts.push_back(*cusp);
     }
     cuts.push_back(1.0);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {

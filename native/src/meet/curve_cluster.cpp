@@ -20,7 +20,8 @@ Interval joined(const Interval& a, const Interval& b) { return {std::min(a.start
 Interval moved(const Interval& in, double by) { return {in.start + by, in.end + by}; }
 
 /// How many places further a stretch lies beside another one; on a closed curve it may be a turn further.
-std::optional<double> turn_beside(const CurvePieces& curve, const Interval& in, const Interval& stretch, double tolerance) {
+std::optional<double> turn_beside(const CurvePieces& curve, const Interval& in, const Interval& stretch,
+                                  double tolerance) {
   if (curve.are_beside(in, stretch, tolerance)) return 0.0;
   if (!curve.is_closed()) return {};
   const auto turn = static_cast<double>(curve.size());
@@ -162,14 +163,17 @@ ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, doub
     const SpotPair at = cluster.at(curves, places[i]);
     distances[i] = curves.distance(at);
     near += distances[i] <= kOne * tolerance ? 1 : 0;
-    if (i > 0) length += glm::distance(curves.a.at(curves.a.spot(places[i])).point, curves.a.at(curves.a.spot(places[i - 1])).point);
+    const auto point = [&](std::size_t k) { return curves.a.at(curves.a.spot(places[k])).point; };
+    if (i > 0) length += glm::distance(point(i), point(i - 1));
   }
   const auto best = static_cast<std::size_t>(std::ranges::min_element(distances) - distances.begin());
   const bool is_overlap = length > 8.0 * tolerance && 4 * near >= 3 * kCount;
   const auto gap = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).gap; };
   const auto normal = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).normal; };
   const auto bend = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).bend; };
-  const auto turns_in = [](const auto& vector, const Interval& in) { return glm::dot(vector(in.start), vector(in.end)) < 0.0; };
+  const auto turns_in = [](const auto& vector, const Interval& in) {
+    return glm::dot(vector(in.start), vector(in.end)) < 0.0;
+  };
   const Interval whole{places.front(), places.back()};
   const Interval around{places[best == 0 ? 0 : best - 1], places[std::min(best + 1, kCount - 1)]};
   const double sine_at_ends = std::max(glm::length(normal(whole.start)), glm::length(normal(whole.end)));

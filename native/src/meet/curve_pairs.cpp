@@ -58,7 +58,8 @@ class PairSearch {
     breathe(16 * (a.net.rows + b.net.rows));
     if (++pairs_ > kMostPairs) {
       throw InvalidShape("more than " + std::to_string(kMostPairs) +
-                         " pairs of parts are within the tolerance: they are one along too much of them, or it is too small");
+                         " pairs of parts are within the tolerance: "
+                         "they are one along too much of them, or it is too small");
     }
     return !are_apart(a, b, tolerance_);
   }
@@ -71,8 +72,8 @@ class PairSearch {
     if (do_tangents_differ(a, b) && cross(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;
     if (are_boxed && std::max(a.spread, b.spread) <= kGentle && are_together(a, b)) return;
-    const bool is_end = is_narrow(a) && is_narrow(b);
-    if (is_end || (are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_)) return add(a, a.range, b, b.range, false);
+    const bool is_small = are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_;
+    if (is_small || (is_narrow(a) && is_narrow(b))) return add(a, a.range, b, b.range, false);
     if (halves_first(a, b)) {
       const auto [first, second] = a.halves();
       pair(first, b);
@@ -109,8 +110,8 @@ class PairSearch {
     if (is_lost(a) || is_lost(b) || !are_near(a, b)) return;
     if (b_follows != a_follows && are_monotone(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;
-    const bool is_end = is_narrow(a) || is_narrow(b);
-    if (is_end || (are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_)) return add(a, a.range, b, b.range, true);
+    const bool is_small = are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_;
+    if (is_small || is_narrow(a) || is_narrow(b)) return add(a, a.range, b, b.range, true);
     const auto of_a = a.halves();
     const auto of_b = b.halves();
     for (const CurvePart* in_a : {&of_a.first, &of_a.second}) {

@@ -47,7 +47,9 @@ PatchSpot foot_in(const PatchPieces& patch, PatchSpot at, const std::array<Inter
     const double v = -glm::dot(s.offset, s.first[1]);
     const double determinant = uu * vv - uv * uv;
     std::array<double, 2> next = at.at;
-    if (determinant > 0.0) next = {at.at[0] + (u * vv - v * uv) / determinant, at.at[1] + (v * uu - u * uv) / determinant};
+    if (determinant > 0.0) {
+      next = {at.at[0] + (u * vv - v * uv) / determinant, at.at[1] + (v * uu - u * uv) / determinant};
+    }
     for (std::size_t k = 0; k < 2; ++k) {
       // On a border the other parameter goes on alone.
       if (next[k] >= range[k].start && next[k] <= range[k].end) continue;
@@ -86,7 +88,8 @@ class PierceSearch {
     breathe(32 * (curve.net.rows + patch.net.values.size()));
     if (++pairs_ > kMostPairs) {
       throw InvalidShape("more than " + std::to_string(kMostPairs) +
-                         " pairs of parts are within the tolerance: the curve lies on too much of the patch, or it is too small");
+                         " pairs of parts are within the tolerance: "
+                         "the curve lies on too much of the patch, or it is too small");
     }
     if (is_lost(curve) || is_lost(patch) || are_apart(curve, patch, tolerance_)) return;
     if (goes_through(curve, patch) && cross(curve, patch)) return;
@@ -114,7 +117,8 @@ class PierceSearch {
     const std::optional<PierceSpot> through = pierced(shapes_, middle);
     if (!through) return false;
     if (is_beyond(*through, curve, patch)) return true;
-    PierceSpot at{{curve.piece, held(through->curve.t, curve.range)}, {patch.piece, held(through->patch.at, patch.range)}};
+    PierceSpot at{{curve.piece, held(through->curve.t, curve.range)},
+                  {patch.piece, held(through->patch.at, patch.range)}};
     at.patch = foot_in(shapes_.patch, at.patch, patch.range, shapes_.curve.at(at.curve).point);
     if (shapes_.distance(at) <= tolerance_) found_.crossings.push_back(at);
     return true;
@@ -204,7 +208,8 @@ std::optional<PierceSpot> pierced(const CurveAndPatch& shapes, PierceSpot at) {
     at.patch.at[0] += u;
     at.patch.at[1] += v;
     const double most = std::max({std::abs(t), std::abs(u), std::abs(v)});
-    if (!(std::max({std::abs(at.curve.t), std::abs(at.patch.at[0]), std::abs(at.patch.at[1])}) <= 1.0 + kBeyond)) return {};
+    const double out = std::max({std::abs(at.curve.t), std::abs(at.patch.at[0]), std::abs(at.patch.at[1])});
+    if (!(out <= 1.0 + kBeyond)) return {};
     if (most <= 0x1p-50 || (most < 0x1p-30 && most >= 0.5 * before)) return at;
     before = most;
   }

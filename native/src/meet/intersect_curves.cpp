@@ -55,7 +55,8 @@ class IntersectionSearch {
   std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
     std::vector<CurveIntersection> found;
     std::vector<SpotPair> known;
-    std::ranges::stable_sort(places, {}, [&](const Place& place) { return std::pair(!place.touches, curves().distance(place.at)); });
+    const auto rank = [&](const Place& place) { return std::pair(!place.touches, curves().distance(place.at)); };
+    std::ranges::stable_sort(places, {}, rank);
     for (Place place : places) {
       if (!b_ && a_.are_one(place.at.a, place.at.b, tolerance_)) continue;
       if (!b_ && CurvePieces::place(place.at.a) > CurvePieces::place(place.at.b)) std::swap(place.at.a, place.at.b);

@@ -133,7 +133,8 @@ class SectionSearch {
     const double beyond = 1e-6 + tolerance_ / step.length;
     if (s < -beyond || s > 1.0 + beyond) return false;
     constexpr double kBeside = 0.25;
-    if (glm::distance(step.point(std::clamp(s, 0.0, 1.0)), place.point) > kBeside * step.length + tolerance_) return false;
+    const glm::dvec3 beside = step.point(std::clamp(s, 0.0, 1.0));
+    if (glm::distance(beside, place.point) > kBeside * step.length + tolerance_) return false;
     const std::optional<PatchSpots> at =
         place_near(patches(), step.spots(std::clamp(s, 0.0, 1.0)), InPlane{place.point, place.tangent});
     if (!at) return false;
@@ -182,7 +183,8 @@ class SectionSearch {
     if (is_on_curve) return;
     const glm::dvec3 out = space_.leave(touch.point);
     const double near = 4.0 * space_.length(tolerance_);
-    if (std::ranges::any_of(found.points, [&](const SectionPoint& p) { return distance_of(p.point, out) <= near; })) return;
+    const auto is_known = [&](const SectionPoint& other) { return distance_of(other.point, out) <= near; };
+    if (std::ranges::any_of(found.points, is_known)) return;
     found.points.push_back({a_.parameters(touch.at.a), b_.parameters(touch.at.b), out});
   }
 

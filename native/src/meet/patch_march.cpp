@@ -77,7 +77,8 @@ class March {
     for (const double s : {0.25, 0.5, 0.75}) {
       const glm::dvec3 point = step.point(s);
       const PatchSpots at = step.spots(s);
-      most = std::max({most, glm::length(patches_.a.at(at.a, point).offset), glm::length(patches_.b.at(at.b, point).offset)});
+      most = std::max({most, glm::length(patches_.a.at(at.a, point).offset),
+                       glm::length(patches_.b.at(at.b, point).offset)});
     }
     return most;
   }
@@ -124,7 +125,9 @@ class March {
     const SectionPlace end = turned(seed_);
     if (glm::dot(end.tangent, step.from.tangent) < kTurn) return false;
     if (seed_.has_pieces_of(step.to)) {
-      if (glm::distance(step.point(std::clamp(along / step.length, 0.0, 1.0)), seed_.point) > 0.05 * step.length + kSame) return false;
+      constexpr double kBeside = 0.05;
+      const glm::dvec3 beside = step.point(std::clamp(along / step.length, 0.0, 1.0));
+      if (glm::distance(beside, seed_.point) > kBeside * step.length + kSame) return false;
       if (error(SectionStep(step.from, end)) > tolerance_) return false;
       trace_.places.push_back(end);
     } else {
@@ -319,7 +322,8 @@ PatchSpots SectionStep::spots(double s) const noexcept {
   const HermiteBlends b = blends(s);
   PatchSpots at = from.at;
   for (std::size_t i = 0; i < 4; ++i) {
-    at[i] = b.start * from.at[i] + b.end * to.at[i] + length * (b.start_slope * from.slopes[i] + b.end_slope * to.slopes[i]);
+    const double slopes = b.start_slope * from.slopes[i] + b.end_slope * to.slopes[i];
+    at[i] = b.start * from.at[i] + b.end * to.at[i] + length * slopes;
   }
   return at;
 }

@@ -89,8 +89,8 @@ PatchPart::PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_ran
 /// angle: the normal is that, and what their deviations add.
 VectorCone PatchPart::normal_cone() const {
   if (!is_boxed) return {};
-  const glm::dvec3 corners = points.front() + points[net.columns - 1] + points[points.size() - net.columns] + points.back();
-  const glm::dvec3 centre = 0.25 * corners;
+  const std::size_t last_row = points.size() - net.columns;
+  const glm::dvec3 centre = 0.25 * (points.front() + points[net.columns - 1] + points[last_row] + points.back());
   double square = 0.0;
   for (const glm::dvec3& p : points) square = std::max(square, glm::dot(p - centre, p - centre));
   const VectorCone u = cone_along(net, Axis::u, centre, std::sqrt(square));
@@ -130,7 +130,8 @@ bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
   if (are_boxes_apart(a.points, b.points, distance)) return true;
   const glm::dvec3& normal = b.normals().along;
   const glm::dvec3 beside = unit(glm::cross(a.along, normal));
-  const std::array<glm::dvec3, 4> axes{normal, beside, unit(glm::cross(a.along, beside)), unit(glm::cross(normal, beside))};
+  const std::array<glm::dvec3, 4> axes{normal, beside, unit(glm::cross(a.along, beside)),
+                                       unit(glm::cross(normal, beside))};
   return are_apart_along(a.points, b.points, axes, distance);
 }
 

@@ -19,6 +19,7 @@ struct BlendEnd {
 /// @param strengths  speeds at both ends by the distance between them, above 0: how far it follows each curve
 /// @throws InvalidShape if the continuity is not 0 to 3, a strength is not above 0, the ends are one, or a curve stands
 ///         still at its end; PointAtInfinity.
-BezierCurve blend(const BlendEnd& from, const BlendEnd& to, int continuity, const std::array<double, 2>& strengths = {1.0, 1.0});
+BezierCurve blend(const BlendEnd& from, const BlendEnd& to, int continuity,
+                  const std::array<double, 2>& strengths = {1.0, 1.0});
 
 }  // namespace splinecore
