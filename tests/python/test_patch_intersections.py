@@ -190,6 +190,15 @@ def test_bad_calls():
         circle(4).patch_intersections(TORUS, 1e-13, cancel=lambda: True)
 
 
+def test_a_patch_that_is_but_a_line():
+    flat = sc.BezierPatch([[[x, x * x / 4, 0.1]] * 3 for x in range(3)])
+    at = flat.evaluate(0.3, 0.7)
+    through = line(at - [0.3, 0.1, 1], at + [0.6, 0.2, 2])
+    found = through.patch_intersections(flat)
+    assert found.points == pytest.approx(at[None], abs=1e-8) and found.parameters[0, 0] == pytest.approx(1 / 3, abs=1e-7)
+    assert len(through.to_nurbs().transformed(np.diag([1, 1, 1.5, 1])).patch_intersections(flat).parameters) == 0
+
+
 def test_a_curve_that_is_a_point():
     point = sc.BezierCurve([[1, 0, 0]] * 3)
     assert len(point.patch_intersections(SPHERE).parameters) == 1

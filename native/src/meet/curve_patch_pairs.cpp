@@ -47,8 +47,13 @@ PatchSpot foot_in(const PatchPieces& patch, PatchSpot at, const std::array<Inter
     const double v = -glm::dot(s.offset, s.first[1]);
     const double determinant = uu * vv - uv * uv;
     std::array<double, 2> next = at.at;
-    if (determinant > 0.0) {
+    constexpr double kParallel = 0x1p-40;
+    constexpr double kPoint = 0x1p-80;
+    if (determinant > kParallel * uu * vv && std::min(uu, vv) > kPoint * std::max(uu, vv)) {
       next = {at.at[0] + (u * vv - v * uv) / determinant, at.at[1] + (v * uu - u * uv) / determinant};
+    } else if (std::max(uu, vv) > 0.0) {
+      // Where the patch is but a line it goes along that.
+      (uu >= vv ? next[0] : next[1]) += uu >= vv ? u / uu : v / vv;
     }
     for (std::size_t k = 0; k < 2; ++k) {
       // On a border the other parameter goes on alone.

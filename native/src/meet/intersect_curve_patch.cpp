@@ -115,7 +115,9 @@ class PierceOutcome {
     } else if (slope(around.start) * slope(around.end) < 0.0) {
       place = zero_between(around, slope);
     }
-    const Beside there = beside(cluster, place);
+    Beside there = beside(cluster, place);
+    // Where the patch is but a line its normals are noise, and so are heights.
+    if (shapes().distance(there.at) > tolerance_) there = beside(cluster, at[best]);
     if (shapes().distance(there.at) > tolerance_) return;
     constexpr double kParallel = 1e-6;
     const double at_ends = std::max(std::abs(slope(at.front())), std::abs(slope(at.back())));
