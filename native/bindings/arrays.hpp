@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -87,6 +88,19 @@ std::vector<double> numbers(const py::object& value, const char* name);
 
 /// The same; none at all for None.
 std::vector<double> optional_numbers(const py::object& value, const char* name);
+
+/// So many numbers. @throws InvalidShape if there are more or fewer.
+template <std::size_t Count>
+std::array<double, Count> numbers_in(const py::object& value, const char* name) {
+  const std::vector<double> given = numbers(value, name);
+  if (given.size() != Count) {
+    throw splinecore::InvalidShape(std::string(name) + " has " + std::to_string(given.size()) + " numbers, not " +
+                                   std::to_string(Count));
+  }
+  std::array<double, Count> found;
+  std::ranges::copy(given, found.begin());
+  return found;
+}
 
 /// Values that do not change while `out` is written.
 Doubles apart_from(const Doubles& values, const py::object& out);

@@ -16,6 +16,7 @@ using splinecore::HermitePatch;
 using splinecore::InvalidShape;
 using splinecore::NurbsCurve;
 using splinecore::NurbsPatch;
+using splinecore::PatchDrag;
 using splinecore::PatchSet;
 
 namespace {
@@ -57,12 +58,19 @@ const char* const kHermiteCurve =
     "The chain with points and tangents moved as little as can be so that its point at u moves by `by` (3,).\n\n"
     "As NurbsCurve.dragged(), with factors (3, n) of points, incoming and outgoing tangents. The motion of a tangent is\n"
     "measured at the end of its handle, a third of the span away. Tangents that are equal at a point remain so.";
+/// What is added to a derivative, or None.
+std::optional<glm::dvec3> gain_of(const py::object& value, const char* name) {
+  if (value.is_none()) return {};
+  return vector_of(value, name);
+}
+
 const char* const kPatch =
     "The patch with its control points moved as little as can be so that its point at (u, v) moves by `by` (3,).\n\n"
-    "As NurbsCurve.dragged(), with factors (nu, nv). Points that lie in one place go together: seams and poles stay.";
+    "As NurbsCurve.dragged(), with factors (nu, nv); tangent_u_by and tangent_v_by are added to the derivatives along u\n"
+    "and v there: zero keeps one, None lets it go. Points that lie in one place go together: seams and poles stay.";
 const char* const kHermitePatch =
     "The patch with points, tangents and twists moved as little as can be so that its point at (u, v) moves by `by`.\n\n"
-    "As NurbsCurve.dragged(), with factors (4, nu, nv) of points, tangents along u, along v, and twists. Tangents are\n"
+    "As NurbsPatch.dragged(), with factors (4, nu, nv) of points, tangents along u, along v, and twists. Tangents are\n"
     "measured at a third of the span, twists at a ninth.";
 
 template <class Curve>
@@ -83,33 +91,39 @@ void bind_curve(py::class_<Curve> cls, const char* text) {
 template <class Patch>
 void bind_patch(py::class_<Patch> cls, const char* text) {
   cls.def("dragged", [](const Patch& self, const py::object& u, const py::object& v, const py::object& by,
-                        const py::object& factors, const py::object& locality) {
+                        const py::object& tangent_u_by, const py::object& tangent_v_by, const py::object& factors,
+                        const py::object& locality) {
             const double at_u = real(u, "u");
             const double at_v = real(v, "v");
-            const glm::dvec3 step = vector_of(by, "by");
+            const PatchDrag drag{vector_of(by, "by"), gain_of(tangent_u_by, "tangent_u_by"),
+                                 gain_of(tangent_v_by, "tangent_v_by")};
             const Following following = following_of(factors, locality, shape_of(self));
-            return unlocked([&] { return splinecore::dragged(self, at_u, at_v, step, following); });
-          }, py::arg("u"), py::arg("v"), py::arg("by"), py::kw_only(), py::arg("factors") = py::none(),
+            return unlocked([&] { return splinecore::dragged(self, at_u, at_v, drag, following); });
+          }, py::arg("u"), py::arg("v"), py::arg("by"), py::arg("tangent_u_by") = py::none(),
+          py::arg("tangent_v_by") = py::none(), py::kw_only(), py::arg("factors") = py::none(),
           py::arg("locality") = 0.0, text);
 }
 
 void bind_set(py::class_<PatchSet> cls) {
   cls.def("dragged", [](const PatchSet& self, const py::object& patch, const py::object& u, const py::object& v,
-                        const py::object& by, const py::object& factors, const py::object& locality) {
+                        const py::object& by, const py::object& tangent_u_by, const py::object& tangent_v_by,
+                        const py::object& factors, const py::object& locality) {
             const int number = integer(patch, "patch");
             if (number < 0) throw InvalidShape("patch = " + std::to_string(number) + " is below 0");
             const double at_u = real(u, "u");
             const double at_v = real(v, "v");
-            const glm::dvec3 step = vector_of(by, "by");
+            const PatchDrag drag{vector_of(by, "by"), gain_of(tangent_u_by, "tangent_u_by"),
+                                 gain_of(tangent_v_by, "tangent_v_by")};
             const Following following =
                 following_of(factors, locality, {static_cast<py::ssize_t>(self.points().size())});
             return unlocked([&] {
-              return splinecore::dragged(self, static_cast<std::size_t>(number), at_u, at_v, step, following);
+              return splinecore::dragged(self, static_cast<std::size_t>(number), at_u, at_v, drag, following);
             });
-          }, py::arg("patch"), py::arg("u"), py::arg("v"), py::arg("by"), py::kw_only(),
+          }, py::arg("patch"), py::arg("u"), py::arg("v"), py::arg("by"),
+          py::arg("tangent_u_by") = py::none(), py::arg("tangent_v_by") = py::none(), py::kw_only(),
           py::arg("factors") = py::none(), py::arg("locality") = 0.0,
           "The set with its pool moved as little as can be so that the point of a patch at (u, v) moves by `by` (3,).\n\n"
-          "As NurbsCurve.dragged(), with factors (n,) of the pool. What patches share moves once, and the neighbours go\n"
+          "As NurbsPatch.dragged(), with factors (n,) of the pool. What patches share moves once, and the neighbours go\n"
           "along, as do points that lie in one place. A tangent or twist that serves several corners stays.");
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "arrays.hpp"
 #include "class_of.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/bezier_curve.hpp"
@@ -30,6 +32,19 @@ inline const splinecore::NurbsCurve& any_curve(const pybind11::object& value, co
   if (py::isinstance<splinecore::PowerCurve>(value)) return form(value.cast<const splinecore::PowerCurve&>());
   throw splinecore::InvalidShape(std::string(name) + " is " + std::string(py::str(py::type::of(value).attr("__name__"))) +
                                  ", a curve is expected");
+}
+
+/// The NURBS forms of curves of any kinds. @throws py::type_error if it is no list, InvalidShape if one is no curve
+inline std::vector<splinecore::NurbsCurve> any_curves(const pybind11::object& value, const char* name) {
+  namespace py = pybind11;
+  const bool is_list = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+  if (!is_list) throw py::type_error(std::string(name) + " must be a list of curves, not " + type_name(value));
+  std::vector<splinecore::NurbsCurve> curves;
+  for (const py::handle& item : value) {
+    const std::string place = name + splinecore::index_text(curves.size());
+    curves.push_back(any_curve(py::reinterpret_borrow<py::object>(item), place.c_str()));
+  }
+  return curves;
 }
 
 /// The NURBS form of any kind of patch.

@@ -2,6 +2,7 @@
 #include "arrays.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
+#include "point_arguments.hpp"
 #include "rooms.hpp"
 #include "splinecore/build/blend.hpp"
 #include "splinecore/build/fillet.hpp"
@@ -14,21 +15,12 @@ using splinecore::NurbsCurve;
 
 namespace {
 
-bool is_end_of(const py::object& value, const char* name) {
-  const std::string end = py::str(value);
-  if (end == "end") return true;
-  if (end == "start") return false;
-  throw splinecore::InvalidShape(std::string(name) + " is '" + end + "', not 'start' or 'end'");
-}
-
 void bind_blend(py::module_& build) {
   build.def("blend", [](const py::object& a, const py::object& b, const py::object& continuity, const py::object& end_a,
                         const py::object& end_b, const py::object& strengths) {
               const splinecore::BlendEnd from{any_curve(a, "a"), is_end_of(end_a, "end_a")};
               const splinecore::BlendEnd to{any_curve(b, "b"), is_end_of(end_b, "end_b")};
-              const Doubles both = real_array(strengths, "strengths");
-              if (both.size() != 2) throw splinecore::InvalidShape("strengths has not two numbers");
-              return splinecore::blend(from, to, integer(continuity, "continuity"), {both.data()[0], both.data()[1]});
+              return splinecore::blend(from, to, integer(continuity, "continuity"), numbers_in<2>(strengths, "strengths"));
             }, py::arg("a"), py::arg("b"), py::arg("continuity") = 2, py::kw_only(), py::arg("end_a") = "end",
             py::arg("end_b") = "start", py::arg("strengths") = py::make_tuple(1.0, 1.0),
             "The BezierCurve from an end of a curve of any kind to an end of another one that goes on there as they do: with\n"

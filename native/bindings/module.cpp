@@ -64,11 +64,14 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_intersections(module);
   bindings::bind_sections(module);
   bindings::bind_offset(module);
+  bindings::bind_curve_parts(module);
   bindings::bind_approximate(module);
   bindings::bind_approximate_patch(module);
   bindings::bind_drags(module);
   bindings::bind_primitives(module);
   bindings::bind_fillets(module);
+  bindings::bind_corners(module);
+  bindings::bind_made_curves(module);
   bindings::bind_patch_joins(module);
   bindings::bind_formula(module);
   bindings::bind_from_formulas(module);

@@ -4,6 +4,7 @@
 #include "arrays.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
+#include "point_arguments.hpp"
 #include "rooms.hpp"
 #include "values.hpp"
 
@@ -15,18 +16,11 @@ using splinecore::OffsetOptions;
 
 namespace {
 
-OffsetCorner corner_of(const py::object& value) {
-  const std::string name = py::str(value);
-  if (name == "round") return OffsetCorner::round;
-  if (name == "sharp") return OffsetCorner::sharp;
-  throw splinecore::InvalidShape("corner is '" + name + "', not 'round' or 'sharp'");
-}
-
 template <class Curve>
 void bind_curve(py::class_<Curve> cls) {
   cls.def("offset", [](const Curve& self, const py::object& distance, const py::object& normal, const py::object& tolerance,
                        const py::object& corner, const py::object& trimmed, const py::object& cancel) {
-            OffsetOptions options{vector_of(normal, "normal"), {}, corner_of(corner), boolean(trimmed, "trimmed")};
+            OffsetOptions options{vector_of(normal, "normal"), {}, chosen<OffsetCorner>(corner, "corner", {{"round", OffsetCorner::round}, {"sharp", OffsetCorner::sharp}}), boolean(trimmed, "trimmed")};
             if (!tolerance.is_none()) options.tolerance = real(tolerance, "tolerance");
             const double by = real(distance, "distance");
             return unlocked([&] { return splinecore::offset(form(self), by, options); }, cancel);

@@ -58,4 +58,9 @@ Choice chosen(const py::object& word, const char* name, std::initializer_list<st
   throw splinecore::InvalidShape(std::string(name) + " = " + std::string(py::repr(word)) + " is none of " + all);
 }
 
+/// 'start' or 'end': whether it is the end.
+inline bool is_end_of(const py::object& word, const char* name) {
+  return chosen<bool>(word, name, {{"start", false}, {"end", true}});
+}
+
 }  // namespace bindings

@@ -105,7 +105,9 @@ constexpr PatchStep kVerbs[] = {
     [](Bytes& bytes, NurbsPatch& patch) {
       const double u = parameter(bytes, patch.knot_vector(Axis::u));
       const double v = parameter(bytes, patch.knot_vector(Axis::v));
-      const glm::dvec3 by = vector(bytes);
+      PatchDrag by{vector(bytes)};
+      if (bytes.flag()) by.tangent_u_by = vector(bytes);
+      if (bytes.flag()) by.tangent_v_by = vector(bytes);
       patch = bytes.flag() ? dragged(to_hermite(patch), u, v, by).nurbs()
                            : dragged(patch, u, v, by, {{}, bytes.flag() ? bytes.number() : 0.0});
     },

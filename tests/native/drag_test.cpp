@@ -90,12 +90,12 @@ TEST(Drag, MovesWhatPatchesShareOnce) {
   const std::vector<AnyPatch> both{first, BezierPatch::make(3, 3, right)};
   for (const bool merged : {true, false}) {
     const PatchSet set = PatchSet::of(both, merged);
-    const PatchSet moved = dragged(set, 1, 0.1, 0.5, kBy);
+    const PatchSet moved = dragged(set, 1, 0.1, 0.5, {kBy});
     const auto left_points = nurbs_of(moved.patch(0)).points();
     const auto right_points = nurbs_of(moved.patch(1)).points();
     for (int j = 0; j < 3; ++j) EXPECT_EQ(left_points[6 + j], right_points[j]);
     for (int i = 0; i < 6; ++i) EXPECT_EQ(left_points[i], first.points()[i]);
-    EXPECT_EQ(dragged(BezierPatch::make(3, 3, right), 0.1, 0.5, kBy), std::get<BezierPatch>(moved.patch(1)));
+    EXPECT_EQ(dragged(BezierPatch::make(3, 3, right), 0.1, 0.5, {kBy}), std::get<BezierPatch>(moved.patch(1)));
   }
 }
 

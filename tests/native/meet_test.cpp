@@ -8,9 +8,17 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/build/blend.hpp"
+#include "splinecore/build/contour.hpp"
+#include "splinecore/build/corners.hpp"
+#include "splinecore/build/curve_on_patch.hpp"
+#include "splinecore/build/extend.hpp"
 #include "splinecore/build/fillet.hpp"
+#include "splinecore/build/helix.hpp"
+#include "splinecore/build/join_curves.hpp"
 #include "splinecore/build/offset.hpp"
+#include "splinecore/build/part.hpp"
 #include "splinecore/build/primitives.hpp"
+#include "splinecore/build/touching_circle.hpp"
 #include "splinecore/conic/arcs.hpp"
 #include "splinecore/conic/ellipse.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -159,6 +167,52 @@ TEST(Blend, GoesOnStraight) {
     EXPECT_NEAR(length_of(made.nurbs()), 2.0, 1e-9);
   }
   EXPECT_THROW(blend({first, true}, {first, true}, 2), InvalidShape);
+}
+
+TEST(Make, PartsAndExtensionsOfRandomCurves) {
+  Random random(23);
+  for (int i = 0; i < 60; ++i) {
+    const NurbsCurve curve = plane_curve(random);
+    const Interval domain = curve.domain();
+    const std::vector<NurbsCurve> pieces = parts(curve, {domain.start + 0.3 * domain.length(), domain.middle()});
+    EXPECT_EQ(pieces.size(), 3U);
+    try {
+      for (const Extension how : {Extension::natural, Extension::arc, Extension::straight}) {
+        EXPECT_GT(extended(curve, i % 2 == 0, 0.1, how).domain().length(), domain.length());
+      }
+    } catch (const InvalidShape&) {
+    }
+    const std::vector<NurbsCurve> whole = join_curves(pieces, 1e-9);
+    EXPECT_LE(whole.size(), 3U);
+  }
+}
+
+TEST(Make, CornersOfAContour) {
+  const std::vector<glm::dvec3> corners{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}};
+  const std::vector<double> bulges{0.0, 0.5, 0.0, -0.25};
+  const NurbsCurve shape = contour(corners, bulges, true, kUp);
+  EXPECT_LT(length(rounded(shape, 0.3)).value, length(shape).value);
+  EXPECT_LT(length(chamfered(shape, 0.3)).value, length(shape).value);
+  EXPECT_THROW(rounded(shape, 30.0), InvalidShape);
+  const CornerBetween made = filleted(segment({-1, 0, 0}, {1, 0, 0}), segment({0, -1, 0}, {0, 1, 0}), 0.25, {0.9, 0.9}, kUp);
+  EXPECT_NEAR(length(made.bridge).value, 0.125 * std::numbers::pi, 1e-12);
+}
+
+TEST(Make, CurvesAboutAndOn) {
+  HelixOptions options;
+  options.turns = 3.0;
+  const NurbsCurve coil = helix(circle_at(0.0, 5.0), options);
+  EXPECT_GT(length(coil).value, 2.0 * std::numbers::pi * 5.0);
+  const NurbsCurve image = segment({0.5, 0.5, 0.0}, {7.0, 1.5, 0.0});
+  const NurbsCurve on = curve_on_patch(sphere({0, 0, 0}, 1.0, kUp), image, 0.5);
+  const double u = on.domain().middle();
+  glm::dvec3 point;
+  evaluate(on, std::span(&u, 1), std::span(&point.x, 3));
+  EXPECT_NEAR(glm::length(point), 1.5, 1e-5);
+  const TouchingCircle touching =
+      touching_circle({segment({0, 0, 0}, {4, 0, 0}), segment({0, 0, 0}, {0, 3, 0}), segment({4, 0, 0}, {0, 3, 0})},
+                      {0.3, 0.3, 0.5}, kUp);
+  EXPECT_NEAR(touching.radius, 1.0, 1e-12);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ import types
 import numpy as np
 
 import splinecore as sc
+from public_functions import FUNCTIONS, random_rows, xyz
 from splinecore import basis, build, conics, fit
 
 MODULES = {"sc": sc, "basis": basis, "build": build, "conics": conics, "fit": fit}
@@ -51,6 +52,15 @@ def closed(one, at):
     return line if isinstance(one, sc.BezierCurve) else line.to_nurbs()
 
 
+def tip(one):
+    return one.evaluate(one.domain[1])
+
+
+def bar(place, at):
+    """A line through a place."""
+    return sc.BezierCurve([place - xyz(at, 0.1, 0.2, 0.3), place + xyz(at, 0.1, 0.2, 0.3)])
+
+
 CURVE = {
     "evaluate": lambda one, at: [one.evaluate(inside(one.domain)), one.evaluate(inside(one.domain), side="left"),
                                  one.evaluate(inside(one.domain), dtype=np.float32) if at.fits_single else None],
@@ -73,6 +83,16 @@ CURVE = {
     "intersections": lambda one, at: one.intersections(at.bezier),
     "self_intersections": lambda one, at: one.self_intersections(),
     "offset": lambda one, at: one.offset(0.1 * at.size, tolerance=10 * at.size),
+    "part": lambda one, at: one.part(*inside(one.domain, 4)[1:3]),
+    "parts": lambda one, at: one.parts(inside(one.domain, 4)),
+    "split_by": lambda one, at: one.split_by([at.bezier]),
+    "trimmed": lambda one, at: one.trimmed([bar(one.evaluate(middle(one.domain)), at)], one.domain[0]),
+    "extended": lambda one, at: [one.extended(0.1 * at.size, end, how) for end in ("start", "end")
+                                 for how in ("natural", "arc", "straight")],
+    "extended_to": lambda one, at: one.extended_to([bar(tip(one.extended(0.1 * at.size, how="straight")), at)],
+                                                   how="straight"),
+    "rounded": lambda one, at: one.rounded(1e-3 * at.size),
+    "chamfered": lambda one, at: one.chamfered(1e-3 * at.size),
     "patch_intersections": lambda one, at: one.patch_intersections(at.patch),
     "plane_intersections": lambda one, at: one.plane_intersections(xyz(at, 0.3), (1, 2, 3)),
     "nearest": lambda one, at: one.nearest(at.size * random_rows(3)),
@@ -308,82 +328,6 @@ METHODS = {
     "Sections": COPIES,
     "StationaryPoints": COPIES,
 }
-
-
-def xyz(at, x, y=0.0, z=0.0):
-    return at.size * np.array([x, y, z], dtype=float)
-
-
-FUNCTIONS = {
-    "sc.dumps": lambda at: sc.dumps([at.bezier, at.nurbs]),
-    "sc.loads": lambda at: sc.loads(at.bezier.dumps()),
-    "sc.seam_continuity": lambda at: sc.seam_continuity(at.patch, "u_end", at.patch, "u_start"),
-    "basis.bezier_matrix": lambda at: basis.bezier_matrix(at.degree),
-    "basis.uniform_matrix": lambda at: basis.uniform_matrix(at.degree),
-    "basis.uniform_to_bezier": lambda at: basis.uniform_to_bezier(at.degree),
-    "basis.hermite_matrix": lambda at: basis.hermite_matrix(),
-    "build.polynomial_through": lambda at: build.polynomial_through(at.points),
-    "build.osculating_polynomial": lambda at: build.osculating_polynomial([at.points[:2], at.points[:1]], [0, 1]),
-    "build.lagrange_evaluate": lambda at: build.lagrange_evaluate(at.points, np.linspace(0, 1, 7)),
-    "build.catmull_rom": lambda at: [build.catmull_rom(at.points, closed=closed)
-                                     for closed in (False, len(at.points) > 2)],
-    "build.kochanek_bartels": lambda at: build.kochanek_bartels(at.points, 0.1, 0.2, 0.3),
-    "fit.interpolate": lambda at: [fit.interpolate(at.points, degree, 'uniform', closed=closed)
-                                   for degree in (1, 2, 3) for closed in (False, True)],
-    "fit.interpolate_patch": lambda at: fit.interpolate_patch(np.stack([at.points, at.points[::-1]], 1), (2, 1), 'uniform',
-                                                              closed=(True, False)),
-    "fit.approximate": lambda at: [fit.approximate(at.points, tolerance=1e-3 * xyz(at, 0, 1).max() + 1e-300, degree=2,
-                                                   parameters='uniform', corrections=1),
-                                   fit.approximate(at.points, len(at.points), 1, 'uniform')],
-    "fit.approximate_patch": lambda at: fit.approximate_patch(np.stack([at.points, at.points[::-1]], 1),
-                                                              (len(at.points), 2), 1, 'uniform'),
-    "fit.approximate_scattered": lambda at: fit.approximate_scattered(
-        at.size * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.5], [0.5, 0.5, 0.1]]), 2, 1),
-    "fit.project": lambda at: fit.project(lambda u: np.stack([u, u * u], -1), [0, 0, 0, 0.5, 1, 1, 1], 2),
-    "build.chain_from_polygon": lambda at: build.chain_from_polygon(at.points),
-    "build.polygon_of_chain": lambda at: build.polygon_of_chain(build.chain_from_polygon(at.points)),
-    "build.join_beziers": lambda at: build.join_beziers(at.bezier.split(0.25)),
-    "build.c2_pair": lambda at: build.c2_pair(xyz(at, 0), xyz(at, 1), xyz(at, 2, 2), xyz(at, 3), xyz(at, 4)),
-    "build.curve_from_formulas": lambda at: build.curve_from_formulas(
-        [f"a*t^{at.degree}", "a*sin(3*t)"], (0, 1), tolerance=1e-3 * at.size, constants={"a": at.size}),
-    "build.patch_from_formulas": lambda at: build.patch_from_formulas(
-        [f"a*u^{at.degree}", "a*v", "a*sin(u+v)"], (0, 1), (0, 1), tolerance=1e-2 * at.size, constants={"a": at.size}),
-    "build.plane": lambda at: build.plane(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1)),
-    "build.cylinder": lambda at: build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size),
-    "build.cone": lambda at: build.cone(xyz(at, 1), (0, 0, 1), at.size, at.size),
-    "build.disc": lambda at: build.disc(xyz(at, 1), (0, 0, 1), at.size),
-    "build.sphere": lambda at: build.sphere(xyz(at, 1), at.size),
-    "build.torus": lambda at: build.torus(xyz(at, 1), (0, 0, 1), 2 * at.size, at.size),
-    "build.revolve": lambda at: build.revolve(at.nurbs, xyz(at, 9), (0, 1, 0)),
-    "build.extrude": lambda at: build.extrude(at.bezier, xyz(at, 0, 0, 1)),
-    "build.ruled": lambda at: build.ruled(at.bezier, at.nurbs),
-    "build.join_patches": lambda at: [build.join_patches(at.patch, "u_end", at.patch, "u_start", word)
-                                      for word in ("C0", "G1", "C2")],
-    "conics.arc_about": lambda at: conics.arc_about(xyz(at, 0), xyz(at, 1), xyz(at, 0, 1)),
-    "conics.arc_from_tangent": lambda at: conics.arc_from_tangent(xyz(at, 0), (1, 0, 0), xyz(at, 1, 1)),
-    "conics.arc_through": lambda at: conics.arc_through(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1)),
-    "build.blend": lambda at: build.blend(at.bezier, sc.BezierCurve([xyz(at, 5), xyz(at, 6, 1)])),
-    "build.fillets": lambda at: build.fillets(sc.BezierCurve([xyz(at, -1), xyz(at, 1)]),
-                                              sc.BezierCurve([xyz(at, 0, -1), xyz(at, 0, 1)]), 0.25 * at.size),
-    "conics.arc": lambda at: conics.arc(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1), 0.1, 2.0),
-    "conics.as_hermite": lambda at: conics.as_hermite(conics.circle(xyz(at, 1), at.size), 1e-3 * at.size),
-    "conics.by_foci": lambda at: conics.by_foci(xyz(at, 0), xyz(at, 1), 2 * at.size),
-    "conics.circle": lambda at: [conics.circle(xyz(at, 1), at.size, form=form)
-                                 for form in ("square", "triangle", "halves", "single")],
-    "conics.class_of": lambda at: conics.class_of(conics.conic_arc(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1), 2.0)),
-    "conics.conic_arc": lambda at: conics.conic_arc(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1), -0.3),
-    "conics.ellipse": lambda at: conics.ellipse(xyz(at, 1), xyz(at, 2), xyz(at, 0, 1)),
-    "conics.from_implicit": lambda at: conics.from_implicit(conics.by_foci(xyz(at, 0), xyz(at, 1), 2 * at.size)),
-    "conics.hyperbola": lambda at: conics.hyperbola(xyz(at, 1), xyz(at, 2), xyz(at, 0, 1)),
-    "conics.implicit": lambda at: conics.implicit(conics.conic_arc(xyz(at, 0), xyz(at, 1), xyz(at, 1, 1), 2.0)),
-    "conics.parabola": lambda at: conics.parabola(xyz(at, 0, 1), xyz(at, 0), (1, 0, 0)),
-    "conics.through_points": lambda at: conics.through_points(
-        at.size * np.array([(1, 0), (0, 2), (-1, 0), (0, -2), (0.6, 1.6)])),
-}
-
-
-def random_rows(count, *more, seed=1):
-    return np.random.default_rng(seed).uniform(-1, 1, (count, *more, 3))
 
 
 def random_weights(*shape, weight=1.0, seed=2):

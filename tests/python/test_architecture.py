@@ -23,7 +23,7 @@ NATIVE_ARROWS = {
     'formula': {'base'},
     'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
     'meet': {'base', 'basis', 'curve', 'patch', 'conic', 'kernels'},
-    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula', 'kernels', 'meet'},
+    'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula', 'kernels', 'measure', 'meet'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }

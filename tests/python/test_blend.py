@@ -77,7 +77,7 @@ def test_bad_blends():
     for strengths in ((0, 1), (1, -1), (np.nan, 1), (1,), (1, 2, 3)):
         with pytest.raises(sc.InvalidShape, match="strength"):
             build.blend(a, b, strengths=strengths)
-    with pytest.raises(sc.InvalidShape, match="end_a is 'middle'"):
+    with pytest.raises(sc.InvalidShape, match="end_a = 'middle' is none of"):
         build.blend(a, b, end_a="middle")
     with pytest.raises(sc.InvalidShape, match="are one"):
         build.blend(a, a, end_a="end", end_b="end")

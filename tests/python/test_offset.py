@@ -175,7 +175,7 @@ def test_bad_calls():
     for tolerance in (0.0, -1.0, np.nan):
         with pytest.raises(sc.InvalidShape, match="tolerance"):
             SQUARE.offset(0.1, tolerance=tolerance)
-    with pytest.raises(sc.InvalidShape, match="corner is 'soft', not 'round' or 'sharp'"):
+    with pytest.raises(sc.InvalidShape, match="corner = 'soft' is none of 'round', 'sharp'"):
         SQUARE.offset(0.1, corner="soft")
     with pytest.raises(sc.InvalidShape, match="not in a plane"):
         sc.BezierCurve([[0, 0, 0], [1, 0, 1], [2, 0, 0]]).offset(0.1)

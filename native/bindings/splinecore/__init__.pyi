@@ -56,6 +56,7 @@ _Smoothness = Literal["C0", "G1", "C1", "C2"]
 _Pair = Sequence[SupportsIndex]
 _Knots = Sequence[ArrayLike]
 _Cancel = Callable[[], object]
+_Extension = Literal["natural", "arc", "straight"]
 _Interval = tuple[float, float]
 _Floats = NDArray[np.float64]
 _Curve = NurbsCurve | BezierCurve | HermiteCurve | PowerCurve
@@ -382,6 +383,23 @@ class NurbsCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def part(self, start: float, end: float) -> NurbsCurve: ...
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def extended(
+        self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
+    ) -> NurbsCurve: ...
+    def extended_to(
+        self,
+        others: Sequence[_Curve],
+        at: Literal["start", "end"] = "end",
+        how: _Extension = "natural",
+        *,
+        cancel: _Cancel | None = None,
+    ) -> NurbsCurve: ...
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
     def offset(
         self,
         distance: float,
@@ -522,6 +540,23 @@ class BezierCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def part(self, start: float, end: float) -> NurbsCurve: ...
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def extended(
+        self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
+    ) -> NurbsCurve: ...
+    def extended_to(
+        self,
+        others: Sequence[_Curve],
+        at: Literal["start", "end"] = "end",
+        how: _Extension = "natural",
+        *,
+        cancel: _Cancel | None = None,
+    ) -> NurbsCurve: ...
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
     def offset(
         self,
         distance: float,
@@ -652,6 +687,23 @@ class HermiteCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def part(self, start: float, end: float) -> NurbsCurve: ...
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def extended(
+        self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
+    ) -> NurbsCurve: ...
+    def extended_to(
+        self,
+        others: Sequence[_Curve],
+        at: Literal["start", "end"] = "end",
+        how: _Extension = "natural",
+        *,
+        cancel: _Cancel | None = None,
+    ) -> NurbsCurve: ...
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
     def offset(
         self,
         distance: float,
@@ -791,6 +843,23 @@ class PowerCurve:
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> PatchIntersections: ...
+    def part(self, start: float, end: float) -> NurbsCurve: ...
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    def extended(
+        self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
+    ) -> NurbsCurve: ...
+    def extended_to(
+        self,
+        others: Sequence[_Curve],
+        at: Literal["start", "end"] = "end",
+        how: _Extension = "natural",
+        *,
+        cancel: _Cancel | None = None,
+    ) -> NurbsCurve: ...
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
     def offset(
         self,
         distance: float,
@@ -1003,6 +1072,8 @@ class NurbsPatch:
         u: float,
         v: float,
         by: ArrayLike,
+        tangent_u_by: ArrayLike | None = None,
+        tangent_v_by: ArrayLike | None = None,
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
@@ -1150,6 +1221,8 @@ class BezierPatch:
         u: float,
         v: float,
         by: ArrayLike,
+        tangent_u_by: ArrayLike | None = None,
+        tangent_v_by: ArrayLike | None = None,
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
@@ -1301,6 +1374,8 @@ class HermitePatch:
         u: float,
         v: float,
         by: ArrayLike,
+        tangent_u_by: ArrayLike | None = None,
+        tangent_v_by: ArrayLike | None = None,
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
@@ -1385,6 +1460,8 @@ class PatchSet:
         u: float,
         v: float,
         by: ArrayLike,
+        tangent_u_by: ArrayLike | None = None,
+        tangent_v_by: ArrayLike | None = None,
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,

@@ -6,13 +6,19 @@ blend = _build.blend
 c2_pair = _build.c2_pair
 catmull_rom = _build.catmull_rom
 chain_from_polygon = _build.chain_from_polygon
+chamfered = _build.chamfered
 cone = _build.cone
+contour = _build.contour
 curve_from_formulas = _build.curve_from_formulas
+curve_on_patch = _build.curve_on_patch
 cylinder = _build.cylinder
 disc = _build.disc
 extrude = _build.extrude
+filleted = _build.filleted
 fillets = _build.fillets
+helix = _build.helix
 join_beziers = _build.join_beziers
+join_curves = _build.join_curves
 join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
@@ -25,19 +31,26 @@ revolve = _build.revolve
 ruled = _build.ruled
 sphere = _build.sphere
 torus = _build.torus
+touching_circle = _build.touching_circle
 
 __all__ = [
     "blend",
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",
+    "chamfered",
     "cone",
+    "contour",
     "curve_from_formulas",
+    "curve_on_patch",
     "cylinder",
     "disc",
     "extrude",
+    "filleted",
     "fillets",
+    "helix",
     "join_beziers",
+    "join_curves",
     "join_patches",
     "kochanek_bartels",
     "lagrange_evaluate",
@@ -50,4 +63,5 @@ __all__ = [
     "ruled",
     "sphere",
     "torus",
+    "touching_circle",
 ]

@@ -24,13 +24,19 @@ __all__ = [
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",
+    "chamfered",
     "cone",
+    "contour",
     "curve_from_formulas",
+    "curve_on_patch",
     "cylinder",
     "disc",
     "extrude",
+    "filleted",
     "fillets",
+    "helix",
     "join_beziers",
+    "join_curves",
     "join_patches",
     "kochanek_bartels",
     "lagrange_evaluate",
@@ -43,6 +49,7 @@ __all__ = [
     "ruled",
     "sphere",
     "torus",
+    "touching_circle",
 ]
 
 _Parametrisation = Literal["uniform", "centripetal", "chordal"] | ArrayLike
@@ -89,6 +96,44 @@ def blend(
     end_b: Literal["start", "end"] = "start",
     strengths: ArrayLike = (1.0, 1.0),
 ) -> BezierCurve: ...
+def filleted(
+    a: _Curve,
+    b: _Curve,
+    radius: float,
+    kept: ArrayLike,
+    normal: ArrayLike = (0, 0, 1),
+    *,
+    cancel: Callable[[], object] | None = None,
+) -> tuple[NurbsCurve, NurbsCurve, NurbsCurve]: ...
+def chamfered(
+    a: _Curve, b: _Curve, lengths: ArrayLike, kept: ArrayLike, *, cancel: Callable[[], object] | None = None
+) -> tuple[NurbsCurve, NurbsCurve, NurbsCurve]: ...
+def contour(
+    points: ArrayLike, bulges: ArrayLike | None = None, closed: bool = False, normal: ArrayLike = (0, 0, 1)
+) -> NurbsCurve: ...
+def helix(
+    axis: _Curve,
+    radius: float,
+    turns: float,
+    *,
+    end_radius: float | None = None,
+    phase: float = 0.0,
+    start: ArrayLike | None = None,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> NurbsCurve: ...
+def curve_on_patch(
+    patch: _Patch,
+    image: _Curve,
+    distance: float = 0.0,
+    *,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> NurbsCurve: ...
+def join_curves(curves: Sequence[_Curve], tolerance: float) -> list[NurbsCurve]: ...
+def touching_circle(
+    a: _Curve, b: _Curve, c: _Curve, near: ArrayLike, normal: ArrayLike = (0, 0, 1)
+) -> tuple[NurbsCurve, NDArray[np.float64], float, tuple[float, float, float]]: ...
 def c2_pair(
     q0: ArrayLike,
     q1: ArrayLike,

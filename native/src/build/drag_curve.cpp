@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 
 #include "base/require.hpp"
@@ -26,8 +27,9 @@ Motion motion_of(const Movable& movable, double u, const Drag& drag, const Follo
   if (drag.tangent_by) require_finite(std::span(&*drag.tangent_by, 1), "tangent_by");
   if (drag.second_by) require_finite(std::span(&*drag.second_by, 1), "second_by");
   if (drag.second_by && !drag.tangent_by) throw InvalidShape("second_by is given without tangent_by: zero keeps the tangent");
-  const int order = drag.second_by ? 2 : drag.tangent_by ? 1 : 0;
-  return least_change(movable, order, following, "u = " + text_of(u));
+  constexpr std::array<const char*, 2> kNames{"the tangent", "the second derivative"};
+  const std::size_t count = drag.second_by ? 2 : drag.tangent_by ? 1 : 0;
+  return least_change(movable, std::span(kNames).first(count), following, "u = " + text_of(u));
 }
 
 glm::dvec3 step_of(const Motion& motion, std::size_t i, const Drag& drag) {
@@ -47,7 +49,7 @@ std::vector<glm::dvec4> dragged_points(const NurbsCurve& curve, double u, const 
   std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
   Movable movable(points.size());
   movable.in_point = std::move(influence.value);
-  movable.in_tangent = std::move(influence.slope);
+  movable.in_first = std::move(influence.slope);
   movable.in_second = std::move(influence.bend);
   for (std::size_t i = 0; i < points.size(); ++i) movable.is_fixed[i] = points[i].w == 0.0;
   if (touches_ends(curve.knot_vector()) && lie_together(points.front(), points.back())) {
@@ -69,7 +71,7 @@ Movable movable_of(const HermiteCurve& curve, double u) {
   Movable movable(3 * count);
   const auto put = [&](std::size_t first, const Influence& influence, const std::vector<double>& measure) {
     std::copy(influence.value.begin(), influence.value.end(), movable.in_point.begin() + first);
-    std::copy(influence.slope.begin(), influence.slope.end(), movable.in_tangent.begin() + first);
+    std::copy(influence.slope.begin(), influence.slope.end(), movable.in_first.begin() + first);
     std::copy(influence.bend.begin(), influence.bend.end(), movable.in_second.begin() + first);
     std::copy(measure.begin(), measure.end(), movable.measure.begin() + first);
   };

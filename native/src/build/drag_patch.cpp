@@ -35,10 +35,12 @@ std::vector<double> sum(std::vector<double> a, const std::vector<double>& b) {
   return a;
 }
 
-/// What each of the numbers of a patch counts at (u, v), in the order of its indices, and by which length its motion is
-/// measured.
+/// What each of the numbers of a patch counts at (u, v) in its point and its derivatives along u and v, in the order of
+/// its indices, and by which length its motion is measured.
 struct PatchInfluence {
   std::vector<double> values;
+  std::vector<double> slopes_u;
+  std::vector<double> slopes_v;
   std::vector<double> measures;
 };
 
@@ -48,11 +50,15 @@ struct HermiteAxis {
     const HermiteInfluence at = HermiteInfluence::at(parameters, u, name);
     points = at.points.value;
     tangents = sum(at.incoming.value, at.outgoing.value);
+    point_slopes = at.points.slope;
+    tangent_slopes = sum(at.incoming.slope, at.outgoing.slope);
     for (std::size_t i = 0; i < at.before.size(); ++i) measures.push_back(0.5 * (at.before[i] + at.after[i]));
   }
 
   std::vector<double> points;
   std::vector<double> tangents;
+  std::vector<double> point_slopes;
+  std::vector<double> tangent_slopes;
   std::vector<double> measures;
 };
 
@@ -69,6 +75,14 @@ PatchInfluence influence_of(const HermitePatch& patch, double u, double v) {
   add(found.values, products(along_u.tangents, along_v.points));
   add(found.values, products(along_u.points, along_v.tangents));
   add(found.values, products(along_u.tangents, along_v.tangents));
+  add(found.slopes_u, products(along_u.point_slopes, along_v.points));
+  add(found.slopes_u, products(along_u.tangent_slopes, along_v.points));
+  add(found.slopes_u, products(along_u.point_slopes, along_v.tangents));
+  add(found.slopes_u, products(along_u.tangent_slopes, along_v.tangents));
+  add(found.slopes_v, products(along_u.points, along_v.point_slopes));
+  add(found.slopes_v, products(along_u.tangents, along_v.point_slopes));
+  add(found.slopes_v, products(along_u.points, along_v.tangent_slopes));
+  add(found.slopes_v, products(along_u.tangents, along_v.tangent_slopes));
   add(found.measures, products(ones_u, ones_v));
   add(found.measures, products(along_u.measures, ones_v));
   add(found.measures, products(ones_u, along_v.measures));
@@ -79,9 +93,11 @@ PatchInfluence influence_of(const HermitePatch& patch, double u, double v) {
 PatchInfluence influence_of(const NurbsPatch& patch, double u, double v) {
   const Influence along_u = Influence::at(patch.knot_vector(Axis::u), u, "u");
   const Influence along_v = Influence::at(patch.knot_vector(Axis::v), v, "v");
-  Influence net{products(along_u.value, along_v.value), {}, {}};
-  if (!make_rational(net, patch.points())) throw PointAtInfinity(u, v);
-  return {std::move(net.value), std::vector<double>(patch.points().size(), 1.0)};
+  const std::vector<double> values = products(along_u.value, along_v.value);
+  Influence by_u{values, products(along_u.slope, along_v.value), std::vector<double>(values.size(), 0.0)};
+  Influence by_v{values, products(along_u.value, along_v.slope), std::vector<double>(values.size(), 0.0)};
+  if (!make_rational(by_u, patch.points()) || !make_rational(by_v, patch.points())) throw PointAtInfinity(u, v);
+  return {std::move(by_u.value), std::move(by_u.slope), std::move(by_v.slope), std::vector<double>(values.size(), 1.0)};
 }
 
 PatchInfluence influence_of(const AnyPatch& patch, double u, double v) {
@@ -147,12 +163,16 @@ void tie_directions(const PointPool& pool, Movable& movable) {
   }
 }
 
-Movable movable_of(const PointPool& pool, const IndexedPatch& patch, const PatchInfluence& influence) {
+Movable movable_of(const PointPool& pool, const IndexedPatch& patch, const PatchInfluence& influence,
+                   const PatchDrag& drag) {
+  const std::vector<double>& first = drag.tangent_u_by ? influence.slopes_u : influence.slopes_v;
   Movable movable(pool.points.size());
   std::vector<int> uses(pool.points.size(), 0);
   for (std::size_t i = 0; i < patch.indices.size(); ++i) {
     const int row = patch.indices[i];
     movable.in_point[row] += influence.values[i];
+    movable.in_first[row] += first[i];
+    movable.in_second[row] += influence.slopes_v[i];
     movable.measure[row] += influence.measures[i];
     ++uses[row];
   }
@@ -172,13 +192,24 @@ struct At {
 /// The points of the pool after a point of one of its patches, which is `value`, was dragged.
 template <class Patch>
 std::vector<glm::dvec4> dragged_points(const PointPool& pool, std::size_t number, const Patch& value, At at,
-                                       const glm::dvec3& by, const Following& following) {
-  require_finite(std::span(&by, 1), "by");
-  const Movable movable = movable_of(pool, pool.patches[number], influence_of(value, at.u, at.v));
-  const Motion motion = least_change(movable, 0, following, "u = " + text_of(at.u) + ", v = " + text_of(at.v));
+                                       const PatchDrag& drag, const Following& following) {
+  require_finite(std::span(&drag.by, 1), "by");
+  std::vector<const char*> chosen;
+  std::vector<glm::dvec3> gains{drag.by};
+  const auto choose = [&](const std::optional<glm::dvec3>& by, const char* argument, const char* name) {
+    if (!by) return;
+    require_finite(std::span(&*by, 1), argument);
+    gains.push_back(*by);
+    chosen.push_back(name);
+  };
+  choose(drag.tangent_u_by, "tangent_u_by", "the tangent along u");
+  choose(drag.tangent_v_by, "tangent_v_by", "the tangent along v");
+  const Movable movable = movable_of(pool, pool.patches[number], influence_of(value, at.u, at.v), drag);
+  const Motion motion = least_change(movable, chosen, following, "u = " + text_of(at.u) + ", v = " + text_of(at.v));
   std::vector<glm::dvec4> points(pool.points.begin(), pool.points.end());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec3 step = motion[0][i] * by;
+    glm::dvec3 step(0.0);
+    for (std::size_t k = 0; k < gains.size(); ++k) step += motion[k][i] * gains[k];
     if (step != glm::dvec3(0.0)) points[i] += glm::dvec4(step, 0.0);
   }
   return points;
@@ -187,12 +218,12 @@ std::vector<glm::dvec4> dragged_points(const PointPool& pool, std::size_t number
 /// The same of a patch that has its points alone.
 template <class Patch>
 std::vector<glm::dvec4> dragged_alone(std::span<const glm::dvec4> points, PatchKind kind, const Patch& value, At at,
-                                      const glm::dvec3& by, const Following& following) {
+                                      const PatchDrag& drag, const Following& following) {
   IndexedPatch patch;
   patch.kind = kind;
   patch.indices.resize(points.size());
   std::iota(patch.indices.begin(), patch.indices.end(), 0);
-  return dragged_points({points, {&patch, 1}}, 0, value, at, by, following);
+  return dragged_points({points, {&patch, 1}}, 0, value, at, drag, following);
 }
 
 std::vector<glm::dvec3> HermiteNet::* const kNets[] = {&HermiteNet::points, &HermiteNet::tangents_u,
@@ -200,31 +231,31 @@ std::vector<glm::dvec3> HermiteNet::* const kNets[] = {&HermiteNet::points, &Her
 
 }  // namespace
 
-PatchSet dragged(const PatchSet& set, std::size_t patch, double u, double v, const glm::dvec3& by,
+PatchSet dragged(const PatchSet& set, std::size_t patch, double u, double v, const PatchDrag& drag,
                  const Following& following) {
   if (patch >= set.patches().size()) {
     throw InvalidShape("patch = " + std::to_string(patch) + " is none of the " + std::to_string(set.patches().size()) +
                        " patches");
   }
   return set.with_points(
-      dragged_points({set.points(), set.patches()}, patch, set.patch(patch), {u, v}, by, following));
+      dragged_points({set.points(), set.patches()}, patch, set.patch(patch), {u, v}, drag, following));
 }
 
-NurbsPatch dragged(const NurbsPatch& patch, double u, double v, const glm::dvec3& by, const Following& following) {
-  return patch.with_points(dragged_alone(patch.points(), PatchKind::nurbs, patch, {u, v}, by, following));
+NurbsPatch dragged(const NurbsPatch& patch, double u, double v, const PatchDrag& drag, const Following& following) {
+  return patch.with_points(dragged_alone(patch.points(), PatchKind::nurbs, patch, {u, v}, drag, following));
 }
 
-BezierPatch dragged(const BezierPatch& patch, double u, double v, const glm::dvec3& by, const Following& following) {
+BezierPatch dragged(const BezierPatch& patch, double u, double v, const PatchDrag& drag, const Following& following) {
   return BezierPatch::make(patch.count(Axis::u), patch.count(Axis::v),
-                           dragged_alone(patch.points(), PatchKind::bezier, patch.nurbs(), {u, v}, by, following));
+                           dragged_alone(patch.points(), PatchKind::bezier, patch.nurbs(), {u, v}, drag, following));
 }
 
-HermitePatch dragged(const HermitePatch& patch, double u, double v, const glm::dvec3& by, const Following& following) {
+HermitePatch dragged(const HermitePatch& patch, double u, double v, const PatchDrag& drag, const Following& following) {
   std::vector<glm::dvec4> points;
   for (const auto net : kNets) {
     for (const glm::dvec3& row : patch.net().*net) points.emplace_back(row, net == kNets[0] ? 1.0 : 0.0);
   }
-  points = dragged_alone(points, PatchKind::hermite, patch, {u, v}, by, following);
+  points = dragged_alone(points, PatchKind::hermite, patch, {u, v}, drag, following);
   HermiteNet moved;
   auto next = points.begin();
   for (const auto net : kNets) {

@@ -29,9 +29,9 @@ struct BesidePlace {
 };
 
 /// Two curves, and on which side of each the centre is.
-class TouchingCircle {
+class BesideBoth {
  public:
-  TouchingCircle(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides)
+  BesideBoth(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides)
       : a_(a), b_(b), normal_(normal), sides_(sides) {}
 
   /// Newton's method for where the points beside both curves are one.
@@ -119,7 +119,7 @@ std::vector<Fillet> fillets(const NurbsCurve& given_a, const NurbsCurve& given_b
   std::vector<Fillet> found;
   for (const double side_a : {radius, -radius}) {
     for (const double side_b : {radius, -radius}) {
-      const TouchingCircle circle(a, b, up, {side_a, side_b});
+      const BesideBoth circle(a, b, up, {side_a, side_b});
       for (const NurbsCurve& of_a : offset_parts(a, side_a, beside)) {
         for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
           for (const CurveIntersection& place : intersections(of_a, of_b).places) {

@@ -46,7 +46,10 @@ bool make_rational(Influence& plain, std::span<const glm::dvec4> points) {
   if (!(std::abs(weight) > kRounding * terms)) return false;
   for (double& value : plain.value) value /= weight;
   for (std::size_t i = 0; i < plain.slope.size(); ++i) {
-    plain.slope[i] = (plain.slope[i] - plain.value[i] * slope) / weight;
+    // What is left where the weights alone change is rounding, and counts nothing.
+    const double taken = plain.value[i] * slope;
+    const double left = plain.slope[i] - taken;
+    plain.slope[i] = std::abs(left) > kRounding * (std::abs(plain.slope[i]) + std::abs(taken)) ? left / weight : 0.0;
     plain.bend[i] = (plain.bend[i] - 2.0 * plain.slope[i] * slope - plain.value[i] * bend) / weight;
   }
   return true;

@@ -49,7 +49,7 @@ std::vector<Unknown> unknowns_of(const Movable& movable, const std::vector<doubl
   for (std::size_t i = 0; i < factors.size(); ++i) {
     Unknown& unknown = unknowns[movable.leader(static_cast<int>(i))];
     unknown.in[0] += movable.in_point[i];
-    unknown.in[1] += movable.in_tangent[i];
+    unknown.in[1] += movable.in_first[i];
     unknown.in[2] += movable.in_second[i];
     unknown.measure += movable.measure[i];
     unknown.measured += movable.measure[i] > 0.0 ? 1 : 0;
@@ -166,7 +166,7 @@ std::vector<double> roots_of(const std::vector<Unknown>& unknowns, double locali
 }  // namespace
 
 Movable::Movable(std::size_t count)
-    : in_point(count, 0.0), in_tangent(count, 0.0), in_second(count, 0.0), measure(count, 0.0), is_fixed(count, 0), leaders_(count) {
+    : in_point(count, 0.0), in_first(count, 0.0), in_second(count, 0.0), measure(count, 0.0), is_fixed(count, 0), leaders_(count) {
   std::iota(leaders_.begin(), leaders_.end(), 0);
 }
 
@@ -177,7 +177,8 @@ int Movable::leader(int i) const {
   return i;
 }
 
-Motion least_change(const Movable& movable, int order, const Following& following, const std::string& where) {
+Motion least_change(const Movable& movable, std::span<const char* const> chosen, const Following& following,
+                    const std::string& where) {
   const std::size_t count = movable.in_point.size();
   const std::vector<Unknown> unknowns = unknowns_of(movable, factors_of(following, count));
   const std::vector<double> roots = roots_of(unknowns, following.locality);
@@ -185,9 +186,9 @@ Motion least_change(const Movable& movable, int order, const Following& followin
   if (!system.add(row_of(unknowns, roots, 0))) {
     throw InvalidShape("no control point that the point at " + where + " depends on may move");
   }
-  for (int k = 1; k <= order; ++k) {
-    if (system.add(row_of(unknowns, roots, k))) continue;
-    throw InvalidShape(std::string(k == 1 ? "the tangent" : "the second derivative") + " at " + where +
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (system.add(row_of(unknowns, roots, static_cast<int>(k) + 1))) continue;
+    throw InvalidShape(std::string(chosen[k]) + " at " + where +
                        " cannot be chosen beside the point: too few control points may move");
   }
   Motion motion;

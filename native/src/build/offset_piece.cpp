@@ -7,8 +7,8 @@
 #include <glm/vec4.hpp>
 #include <optional>
 
-#include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
+#include "cubics_along.hpp"
+#include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {
@@ -88,7 +88,7 @@ class PieceOffset {
     }
     cuts.push_back(1.0);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i + 1] - cuts[i] > 0x1p-40) fit(cuts[i], cuts[i + 1], 0);
+      if (cuts[i + 1] - cuts[i] > 0x1p-40) fit(cuts[i], cuts[i + 1]);
     }
     return std::move(made_);
   }
@@ -107,33 +107,18 @@ class PieceOffset {
     return 0.5 * (low + high);
   }
 
-  void fit(double from, double to, int depth) {
-    breathe(4096);
-    constexpr int kDeepest = 24;
-    const OffsetPlace a = offset_place(curve_, from, step_);
-    const OffsetPlace b = offset_place(curve_, to, step_);
-    const double third = (to - from) / 3.0;
-    const std::array<glm::dvec3, 4> p{a.moved, a.moved + third * a.slope, b.moved - third * b.slope, b.moved};
-    if (is_near(p, from, to)) {
-      std::vector<glm::dvec4> points;
-      for (const glm::dvec3& point : p) points.emplace_back(point, 1.0);
-      made_.push_back(BezierCurve::make(std::move(points)));
-      return;
+  void fit(double from, double to) {
+    const Path path = [&](const std::vector<PathParameter>& asked) {
+      std::vector<PathPlace> found;
+      for (const PathParameter& one : asked) {
+        const OffsetPlace there = offset_place(curve_, one.at, step_);
+        found.push_back({there.moved, there.slope});
+      }
+      return found;
+    };
+    for (BezierCurve& piece : to_bezier(cubics_along(path, {from, to}, step_.tolerance))) {
+      made_.push_back(std::move(piece));
     }
-    if (depth >= kDeepest) throw InvalidShape("the offset does not come within the tolerance: it is too small");
-    const double middle = 0.5 * (from + to);
-    fit(from, middle, depth + 1);
-    fit(middle, to, depth + 1);
-  }
-
-  bool is_near(const std::array<glm::dvec3, 4>& p, double from, double to) const {
-    for (const double s : {0.125, 0.25, 0.5, 0.75, 0.875}) {
-      const double r = 1.0 - s;
-      const glm::dvec3 point = r * r * r * p[0] + 3.0 * s * r * (r * p[1] + s * p[2]) + s * s * s * p[3];
-      const OffsetPlace there = offset_place(curve_, from + s * (to - from), step_);
-      if (glm::distance(point, there.moved) > 0.5 * step_.tolerance) return false;
-    }
-    return true;
   }
 
   const BezierCurve& curve_;

@@ -45,15 +45,23 @@ BezierCurve dragged(const BezierCurve& curve, double u, const Drag& drag, const 
 /// end of its handle, a third of the span away; tangents that are equal at a point remain so.
 HermiteCurve dragged(const HermiteCurve& curve, double u, const Drag& drag, const Following& following = {});
 
+/// How a point of a patch is dragged.
+struct PatchDrag {
+  glm::dvec3 by;
+  /// What is added to the derivatives along u and v there; zero keeps one. None: it goes as it does.
+  std::optional<glm::dvec3> tangent_u_by = {};
+  std::optional<glm::dvec3> tangent_v_by = {};
+};
+
 /// The same in the pool of one of many patches: rows that patches share are moved once, and the neighbours go along.
 /// Points that lie in one place move as one. A tangent or twist that serves several corners stays.
-PatchSet dragged(const PatchSet& set, std::size_t patch, double u, double v, const glm::dvec3& by,
+PatchSet dragged(const PatchSet& set, std::size_t patch, double u, double v, const PatchDrag& drag,
                  const Following& following = {});
 
 /// The same for a patch alone: its points row after row; of a Hermite patch points, tangents along u, along v, twists.
-NurbsPatch dragged(const NurbsPatch& patch, double u, double v, const glm::dvec3& by, const Following& following = {});
-BezierPatch dragged(const BezierPatch& patch, double u, double v, const glm::dvec3& by, const Following& following = {});
-HermitePatch dragged(const HermitePatch& patch, double u, double v, const glm::dvec3& by,
+NurbsPatch dragged(const NurbsPatch& patch, double u, double v, const PatchDrag& drag, const Following& following = {});
+BezierPatch dragged(const BezierPatch& patch, double u, double v, const PatchDrag& drag, const Following& following = {});
+HermitePatch dragged(const HermitePatch& patch, double u, double v, const PatchDrag& drag,
                      const Following& following = {});
 
 }  // namespace splinecore

@@ -1,0 +1,71 @@
+#include "splinecore/build/corners.hpp"
+
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+#include "rooms.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::CornerBetween;
+using splinecore::NurbsCurve;
+
+namespace {
+
+template <class Curve>
+void bind_curve(py::class_<Curve> cls) {
+  cls.def("rounded", [](const Curve& self, const py::object& radius, const py::object& cancel) {
+            const double of = real(radius, "radius");
+            return unlocked([&] { return splinecore::rounded(form(self), of); }, cancel);
+          }, py::arg("radius"), py::kw_only(), py::arg("cancel") = py::none(),
+          "The curve with an arc of a circle in place of each of its corners, at the seam of a closed one, too: a NurbsCurve.\n"
+          "Its runs between corners are shortened to where the arcs touch them. Lecture row S18. InvalidShape naming the\n"
+          "corner if no arc of that radius fits between its neighbours, or the curve turns back or is not plane there.");
+  cls.def("chamfered", [](const Curve& self, const py::object& length, const py::object& cancel) {
+            const double by = real(length, "length");
+            return unlocked([&] { return splinecore::chamfered(form(self), by); }, cancel);
+          }, py::arg("length"), py::kw_only(), py::arg("cancel") = py::none(),
+          "The curve with a line in place of each of its corners, between the places at a length before and behind it: a\n"
+          "NurbsCurve, as rounded().");
+}
+
+py::tuple tuple_of(const CornerBetween& made) { return py::make_tuple(made.a, made.bridge, made.b); }
+
+}  // namespace
+
+void bind_corners(py::module_& module) {
+  for_curves(module, [](auto cls) { bind_curve(cls); });
+  py::module_ build = module.attr("build");
+  build.def("filleted", [](const py::object& a, const py::object& b, const py::object& radius, const py::object& kept,
+                           const py::object& normal, const py::object& cancel) {
+              const NurbsCurve& first = any_curve(a, "a");
+              const NurbsCurve& second = any_curve(b, "b");
+              const double of = real(radius, "radius");
+              const auto about = numbers_in<2>(kept, "kept");
+              const glm::dvec3 up = vector_of(normal, "normal");
+              return tuple_of(unlocked([&] { return splinecore::filleted(first, second, of, about, up); }, cancel));
+            }, py::arg("a"), py::arg("b"), py::arg("radius"), py::arg("kept"),
+            py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0), py::kw_only(), py::arg("cancel") = py::none(),
+            "Two curves of any kinds in one plane with the arc of a radius that touches both: (a, arc, b), NurbsCurves, each\n"
+            "curve shortened to it.\n\n"
+            "Of the arcs that leave the parts about the parameters `kept` (2,), one of each curve, it is the nearest one. Open\n"
+            "curves that have none go on straight up to it; closed ones are not cut. Lecture row S18. InvalidShape if there is\n"
+            "none; and as fillets().");
+  build.def("chamfered", [](const py::object& a, const py::object& b, const py::object& lengths, const py::object& kept,
+                            const py::object& cancel) {
+              const NurbsCurve& first = any_curve(a, "a");
+              const NurbsCurve& second = any_curve(b, "b");
+              const auto by = numbers_in<2>(lengths, "lengths");
+              const auto about = numbers_in<2>(kept, "kept");
+              return tuple_of(unlocked([&] { return splinecore::chamfered(first, second, by, about); }, cancel));
+            }, py::arg("a"), py::arg("b"), py::arg("lengths"), py::arg("kept"), py::kw_only(),
+            py::arg("cancel") = py::none(),
+            "Two curves of any kinds with a line between the places at two lengths (2,) from where they meet: (a, line, b), as\n"
+            "filleted(). They meet nearest to `kept`, or where open curves would straight on. InvalidShape if they do not, a\n"
+            "length is below 0, both are 0, or a curve is too short.");
+}
+
+}  // namespace bindings
