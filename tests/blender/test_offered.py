@@ -16,7 +16,7 @@ menus = part('ui.menus')
 texts = part('ui.texts')
 
 #: Refused with the settings they begin with, which the redo panel changes.
-MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp'}
+MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp', 'add_offset'}
 #: Only the work itself tells whether what was changed was moved as a whole.
 TOLD_LATE = {('touched', 'adopt_transform')}
 MENDED |= {f"patch_{name}" for name in MENDED}

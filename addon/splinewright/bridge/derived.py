@@ -20,10 +20,7 @@ def work(recipe, values, sources, owner, depsgraph, frames=()):
     Refusal."""
     if recipe.has_places:
         return recipe.work(np.array([matrix_in(frame, owner, depsgraph)[:3, 3] for frame in frames]), values)
-    inputs = [definition_of(source, depsgraph) for source in sources]
-    space = None if recipe.is_measured else owner
-    if not recipe.is_beside:
-        inputs = [_moved(definition, source, space, depsgraph) for definition, source in zip(inputs, sources)]
+    inputs = inputs_of(recipe, sources, owner, depsgraph)
     placed = {'frame': matrix_in(frame, owner, depsgraph) for frame in frames}
     make = recipe.work(inputs, {**values, **placed})
     if not recipe.is_measured:
@@ -34,6 +31,16 @@ def work(recipe, values, sources, owner, depsgraph, frames=()):
         made = make(cancel)
         return made._replace(value=_under(made.definition, back))
     return moved_back
+
+
+def inputs_of(recipe, sources, owner, depsgraph):
+    """The definitions of objects as a recipe takes them. Raises Refusal."""
+    inputs = [definition_of(source, depsgraph) for source in sources]
+    if recipe.is_beside:
+        return inputs
+    space = None if recipe.is_measured else owner
+    return [definition if i in recipe.own_spaces else _moved(definition, source, space, depsgraph)
+            for i, (definition, source) in enumerate(zip(inputs, sources))]
 
 
 def _moved(definition, source, owner, depsgraph):

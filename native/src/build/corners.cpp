@@ -1,7 +1,9 @@
 #include "splinecore/build/corners.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <span>
 #include <string>
@@ -46,8 +48,11 @@ SmoothRuns runs_of(const NurbsCurve& curve) {
   return {goes_round || !corners.empty() ? parts(curve, corners) : std::vector{curve}, goes_round};
 }
 
+/// In a few digits: where to look.
 std::string place_text(const glm::dvec3& p) {
-  return "(" + text_of(p.x) + ", " + text_of(p.y) + ", " + text_of(p.z) + ")";
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "(%.5g, %.5g, %.5g)", p.x, p.y, p.z);
+  return text.data();
 }
 
 /// The curve with a cut at each of its corners.

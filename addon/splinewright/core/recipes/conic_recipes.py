@@ -52,6 +52,12 @@ def _arc(points, radius, start, sweep):
     return Result(sc.conics.arc((0, 0, 0), (radius, 0, 0), (0, radius, 0), start, sweep))
 
 
+def _arc_by_points(points, by):
+    make = {'through': sc.conics.arc_through, 'centre': sc.conics.arc_about,
+            'tangent': lambda start, head, end: sc.conics.arc_from_tangent(start, head - start, end)}[by]
+    return Result(make(*points))
+
+
 _NOTHING = {'empty': "no real point", 'point': "one point only"}
 
 
@@ -89,4 +95,10 @@ RECIPES = (
            (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'),
             Parameter("start", "Start", "Angle from the x axis", 0.0, unit='ROTATION'),
             Parameter("sweep", "Sweep", "Angle of the arc", math.pi / 2, -2 * math.pi, 2 * math.pi, unit='ROTATION')), _arc),
+    Recipe("arc_by_points", "Arc by Points", "The arc of a circle that three points say",
+           (Parameter("by", "By", "What the points are", "through", choices=(
+               ("through", "Three Points", "Its start, a point on it, its end"),
+               ("tangent", "Tangent", "Its start, where it goes from there, its end"),
+               ("centre", "Centre", "Its centre, its start, and in which direction it ends: counterclockwise, seen from above"))),),
+           _arc_by_points, ((1, 0, 0), (0.7, 0.7, 0), (0, 1, 0))),
 )

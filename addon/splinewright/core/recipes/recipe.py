@@ -50,9 +50,11 @@ class Recipe:
     is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points: "one curve"; make() takes a list of their Definitions
+    own_spaces: tuple = ()              # which of them enter in their own space, counted from 0: others where they lie
     is_beside: bool = False             # what it makes is put beside its first input, not over it
     frame: str = ""                     # what an object is called that may be chosen for its place and axes alone:
                                         # make() takes their matrix (4, 4) in the space of the shape, or None, as `frame`
+    first_values: Callable | None = None # (inputs) -> values of parameters that fit them, by name: what it begins with
     is_measured: bool = False           # distances count: make() takes inputs in the world, and what it makes comes back
     has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
     takes_cancel: bool = False          # it may take long: make() takes a `cancel` as the library does

@@ -17,7 +17,7 @@ _SWEEP = Parameter("sweep", "Sweep", "Angle about the axis; 360° closes it", 2 
                    unit='ROTATION')
 _CAPS = Parameter("caps", "Caps", "Close it by discs", True)
 _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
-_AXIS = Parameter("axis", "Axis", "Of the axis object, or of its own, through the origin and the offset", "z", choices=tuple(
+AXIS = Parameter("axis", "Axis", "Of the axis object, or of its own, through the origin and the offset", "z", choices=tuple(
     (name, name.upper(), f"The {name} axis of the axis object, or of its own where there is none") for name in _AXES))
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9,
                        unit='LENGTH')
@@ -95,11 +95,12 @@ def axis_of(axis, offset, frame=None):
     return frame[:3, :3] @ np.array(offset) + frame[:3, 3], direction
 
 
-def suggested_axis(definition):
-    """The axis about which a profile is turned: y for one that lies in the plane of x and y, otherwise z."""
+def _suggested_axis(inputs):
+    """A profile in the plane of x and y is turned about y, any other one about z."""
+    definition, = inputs
     places = definition.pool[definition.pool[:, 3] != 0.0, :3]
     width, height = np.ptp(places[:, :2], axis=0).max(), np.abs(places[:, 2]).max()
-    return 'y' if height <= _FLAT * width else 'z'
+    return {'axis': 'y' if height <= _FLAT * width else 'z'}
 
 
 def _extrude(inputs, x, y, z):
@@ -138,10 +139,10 @@ PRIMITIVES = (
 
 FROM_CURVES = (
     Recipe("revolve", "Revolve", "The surface of a curve that turns about an axis; it follows when the curve is edited",
-           (_AXIS, _START, _SWEEP, *(
+           (AXIS, _START, _SWEEP, *(
                Parameter(f"offset_{name}", f"Offset {name.upper()}", f"The axis lies so far along {name} from the origin", 0.0,
                          unit='LENGTH') for name in _AXES)), _revolve, is_surface=True, resolution=12, inputs=("one curve",),
-           frame="About"),
+           frame="About", first_values=_suggested_axis),
     Recipe("extrude", "Extrude",
            "The surface of a curve that moves along a vector; it follows when the curve is edited",
            tuple(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')

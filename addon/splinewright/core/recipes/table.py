@@ -1,10 +1,10 @@
 """All recipes, by kind."""
 
-from . import conic_recipes, curve_recipes, input_recipes, surface_recipes
+from . import conic_recipes, curve_recipes, input_recipes, meeting_recipes, surface_recipes
 
 RECIPES = {recipe.kind: recipe
            for recipe in (*conic_recipes.RECIPES, *curve_recipes.RECIPES, *surface_recipes.PRIMITIVES,
-                          *surface_recipes.FROM_CURVES, *input_recipes.RECIPES)}
+                          *surface_recipes.FROM_CURVES, *meeting_recipes.RECIPES, *input_recipes.RECIPES)}
 #: Those that start from nothing, and those that are made from other objects.
 STARTING = tuple(recipe for recipe in RECIPES.values() if not (recipe.inputs or recipe.has_places))
 DERIVED = tuple(recipe for recipe in RECIPES.values() if recipe.inputs)

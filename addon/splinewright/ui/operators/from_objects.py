@@ -9,7 +9,6 @@ from mathutils import Matrix
 
 from ...bridge import derived, follow, recipes, shape
 from ...core.failures import FAILURES, Refusal
-from ...core.recipes.surface_recipes import suggested_axis
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import hand, recipe_props
 from . import new_shapes, reports
@@ -72,8 +71,8 @@ class _FromObjects(LongWork, Repeatable):
         new_shapes.settle(self)
         if recipe.frame and not self.properties.is_property_set('frame'):
             self.frame = _beside(context)
-        if recipe.kind == 'revolve' and not self.frame and not self.properties.is_property_set('axis'):
-            self._suggest_axis(sources[0], context)
+        if recipe.first_values and not (recipe.frame and self.frame):
+            self._suggest(sources, context)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
             result = self.result_of('result', self._task(context, sources))
@@ -96,10 +95,13 @@ class _FromObjects(LongWork, Repeatable):
             raise Refusal(f"there is no object named {self.frame} in this scene")
         return (frame,)
 
-    def _suggest_axis(self, source, context):
+    def _suggest(self, sources, context):
         """What cannot be read is refused where it is used."""
         with suppress(*FAILURES):
-            self.axis = suggested_axis(derived.definition_of(source, context.evaluated_depsgraph_get()))
+            inputs = derived.inputs_of(self.recipe, sources, sources[0], context.evaluated_depsgraph_get())
+            for name, value in self.recipe.first_values(inputs).items():
+                if not self.properties.is_property_set(name):
+                    setattr(self, name, value)
 
     def draw(self, context):
         layout = self.layout
