@@ -125,10 +125,10 @@ def test_several_shapes_are_seen_from_one_eye():
 
 
 def test_every_verb_is_in_the_menu_and_in_the_sidebar():
-    tools, verbs_of, joins = (part(name) for name in (
-        'ui.curve_tools', 'ui.operators.curve_verbs', 'ui.operators.curve_join'))
+    tools, *rooms = (part(name) for name in ('ui.curve_tools', *(f'ui.operators.curve_{room}' for room in (
+        'verbs', 'join', 'corners', 'meeting'))))
     listed = [name for _, names in tools._GROUPS for name in names]
-    assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for cls in (*verbs_of.CLASSES, *joins.CLASSES))
+    assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for room in rooms for cls in room.CLASSES)
     drawn = []
     add(value_of('nurbs'))
 

@@ -16,12 +16,15 @@ menus = part('ui.menus')
 texts = part('ui.texts')
 
 #: Refused with the settings they begin with, which the redo panel changes.
-MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp', 'add_offset'}
+MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp', 'add_offset', 'trim_curve',
+          'fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves', 'extend_curve', 'split_where_met', 'intersections',
+          'add_touching_circle'}
 #: Only the work itself tells whether what was changed was moved as a whole.
 TOLD_LATE = {('touched', 'adopt_transform')}
 MENDED |= {f"patch_{name}" for name in MENDED}
 #: They open a dialog, work on the view, or are told by the panel what is meant.
-NOT_RUN = {'pick_piece', 'insert_here', 'measure_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt',
+NOT_RUN = {'pick_piece', 'insert_here', 'measure_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here',
+           'trim_here', 'extend_here', 'fillet_here', 'chamfer_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt',
            'hold_seam', 'release_seam', 'hold_joint', 'release_joint'}
 #: It leads to another object, and there is nothing to change then.
 LEADS_AWAY = {'edit_source'}

@@ -48,6 +48,7 @@ class FileState:
     sides: tuple = ()                                   # while sides of patches are picked: (object's name, number, side) each
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse
     drawn_stroke: tuple = ()                            # while one is drawn: its points
+    contour: tuple = None                               # while one is drawn: the core.contours.Contour, and that with the next point
     pulled: tuple = None                                # while a shape is pulled by a point: a ui.pull_overlay.Pull
     measured: tuple = None                              # while one measures by a click: a ui.measure_overlay.Measured
     weighing: tuple = None                              # while weights change by the mouse: a ui.weight_overlay.Weighing

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
-from ..core import joints, patch_joints, transform
+from ..core import patch_joints, transform
 from ..core.failures import Refusal, blenders_refusals
 from . import (blocks, curve_pieces, handles, held, mesh_attributes, mesh_looks, point_keys, recipes, replacing, shape, store,
                write_mesh)
@@ -61,15 +61,19 @@ def _listed(names):
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def join_ends(active, other, first, second, smoothness):
-    """join() of two curve shapes in which a piece of one and a piece of the other are then one curve.
+def join_changed(active, other, change):
+    """join() of two curve shapes that are changed then; of the active shape alone where the other is None.
 
-    Returns the definition before the two pieces are one, and the core.verbs.Changed. Raises, and changes nothing,
-    as join() and core.joints.joined() do.
+    change: gives, of the definition of both and how many pieces of it are the active shape's, the core.verbs.Changed. Returns
+    the definition before, and that. Raises, and changes nothing, as join() and change() do.
     """
+    if other is None:
+        before = replacing.read(active.data)
+        changed = change(before, None)
+        replacing.put(active.data, before, changed)
+        return before, changed
     definition = together(active, [other])
-    parted = len(store.read(active.data).pieces)
-    changed = joints.joined(definition, first, second, smoothness, linear_of(active), parted)
+    changed = change(definition, len(store.read(active.data).pieces))
     belongings = _belongings([active, other])
     shape.set_definition(active.data, changed.definition)
     pieces = curve_pieces.carried(belongings.pieces, changed)

@@ -48,6 +48,31 @@ class Traced:
         return [Traced(part, places.cut(self.stretches, *ends))
                 for part, ends in zip(parts, ((0.0, fraction), (fraction, 1.0)))]
 
+    def _extended(self, *arguments):
+        return self._longer(self.curve.extended(*arguments))
+
+    def _extended_to(self, *arguments, **settings):
+        return self._longer(self.curve.extended_to(*arguments, **settings))
+
+    def _parts(self, *arguments):
+        return [self._part(part) for part in self.curve.parts(*arguments)]
+
+    def _trimmed(self, *arguments, **settings):
+        return [self._part(part) for part in self.curve.trimmed(*arguments, **settings)]
+
+    def _longer(self, made):
+        """A curve that goes on by the same parameter."""
+        (start, end), (first, last) = self.curve.domain, made.domain
+        return Traced(made, places.squeezed(self.stretches, (start - first) / (last - first), (end - first) / (last - first)))
+
+    def _part(self, made):
+        """A part over its part of the domain, or of a closed curve over the seam."""
+        start, end = self.curve.domain
+        first, last = ((u - start) / (end - start) for u in made.domain)
+        if last > 1:
+            return Traced(made, places.cut(places.opened(self.stretches, first), 0.0, last - first))
+        return Traced(made, places.cut(self.stretches, first, last))
+
     def _to_bezier(self):
         return [Traced(part, places.cut(self.stretches, *ends))
                 for part, ends in zip(self.curve.to_bezier(), parameters.spans_of(self.curve), strict=True)]

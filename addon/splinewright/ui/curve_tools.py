@@ -11,13 +11,15 @@ _GROUPS = (
     ("Degree", ('raise_degree', 'lower_degree')),
     ("Fit", ('rebuild', 'fair')),
     ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'reverse')),
+    ("Corners", ('fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves')),
+    ("Meet", ('trim_curve', 'extend_curve', 'split_where_met')),
     ("Speed", ('reparametrise', 'standard_form')),
     ("Ends", ('clamp', 'unclamp', 'make_periodic')),
     ("Place", ('project_curve',)),
     ("Kind", ('to_bezier_chain', 'to_hermite', 'to_nurbs')),
 )
 #: On what is at the mouse.
-BY_MOUSE = ('insert_here', 'pull_here', 'split_here')
+BY_MOUSE = ('insert_here', 'pull_here', 'split_here', 'trim_here', 'extend_here', 'fillet_here', 'chamfer_here')
 
 
 class SPLINEWRIGHT_MT_curve(bpy.types.Menu):

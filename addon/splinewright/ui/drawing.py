@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import (aim_overlay, axis_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
+from . import (aim_overlay, axis_overlay, contour_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
                seams_overlay, sights_overlay, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
@@ -16,6 +16,7 @@ _DRAWS = (
     (aim_overlay.draw, 'POST_VIEW'),
     (pull_overlay.draw, 'POST_VIEW'),
     (pen_overlay.draw, 'POST_VIEW'),
+    (contour_overlay.draw, 'POST_VIEW'),
     (axis_overlay.draw, 'POST_VIEW'),
     (measure_overlay.draw, 'POST_VIEW'),
     (knot_strip_overlay.draw, 'POST_PIXEL'),

@@ -36,12 +36,13 @@ class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
         layout.separator()
         layout.operator("splinewright.curve_through_points", text=tools.text_of("curve_through_points"), icon='SNAP_VERTEX')
+        layout.operator("splinewright.contour_through_points", text=tools.text_of("contour_through_points"), icon='SNAP_VERTEX')
         layout.operator("splinewright.fit_curve", text=tools.text_of("fit_curve"), icon='GREASEPENCIL')
         _draw_pens(layout)
 
 
 def _draw_pens(layout):
-    for name in ('draw_curve', 'draw_on_surface'):
+    for name in ('draw_curve', 'draw_on_surface', 'draw_contour'):
         layout.operator(f"splinewright.{name}", icon='GREASEPENCIL')
 
 
@@ -80,6 +81,7 @@ def _draw_vertices(self, context):
     if not editing.nets_in_edit_mode(context):
         self.layout.separator()
         self.layout.operator("splinewright.curve_through_points", text="Splinewright: Curve Through Points")
+        self.layout.operator("splinewright.contour_through_points", text="Splinewright: Contour Through Points")
         self.layout.operator("splinewright.fit_curve", text="Splinewright: Fit Curve")
         self.layout.operator("splinewright.fit_patch", text="Splinewright: Fit Patch")
 
@@ -126,6 +128,7 @@ _ENTRIES = (
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
     (('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
+     ('intersections', kinds.FOLLOWED), ('add_touching_circle', {'curve', 'native'}),
      *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW)),
     (('join', kinds.SHAPES), ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
     (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))

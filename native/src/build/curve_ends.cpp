@@ -56,10 +56,11 @@ NurbsCurve with_one_end(const NurbsCurve& curve) {
   return curve.with_points(std::move(points));
 }
 
-NurbsCurve chained(const std::vector<NurbsCurve>& curves) {
-  NurbsCurve found = curves.front();
-  for (const NurbsCurve& more : std::span(curves).subspan(1)) found = follow(found, more);
-  return found;
+NurbsCurve chained(std::span<const NurbsCurve> curves) {
+  if (curves.size() == 1) return curves.front();
+  // By halves: to put one behind the other would copy all before it each time.
+  const std::size_t middle = curves.size() / 2;
+  return follow(chained(curves.first(middle)), chained(curves.subspan(middle)));
 }
 
 }  // namespace splinecore

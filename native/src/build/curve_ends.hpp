@@ -1,7 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <vector>
+#include <span>
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -29,7 +29,7 @@ NurbsCurve follow(const NurbsCurve& curve, const NurbsCurve& more);
 NurbsCurve with_one_end(const NurbsCurve& curve);
 
 /// Several curves, each following the one before it.
-NurbsCurve chained(const std::vector<NurbsCurve>& curves);
+NurbsCurve chained(std::span<const NurbsCurve> curves);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -31,6 +31,18 @@ NurbsCurve inner_part(const NurbsCurve& curve, double start, double end) {
   return found;
 }
 
+/// By halves: to cut off one part after the other would copy the rest each time.
+void cut(const NurbsCurve& curve, std::span<const double> at, std::vector<NurbsCurve>& found) {
+  if (at.empty()) {
+    found.push_back(curve);
+    return;
+  }
+  const std::size_t middle = at.size() / 2;
+  const auto [before, behind] = split(curve, at[middle]);
+  cut(before, at.first(middle), found);
+  cut(behind, at.subspan(middle + 1), found);
+}
+
 }  // namespace
 
 NurbsCurve part(const NurbsCurve& curve, double start, double end) {
@@ -40,8 +52,9 @@ NurbsCurve part(const NurbsCurve& curve, double start, double end) {
   if (end <= domain.end && !curve.periodic()) return inner_part(curve, start, end);
   const double turn = domain.length();
   if (!is_closed(curve)) require_in_domain(domain, end);
-  if (end - start > turn) throw InvalidShape("the part is longer than a turn of the curve");
+  if (end - start > turn * (1.0 + kSame)) throw InvalidShape("the part is longer than a turn of the curve");
   if (curve.periodic()) return inner_part(opened(curve, start), start, end);
+  if (start == domain.start) return curve;
   if (start == domain.end) return with_domain(inner_part(curve, domain.start, end - turn), {start, end});
   const NurbsCurve before = inner_part(curve, start, domain.end);
   const NurbsCurve behind = inner_part(curve, domain.start, end - turn);
@@ -68,7 +81,7 @@ std::vector<NurbsCurve> parts(const NurbsCurve& curve, std::vector<double> param
     cuts.push_back(domain.end);
   }
   std::vector<NurbsCurve> found;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) found.push_back(part(curve, cuts[i], cuts[i + 1]));
+  cut(part(curve, cuts.front(), cuts.back()), std::span(cuts).subspan(1, cuts.size() - 2), found);
   return found;
 }
 
@@ -94,7 +107,7 @@ std::vector<NurbsCurve> trimmed(const NurbsCurve& curve, std::span<const NurbsCu
   });
   const auto is_one = [&](double a, double b) { return b - a <= same; };
   cuts.erase(std::unique(cuts.begin(), cuts.end(), is_one), cuts.end());
-  if (cuts.empty()) throw InvalidShape("nothing meets the curve: there is nothing to trim it at");
+  if (cuts.empty()) throw InvalidShape("nothing meets the curve between its ends: there is nothing to trim it at");
   const auto next = std::ranges::upper_bound(cuts, at);
   if (goes_round) {
     if (cuts.size() == 1) throw InvalidShape("a closed curve is trimmed between two places, it is met in one only");

@@ -51,13 +51,8 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
-        if others:
-            return joining.join_ends(ob, others[0], self.first, self.second, self.continuity)
-        replacing.require_changeable(ob.data)
-        before = store.read(ob.data)
-        changed = joints.joined(before, self.first, self.second, self.continuity, joining.linear_of(ob))
-        replacing.put(ob.data, before, changed)
-        return before, changed
+        return joining.join_changed(ob, others[0] if others else None, lambda definition, parted: joints.joined(
+            definition, self.first, self.second, self.continuity, joining.linear_of(ob), parted))
 
     def draw(self, context):
         layout = self.layout

@@ -17,7 +17,7 @@ _ON_POINT = 8.0
 _STEPS = {'WHEELUPMOUSE': 1, 'WHEELDOWNMOUSE': -1}
 
 
-class _ByClick:
+class ByClick:
     """What is at the mouse is shown until it is clicked, or called off."""
 
     bl_options = {'REGISTER'}
@@ -84,7 +84,7 @@ class _ByClick:
         redraw()
 
 
-class SPLINEWRIGHT_OT_insert_here(_ByClick, bpy.types.Operator):
+class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.insert_here"
     bl_label = "Insert Knot by Click"
     bl_description = ("Click the curve or patch where a knot is to be; the shape stays the same, and has more control points "
@@ -107,7 +107,7 @@ class SPLINEWRIGHT_OT_insert_here(_ByClick, bpy.types.Operator):
         return _insert(aimed)
 
 
-class SPLINEWRIGHT_OT_split_here(_ByClick, bpy.types.Operator):
+class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.split_here"
     bl_label = "Split by Click"
     bl_description = "Click the curve or patch where it is to part in two; both go on as they were"
@@ -118,7 +118,7 @@ class SPLINEWRIGHT_OT_split_here(_ByClick, bpy.types.Operator):
         return _done_at(aimed, bpy.ops.splinewright.split_curve, bpy.ops.splinewright.patch_split, where='PARAMETER')
 
 
-class SPLINEWRIGHT_OT_extract_here(_ByClick, bpy.types.Operator):
+class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.extract_here"
     bl_label = "Extract Isocurve by Click"
     bl_description = "Click the patch where a curve is to be taken off it: a shape of its own, exact"

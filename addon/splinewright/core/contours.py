@@ -1,0 +1,92 @@
+"""Contours that are drawn point after point: segments, and arcs that go on from what is before them."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .failures import Refusal
+from .library import sc
+
+SEGMENT, ARC = 'segment', 'arc'
+#: Ends of parts differ by rounding alone: as a part of the size.
+_ROUNDING = 1e-9
+#: A point that turns less from where the contour goes, in radians, lies straight on: no arc goes there but a segment.
+_STRAIGHT = 1e-6
+
+
+class Contour(NamedTuple):
+    """Points that follow each other, what leads to each but the first, and whether the last leads to the first again."""
+
+    points: tuple = ()                  # of (x, y, z)
+    kinds: tuple = ()                   # SEGMENT or ARC
+    closed: bool = False
+
+    def after(self, point, kind):
+        if not self.points:
+            return self._replace(points=(tuple(point),))
+        return self._replace(points=(*self.points, tuple(point)), kinds=(*self.kinds, kind))
+
+    def shortened(self):
+        return self._replace(points=self.points[:-1], kinds=self.kinds[:-1])
+
+
+def parts_of(contour):
+    """The curves of a contour, one after the other. Raises Refusal where there are none."""
+    points = [np.array(point) for point in contour.points]
+    kinds = list(contour.kinds)
+    if contour.closed and len(points) > 2:
+        points.append(points[0])
+        kinds.append(SEGMENT)
+    parts, way = [], None
+    for start, end, kind in zip(points, points[1:], kinds):
+        if np.array_equal(start, end):
+            continue
+        parts.append(_arc(start, way, end) if kind == ARC and way is not None else sc.BezierCurve([start, end]))
+        way = parts[-1].derivatives(parts[-1].domain[1], 1, side='left')[1]
+    if not parts:
+        raise Refusal("a contour needs two points")
+    return parts
+
+
+def _arc(start, way, end):
+    chord = end - start
+    turn = np.arctan2(np.linalg.norm(np.cross(way, chord)), way @ chord)
+    if turn < _STRAIGHT:
+        return sc.BezierCurve([start, end])
+    if turn > np.pi - _STRAIGHT:
+        raise Refusal("an arc cannot go straight back")
+    return sc.conics.arc_from_tangent(start, way, end)
+
+
+def curve_of(contour, radius=0.0):
+    """A contour as one curve; its corners are arcs of a radius where that is above 0. Raises Refusal or an error of the
+    library."""
+    parts = parts_of(contour)
+    size = np.abs(np.array(contour.points)).max()
+    whole = sc.build.join_curves(parts, _ROUNDING * size)[0]
+    return whole.rounded(radius) if radius > 0 else whole
+
+
+def text_of(contour):
+    """For a property of an operator."""
+    rows = [" ".join(map(repr, map(float, point))) for point in contour.points]
+    return "; ".join([rows[0], *(f"{kind} {row}" for kind, row in zip(contour.kinds, rows[1:])), *(["closed"] if contour.closed else [])])
+
+
+def from_text(text):
+    """The Contour of a text. Raises Refusal."""
+    made = Contour()
+    try:
+        for part in filter(str.strip, text.split(";")):
+            words = part.split()
+            if words == ["closed"]:
+                made = made._replace(closed=True)
+                continue
+            kind = words.pop(0) if words[0] in (SEGMENT, ARC) else SEGMENT
+            x, y, z = map(float, words)
+            made = made.after((x, y, z), kind)
+    except ValueError:
+        raise Refusal("the contour is no list of points, each three numbers after 'segment' or 'arc'") from None
+    if len(made.points) < 2 or not np.isfinite(made.points).all():
+        raise Refusal("a contour needs two points or more")
+    return made

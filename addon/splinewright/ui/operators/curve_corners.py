@@ -1,0 +1,170 @@
+"""Corners of curves become round or are cut off: of one, and between two."""
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+
+from ...bridge import joining, replacing, store
+from ...core import decimals, meeting, verbs
+from ...core.failures import FAILURES
+from .. import hand
+from . import pieces, polls, reports
+from .curve_verbs import OnCurves
+from .pick_piece import draw_number
+
+_SIDES = (('AUTO', "Longer", "What is longer from where they meet"), ('start', "Start", "The part at its start"),
+          ('end', "End", "The part at its end"))
+#: Of the size of a curve: how large a corner is at first.
+_SHARE = 0.05
+
+
+def _length_property(name, what, least=1e-6):
+    return FloatProperty(name=name, description=f"{what}, in units of the object", default=0.1, min=least, precision=4,
+                         step=1, unit='LENGTH')
+
+
+class _Corners(pieces.FromActive, OnCurves):
+    """Replaces all corners of curves."""
+
+    asked = ('size',)
+    already = "it has no corners"
+
+    def first_values(self, curve):
+        return (first_length(curve),)
+
+    def typed_size(self):
+        return decimals.typed(self.size)
+
+
+def first_length(curve):
+    """A share of the size, in one digit."""
+    low, high = curve.bounding_box()
+    return float(f"{_SHARE * max(high - low):.1g}") or 0.1
+
+
+class SPLINEWRIGHT_OT_fillet_corners(_Corners, bpy.types.Operator):
+    bl_idname = "splinewright.fillet_corners"
+    bl_label = "Fillet Corners"
+    bl_description = "Put an arc of a circle in place of each corner of a curve; it goes on smoothly there"
+    done = "Filleted corners of {}"
+
+    size: _length_property("Radius", "Of the arcs")
+
+    def verb(self):
+        return meeting.fillet_corners(self.typed_size())
+
+
+class SPLINEWRIGHT_OT_chamfer_corners(_Corners, bpy.types.Operator):
+    bl_idname = "splinewright.chamfer_corners"
+    bl_label = "Chamfer Corners"
+    bl_description = "Put a segment in place of each corner of a curve"
+    done = "Chamfered corners of {}"
+
+    size: _length_property("Length", "From each corner along the curve")
+
+    def verb(self):
+        return meeting.chamfer_corners(self.typed_size())
+
+
+class _Between:
+    """Two curves are shortened, or made longer, up to what is put between them."""
+
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    joined: BoolProperty(name="Join", description="Make one curve of both and what is between them", default=True)
+    first_kept: EnumProperty(name="Keep First", description="Which part of the first curve stays", items=_SIDES,
+                             options={'SKIP_SAVE'})
+    second_kept: EnumProperty(name="Keep Second", description="Which part of the second curve stays", items=_SIDES,
+                              options={'SKIP_SAVE'})
+    picked: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})           # the parts were clicked: these parameters are on them
+    first_at: FloatProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    second_at: FloatProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    first: IntProperty(name="Piece", description="Which curve of the active shape, counted from 1", default=1, min=1,
+                       options={'SKIP_SAVE'})
+    second: IntProperty(name="Other Piece", description="Which other curve of it, or of the other shape, counted from 1; "
+                        "0 for the next one", default=0, min=0, options={'SKIP_SAVE'})
+
+    def change(self, definition, first, second, kept):
+        """The verbs.Changed of both curves."""
+        raise NotImplementedError
+
+    @classmethod
+    def poll(cls, context):
+        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
+
+    def invoke(self, context, event):
+        hand.begin_pair(self, context)
+        self.first = max(self.first, 1)
+        if not self.properties.is_property_set(self.sizes[0]):
+            try:
+                size = first_length(verbs.curves_of(store.read(context.object.data))[0])
+            except FAILURES:
+                size = 0.1              # execute() says it
+            for name in self.sizes:
+                setattr(self, name, size)
+        return self.execute(context)
+
+    def execute(self, context):
+        ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
+        parted = hand.count_of(ob.data) if others else None
+        try:
+            outcome = joining.join_changed(ob, others[0] if others else None, self._changed)
+        except FAILURES as error:
+            return reports.failed(self, error, ob.name)
+        hand.keep(ob.data, outcome[1].parents)
+        hand.note_pair(self, ob, outcome[1].parents, parted)
+        return reports.finished(self, reports.Said(self.done.format(ob.name) + pieces.told([outcome])))
+
+    def _changed(self, definition, parted):
+        first, second = self.first, self.second
+        if parted:
+            second = parted + max(second, 1)
+        elif not second:
+            second = 2 if first == 1 else 1
+        for number in (first, second):
+            verbs.require_piece(definition.pieces, number)
+        sides = self.first_kept, self.second_kept
+        best = (self.first_at, self.second_at) if self.picked else meeting.best_kept(definition, first, second)
+        kept = [found if side == 'AUTO' else side for side, found in zip(sides, best)]
+        return self.change(definition, first, second, kept)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        for name in (*self.sizes, 'joined', 'first_kept', 'second_kept'):
+            layout.prop(self, name)
+        draw_number(layout, self, "first")
+        draw_number(layout, self, "second")
+
+
+class SPLINEWRIGHT_OT_fillet_curves(_Between, bpy.types.Operator):
+    bl_idname = "splinewright.fillet_curves"
+    bl_label = "Fillet Two Curves"
+    bl_description = ("Put an arc of a circle between two curves of one plane, and shorten them to it, or go on straight up to it: "
+                      "two pieces of the active shape, or one of each of two selected shapes")
+    done = "Filleted curves of {}"
+    sizes = ('radius',)
+
+    radius: _length_property("Radius", "Of the arc")
+
+    def change(self, definition, first, second, kept):
+        return meeting.filleted(definition, first, second, kept, decimals.typed(self.radius), self.joined)
+
+
+class SPLINEWRIGHT_OT_chamfer_curves(_Between, bpy.types.Operator):
+    bl_idname = "splinewright.chamfer_curves"
+    bl_label = "Chamfer Two Curves"
+    bl_description = ("Put a segment between two curves, at two lengths from where they meet, or would straight on: two pieces of "
+                      "the active shape, or one of each of two selected shapes")
+    done = "Chamfered curves of {}"
+    sizes = ('first_length', 'second_length')
+
+    first_length: _length_property("First Length", "Along the first curve", 0.0)
+    second_length: _length_property("Second Length", "Along the second curve", 0.0)
+
+    def change(self, definition, first, second, kept):
+        lengths = decimals.typed(self.first_length), decimals.typed(self.second_length)
+        return meeting.chamfered(definition, first, second, kept, lengths, self.joined)
+
+
+CLASSES = (SPLINEWRIGHT_OT_fillet_corners, SPLINEWRIGHT_OT_chamfer_corners, SPLINEWRIGHT_OT_fillet_curves,
+           SPLINEWRIGHT_OT_chamfer_curves)

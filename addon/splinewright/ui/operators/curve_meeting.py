@@ -1,0 +1,107 @@
+"""Curves go on to where they meet others, end there, or part there."""
+
+from functools import partial
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty
+
+from ...bridge import beside, replacing
+from ...core import decimals, meeting, verbs
+from . import pieces
+from .curve_verbs import OnCurves
+from .pieces import parameter_property
+
+_WITH = (('VISIBLE', "All Visible", "All curves that are shown, and its own other pieces"),
+         ('SELECTED', "Selected", "Other selected curves, and its own other pieces"))
+
+
+class _Meeting(pieces.LongOnPieces, OnCurves):
+    """Does meeting_verb() with the curves that each shape may meet."""
+
+    meet: EnumProperty(name="With", description="What it may meet", items=_WITH)
+
+    def meeting_verb(self, others):
+        """A function that gives a verb for a `cancel` as the library takes it."""
+        raise NotImplementedError
+
+    def tasks(self, context):
+        self._found = {ob.name: self._others(context, ob) for ob in self.chosen(context) if replacing.can_change(ob.data)}
+        return {ob.name: self._task_with(ob, replacing.read(ob.data), self._found[ob.name])
+                for ob in self.chosen(context) if ob.name in self._found}
+
+    def work(self, context, ob):
+        before = replacing.read(ob.data)
+        changed = self.result_of(ob.name, self._task_with(ob, before, self._others(context, ob)))
+        replacing.put(ob.data, before, changed)
+        self._note(ob, changed)
+        return before, changed
+
+    def _task_with(self, ob, before, others):
+        number, already = self.piece, self.already
+        verb_with = self.meeting_verb([*verbs.curves_of(before), *others])
+        return lambda cancel: verbs.changed(before, number, verb_with(cancel), already)
+
+    def _others(self, context, ob):
+        obs = context.selected_objects if self.meet == 'SELECTED' else context.visible_objects
+        return beside.curves_of(ob, obs, context.evaluated_depsgraph_get())
+
+
+class SPLINEWRIGHT_OT_extend_curve(_Meeting, bpy.types.Operator):
+    bl_idname = "splinewright.extend_curve"
+    bl_label = "Extend"
+    bl_description = "Let curves go on at their ends: by a length, or up to where they meet another curve; the curve itself stays"
+    done = "Extended {}"
+
+    to: EnumProperty(name="Up To", items=(
+        ('LENGTH', "Length", "So much longer"), ('CURVES', "Curves", "To where it first meets another curve")))
+    ends: EnumProperty(name="At", items=(
+        ('END', "End", "Where it ends"), ('START', "Start", "Where it starts"), ('BOTH', "Both", "At both ends")))
+    how: EnumProperty(name="How", items=(
+        ('natural', "Natural", "As its last span does"), ('arc', "Arc", "Round its circle of curvature"),
+        ('straight', "Straight", "Along its tangent")))
+    by: FloatProperty(name="Length", description="By how much it is longer at each of these ends, in units of the object",
+                      default=0.5, min=1e-9, precision=4, step=1, unit='LENGTH')
+
+    expanded = ('to', 'ends', 'how')
+
+    def settings(self):
+        return ['to', *(['by'] if self.to == 'LENGTH' else ['meet']), 'ends', 'how']
+
+    def meeting_verb(self, others):
+        ends = {'END': ('end',), 'START': ('start',), 'BOTH': ('start', 'end')}[self.ends]
+        if self.to == 'LENGTH':
+            length, how = decimals.typed(self.by), self.how
+            return lambda cancel: meeting.extend(ends, length, how)
+        return partial(meeting.extend_to, ends, others, self.how)
+
+
+class SPLINEWRIGHT_OT_trim_curve(pieces.FromActive, _Meeting, bpy.types.Operator):
+    bl_idname = "splinewright.trim_curve"
+    bl_label = "Trim"
+    bl_description = "Take the part of a curve about a parameter away, up to where it meets other curves"
+    done = "Trimmed {}"
+    asked = ('parameter',)
+
+    parameter: parameter_property("Parameter", "Parameter u on the part that goes")
+
+    def first_values(self, curve):
+        return (float(curve.domain[1]),)
+
+    def settings(self):
+        return ['parameter', 'meet']
+
+    def meeting_verb(self, others):
+        return partial(meeting.trim, decimals.typed(self.parameter), others)
+
+
+class SPLINEWRIGHT_OT_split_where_met(_Meeting, bpy.types.Operator):
+    bl_idname = "splinewright.split_where_met"
+    bl_label = "Split at Intersections"
+    bl_description = "Cut curves into pieces where they meet each other, themselves or other curves; the shape stays"
+    done, already = "Split {}", "it meets nothing"
+
+    def meeting_verb(self, others):
+        return partial(meeting.split_where_met, others)
+
+
+CLASSES = (SPLINEWRIGHT_OT_extend_curve, SPLINEWRIGHT_OT_trim_curve, SPLINEWRIGHT_OT_split_where_met)

@@ -1,0 +1,163 @@
+"""Contours by clicks; curves trimmed, made longer and filleted by clicks; what is pointed at is shown, Esc and Ctrl+Z."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+CORNERS = [(-3, -1.5, 0), (3, -1.5, 0), (3, 1.5, 0), (-3, 1.5, 0)]
+
+
+def picture(name):
+    return save_picture(OUTPUT / f"curve-here-{name}.png")
+
+
+def state():
+    return part('bridge.file_state').state
+
+
+def curves(name=None):
+    ob = bpy.data.objects[name] if name else bpy.context.object
+    value = ob.data.splinewright.value
+    return value if isinstance(value, list) else [value]
+
+
+def begun(view):
+    """An empty scene, seen from above."""
+    with view.override():
+        empty_file()
+        bpy.ops.view3d.view_axis(type='TOP')
+        bpy.context.space_data.region_3d.view_location = (0, 0, 0)
+        bpy.context.space_data.region_3d.view_distance = 14
+    yield from redrawn()
+
+
+def call(view, name):
+    with view.override():
+        getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True)
+    yield from redrawn()
+
+
+def click(view, point):
+    view.move(*view.pixel_of(point))
+    yield from redrawn()
+    view.press('LEFTMOUSE')
+    yield from redrawn()
+
+
+def drawn(view):
+    """A slot by clicks, A and C; Esc makes nothing; Backspace takes one back; a number is a length."""
+    yield from begun(view)
+    plain = picture("empty")
+    yield from call(view, 'draw_contour')
+    for corner in CORNERS[:2]:
+        yield from click(view, corner)
+    view.press('ESC')
+    yield from until(lambda: state().contour is None, "Esc ends it")
+    assert not bpy.data.objects
+    yield from call(view, 'draw_contour')
+    for corner in CORNERS[:2]:
+        yield from click(view, corner)
+    yield from click(view, (0, 0, 0))
+    yield from until(lambda: len(state().contour[0].points) == 3, "three points")
+    view.press('BACK_SPACE')
+    yield from until(lambda: len(state().contour[0].points) == 2, "one is taken back")
+    view.press('A')
+    view.move(*view.pixel_of(CORNERS[2]))
+    yield from until(lambda: state().contour[1].kinds[-1] == 'arc', "an arc is shown")
+    yield from redrawn()
+    assert mean_difference(picture("drawing"), plain) > 0.001
+    yield from click(view, CORNERS[2])
+    view.press('A')
+    yield from click(view, CORNERS[3])
+    view.press('C')
+    yield from until(lambda: len(bpy.data.objects) == 1, "a contour")
+    made, = curves()
+    wanted = 6 + np.pi * 1.5 + 6 + 3
+    assert abs(made.length() - wanted) < 0.02 * wanted and np.allclose(*made.evaluate(np.array(made.domain)))
+    yield from redrawn()
+    picture("drawn")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: not bpy.data.objects, "Ctrl+Z takes it back")
+    yield from call(view, 'draw_contour')
+    yield from click(view, CORNERS[0])
+    view.move(*view.pixel_of(CORNERS[1]))
+    view.press('TWO', "2")
+    yield from until(lambda: np.isclose(state().contour[1].points[-1][0], -1, atol=0.05), "two units on")
+    view.press('LEFTMOUSE')
+    yield from redrawn()
+    view.press('RET')
+    yield from until(lambda: len(bpy.data.objects) == 1, "a segment")
+    assert abs(curves()[0].length() - 2) < 1e-6
+    print("drawn", flush=True)
+
+
+def lines(view, *rows):
+    """A shape of each, all selected, the first active."""
+    yield from begun(view)
+    sc = part('core.library').sc
+    for number, row in enumerate(rows):
+        data = part('bridge.shape').new_data(f"line {number}", sc.BezierCurve(np.array(row, float)), (12, 12))
+        ob = bpy.data.objects.new(f"line {number}", data)
+        bpy.context.scene.collection.objects.link(ob)
+        ob.select_set(True)
+        bpy.context.view_layer.objects.active = bpy.data.objects["line 0"]
+    with view.override():
+        bpy.ops.ed.undo_push(message="lines")
+    yield from redrawn()
+
+
+def trimmed(view):
+    yield from lines(view, [(-4, 0, 0), (4, 0, 0)], [(-1, -2, 0), (-1, 2, 0)], [(1, -2, 0), (1, 2, 0)])
+    yield from call(view, 'trim_here')
+    view.move(*view.pixel_of((0.1, 0, 0)))
+    yield from until(lambda: state().aimed is not None, "what is at the mouse is shown")
+    yield from redrawn()
+    picture("trimming")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: len(curves("line 0")) == 2, "a click trims")
+    yield from redrawn()
+    picture("trimmed")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: len(curves("line 0")) == 1, "Ctrl+Z takes it back")
+    print("trimmed", flush=True)
+
+
+def longer(view):
+    yield from lines(view, [(-4, 0, 0), (0, 0, 0)], [(2, -2, 0), (2, 2, 0)])
+    yield from call(view, 'extend_here')
+    yield from click(view, (-0.5, 0, 0))
+    yield from until(lambda: np.allclose(curves("line 0")[0].evaluate(curves("line 0")[0].domain[1]), (2, 0, 0), atol=1e-5),
+                     "it goes on to the other")
+    print("longer", flush=True)
+
+
+def filleted(view):
+    yield from lines(view, [(-4, 0, 0), (4, 0, 0)], [(0, -3, 0), (0, 3, 0)])
+    yield from call(view, 'fillet_here')
+    yield from click(view, (3, 0, 0))
+    assert len(bpy.data.objects) == 2
+    yield from click(view, (0, 2, 0))
+    yield from until(lambda: len(bpy.data.objects) == 1, "two became one")
+    ends = curves("line 0")[0].evaluate(np.array(curves("line 0")[0].domain))
+    assert np.allclose(ends, [(0, 3, 0), (4, 0, 0)], atol=1e-5)
+    yield from redrawn()
+    picture("filleted")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: len(bpy.data.objects) == 2, "Ctrl+Z takes it back")
+    print("filleted", flush=True)
+
+
+def steps():
+    view = View()
+    for part_of_it in (drawn, trimmed, longer, filleted):
+        yield from part_of_it(view)
+
+
+run(steps())
