@@ -15,7 +15,7 @@ NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.
 
 def test_there_are_samples():
     assert {'gallery', 'teapot', 'vase', 'solids', 'cups', 'conics', 'moebius', 'knots', 'points', 'runge',
-            'joins', 'railing', 'scan'} <= set(NAMES)
+            'joins', 'railing', 'scan', 'bottle', 'contour', 'offsets'} <= set(NAMES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -222,3 +222,44 @@ def test_the_scan_is_coloured_by_the_mean_distance_of_the_points_near_by():
     key = np.array([(0.06, 0.16, 0.42), (0.05, 0.40, 0.45), (0.60, 0.62, 0.20), (0.85, 0.35, 0.08), (0.62, 0.03, 0.03)])
     expected = np.stack([np.interp(parts, range(5), channel) for channel in key.T], -1)
     assert np.abs(shown - expected).max() < 1e-3
+
+
+def test_the_sections_of_the_bottle_lie_on_it_and_follow_its_profile():
+    opened('bottle')
+    bottle, profile = bpy.data.objects["Bottle"], bpy.data.objects["Profile"]
+
+    def require_on_bottle():
+        bpy.context.view_layer.update()
+        for name in ("Rings", "Upright section", "Oblique section", "Where a pipe meets it"):
+            ob = bpy.data.objects[name]
+            assert part('bridge.follow').problem(ob.data) == ""
+            into = np.array(bottle.matrix_world.inverted() @ ob.matrix_world)
+            value = ob.data.splinewright.value
+            for curve in value if isinstance(value, list) else [value]:
+                there = curve.evaluate(np.linspace(*curve.domain, 60)) @ into[:3, :3].T + into[:3, 3]
+                assert bottle.data.splinewright.value.nearest(there).distances.max() < 5e-4, name
+
+    require_on_bottle()
+    curve = profile.data.splinewright.value
+    profile.data.splinewright.value = curve.with_points(curve.points * (1.1, 1, 1))
+    require_on_bottle()
+
+
+def test_trimmed_offsets_are_nowhere_nearer_and_the_others_are():
+    shapes = opened('offsets')
+    for words in ("as they are", "trimmed"):
+        curve = shapes[f"Curve, offsets {words}"]
+        for name, value in shapes.items():
+            if not name.startswith("Offset") or words not in name:
+                continue
+            distance = abs(float(name.split()[1].rstrip(",")))
+            least = min(curve.nearest(one.evaluate(np.linspace(*one.domain, 400))).distances.min()
+                        for one in (value if isinstance(value, list) else [value]))
+            assert (least > distance - 1e-3) == (words == "trimmed") or distance < 0.75, name
+
+
+def test_corners_of_the_contours_are_sharp_round_and_cut_off():
+    shapes = opened('contour')
+    corners = {name.rpartition(" ")[2]: sum(joint.g == 0 for _, joint in value.joints()) for name, value in shapes.items()
+               if name.startswith("Contour")}
+    assert corners == {"sharp": 7, "round": 0, "off": 14}
