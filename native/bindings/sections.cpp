@@ -13,6 +13,7 @@ namespace bindings {
 
 using splinecore::NurbsCurve;
 using splinecore::NurbsPatch;
+using splinecore::SectionKind;
 using splinecore::Sections;
 
 namespace {
@@ -26,6 +27,15 @@ py::tuple curves_of(const Sections& found, NurbsCurve splinecore::SectionCurve::
 py::array_t<bool> closed_of(const Sections& found) {
   auto out = new_numbers<bool>(found.curves.size());
   std::ranges::transform(found.curves, out.mutable_data(), &splinecore::SectionCurve::is_closed);
+  return out;
+}
+
+py::tuple kinds_of(const Sections& found) {
+  py::tuple out(found.curves.size());
+  for (std::size_t i = 0; i < found.curves.size(); ++i) {
+    const SectionKind kind = found.curves[i].kind;
+    out[i] = py::str(kind == SectionKind::crossing ? "crossing" : kind == SectionKind::touching ? "touching" : "border");
+  }
   return out;
 }
 
@@ -56,13 +66,15 @@ void bind_patch(py::class_<Patch> cls) {
             return unlocked([&] { return splinecore::sections(patch_form(self), with, most); }, cancel);
           },
           py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
-          "The curves along which the patch and another one, of any kind, cross, as Sections: cubics within the\n"
+          "The curves along which the patch and another one, of any kind, cross or touch, as Sections: cubics within the\n"
           "tolerance of both, and the points where they touch. tolerance is a length, by default 2^-20 of the size of\n"
-          "both. A curve ends at borders, at poles, where the patches touch and where one is folded.\n\n"
+          "both. A curve ends at borders, at poles, where patches that cross touch and where one is folded. Of parts that\n"
+          "are one there are the borders that are borders of one of the patches.\n\n"
           "Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals\n"
           "differ, so that they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988), which\n"
-          "Newton's method follows. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
-          "InvalidShape if the tolerance is below 0, or the patches touch along a curve or are one in a part.");
+          "Newton's method follows; where they touch the second derivatives of their distance say along which way that\n"
+          "stays. Lecture row S18. cancel is a callable that ends a long call by returning True. InvalidShape if the\n"
+          "tolerance is below 0, or after 2^20 pairs of parts that are not apart, as where patches nearly touch.");
   cls.def("plane_sections", [](const Patch& self, const py::object& origin, const py::object& normal,
                                const py::object& tolerance, const py::object& cancel) {
             const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));
@@ -81,13 +93,16 @@ void bind_result(py::module_& module) {
                            "The n curves that two shapes have in common, and the m points where they touch beside them.\n\n"
                            "curves is a tuple of n NurbsCurve; on_a and on_b are their images on the first and the second\n"
                            "shape, points (u, v, 0) by the same parameter, over the seam of a closed patch beyond its domain;\n"
-                           "closed (n,), whether they end where they begin. points is (m, 3), parameters (m, 2, 2): u and v\n"
+                           "closed (n,), whether they end where they begin; kinds n of 'crossing', 'touching' and 'border', which is one\n"
+                           "of a part where both are one, as are_one says. points is (m, 3), parameters (m, 2, 2): u and v\n"
                            "on the first shape, and on the second.");
   seal(cls);
   cls.def_property_readonly("curves", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::curve); });
   cls.def_property_readonly("on_a", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::on_a); });
   cls.def_property_readonly("on_b", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::on_b); });
   cls.def_property_readonly("closed", &closed_of);
+  cls.def_property_readonly("kinds", &kinds_of);
+  cls.def_property_readonly("are_one", [](const Sections& self) { return self.are_one; });
   cls.def_property_readonly("points", &points_of);
   cls.def_property_readonly("parameters", &parameters_of);
   cls.def("__repr__", [](const Sections& self) {

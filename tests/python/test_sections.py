@@ -24,9 +24,12 @@ def wavy(seed, count=10, height=0.2, degree=3, rational=False):
 
 
 def wrapped(patch, image):
-    """Parameters of an image, which goes on over seams, in the domain."""
-    return tuple(np.where((p < d[0]) | (p > d[1]), d[0] + (p - d[0]) % (d[1] - d[0]), p)
-                 for p, d in zip(image[:, :2].T, patch.domain))
+    """Parameters of an image, which goes on over seams, in the domain; by a rounding beyond a border it is on that."""
+    def inside(p, d):
+        rest = 1e-12 * (d[1] - d[0])
+        over = np.where((p < d[0] - rest) | (p > d[1] + rest), d[0] + (p - d[0]) % (d[1] - d[0]), p)
+        return np.clip(over, *d)
+    return tuple(inside(p, d) for p, d in zip(image[:, :2].T, patch.domain))
 
 
 def check(a, b, found, tolerance, each=2000):
@@ -223,14 +226,6 @@ def test_surfaces_that_do_not_meet():
     assert len(SPHERE.sections(build.sphere((0, 0, 0), 2)).curves) == 0
     found = SPHERE.plane_sections((0, 0, 2), (0, 0, 1))
     assert isinstance(found, sc.Sections) and "curves=0, points=0" in repr(found)
-
-
-def test_surfaces_that_are_one_or_touch_along_a_curve_are_refused():
-    for other in (SPHERE, build.sphere((0, 0, 0), 1, axis=(1, 0, 0))):
-        with pytest.raises(sc.InvalidShape, match="touch along a curve, or are one in a part"):
-            SPHERE.sections(other)
-    with pytest.raises(sc.InvalidShape, match="touch along a curve, or are one in a part"):
-        TORUS.plane_sections((0, 0, 1), (0, 0, 1))
 
 
 def test_every_kind_of_patch_answers():

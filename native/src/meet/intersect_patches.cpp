@@ -6,6 +6,7 @@
 #include "patch/tolerance.hpp"
 #include "patch_march.hpp"
 #include "patch_pairs.hpp"
+#include "patch_touching.hpp"
 #include "plane_patch.hpp"
 #include "section_curve.hpp"
 #include "splinecore/meet/sections.hpp"
@@ -34,29 +35,35 @@ std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot
   return twins;
 }
 
+/// How far curves may be from the patches, in their space.
+double section_tolerance(const NearSpace& space, std::optional<double> tolerance) {
+  require_tolerance(tolerance);
+  constexpr double kOfSize = 0x1p-20;
+  constexpr double kRounding = 0x1p-36;
+  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kRounding + 4.0 * space.rounding());
+}
+
 /// Two patches in a space of their own, and the tolerance there.
 class SectionSearch {
  public:
   SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance)
-      : space_(together(a.points(), b.points())), a_(a, space_), b_(b, space_) {
-    require_tolerance(tolerance);
-    constexpr double kOfSize = 0x1p-20;
-    constexpr double kRounding = 0x1p-36;
-    tolerance_ = std::max(tolerance ? *tolerance / space_.length(1.0) : kOfSize, kRounding + 4.0 * space_.rounding());
-  }
+      : space_(together(a.points(), b.points())), a_(a, space_), b_(b, space_),
+        tolerance_(section_tolerance(space_, tolerance)), touching_({a_, b_}, tolerance_) {}
 
   Sections found() {
     constexpr double kRounding = 0x1p-48;
     constexpr double kSmallest = 0x1p-26;
     constexpr double kOfTolerance = 0x1p-4;  // a loop ten tolerances wide is told from a point
+    const IsPairKnown is_known = [&](const PatchPart& a, const PatchPart& b) { return touching_.knows(a, b); };
     const PatchPairFindings pairs = find_pairs(patches(), std::max(kOfTolerance * tolerance_, kSmallest),
-                                               kRounding + 2.0 * space_.rounding());
+                                               kRounding + 2.0 * space_.rounding(), is_known);
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     for (const PatchSpots& middle : pairs.crossing) trace(middle);
     Sections found;
-    for (const SectionTrace& trace : traces_) {
-      if (length_of(trace) > tolerance_) found.curves.push_back(section_curve(trace, patches(), space_));
-    }
+    found.are_one = touching_.are_one();
+    put(traces_, SectionKind::crossing, found);
+    put(touching_.traces(), SectionKind::touching, found);
+    put(touching_.borders(), SectionKind::border, found);
     for (const SectionTouch& touch : near_touches_) add_lonely(touch, found);
     return found;
   }
@@ -77,10 +84,18 @@ class SectionSearch {
     return length;
   }
 
+  void put(const std::vector<SectionTrace>& traces, SectionKind kind, Sections& found) const {
+    for (const SectionTrace& trace : traces) {
+      if (!(length_of(trace) > tolerance_)) continue;
+      found.curves.push_back(section_curve(trace, patches(), space_));
+      found.curves.back().kind = kind;
+    }
+  }
+
   void trace(const PatchSpots& middle) {
     const std::optional<SectionPlace> seed = seed_near(middle);
-    if (!seed || is_traced(*seed)) return;
-    traces_.push_back(traced(patches(), *seed, {touches_, 0.5 * tolerance_}));
+    if (!seed || touching_.is_near(seed->point, 4.0 * tolerance_) || is_traced(*seed)) return;
+    traces_.push_back(traced(patches(), *seed, {{}, touches_, 0.5 * tolerance_}));
     const std::vector<SectionPlace>& places = traces_.back().places;
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
       if (!places[i].has_pieces_of(places[i + 1])) continue;
@@ -180,7 +195,7 @@ class SectionSearch {
     const bool is_on_curve = std::ranges::any_of(traces_, [&](const SectionTrace& trace) {
       return std::ranges::any_of(trace.places, is_here);
     });
-    if (is_on_curve) return;
+    if (is_on_curve || touching_.is_near(touch.point, 4.0 * tolerance_)) return;
     const glm::dvec3 out = space_.leave(touch.point);
     const double near = 4.0 * space_.length(tolerance_);
     const auto is_known = [&](const SectionPoint& other) { return distance_of(other.point, out) <= near; };
@@ -192,6 +207,7 @@ class SectionSearch {
   PatchPieces a_;
   PatchPieces b_;
   double tolerance_;
+  TouchingCurves touching_;
   std::vector<SectionTouch> near_touches_;  ///< where the patches touch, or a pole is
   std::vector<SectionTouch> touches_;       ///< where normals are parallel, in every piece
   std::vector<SectionTrace> traces_;

@@ -130,6 +130,106 @@ std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, c
   });
 }
 
+namespace {
+
+/// An equation for steps of the parameters: its row, and how far it is from being satisfied.
+struct StepEquation {
+  Four row{};
+  double off = 0.0;
+};
+
+/// The gap has no part along a tangent of the second patch.
+StepEquation gap_along(const PatchMeeting& at, std::size_t k) {
+  const glm::dvec3& tangent = at.b.first[k];
+  const auto& [bss, btt, bst] = at.b.second;
+  const glm::dvec3& by_s = k == 0 ? bss : bst;
+  const glm::dvec3& by_t = k == 0 ? bst : btt;
+  const glm::dvec3& gap = at.b.offset;
+  return {{-glm::dot(at.a.first[0], tangent), -glm::dot(at.a.first[1], tangent),
+           glm::dot(at.b.first[0], tangent) + glm::dot(gap, by_s), glm::dot(at.b.first[1], tangent) + glm::dot(gap, by_t)},
+          glm::dot(gap, tangent)};
+}
+
+/// The tangent of the first patch across a way is a tangent of the second one.
+StepEquation tangent_across(const PatchMeeting& at, const glm::dvec3& way) {
+  const auto& [au, av] = at.a.first;
+  const auto& [auu, avv, auv] = at.a.second;
+  const auto& [bs, bt] = at.b.first;
+  const auto& [bss, btt, bst] = at.b.second;
+  const glm::dvec3 of_a = glm::cross(au, av);
+  const glm::dvec3 of_b = glm::cross(bs, bt);
+  const double scale = 1.0 / std::max(glm::length(of_a) * glm::length(of_b), 1e-300);
+  const glm::dvec3 across = scale * glm::cross(of_a, way);
+  const auto by_a = [&](const glm::dvec3& change) { return scale * glm::dot(of_b, glm::cross(change, way)); };
+  return {{by_a(glm::cross(auu, av) + glm::cross(au, auv)), by_a(glm::cross(auv, av) + glm::cross(au, avv)),
+           glm::dot(glm::cross(bss, bt) + glm::cross(bs, bst), across),
+           glm::dot(glm::cross(bst, bt) + glm::cross(bs, btt), across)},
+          glm::dot(of_b, across)};
+}
+
+StepEquation on_face(const PatchSpots& at, const OnFace& face) {
+  StepEquation found;
+  found.row[face.parameter] = 1.0;
+  found.off = at[face.parameter] - face.value;
+  return found;
+}
+
+/// Newton's method for two equations beside those of a foot on the second patch.
+template <class Equations>
+std::optional<PatchSpots> newton_on_foot(const TwoPatches& patches, PatchSpots at, Equations equations) {
+  constexpr int kMost = 24;
+  constexpr double kStill = 0x1p-42;
+  constexpr double kNoise = 0x1p-28;
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < kMost; ++round) {
+    breathe(256);
+    const PatchMeeting now = meeting_at(patches, at);
+    const std::array<StepEquation, 2> more = equations(now, at);
+    const std::array<StepEquation, 4> all{gap_along(now, 0), gap_along(now, 1), more[0], more[1]};
+    const std::optional<Four> steps = solved({all[0].row, all[1].row, all[2].row, all[3].row},
+                                             {-all[0].off, -all[1].off, -all[2].off, -all[3].off});
+    if (!steps) return {};
+    const std::optional<double> most = advance(at, *steps);
+    if (!most) return {};
+    if (*most <= kStill || (*most >= 0.25 * before && before <= kNoise)) return at;
+    before = *most;
+  }
+  return {};
+}
+
+/// What a place of a contact that is no crossing satisfies, whatever else is asked.
+StepEquation of_contact(const PatchMeeting& now, const PatchSpots& at, const PatchContact& contact, const glm::dvec3& way) {
+  return contact.kind == PatchContact::Kind::grazing ? tangent_across(now, way) : on_face(at, contact.border);
+}
+
+}  // namespace
+
+std::optional<PatchSpots> contact_near(const TwoPatches& patches, PatchSpots at, const PatchContact& contact,
+                                       const glm::dvec3& way, const InPlane& plane) {
+  if (contact.kind == PatchContact::Kind::crossing) return place_near(patches, at, plane);
+  return newton_on_foot(patches, at, [&](const PatchMeeting& now, const PatchSpots& there) -> std::array<StepEquation, 2> {
+    const StepEquation in_plane{{glm::dot(now.a.first[0], plane.normal), glm::dot(now.a.first[1], plane.normal), 0.0, 0.0},
+                                glm::dot(now.a.point - plane.origin, plane.normal)};
+    return {of_contact(now, there, contact, way), in_plane};
+  });
+}
+
+std::optional<PatchSpots> contact_near(const TwoPatches& patches, PatchSpots at, const PatchContact& contact,
+                                       const glm::dvec3& way, const OnFace& face) {
+  if (contact.kind == PatchContact::Kind::crossing) return place_near(patches, at, face);
+  at[face.parameter] = face.value;
+  return newton_on_foot(patches, at, [&](const PatchMeeting& now, const PatchSpots& there) -> std::array<StepEquation, 2> {
+    return {of_contact(now, there, contact, way), on_face(there, face)};
+  });
+}
+
+std::optional<PatchSpots> foot_near(const TwoPatches& patches, PatchSpots at) {
+  const PatchSpots given = at;
+  return newton_on_foot(patches, at, [&](const PatchMeeting&, const PatchSpots& there) -> std::array<StepEquation, 2> {
+    return {on_face(there, {0, given[0]}), on_face(there, {1, given[1]})};
+  });
+}
+
 /// Both tangents of the first patch are at right angles to the gap, those of the second one to the first one's normal;
 /// Levenberg and Marquardt's method, for where such places are a curve no one of them is best.
 std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {

@@ -58,6 +58,27 @@ struct OnFace {
 std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const InPlane& plane);
 std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const OnFace& face);
 
+/// How two patches meet along a curve.
+struct PatchContact {
+  enum class Kind {
+    crossing,  ///< they go through each other
+    grazing,   ///< they touch, and their normals are parallel
+    border,    ///< they are one surface on one side of it: the border of one lies on the other
+  };
+  Kind kind = Kind::crossing;
+  OnFace border{0, 0.0};  ///< where they are one
+};
+
+/// The place of a curve along which they meet so, from a pair of places near it. Of places that touch none is across `way`,
+/// the tangent there or nearly.
+std::optional<PatchSpots> contact_near(const TwoPatches& patches, PatchSpots at, const PatchContact& contact,
+                                       const glm::dvec3& way, const InPlane& plane);
+std::optional<PatchSpots> contact_near(const TwoPatches& patches, PatchSpots at, const PatchContact& contact,
+                                       const glm::dvec3& way, const OnFace& face);
+
+/// The place of the second patch, on from its piece, that is right across from a place of the first one: a pair of places.
+std::optional<PatchSpots> foot_near(const TwoPatches& patches, PatchSpots at);
+
 /// Where near a pair of places normals are parallel, and right across the gap between both.
 std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at);
 

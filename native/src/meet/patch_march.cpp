@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <span>
 
@@ -35,7 +36,8 @@ HermiteBlends blends(double s) {
 class March {
  public:
   March(const TwoPatches& patches, const SectionPlace& seed, double way, const MarchLimits& limits)
-      : patches_(patches), seed_(seed), way_(way), touches_(limits.touches), tolerance_(limits.tolerance) {
+      : patches_(patches), seed_(seed), way_(way), contact_(limits.contact), touches_(limits.touches),
+        tolerance_(limits.tolerance) {
     trace_.places.push_back(turned(seed));
   }
 
@@ -60,8 +62,28 @@ class March {
   }
 
   std::optional<SectionPlace> place(const PatchSpots& at) const {
+    if (contact_.kind != PatchContact::Kind::crossing) return touching_place(at);
     auto found = section_place(patches_, at);
     if (found) found = turned(*found);
+    return found;
+  }
+
+  /// A place of surfaces that are one there, up to the tolerance, on the way that the last one goes.
+  std::optional<SectionPlace> touching_place(const PatchSpots& at) const {
+    const PatchMeeting here = meeting_at(patches_, at);
+    if (here.distance() > tolerance_) return {};
+    std::optional<glm::dvec3> way;
+    if (contact_.kind == PatchContact::Kind::grazing) {
+      if (const auto parting = parting_at(here); parting && is_curve(*parting)) way = parting->way;
+    } else {
+      const std::size_t other = contact_.border.parameter ^ 1U;
+      const glm::dvec3& slope = other < 2 ? here.a.first[other] : here.b.first[other - 2];
+      if (glm::length(slope) > 0.0) way = glm::normalize(slope);
+    }
+    if (!way) return {};
+    if (glm::dot(*way, last().tangent) < 0.0) way = -*way;
+    SectionPlace found{at, here.a.point + 0.5 * here.b.offset, *way, slopes_along(here, *way)};
+    if (contact_.kind == PatchContact::Kind::border) found.slopes[contact_.border.parameter] = 0.0;
     return found;
   }
 
@@ -90,7 +112,7 @@ class March {
     if (const auto end = touching_end()) return finish(*end);
     keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
-    const std::optional<PatchSpots> at = place_near(patches_, ahead(length_), plane);
+    const std::optional<PatchSpots> at = contact_near(patches_, ahead(length_), contact_, last().tangent, plane);
     if (!at) return shorter(0.5);
     if (leaves_by_pole(*at)) return leave(*at);
     std::optional<SectionPlace> next = place(*at);
@@ -211,7 +233,7 @@ class March {
     const double share = std::abs(out[i] - before) > 0.0 ? (value - before) / (out[i] - before) : 0.0;
     PatchSpots start = last().at;
     for (std::size_t k = 0; k < 4; ++k) start[k] += share * (out[k] - start[k]);
-    std::optional<PatchSpots> at = place_near(patches_, start, OnFace{i, value});
+    std::optional<PatchSpots> at = contact_near(patches_, start, contact_, last().tangent, OnFace{i, value});
     if (!at || !enters(*at)) return {};
     (*at)[i] = value;
     return place(*at);
@@ -300,6 +322,7 @@ class March {
   TwoPatches patches_;
   const SectionPlace& seed_;
   double way_;
+  PatchContact contact_;
   std::span<const SectionTouch> touches_;
   double tolerance_;
   double length_ = kFirstStep;
@@ -335,6 +358,43 @@ std::optional<SectionPlace> section_place(const TwoPatches& patches, const Patch
   if (!(sine > kParallel)) return {};
   const glm::dvec3 tangent = here.along / sine;
   return SectionPlace{at, here.a.point + 0.5 * here.b.offset, tangent, slopes_along(here, tangent)};
+}
+
+std::optional<Parting> parting_at(const PatchMeeting& here) {
+  if (!(glm::length(here.normal_a) > 0.0) || !(glm::length(here.normal_b) > 0.0)) return {};
+  const glm::dvec3& n = here.normal_a;
+  const glm::dvec3 x = glm::normalize(here.a.first[0]);
+  const std::array<glm::dvec3, 2> axes{x, glm::cross(n, x)};
+  std::array<std::array<double, 4>, 2> slopes;
+  for (std::size_t i = 0; i < 2; ++i) slopes[i] = slopes_along(here, axes[i]);
+  // How each surface bends away from the plane along two tangents.
+  const auto bend = [&](const Slopes<2>& s, const double* p, const double* q) {
+    return p[0] * q[0] * glm::dot(s.second[0], n) + p[1] * q[1] * glm::dot(s.second[1], n) +
+           (p[0] * q[1] + p[1] * q[0]) * glm::dot(s.second[2], n);
+  };
+  const auto apart = [&](std::size_t i, std::size_t k) {
+    return bend(here.b, &slopes[i][2], &slopes[k][2]) - bend(here.a, &slopes[i][0], &slopes[k][0]);
+  };
+  const double xx = apart(0, 0);
+  const double xy = apart(0, 1);
+  const double yy = apart(1, 1);
+  const double middle = 0.5 * (xx + yy);
+  const double half = std::hypot(0.5 * (xx - yy), xy);
+  const double across = middle < 0.0 ? middle - half : middle + half;
+  const double along = middle < 0.0 ? middle + half : middle - half;
+  // The way is at right angles to the eigenvector of the larger one.
+  const glm::dvec2 first(xy, across - xx);
+  const glm::dvec2 second(across - yy, xy);
+  const glm::dvec2 bent = glm::dot(first, first) > glm::dot(second, second) ? first : second;
+  const double length = glm::length(bent);
+  const glm::dvec2 to = length > 0.0 ? bent / length : glm::dvec2(1.0, 0.0);
+  return Parting{-to.y * axes[0] + to.x * axes[1], along, across};
+}
+
+bool is_curve(const Parting& parting) {
+  constexpr double kBent = 0x1p-20;
+  constexpr double kAlong = 0x1p-5;
+  return std::abs(parting.across) > kBent && std::abs(parting.along) <= kAlong * std::abs(parting.across);
 }
 
 SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits) {

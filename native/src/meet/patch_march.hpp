@@ -23,6 +23,20 @@ struct SectionPlace {
   }
 };
 
+/// How two surfaces that touch part from each other there: the second derivative of their distance across the way along
+/// which it is least, and that along it, which is 0 where they touch along a curve.
+struct Parting {
+  glm::dvec3 way;  ///< a unit vector
+  double along;
+  double across;
+};
+
+/// @returns none where one has no normal
+std::optional<Parting> parting_at(const PatchMeeting& here);
+
+/// Whether they touch along a curve there, rather than in a point.
+bool is_curve(const Parting& parting);
+
 /// Places of one such curve: from one to the next it is a cubic of Hermite within the tolerance of both patches. Where it
 /// goes from one piece to another, two places are one point.
 struct SectionTrace {
@@ -52,6 +66,7 @@ struct SectionTouch {
 };
 
 struct MarchLimits {
+  PatchContact contact;                   ///< how the patches meet along it
   std::span<const SectionTouch> touches;  ///< where curves end
   double tolerance;                       ///< how far they are from the patches
 };

@@ -18,8 +18,8 @@ constexpr std::size_t kMostTouching = std::size_t{1} << 13;
 
 class PatchPairSearch {
  public:
-  PatchPairSearch(const TwoPatches& patches, double smallest, double rounding)
-      : patches_(patches), smallest_(smallest), slack_(rounding) {}
+  PatchPairSearch(const TwoPatches& patches, double smallest, double rounding, const IsPairKnown& is_known)
+      : patches_(patches), smallest_(smallest), slack_(rounding), is_known_(is_known) {}
 
   PatchPairFindings found() {
     for_near_pairs(patches_.a.tree(), patches_.b.tree(), slack_, [&](std::size_t i, std::size_t j) {
@@ -38,6 +38,7 @@ class PatchPairSearch {
     if (++pairs_ > kMostPairs) refuse();
     if (is_lost(a) || is_lost(b) || are_apart(a, b, slack_)) return;
     if (do_normals_differ(a, b)) return add(found_.crossing, a, b);
+    if (a.is_boxed && b.is_boxed && is_known_(a, b)) return;
     if (a.is_boxed && b.is_boxed && std::max(a.largest_size(), b.largest_size()) <= smallest_) {
       add(found_.touching, a, b);
       if (found_.touching.size() > kMostTouching) refuse();
@@ -54,21 +55,23 @@ class PatchPairSearch {
   }
 
   [[noreturn]] void refuse() const {
-    throw InvalidShape("the shapes touch along a curve, or are one in a part: more than " + std::to_string(pairs_ - 1) +
+    throw InvalidShape("the shapes nearly touch along a curve, or are nearly one in a part: more than " + std::to_string(pairs_ - 1) +
                        " pairs of parts are not apart");
   }
 
   TwoPatches patches_;
   double smallest_;
   double slack_;
+  const IsPairKnown& is_known_;
   std::size_t pairs_ = 0;
   PatchPairFindings found_;
 };
 
 }  // namespace
 
-PatchPairFindings find_pairs(const TwoPatches& patches, double smallest, double rounding) {
-  return PatchPairSearch(patches, smallest, rounding).found();
+PatchPairFindings find_pairs(const TwoPatches& patches, double smallest, double rounding,
+                             const IsPairKnown& is_known) {
+  return PatchPairSearch(patches, smallest, rounding, is_known).found();
 }
 
 }  // namespace splinecore

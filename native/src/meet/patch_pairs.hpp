@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "patch_approach.hpp"
@@ -14,9 +15,13 @@ struct PatchPairFindings {
   std::vector<PatchSpots> touching;  ///< as small as is asked, whose normals do not
 };
 
+/// Whether all that two parts may have in common is known.
+using IsPairKnown = std::function<bool(const PatchPart&, const PatchPart&)>;
+
 /// @param smallest  parts of that size are not halved
+/// @param is_known  asked of parts whose normals do not differ
 /// @throws InvalidShape after too many pairs.
-PatchPairFindings find_pairs(const TwoPatches& patches, double smallest, double rounding);
+PatchPairFindings find_pairs(const TwoPatches& patches, double smallest, double rounding, const IsPairKnown& is_known);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -110,7 +110,7 @@ SectionCurve section_curve(const SectionTrace& trace, const TwoPatches& patches,
   }
   const KnotVector knots = knots_of(lengths, smooth);
   return {curve_of(in_space, knots, lengths, smooth), curve_of(on_a, knots, lengths, smooth),
-          curve_of(on_b, knots, lengths, smooth), trace.is_closed};
+          curve_of(on_b, knots, lengths, smooth), trace.is_closed, SectionKind::crossing};
 }
 
 }  // namespace splinecore

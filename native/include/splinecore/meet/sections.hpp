@@ -11,6 +11,13 @@
 
 namespace splinecore {
 
+/// What two shapes do at a curve that they have in common.
+enum class SectionKind {
+  crossing,  ///< they go through each other
+  touching,  ///< they touch, and part to both sides
+  border,    ///< they are one up to it: the border of one lies on the other
+};
+
 /// A curve that two shapes have in common, and its images: the points (u, v, 0) of both by the same parameter, which is
 /// nearly the length. Over the seam of a closed patch an image goes on beyond the domain.
 struct SectionCurve {
@@ -18,6 +25,7 @@ struct SectionCurve {
   NurbsCurve on_a;
   NurbsCurve on_b;
   bool is_closed;  ///< whether it ends where it begins
+  SectionKind kind = SectionKind::crossing;
 };
 
 /// A place where two shapes touch.
@@ -30,16 +38,19 @@ struct SectionPoint {
 struct Sections {
   std::vector<SectionCurve> curves;
   std::vector<SectionPoint> points;  ///< that are on none of the curves
+  bool are_one = false;              ///< whether the shapes are one in a part, up to the tolerance
 };
 
-/// The curves along which two patches cross, cubics that are within the tolerance of both, and the points where they
-/// touch. A curve ends at borders, at poles, where the patches touch and where one is folded.
+/// The curves along which two patches cross or touch, cubics that are within the tolerance of both, and the points where
+/// they touch. A curve ends at borders, at poles, where patches that cross touch and where one is folded. Of parts that
+/// are one the borders that are borders of one of the patches.
 ///
 /// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals differ, so that
 /// they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988); from a place in each such pair
-/// Newton's method follows the line. S18.
+/// Newton's method follows the line. Where they touch the second derivatives of their distance tell along which way that
+/// stays, and whether all of a pair of parts lies beside a curve that is known. S18.
 /// @param tolerance  none: 2^-20 of the size of both
-/// @throws InvalidShape if the tolerance is below 0 or no number, or the patches touch along a curve or are one in a part.
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs, as where patches nearly touch.
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 
 /// The same with a plane; on_b and b have its coordinates.

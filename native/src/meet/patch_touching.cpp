@@ -1,0 +1,208 @@
+#include "patch_touching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Larger parts, in a space where the patches are about 1 large, are not asked about.
+constexpr double kLargest = 0x1p-4;
+/// Surfaces that part by less, by so many tolerances, are one within the tolerance over an eighth of their size.
+constexpr double kNarrow = 128.0;
+/// Beads of a step of a curve.
+constexpr int kBeads = 32;
+
+double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 chord = b - a;
+  const double square = glm::dot(chord, chord);
+  const double s = square > 0.0 ? std::clamp(glm::dot(p - a, chord) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(p, a + s * chord);
+}
+
+}  // namespace
+
+bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
+  if (std::max(a.largest_size(), b.largest_size()) > kLargest) return false;
+  const auto samples = samples_of(a, b);
+  if (!samples) {
+    find_near(a, b);
+    return false;
+  }
+  if (is_explained(*samples) || (find_near(a, b) && is_explained(*samples))) return true;
+  if (!is_one(a, b, *samples)) return false;
+  are_one_ = true;
+  find_borders(a, b);
+  return true;
+}
+
+std::optional<std::vector<TouchingCurves::PartSample>> TouchingCurves::samples_of(const PatchPart& a,
+                                                                                  const PatchPart& b) const {
+  const double most = std::max(a.largest_size(), b.largest_size());
+  const std::size_t rows = a.net.rows + 1;
+  const std::size_t columns = a.net.columns + 1;
+  std::vector<PartSample> found;
+  PatchSpots at{{a.piece, a.middle()}, {b.piece, b.middle()}};
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const double s = static_cast<double>(i) / static_cast<double>(rows - 1);
+      const double t = static_cast<double>(j) / static_cast<double>(columns - 1);
+      at.a.at = {a.range[0].start + s * a.range[0].length(), a.range[1].start + t * a.range[1].length()};
+      const std::optional<PatchSpots> foot = foot_near(patches_, at);
+      if (!foot) return {};
+      at.b = foot->b;
+      const PatchMeeting here = meeting_at(patches_, at);
+      const double gap = glm::dot(here.b.offset, here.normal_a);
+      if (std::abs(gap) > most) return {};
+      found.push_back({here.a.point, gap});
+    }
+  }
+  return found;
+}
+
+bool TouchingCurves::is_explained(const std::vector<PartSample>& samples) const {
+  if (beads_.empty()) return false;
+  const double slack = 0.25 * tolerance_;
+  constexpr double kLoose = 4.0;
+  return std::ranges::all_of(samples, [&](const PartSample& sample) {
+    double distance = 0.0;
+    const BeadStrings::Bead* const bead = beads_.nearest(sample.point, distance);
+    const double parted = 0.5 * bead->bend * distance * distance;
+    const double gap = parted < 0.0 ? -sample.gap : sample.gap;
+    return gap >= std::abs(parted) / kLoose - slack && gap <= kLoose * std::abs(parted) + slack;
+  });
+}
+
+bool TouchingCurves::is_one(const PatchPart& a, const PatchPart& b, const std::vector<PartSample>& samples) const {
+  const auto is_near = [&](const PartSample& sample) { return std::abs(sample.gap) <= tolerance_; };
+  if (!std::ranges::all_of(samples, is_near)) return false;
+  const auto foot = foot_near(patches_, {{a.piece, a.middle()}, {b.piece, b.middle()}});
+  const auto parting = foot ? parting_at(meeting_at(patches_, *foot)) : std::nullopt;
+  return parting && std::abs(parting->across) < kNarrow * tolerance_;
+}
+
+/// Where near a pair of places the patches touch, in the pieces that it lies in.
+std::optional<PatchSpots> TouchingCurves::touch_of_pieces(PatchSpots from) const {
+  constexpr int kMostHops = 4;
+  for (int hop = 0; hop < kMostHops; ++hop) {
+    std::optional<PatchSpots> at = touch_near(patches_, from);
+    if (!at || enters(*at)) return at;
+    from = *at;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const bool is_end = from[i] > 1.0;
+      if (from[i] >= 0.0 && !is_end) continue;
+      PatchSpot& spot = i < 2 ? from.a : from.b;
+      const auto next = (i < 2 ? patches_.a : patches_.b).beyond(spot.piece, {i % 2 == 0 ? Axis::u : Axis::v, is_end});
+      if (!next) return {};
+      spot.piece = *next;
+      spot.at[i % 2] = is_end ? 0.0 : 1.0;
+    }
+  }
+  return {};
+}
+
+/// @returns whether there is a new curve
+bool TouchingCurves::find_near(const PatchPart& a, const PatchPart& b) {
+  const std::optional<PatchSpots> at = touch_of_pieces({{a.piece, a.middle()}, {b.piece, b.middle()}});
+  if (!at) return false;
+  const PatchMeeting here = meeting_at(patches_, *at);
+  if (here.distance() > 0.5 * tolerance_ || beads_.is_near(here.a.point, 0x1p-10)) return false;
+  const std::optional<Parting> parting = parting_at(here);
+  if (!parting || !is_curve(*parting) || std::abs(parting->across) < kNarrow * tolerance_) return false;
+  const SectionPlace seed{*at, here.a.point + 0.5 * here.b.offset, parting->way, slopes_along(here, parting->way)};
+  SectionTrace trace = traced(patches_, seed, {{PatchContact::Kind::grazing, {}}, {}, 0.5 * tolerance_});
+  if (trace.places.size() < 2) return false;
+  beads_.add(patches_, trace);
+  traces_.push_back(std::move(trace));
+  return true;
+}
+
+/// Sides of parts that are one which are borders of their patches.
+void TouchingCurves::find_borders(const PatchPart& a, const PatchPart& b) {
+  find_borders_of(a, b, true);
+  find_borders_of(b, a, false);
+}
+
+void TouchingCurves::find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a) {
+  constexpr int kLooks = 16;
+  const PatchPieces& pieces = is_a ? patches_.a : patches_.b;
+  const TwoPatches seen{pieces, is_a ? patches_.b : patches_.a};
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    for (const bool is_end : {false, true}) {
+      const double value = is_end ? 1.0 : 0.0;
+      const PieceSide side{k == 0 ? Axis::u : Axis::v, is_end};
+      if ((is_end ? part.range[k].end : part.range[k].start) != value) continue;
+      if (pieces.is_pole(part.piece, side) || pieces.beyond(part.piece, side)) continue;
+      const Interval& along = part.range[1 - k];
+      for (int i = 0; i <= kLooks; ++i) {
+        PatchSpots at{{part.piece, {value, value}}, {other.piece, other.middle()}};
+        at.a.at[1 - k] = along.start + along.length() * i / kLooks;
+        std::optional<PatchSpots> foot = foot_near(seen, at);
+        if (!foot || !enters(*foot)) continue;
+        if (is_a) {
+          find_border(*foot, {k, value});
+        } else {
+          find_border({foot->b, foot->a}, {2 + k, value});
+        }
+      }
+    }
+  }
+}
+
+void TouchingCurves::find_border(const PatchSpots& at, const OnFace& border) {
+  const PatchMeeting here = meeting_at(patches_, at);
+  const double near = std::max(4.0 * tolerance_, 0x1p-16);
+  if (here.distance() > 0.5 * tolerance_ || border_beads_.is_near(here.a.point, near)) return;
+  const std::size_t other = border.parameter ^ 1U;
+  const glm::dvec3& slope = other < 2 ? here.a.first[other] : here.b.first[other - 2];
+  if (!(glm::length(slope) > 0.0)) return;
+  const glm::dvec3 way = glm::normalize(slope);
+  SectionPlace seed{at, here.a.point + 0.5 * here.b.offset, way, slopes_along(here, way)};
+  seed.slopes[border.parameter] = 0.0;
+  SectionTrace trace = traced(patches_, seed, {{PatchContact::Kind::border, border}, {}, 0.5 * tolerance_});
+  if (trace.places.size() < 2) return;
+  border_beads_.add(patches_, trace);
+  borders_.push_back(std::move(trace));
+}
+
+void BeadStrings::add(const TwoPatches& patches, const SectionTrace& trace) {
+  std::vector<Bead> beads;
+  for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
+    const SectionPlace& from = trace.places[i];
+    const SectionPlace& to = trace.places[i + 1];
+    const std::optional<Parting> parting = parting_at(meeting_at(patches, from.at));
+    const double bend = parting ? parting->across : beads.empty() ? 0.0 : beads.back().bend;
+    if (!from.has_pieces_of(to)) continue;
+    const SectionStep step(from, to);
+    for (int k = 0; k < kBeads; ++k) beads.push_back({step.point(static_cast<double>(k) / kBeads), bend});
+  }
+  if (!beads.empty()) beads.push_back({trace.places.back().point, beads.back().bend});
+  strings_.push_back(std::move(beads));
+}
+
+const BeadStrings::Bead* BeadStrings::nearest(const glm::dvec3& point, double& distance) const {
+  const Bead* found = nullptr;
+  distance = std::numeric_limits<double>::infinity();
+  for (const std::vector<Bead>& beads : strings_) {
+    for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
+      const double here = distance_to_segment(point, beads[i].point, beads[i + 1].point);
+      if (here >= distance) continue;
+      distance = here;
+      found = &beads[i];
+    }
+  }
+  return found;
+}
+
+bool BeadStrings::is_near(const glm::dvec3& point, double distance) const {
+  double found = 0.0;
+  return nearest(point, found) && found <= distance;
+}
+
+}  // namespace splinecore

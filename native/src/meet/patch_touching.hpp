@@ -1,0 +1,76 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "patch_march.hpp"
+#include "patch_part.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// Curves, by places on them that are close to each other.
+class BeadStrings {
+ public:
+  /// A place of a curve, and how the surfaces part across it.
+  struct Bead {
+    glm::dvec3 point;
+    double bend;
+  };
+
+  void add(const TwoPatches& patches, const SectionTrace& trace);
+  bool empty() const noexcept { return strings_.empty(); }
+  const Bead* nearest(const glm::dvec3& point, double& distance) const;
+  bool is_near(const glm::dvec3& point, double distance) const;
+
+ private:
+  std::vector<std::vector<Bead>> strings_;
+};
+
+/// The curves along which two patches touch, and the borders of what they have in common, found as pairs of parts are asked
+/// about.
+class TouchingCurves {
+ public:
+  TouchingCurves(const TwoPatches& patches, double tolerance) : patches_(patches), tolerance_(tolerance) {}
+
+  /// Whether all that two parts may have in common is known: a curve along which they touch, from which they part as two
+  /// surfaces do that touch once, or they are one.
+  bool knows(const PatchPart& a, const PatchPart& b);
+
+  const std::vector<SectionTrace>& traces() const noexcept { return traces_; }
+  bool are_one() const noexcept { return are_one_; }
+  const std::vector<SectionTrace>& borders() const noexcept { return borders_; }
+
+  /// Whether they touch at a place, or a border of what they have in common is there.
+  bool is_near(const glm::dvec3& point, double distance) const {
+    return beads_.is_near(point, distance) || border_beads_.is_near(point, distance);
+  }
+
+ private:
+  /// How far apart two surfaces are at a place of the first one.
+  struct PartSample {
+    glm::dvec3 point;
+    double gap;  ///< along the first one's normal
+  };
+
+  /// None where one goes beyond its piece too far.
+  std::optional<std::vector<PartSample>> samples_of(const PatchPart& a, const PatchPart& b) const;
+  bool is_explained(const std::vector<PartSample>& samples) const;
+  bool is_one(const PatchPart& a, const PatchPart& b, const std::vector<PartSample>& samples) const;
+  std::optional<PatchSpots> touch_of_pieces(PatchSpots from) const;
+  bool find_near(const PatchPart& a, const PatchPart& b);
+  void find_borders(const PatchPart& a, const PatchPart& b);
+  void find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a);
+  void find_border(const PatchSpots& at, const OnFace& border);
+
+  TwoPatches patches_;
+  double tolerance_;
+  std::vector<SectionTrace> traces_;
+  std::vector<SectionTrace> borders_;
+  bool are_one_ = false;
+  BeadStrings beads_;
+  BeadStrings border_beads_;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop
