@@ -215,5 +215,19 @@ TEST(Make, CurvesAboutAndOn) {
   EXPECT_NEAR(touching.radius, 1.0, 1e-12);
 }
 
+TEST(Meet, SurfacesThatTouchAlongACurve) {
+  const Sections found = sections(sphere({0, 0, 0}, 1.0, kUp), cylinder({0, 0, -2}, kUp, 1.0, 4.0));
+  ASSERT_EQ(found.curves.size(), 1U);
+  EXPECT_EQ(found.curves[0].kind, SectionKind::touching);
+  EXPECT_NEAR(length(found.curves[0].curve).value, 2.0 * std::numbers::pi, 1e-4);
+}
+
+TEST(Meet, SurfacesThatAreOneInAPartHaveItsBorder) {
+  const Sections found = sections(plane({0, 0, 0}, {2, 0, 0}, {0, 2, 0}), plane({1, 1, 0}, {2, 0, 0}, {0, 2, 0}));
+  EXPECT_TRUE(found.are_one);
+  ASSERT_EQ(found.curves.size(), 4U);
+  for (const SectionCurve& side : found.curves) EXPECT_EQ(side.kind, SectionKind::border);
+}
+
 }  // namespace
 }  // namespace splinecore

@@ -77,8 +77,10 @@ def _joined_sections(found, tolerance, is_needed=True):
     """The curves of Sections, on over the seams of patches. Raises Refusal where there are none that are needed."""
     curves = [curve for sections in found for curve in sections.curves]
     if not curves and is_needed:
+        if any(sections.are_one for sections in found):
+            raise Refusal("the surfaces are one, and no border of either lies inside the other")
         touches = sum(len(sections.points) for sections in found)
-        raise Refusal("the surfaces touch in points alone: Intersections marks them" if touches
+        raise Refusal("the surfaces touch in points alone: Mark Intersections shows them" if touches
                       else "the surfaces do not meet")
     return curves if len(found) == 1 or not curves else sc.build.join_curves(curves, _TOGETHER * tolerance)
 
