@@ -309,6 +309,8 @@ const benchmarks::Workloads kWorkloads = {
     {"W6 Beziers", to_beziers},
     {"W8 curve", nearest_on_curve},
     {"W8 patch", nearest_on_patch},
+    {"W9 curves", benchmarks::cross_zigzags},
+    {"W9 surfaces", benchmarks::cross_waves},
     {"W10", many_patches},
     {"W11", lengths},
     {"adaptive", benchmarks::mesh_teapot},

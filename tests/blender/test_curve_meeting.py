@@ -197,3 +197,29 @@ def test_a_drawn_contour_is_its_text():
     for wrong in ("", "1 2", "0 0 0; arc 1 2", "0 0 0", "nan 0 0; 1 1 1", "0 0 0; 0 0 0"):
         with pytest.raises(RuntimeError, match="contour|points"):
             op(bpy.ops.splinewright.draw_contour, contour=wrong)
+
+
+def test_selected_curves_are_joined_within_a_tolerance():
+    rows = [((0, 0), (1, 0)), ((2, 1), (1, 1e-5)), ((2, 1.00001), (0, 2)), ((9, 9), (8, 8))]
+    shapes = [add(line(*row), f"part {i}") for i, row in enumerate(rows)]
+    activate(*shapes)
+    with pytest.raises(RuntimeError, match="no two ends"):
+        op(bpy.ops.splinewright.join_curves, tolerance=1e-7)
+    assert len(bpy.data.objects) == 4
+    assert op(bpy.ops.splinewright.join_curves, tolerance=1e-4) == {'FINISHED'}
+    ob, = bpy.data.objects
+    assert len(curves(ob)) == 2 and ends(ob)[1] == pytest.approx((0, 2, 0))
+    require_exact(ob)
+
+
+def test_curves_that_are_one_and_those_without_length_are_refused():
+    ob = add([line((0, 0), (4, 0)), line((0, 0), (4, 0))])
+    for operator in (bpy.ops.splinewright.fillet_curves, bpy.ops.splinewright.chamfer_curves):
+        with pytest.raises(RuntimeError):
+            op(operator)
+    assert len(curves(ob)) == 2
+    ob.data.splinewright.value = [line((0, 0), (4, 0)), line((1, 1), (1, 1))]
+    for operator in (bpy.ops.splinewright.fillet_curves, bpy.ops.splinewright.chamfer_curves):
+        with pytest.raises(RuntimeError):
+            op(operator)
+    assert len(curves(ob)) == 2

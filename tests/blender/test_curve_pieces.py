@@ -141,7 +141,7 @@ def test_every_verb_is_in_the_menu_and_in_the_sidebar():
 
     class Self:
         layout = Layout()
-    by_mouse = ['insert_here', 'pull_here', 'split_here']
+    by_mouse = list(tools.BY_MOUSE)
     for draw, above in ((tools.SPLINEWRIGHT_MT_curve.draw, []), (tools.SPLINEWRIGHT_PT_curve_tools.draw, by_mouse)):
         drawn.clear()
         draw(Self, bpy.context)

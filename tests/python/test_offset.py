@@ -175,6 +175,8 @@ def test_bad_calls():
     for tolerance in (0.0, -1.0, np.nan):
         with pytest.raises(sc.InvalidShape, match="tolerance"):
             SQUARE.offset(0.1, tolerance=tolerance)
+    with pytest.raises(sc.InvalidShape, match="is a point"):
+        sc.BezierCurve([(1, 1), (1, 1)]).offset(0.1)
     with pytest.raises(sc.InvalidShape, match="corner = 'soft' is none of 'round', 'sharp'"):
         SQUARE.offset(0.1, corner="soft")
     with pytest.raises(sc.InvalidShape, match="not in a plane"):

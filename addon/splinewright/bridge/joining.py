@@ -61,26 +61,26 @@ def _listed(names):
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def join_changed(active, other, change):
-    """join() of two curve shapes that are changed then; of the active shape alone where the other is None.
+def join_changed(active, others, change):
+    """join() of curve shapes that are changed then; of the active shape alone where there are no others.
 
     change: gives, of the definition of both and how many pieces of it are the active shape's, the core.verbs.Changed. Returns
     the definition before, and that. Raises, and changes nothing, as join() and change() do.
     """
-    if other is None:
+    if not others:
         before = replacing.read(active.data)
         changed = change(before, None)
         replacing.put(active.data, before, changed)
         return before, changed
-    definition = together(active, [other])
+    definition = together(active, others)
     changed = change(definition, len(store.read(active.data).pieces))
-    belongings = _belongings([active, other])
+    belongings = _belongings([active, *others])
     shape.set_definition(active.data, changed.definition)
     pieces = curve_pieces.carried(belongings.pieces, changed)
     _give(active, changed.definition, belongings._replace(pieces=pieces))
     held.carry(active.data, belongings.seams, definition, changed.parents)
     handles.carry(active.data, belongings.types, definition, changed)
-    _remove([other])
+    _remove(others)
     return definition, changed
 
 

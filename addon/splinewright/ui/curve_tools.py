@@ -10,7 +10,7 @@ _GROUPS = (
     ("Knots", ('insert_knot', 'remove_knot', 'remove_knots')),
     ("Degree", ('raise_degree', 'lower_degree')),
     ("Fit", ('rebuild', 'fair')),
-    ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'reverse')),
+    ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'join_curves', 'reverse')),
     ("Corners", ('fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves')),
     ("Meet", ('trim_curve', 'extend_curve', 'split_where_met')),
     ("Speed", ('reparametrise', 'standard_form')),

@@ -55,8 +55,10 @@ NurbsCurve kept_part(const NurbsCurve& curve, const NurbsCurve& longer, double c
 
 std::optional<CurveIntersection> corner_beside(const NurbsCurve& a, const NurbsCurve& b,
                                                const std::array<double, 2>& kept) {
+  const CurveIntersections both = intersections(a, b);
+  if (!both.overlaps.empty()) throw InvalidShape("the curves are one along a stretch: they make no corner");
   std::optional<CurveIntersection> found;
-  for (const CurveIntersection& place : intersections(a, b).places) {
+  for (const CurveIntersection& place : both.places) {
     if (found && away_from(a, b, {place.a, place.b}, kept) >= away_from(a, b, {found->a, found->b}, kept)) continue;
     found = place;
   }

@@ -273,6 +273,7 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
   for (const BezierCurve& piece : to_bezier(curve)) {
     if (length_of(piece) > 0.0) pieces.push_back(piece.with_points(space.enter(piece.points())));
   }
+  if (pieces.empty()) throw InvalidShape("the curve is a point: there is nothing beside it");
   require_plane(pieces, step, space);
   std::vector<BezierPieces> runs = CurveOffset(pieces, step, options.corner).runs();
   if (options.trimmed) runs = TrimmedOffset(curve, space, step).parts(runs, other_bounds(pieces, step));

@@ -107,7 +107,7 @@ class _Between:
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
         parted = hand.count_of(ob.data) if others else None
         try:
-            outcome = joining.join_changed(ob, others[0] if others else None, self._changed)
+            outcome = joining.join_changed(ob, others, self._changed)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         hand.keep(ob.data, outcome[1].parents)

@@ -51,7 +51,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
-        return joining.join_changed(ob, others[0] if others else None, lambda definition, parted: joints.joined(
+        return joining.join_changed(ob, others, lambda definition, parted: joints.joined(
             definition, self.first, self.second, self.continuity, joining.linear_of(ob), parted))
 
     def draw(self, context):
@@ -94,4 +94,38 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
         return reports.Said(self.summary(outcomes) + told(outcomes.values()))
 
 
-CLASSES = (SPLINEWRIGHT_OT_join_ends, SPLINEWRIGHT_OT_join_pieces)
+class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
+    bl_idname = "splinewright.join_curves"
+    bl_label = "Join Curves"
+    bl_description = ("Make the selected curve shapes one shape, in the place of the active one, and one curve wherever their ends "
+                      "meet; curves are turned round where they must be")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    tolerance: tolerance_property("How far apart ends may lie, and how far the curves may move", 1e-4)
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        chosen = context.selected_objects
+        if context.object not in chosen or len(chosen) < 2 or not all(map(replacing.is_curve_shape, chosen)):
+            cls.poll_message_set("Select two curve shapes or more, the one to keep last")
+            return False
+        return True
+
+    def execute(self, context):
+        ob = context.object
+        others = [other for other in context.selected_objects if other != ob]
+        try:
+            outcome = joining.join_changed(ob, others, lambda definition, parted: joints.chained(definition, self.tolerance))
+        except FAILURES as error:
+            return reports.failed(self, error, ob.name)
+        hand.keep(ob.data, outcome[1].parents)
+        return reports.finished(self, reports.Said(f"Joined curves into {ob.name}" + told([outcome])))
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.prop(self, "tolerance")
+
+
+CLASSES = (SPLINEWRIGHT_OT_join_ends, SPLINEWRIGHT_OT_join_pieces, SPLINEWRIGHT_OT_join_curves)
