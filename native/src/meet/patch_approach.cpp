@@ -68,6 +68,11 @@ std::optional<double> advance(PatchSpots& at, const Four& steps) {
   return most;
 }
 
+/// Pauses as often as evaluation at a pair of places takes long.
+void breathe_at(const TwoPatches& patches, const PatchSpots& at) {
+  breathe(8 * (patches.a.piece(at.a.piece).values.size() + patches.b.piece(at.b.piece).values.size()));
+}
+
 /// Newton's method with a fourth equation: its row, and how far it is from being satisfied. Where normals are nearly
 /// parallel rounding keeps it from coming to rest.
 template <class Fourth>
@@ -76,7 +81,7 @@ std::optional<PatchSpots> newton(const TwoPatches& patches, PatchSpots at, Fourt
   constexpr double kStill = 0x1p-44;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
-    breathe(256);
+    breathe_at(patches, at);
     const PatchMeeting now = meeting_at(patches, at);
     FourByFour rows = gap_rows(now);
     const glm::dvec3 gap = now.b.offset;
@@ -182,7 +187,7 @@ std::optional<PatchSpots> newton_on_foot(const TwoPatches& patches, PatchSpots a
   constexpr double kNoise = 0x1p-28;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
-    breathe(256);
+    breathe_at(patches, at);
     const PatchMeeting now = meeting_at(patches, at);
     const std::array<StepEquation, 2> more = equations(now, at);
     const std::array<StepEquation, 4> all{gap_along(now, 0), gap_along(now, 1), more[0], more[1]};
@@ -236,7 +241,7 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
   constexpr int kMost = 40;
   constexpr double kStill = 0x1p-46;
   for (int round = 0; round < kMost; ++round) {
-    breathe(256);
+    breathe_at(patches, at);
     const PatchMeeting now = meeting_at(patches, at);
     const auto& [au, av] = now.a.first;
     const auto& [auu, avv, auv] = now.a.second;

@@ -45,8 +45,9 @@ bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
 std::optional<std::vector<TouchingCurves::PartSample>> TouchingCurves::samples_of(const PatchPart& a,
                                                                                   const PatchPart& b) const {
   const double most = std::max(a.largest_size(), b.largest_size());
-  const std::size_t rows = a.net.rows + 1;
-  const std::size_t columns = a.net.columns + 1;
+  constexpr std::size_t kMost = 8;  // of a part that is a small one of a piece
+  const std::size_t rows = std::min(a.net.rows + 1, kMost);
+  const std::size_t columns = std::min(a.net.columns + 1, kMost);
   std::vector<PartSample> found;
   PatchSpots at{{a.piece, a.middle()}, {b.piece, b.middle()}};
   for (std::size_t i = 0; i < rows; ++i) {
