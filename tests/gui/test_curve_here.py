@@ -147,6 +147,7 @@ def filleted(view):
     yield from until(lambda: len(bpy.data.objects) == 1, "two became one")
     ends = curves("line 0")[0].evaluate(np.array(curves("line 0")[0].domain))
     assert np.allclose(ends, [(0, 3, 0), (4, 0, 0)], atol=1e-5)
+    assert np.isclose(curves("line 0")[0].length(), 7 - 2 * 0.4 + 0.2 * np.pi, atol=1e-4)
     yield from redrawn()
     picture("filleted")
     view.press('Z', ctrl=True)

@@ -13,12 +13,12 @@ from .pick_piece import draw_number
 
 _SIDES = (('AUTO', "Longer", "What is longer from where they meet"), ('start', "Start", "The part at its start"),
           ('end', "End", "The part at its end"))
-#: Of the size of a curve: how large a corner is at first.
-_SHARE = 0.05
+#: How large a corner is where nothing is known; of the size of a curve how large it is at first.
+_DEFAULT, _SHARE = 0.1, 0.05
 
 
 def _length_property(name, what, least=1e-6):
-    return FloatProperty(name=name, description=f"{what}, in units of the object", default=0.1, min=least, precision=4,
+    return FloatProperty(name=name, description=f"{what}, in units of the object", default=_DEFAULT, min=least, precision=4,
                          step=1, unit='LENGTH')
 
 
@@ -38,7 +38,7 @@ class _Corners(pieces.FromActive, OnCurves):
 def first_length(curve):
     """A share of the size, in one digit."""
     low, high = curve.bounding_box()
-    return float(f"{_SHARE * max(high - low):.1g}") or 0.1
+    return float(f"{_SHARE * max(high - low):.1g}") or _DEFAULT
 
 
 class SPLINEWRIGHT_OT_fillet_corners(_Corners, bpy.types.Operator):
@@ -94,25 +94,34 @@ class _Between:
     def invoke(self, context, event):
         hand.begin_pair(self, context)
         self.first = max(self.first, 1)
-        if not self.properties.is_property_set(self.sizes[0]):
-            try:
-                size = first_length(verbs.curves_of(store.read(context.object.data))[0])
-            except FAILURES:
-                size = 0.1              # execute() says it
-            for name in self.sizes:
-                setattr(self, name, size)
         return self.execute(context)
 
     def execute(self, context):
+        """With the sizes of the last call, or where there was none, or they do not fit, with some that are likely to."""
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
         parted = hand.count_of(ob.data) if others else None
+        is_given = self.properties.is_property_set(self.sizes[0])
+        if not is_given and all(decimals.typed(getattr(self, name)) == _DEFAULT for name in self.sizes):
+            self._suggest(ob)
         try:
             outcome = joining.join_changed(ob, others, self._changed)
         except FAILURES as error:
-            return reports.failed(self, error, ob.name)
+            if is_given or not self._suggest(ob):
+                return reports.failed(self, error, ob.name)
+            return self.execute(context)
         hand.keep(ob.data, outcome[1].parents)
         hand.note_pair(self, ob, outcome[1].parents, parted)
         return reports.finished(self, reports.Said(self.done.format(ob.name) + pieces.told([outcome])))
+
+    def _suggest(self, ob):
+        """Begin with a share of the size; whether that is known."""
+        try:
+            size = first_length(verbs.curves_of(store.read(ob.data))[0])
+        except FAILURES:
+            return False                # execute() says it
+        for name in self.sizes:
+            setattr(self, name, size)
+        return True
 
     def _changed(self, definition, parted):
         first, second = self.first, self.second
