@@ -85,6 +85,40 @@ def _in_domain(curve, parameter):
     return float(np.clip(parameter, *curve.domain))
 
 
+# What would come of it -----------------------------------------------------------------------------
+
+#: Points of a line that shows it.
+_SHOWN = 64
+
+
+def trimmed_part(curve, others, parameter):
+    """(n, 3): the part that trim() takes away, or None where it takes none."""
+    start, end = curve.domain
+    cuts = np.unique([meet[0] for other in _without(curve, others) for meet in meets(curve, other)])
+    cuts = cuts[(cuts > start) & (cuts < end)]
+    before, behind = cuts[cuts <= parameter], cuts[cuts > parameter]
+    if not len(cuts):
+        return None
+    if np.allclose(*curve.evaluate(np.array([start, end])), rtol=0, atol=1e-12 * _size(curve)):
+        turn = end - start
+        first = before[-1] if len(before) else cuts[-1] - turn
+        last = behind[0] if len(behind) else cuts[0] + turn
+    else:
+        first, last = before[-1] if len(before) else start, behind[0] if len(behind) else end
+    at = np.linspace(first, last, _SHOWN)
+    return curve.evaluate(np.where(at > end, at - (end - start), np.where(at < start, at + (end - start), at)))
+
+
+def extension(curve, others, end):
+    """(n, 3): what extend_to() adds naturally, or None where it adds nothing."""
+    try:
+        made = curve.extended_to(_without(curve, others), end)
+    except sc.Error:
+        return None
+    (start, last), (first, final) = curve.domain, made.domain
+    return made.evaluate(np.linspace(*((first, start) if end == 'start' else (last, final)), _SHOWN))
+
+
 # Two curves ----------------------------------------------------------------------------------------
 
 

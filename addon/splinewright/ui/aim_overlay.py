@@ -1,4 +1,4 @@
-"""Over the 3D view: where a knot would lie that is inserted by a click."""
+"""Over the 3D view: where a knot would lie that is inserted by a click, or what a click would do to a curve."""
 
 from typing import NamedTuple
 
@@ -17,12 +17,13 @@ _COLOR = (0.35, 1.0, 0.5, 1.0)
 
 class Aim(NamedTuple):
     """What is at the mouse: the name of an object, the number of its piece, its parameters, and along what a patch gets
-    a knot."""
+    a knot; or points (n, 3) of what a click would take or add."""
 
     name: str
     number: int
     parameters: tuple
     direction: str
+    line: object = None
 
 
 def draw():
@@ -36,7 +37,7 @@ def show(aimed):
     if not shape.has_shape(ob):
         return
     try:
-        lines = aiming.lines(surveys.pieces_of(ob.data)[aimed.number - 1], aimed.parameters, aimed.direction)
+        lines = [aimed.line] if aimed.line is not None else aiming.lines(surveys.pieces_of(ob.data)[aimed.number - 1], aimed.parameters, aimed.direction)
     except (*FAILURES, IndexError):
         return                          # the shape is another one meanwhile
     with gpu.matrix.push_pop():

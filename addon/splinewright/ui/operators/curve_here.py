@@ -2,8 +2,9 @@
 
 import bpy
 
-from ...bridge import replacing, surveys
+from ...bridge import beside, replacing, surveys
 from ...bridge.file_state import state
+from ...core import meeting
 from ...core.failures import FAILURES
 from .. import aim_overlay, hand, picking
 from . import polls, reports
@@ -24,6 +25,28 @@ class _OnCurve(ByClick):
     @staticmethod
     def operator():
         """What is done with the piece that was clicked, and its settings for a parameter and the domain."""
+        raise NotImplementedError
+
+    def invoke(self, context, event):
+        self._curves, self._extensions = {}, {}
+        return super().invoke(context, event)
+
+    def told(self, context, aimed):
+        """What a click would do is found once for each piece and end."""
+        if len(aimed.parameters) != 1:
+            return aimed
+        ob = bpy.data.objects[aimed.name]
+        if ob.name not in self._curves:
+            self._curves[ob.name] = [*surveys.pieces_of(ob.data), *beside.curves_of(
+                ob, context.visible_objects, context.evaluated_depsgraph_get())]
+        try:
+            line = self.line_of(self._curves[ob.name], aimed)
+        except FAILURES:
+            line = None
+        return aimed._replace(line=line)
+
+    def line_of(self, curves, aimed):
+        """(n, 3) of what a click would take or add, or None. curves: the pieces, and all that they may meet."""
         raise NotImplementedError
 
     @classmethod
@@ -49,6 +72,9 @@ class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
     def operator(parameter, domain):
         return bpy.ops.splinewright.trim_curve, {'parameter': parameter, 'meet': 'VISIBLE'}
 
+    def line_of(self, curves, aimed):
+        return meeting.trimmed_part(curves[aimed.number - 1], curves, aimed.parameters[0])
+
 
 class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.extend_here"
@@ -58,8 +84,19 @@ class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
 
     @staticmethod
     def operator(parameter, domain):
-        end = 'START' if parameter - domain[0] < domain[1] - parameter else 'END'
-        return bpy.ops.splinewright.extend_curve, {'to': 'CURVES', 'ends': end, 'meet': 'VISIBLE'}
+        return bpy.ops.splinewright.extend_curve, {'to': 'CURVES', 'ends': _end(parameter, domain).upper(), 'how': 'natural',
+                                                   'meet': 'VISIBLE'}
+
+    def line_of(self, curves, aimed):
+        curve = curves[aimed.number - 1]
+        key = aimed.name, aimed.number, _end(aimed.parameters[0], curve.domain)
+        if key not in self._extensions:
+            self._extensions[key] = meeting.extension(curve, curves, key[-1])
+        return self._extensions[key]
+
+
+def _end(parameter, domain):
+    return 'start' if parameter - domain[0] < domain[1] - parameter else 'end'
 
 
 class _PicksCurves(Pointing):

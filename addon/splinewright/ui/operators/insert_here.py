@@ -77,9 +77,14 @@ class ByClick:
     def _is_on_patch(self):
         return state.aimed is not None and len(state.aimed.parameters) == 2
 
+    def told(self, context, aimed):
+        """The Aim, with what a click would do."""
+        return aimed
+
     def _aim(self, context, event):
         """Find what is at the mouse, with Ctrl the middle of the span there, and show it."""
-        state.aimed = aimed_at(context, event.mouse_x, event.mouse_y, self.direction, self._snaps and event.ctrl)
+        aimed = aimed_at(context, event.mouse_x, event.mouse_y, self.direction, self._snaps and event.ctrl)
+        state.aimed = self.told(context, aimed) if aimed else None
         context.workspace.status_text_set(_status(state.aimed, self.thing, self.does))
         redraw()
 
