@@ -35,6 +35,9 @@ void features(Input data);
 /// integrals over surfaces.
 void fit(Input data);
 
+/// Curves and patches, where they meet, and what is made of that: parts, offsets, corners, what goes on and what is between.
+void meet(Input data);
+
 /// Runs a target, and ends it where it takes long: what is slow is no finding, and hides others.
 void run_for_a_while(void (*target)(Input data), Input data);
 
@@ -43,7 +46,7 @@ struct Target {
   void (*run)(Input data);
 };
 
-inline constexpr std::array<Target, 9> kTargets{{{"json", json},
+inline constexpr std::array<Target, 10> kTargets{{{"json", json},
                                                  {"formula", formula},
                                                  {"curve", curve},
                                                  {"patch", patch},
@@ -51,6 +54,7 @@ inline constexpr std::array<Target, 9> kTargets{{{"json", json},
                                                  {"definition", definition},
                                                  {"build", build},
                                                  {"features", features},
-                                                 {"fit", fit}}};
+                                                 {"fit", fit},
+                                                 {"meet", meet}}};
 
 }  // namespace splinecore::fuzz

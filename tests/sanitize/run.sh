@@ -13,7 +13,7 @@ asan=$build/asan
 tsan=$build/tsan
 clang=clang++-19
 python=/usr/bin/python3
-targets=(json formula curve patch tessellation definition build features fit)
+targets=(json formula curve patch tessellation definition build features fit meet)
 # What runs for long is worth some minutes more of compiling.
 optimized=-O1
 [ "$part" != quick ] || optimized=-O0
