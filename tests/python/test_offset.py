@@ -186,3 +186,15 @@ def test_bad_calls():
             curve.offset(distance, trimmed=True)
     with pytest.raises(sc.InvalidShape):
         sc.BezierCurve([[1, 0, 0]] * 3).offset(0.1)
+
+
+@pytest.mark.parametrize("distance", [0.1, -0.1])
+def test_a_curve_that_turns_back_within_a_span_is_gone_round(distance):
+    for points in ([(0, 0), (1, 1), (0, 1), (1, 0)], [(0, 0), (1, 0), (0, 0)], [(0, 0), (3, 2), (-1, 2), (2, 0), (2, 1)]):
+        curve = sc.BezierCurve(points)
+        made, = curve.offset(distance, tolerance=1e-6)
+        found = distances(curve, made)
+        assert found.max() <= 0.1 + 1e-6
+        assert np.linalg.norm(made.derivatives(made.domain[0], 1)[1]) > 0
+    there, = sc.BezierCurve([(0, 0), (1, 0), (0, 0)]).offset(distance)
+    assert there.length() == pytest.approx(1 + 0.2 * np.pi)

@@ -15,6 +15,7 @@
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/meet/intersections.hpp"
 #include "splinecore/meet/nearest.hpp"
+#include "standstill.hpp"
 
 namespace splinecore {
 
@@ -83,7 +84,10 @@ class CurveOffset {
     if (glm::distance(a.moved, b.moved) <= kSame) return;
     const double sine = glm::dot(glm::cross(a.tangent, b.tangent), step_.normal);
     const double cosine = glm::dot(a.tangent, b.tangent);
-    const double angle = std::atan2(sine, cosine);
+    double angle = std::atan2(sine, cosine);
+    // Where the curve turns back its offset goes round its tip.
+    constexpr double kBack = 1e-9;
+    if (cosine < 0.0 && std::abs(sine) <= kBack) angle = step_.distance > 0.0 ? -std::numbers::pi : std::numbers::pi;
     // On the inner side of a corner offsets cross; a line between them is nearer to the curve than they are.
     if (angle * step_.distance > 0.0) {
       runs_.back().push_back(line_between(a.moved, b.moved));
@@ -271,9 +275,17 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
                       std::max(options.tolerance ? *options.tolerance / unit : kOfSize, 0x1p-40)};
   BezierPieces pieces;
   for (const BezierCurve& piece : to_bezier(curve)) {
-    if (length_of(piece) > 0.0) pieces.push_back(piece.with_points(space.enter(piece.points())));
+    const BezierCurve near = piece.with_points(space.enter(piece.points()));
+    constexpr double kNothing = 0x1p-46;
+    if (!(length_of(near) > kNothing)) continue;
+    for (BezierCurve& part : cut_where_still(near)) {
+      pieces.push_back(std::move(part));
+    }
   }
-  if (pieces.empty()) throw InvalidShape("the curve is a point: there is nothing beside it");
+  constexpr double kMostRounding = 0x1p-8;  // of what is about 1 large: it is rounding, but for a few bits
+  if (pieces.empty() || space.rounding() > kMostRounding) {
+    throw InvalidShape("the curve is a point: there is nothing beside it");
+  }
   require_plane(pieces, step, space);
   std::vector<BezierPieces> runs = CurveOffset(pieces, step, options.corner).runs();
   if (options.trimmed) runs = TrimmedOffset(curve, space, step).parts(runs, other_bounds(pieces, step));
