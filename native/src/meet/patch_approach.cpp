@@ -229,10 +229,28 @@ std::optional<PatchSpots> contact_near(const TwoPatches& patches, PatchSpots at,
 }
 
 std::optional<PatchSpots> foot_near(const TwoPatches& patches, PatchSpots at) {
-  const PatchSpots given = at;
-  return newton_on_foot(patches, at, [&](const PatchMeeting&, const PatchSpots& there) -> std::array<StepEquation, 2> {
-    return {on_face(there, {0, given[0]}), on_face(there, {1, given[1]})};
-  });
+  constexpr int kMost = 24;
+  constexpr double kStill = 0x1p-42;
+  constexpr double kNoise = 0x1p-28;
+  const glm::dvec3 point = patches.a.at(at.a).point;
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < kMost; ++round) {
+    breathe_at(patches, at);
+    const Slopes<2> b = patches.b.at(at.b, point);
+    const auto& [bs, bt] = b.first;
+    const double ss = glm::dot(bs, bs) + glm::dot(b.offset, b.second[0]);
+    const double tt = glm::dot(bt, bt) + glm::dot(b.offset, b.second[1]);
+    const double st = glm::dot(bs, bt) + glm::dot(b.offset, b.second[2]);
+    const double s = glm::dot(b.offset, bs);
+    const double t = glm::dot(b.offset, bt);
+    const double area = ss * tt - st * st;
+    if (!(std::abs(area) > 0.0)) return {};
+    const std::optional<double> most = advance(at, {0.0, 0.0, (st * t - tt * s) / area, (st * s - ss * t) / area});
+    if (!most) return {};
+    if (*most <= kStill || (*most >= 0.25 * before && before <= kNoise)) return at;
+    before = *most;
+  }
+  return {};
 }
 
 /// Both tangents of the first patch are at right angles to the gap, those of the second one to the first one's normal;

@@ -30,25 +30,20 @@ double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::
 
 bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
   if (std::max(a.largest_size(), b.largest_size()) > kLargest) return false;
-  const auto samples = samples_of(a, b);
-  if (!samples) {
-    find_near(a, b);
-    return false;
-  }
-  if (is_explained(*samples) || (find_near(a, b) && is_explained(*samples))) return true;
-  if (!is_one(a, b, *samples)) return false;
+  const PartLook seen = look(a, b);
+  if (seen.is_explained || (find_near(a, b) && look(a, b).is_explained)) return true;
+  if (!seen.is_near || !is_one(a, b)) return false;
   are_one_ = true;
   find_borders(a, b);
   return true;
 }
 
-std::optional<std::vector<TouchingCurves::PartSample>> TouchingCurves::samples_of(const PatchPart& a,
-                                                                                  const PatchPart& b) const {
-  const double most = std::max(a.largest_size(), b.largest_size());
+TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPart& b) const {
   constexpr std::size_t kMost = 8;  // of a part that is a small one of a piece
+  const double farthest = std::max(a.largest_size(), b.largest_size());
   const std::size_t rows = std::min(a.net.rows + 1, kMost);
   const std::size_t columns = std::min(a.net.columns + 1, kMost);
-  std::vector<PartSample> found;
+  PartLook found{!beads_.empty(), true};
   PatchSpots at{{a.piece, a.middle()}, {b.piece, b.middle()}};
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
@@ -56,33 +51,31 @@ std::optional<std::vector<TouchingCurves::PartSample>> TouchingCurves::samples_o
       const double t = static_cast<double>(j) / static_cast<double>(columns - 1);
       at.a.at = {a.range[0].start + s * a.range[0].length(), a.range[1].start + t * a.range[1].length()};
       const std::optional<PatchSpots> foot = foot_near(patches_, at);
-      if (!foot) return {};
+      if (!foot) return {false, false};
       at.b = foot->b;
       const PatchMeeting here = meeting_at(patches_, at);
       const double gap = glm::dot(here.b.offset, here.normal_a);
-      if (std::abs(gap) > most) return {};
-      found.push_back({here.a.point, gap});
+      if (std::abs(gap) > farthest) return {false, false};
+      found.is_near = found.is_near && std::abs(gap) <= tolerance_;
+      found.is_explained = found.is_explained && is_explained(here.a.point, gap);
+      if (!found.is_near && !found.is_explained) return found;
     }
   }
   return found;
 }
 
-bool TouchingCurves::is_explained(const std::vector<PartSample>& samples) const {
-  if (beads_.empty()) return false;
+bool TouchingCurves::is_explained(const glm::dvec3& point, double gap) const {
   const double slack = 0.25 * tolerance_;
   constexpr double kLoose = 4.0;
-  return std::ranges::all_of(samples, [&](const PartSample& sample) {
-    double distance = 0.0;
-    const BeadStrings::Bead* const bead = beads_.nearest(sample.point, distance);
-    const double parted = 0.5 * bead->bend * distance * distance;
-    const double gap = parted < 0.0 ? -sample.gap : sample.gap;
-    return gap >= std::abs(parted) / kLoose - slack && gap <= kLoose * std::abs(parted) + slack;
-  });
+  double distance = 0.0;
+  const BeadStrings::Bead* const bead = beads_.nearest(point, distance);
+  const double parted = 0.5 * bead->bend * distance * distance;
+  const double that_way = parted < 0.0 ? -gap : gap;
+  return that_way >= std::abs(parted) / kLoose - slack && that_way <= kLoose * std::abs(parted) + slack;
 }
 
-bool TouchingCurves::is_one(const PatchPart& a, const PatchPart& b, const std::vector<PartSample>& samples) const {
-  const auto is_near = [&](const PartSample& sample) { return std::abs(sample.gap) <= tolerance_; };
-  if (!std::ranges::all_of(samples, is_near)) return false;
+/// Whether parts that are near do not part as surfaces do that touch.
+bool TouchingCurves::is_one(const PatchPart& a, const PatchPart& b) const {
   const auto foot = foot_near(patches_, {{a.piece, a.middle()}, {b.piece, b.middle()}});
   const auto parting = foot ? parting_at(meeting_at(patches_, *foot)) : std::nullopt;
   return parting && std::abs(parting->across) < kNarrow * tolerance_;

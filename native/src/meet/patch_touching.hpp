@@ -47,16 +47,15 @@ class TouchingCurves {
   }
 
  private:
-  /// How far apart two surfaces are at a place of the first one.
-  struct PartSample {
-    glm::dvec3 point;
-    double gap;  ///< along the first one's normal
+  /// What a pair of parts is, as far as places all over the first one tell.
+  struct PartLook {
+    bool is_explained;  ///< it parts from a curve that is known, as surfaces do that touch there
+    bool is_near;       ///< it is within the tolerance
   };
 
-  /// None where one goes beyond its piece too far.
-  std::optional<std::vector<PartSample>> samples_of(const PatchPart& a, const PatchPart& b) const;
-  bool is_explained(const std::vector<PartSample>& samples) const;
-  bool is_one(const PatchPart& a, const PatchPart& b, const std::vector<PartSample>& samples) const;
+  PartLook look(const PatchPart& a, const PatchPart& b) const;
+  bool is_explained(const glm::dvec3& point, double gap) const;
+  bool is_one(const PatchPart& a, const PatchPart& b) const;
   std::optional<PatchSpots> touch_of_pieces(PatchSpots from) const;
   bool find_near(const PatchPart& a, const PatchPart& b);
   void find_borders(const PatchPart& a, const PatchPart& b);
