@@ -132,6 +132,22 @@ def test_planes_cut_a_surface_and_may_be_those_of_an_object():
     assert heights() == pytest.approx(0, abs=1e-4)
 
 
+def test_a_side_that_two_patches_share_is_a_section_once():
+    """The teapot's patches meet in its plane of symmetry."""
+    op(bpy.ops.splinewright.add_teapot)
+    bpy.context.view_layer.update()
+    ob = add_recipe('planes', axis='y', offset=0.0, count=1)
+    value = ob.data.splinewright.value
+    assert follow.problem(ob.data) == ""
+    middles = np.array([curve.evaluate(np.mean(curve.domain)) for curve in value])
+    apart = np.linalg.norm(middles[:, None] - middles[None], axis=-1) + np.eye(len(value))
+    assert apart.min() > 1e-3
+    # None goes there and back.
+    for curve in value:
+        quarter, three = curve.evaluate(curve.domain[0] + np.ptp(curve.domain) * np.array([0.25, 0.75]))
+        assert np.linalg.norm(quarter - three) > 1e-3
+
+
 def test_planes_beside_a_surface_say_so():
     activate(placed(SPHERE, "ball"))
     with pytest.raises(RuntimeError, match="meets none of the planes"):

@@ -9,6 +9,10 @@ from .failures import Refusal
 from .library import sc
 
 
+#: Sections of patches side by side lie no farther apart than so many tolerances where they are one.
+TOGETHER = 4.0
+
+
 class Found(NamedTuple):
     """Where shapes meet."""
 
@@ -35,7 +39,7 @@ def among(shapes, tolerance, with_themselves, told=lambda done: None, cancel=Non
     rows = np.unique(np.concatenate([np.empty((0, 3)), *points]), axis=0)
     if not len(rows) and not curves:
         raise Refusal("nothing meets")
-    return Found(rows, curves)
+    return Found(rows, each_once(curves, TOGETHER * tolerance))
 
 
 def _is_curve(value):
@@ -66,3 +70,23 @@ def _gather_inner(shape, tolerance, points, curves, cancel):
             _gather(a, b, tolerance, points, curves, cancel)
     for curve in filter(_is_curve, shape):
         points.append(curve.self_intersections(cancel=cancel).points.reshape(-1, 3))
+
+
+#: Places of a curve that are looked for on another one.
+_LOOKS = 9
+
+
+def each_once(curves, near):
+    """Curves without those that lie on another one: a side that two patches share is a section of both."""
+    kept = []
+    for curve in sorted(curves, key=lambda each: -np.ptp(each.bounding_box(), axis=0).max()):
+        places = curve.evaluate(np.linspace(*curve.domain, _LOOKS))
+        if not any(_is_within(places, other, near) and (other.nearest(places).distances <= near).all() for other in kept):
+            kept.append(curve)
+    return kept
+
+
+def _is_within(places, curve, near):
+    """Whether places may lie on a curve: in its box."""
+    low, high = curve.bounding_box()
+    return bool((places >= low - near).all() and (places <= high + near).all())

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .. import flat, joints, verbs
+from .. import flat, joints, meets, verbs
 from ..failures import Refusal
 from ..library import sc
 from .recipe import Parameter, Recipe, Result
@@ -15,8 +15,6 @@ _OWN_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie 
 _PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
 _ENDS = (("nearest", "Nearest", "The end that is nearest to the other curve"), ("start", "Start", "Where the curve starts"),
          ("end", "End", "Where the curve ends"))
-#: Ends of sections on patches side by side lie no farther apart than so many tolerances.
-_TOGETHER = 4.0
 
 
 def _as_result(curves, error=0.0):
@@ -82,7 +80,9 @@ def _joined_sections(found, tolerance, is_needed=True):
         touches = sum(len(sections.points) for sections in found)
         raise Refusal("the surfaces touch in points alone: Mark Intersections shows them" if touches
                       else "the surfaces do not meet")
-    return curves if len(found) == 1 or not curves else sc.build.join_curves(curves, _TOGETHER * tolerance)
+    if len(found) == 1 or not curves:
+        return curves
+    return sc.build.join_curves(meets.each_once(curves, meets.TOGETHER * tolerance), meets.TOGETHER * tolerance)
 
 
 def _blend(inputs, continuity, first_end, second_end, first_strength, second_strength):
