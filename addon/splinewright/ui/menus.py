@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.recipes.table import DERIVED, FOLLOW, FROM_CURVES, STARTING
+from ..core.recipes.table import DERIVED, FOLLOW, FROM_CURVES, MEETING, STARTING
 from . import curve_tools, editing, kinds, patch_tools, tools
 
 #: What stands above all others, as most is begun with it.
@@ -118,6 +118,25 @@ def _draw_convert(self, context):
         self.layout.operator("splinewright.to_native", text="Splinewright: To Blender's Own")
 
 
+#: What takes clicks, what follows, and what is done once.
+_MEETING = (('trim_here', 'extend_here', 'fillet_here', 'chamfer_here'), tuple(f"add_{recipe.kind}" for recipe in MEETING),
+            ('intersections', 'add_touching_circle'))
+
+
+class SPLINEWRIGHT_MT_meeting(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_meeting"
+    bl_label = "Trim, Fillet, Offset, Section"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        for i, names in enumerate(_MEETING):
+            if i:
+                layout.separator()
+            for name in names:
+                layout.operator(f"splinewright.{name}", text=tools.text_of(name))
+
+
 #: Names of operators and menus, with what they concern, in groups.
 _ENTRIES = (
     (('edit_net', kinds.SHAPES), ('insert_here', kinds.SHAPES), ('pull_here', kinds.SHAPES), ('split_here', kinds.SHAPES),
@@ -127,12 +146,11 @@ _ENTRIES = (
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
-    (('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
-     ('intersections', kinds.FOLLOWED), ('add_touching_circle', {'curve', 'native'}),
-     *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW)),
+    ((SPLINEWRIGHT_MT_meeting, kinds.FOLLOWED), ('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
+     *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW and recipe not in MEETING)),
     (('join', kinds.SHAPES), ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
     (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))
-_ENTRY_ICONS = {'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_piece': 'EYEDROPPER',
+_ENTRY_ICONS = {SPLINEWRIGHT_MT_meeting: 'SNAP_MIDPOINT', 'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_piece': 'EYEDROPPER',
                 curve_tools.SPLINEWRIGHT_MT_curve: 'CURVE_DATA', patch_tools.SPLINEWRIGHT_MT_patch: 'SURFACE_DATA'}
 
 
@@ -227,7 +245,7 @@ def _draw_net_header(self, context):
         self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname)
 
 
-CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_object,
+CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_meeting, SPLINEWRIGHT_MT_object,
            SPLINEWRIGHT_MT_object_context, SPLINEWRIGHT_MT_net)
 
 #: Blender's menus that ours are added to, at the end or before all else.

@@ -11,3 +11,5 @@ DERIVED = tuple(recipe for recipe in RECIPES.values() if recipe.inputs)
 FOLLOW = RECIPES['follow']
 THROUGH_OBJECTS = curve_recipes.THROUGH_OBJECTS
 FROM_CURVES = surface_recipes.FROM_CURVES
+#: Curves beside curves, and where surfaces meet.
+MEETING = tuple(recipe for recipe in meeting_recipes.RECIPES if recipe.inputs)
