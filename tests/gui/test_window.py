@@ -20,12 +20,12 @@ def picture(name):
 
 
 def pick(view, menu, steps_down, name):
-    """Open a menu, whose first entry comes up under the mouse, and choose one by keyboard."""
+    """Open a menu, go to its first entry, wherever the mouse is, and choose one by keyboard."""
     with view.override():
         bpy.ops.wm.call_menu(name=menu)
     yield from redrawn()
     picture(name)
-    yield from pick_by_keys(view, ['DOWN_ARROW'] * steps_down)
+    yield from pick_by_keys(view, ['HOME', *['DOWN_ARROW'] * steps_down])
     before = len(bpy.data.objects)
     view.press('RET')
     yield from until(lambda: len(bpy.data.objects) > before, "the menu entry adds a shape")
@@ -74,7 +74,7 @@ def steps():
     assert len(bpy.data.objects["Teapot"].data.splinewright.value) == 32
 
     bpy.data.objects["Teapot"].hide_set(True)
-    view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height - 120)     # the menu is high
+    view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height - 60)      # the menu is high
     bpy.context.preferences.edit.object_align = 'VIEW'
     yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 3, "curve-menu")
     ob = bpy.context.object
