@@ -91,22 +91,20 @@ def _in_domain(curve, parameter):
 _SHOWN = 64
 
 
-def trimmed_part(curve, others, parameter):
-    """(n, 3): the part that trim() takes away, or None where it takes none."""
-    start, end = curve.domain
-    cuts = np.unique([meet[0] for other in _without(curve, others) for meet in meets(curve, other)])
-    cuts = cuts[(cuts > start) & (cuts < end)]
-    before, behind = cuts[cuts <= parameter], cuts[cuts > parameter]
-    if not len(cuts):
-        return None
-    if np.allclose(*curve.evaluate(np.array([start, end])), rtol=0, atol=1e-12 * _size(curve)):
-        turn = end - start
-        first = before[-1] if len(before) else cuts[-1] - turn
-        last = behind[0] if len(behind) else cuts[0] + turn
-    else:
-        first, last = before[-1] if len(before) else start, behind[0] if len(behind) else end
-    at = np.linspace(first, last, _SHOWN)
-    return curve.evaluate(np.where(at > end, at - (end - start), np.where(at < start, at + (end - start), at)))
+def parts_where_met(curve, others):
+    """The parts of a curve that trim() takes away, one of them at a time; [] where it takes none."""
+    parts = curve.parts([meet[0] for other in _without(curve, others) for meet in meets(curve, other)])
+    return parts if len(parts) > 1 else []
+
+
+def part_about(parts, curve, parameter):
+    """(n, 3): of the part in which a parameter lies; None where there is none. That over a seam has it a turn later."""
+    turn = curve.domain[1] - curve.domain[0]
+    for part in parts:
+        start, end = part.domain
+        if start <= parameter <= end or start <= parameter + turn <= end:
+            return part.evaluate(np.linspace(start, end, _SHOWN))
+    return None
 
 
 def extension(curve, others, end):

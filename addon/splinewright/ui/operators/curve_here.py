@@ -28,19 +28,24 @@ class _OnCurve(ByClick):
         raise NotImplementedError
 
     def invoke(self, context, event):
-        self._curves, self._extensions = {}, {}
+        self._known = {}
         return super().invoke(context, event)
+
+    def once(self, key, find):
+        """What find() gives, which is called for each key once."""
+        if key not in self._known:
+            self._known[key] = find()
+        return self._known[key]
 
     def told(self, context, aimed):
         """What a click would do is found once for each piece and end."""
         if len(aimed.parameters) != 1:
             return aimed
         ob = bpy.data.objects[aimed.name]
-        if ob.name not in self._curves:
-            self._curves[ob.name] = [*surveys.pieces_of(ob.data), *beside.curves_of(
-                ob, context.visible_objects, context.evaluated_depsgraph_get())]
         try:
-            line = self.line_of(self._curves[ob.name], aimed)
+            curves = self.once(ob.name, lambda: [*surveys.pieces_of(ob.data), *beside.curves_of(
+                ob, context.visible_objects, context.evaluated_depsgraph_get())])
+            line = self.line_of(curves, aimed)
         except FAILURES:
             line = None
         return aimed._replace(line=line)
@@ -73,7 +78,9 @@ class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
         return bpy.ops.splinewright.trim_curve, {'parameter': parameter, 'meet': 'VISIBLE'}
 
     def line_of(self, curves, aimed):
-        return meeting.trimmed_part(curves[aimed.number - 1], curves, aimed.parameters[0])
+        curve = curves[aimed.number - 1]
+        parts = self.once((aimed.name, aimed.number), lambda: meeting.parts_where_met(curve, curves))
+        return meeting.part_about(parts, curve, aimed.parameters[0])
 
 
 class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
@@ -89,10 +96,8 @@ class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
 
     def line_of(self, curves, aimed):
         curve = curves[aimed.number - 1]
-        key = aimed.name, aimed.number, _end(aimed.parameters[0], curve.domain)
-        if key not in self._extensions:
-            self._extensions[key] = meeting.extension(curve, curves, key[-1])
-        return self._extensions[key]
+        end = _end(aimed.parameters[0], curve.domain)
+        return self.once((aimed.name, aimed.number, end), lambda: meeting.extension(curve, curves, end))
 
 
 def _end(parameter, domain):

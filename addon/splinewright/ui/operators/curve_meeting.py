@@ -25,18 +25,17 @@ class _Meeting(pieces.LongOnPieces, OnCurves):
         raise NotImplementedError
 
     def tasks(self, context):
-        self._found = {ob.name: self._others(context, ob) for ob in self.chosen(context) if replacing.can_change(ob.data)}
-        return {ob.name: self._task_with(ob, replacing.read(ob.data), self._found[ob.name])
-                for ob in self.chosen(context) if ob.name in self._found}
+        return {ob.name: self._task_with(replacing.read(ob.data), self._others(context, ob))
+                for ob in self.chosen(context) if replacing.can_change(ob.data)}
 
     def work(self, context, ob):
         before = replacing.read(ob.data)
-        changed = self.result_of(ob.name, self._task_with(ob, before, self._others(context, ob)))
+        changed = self.result_of(ob.name, self._task_with(before, self._others(context, ob)))
         replacing.put(ob.data, before, changed)
         self._note(ob, changed)
         return before, changed
 
-    def _task_with(self, ob, before, others):
+    def _task_with(self, before, others):
         number, already = self.piece, self.already
         verb_with = self.meeting_verb([*verbs.curves_of(before), *others])
         return lambda cancel: verbs.changed(before, number, verb_with(cancel), already)
