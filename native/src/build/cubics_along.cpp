@@ -121,6 +121,22 @@ NurbsCurve chain_of(const std::vector<Stretch>& stretches) {
 
 }  // namespace
 
+double cubics_tolerance(const NearSpace& space, std::optional<double> tolerance) {
+  constexpr double kOfSize = 0x1p-20;
+  constexpr double kLeast = 0x1p-40;
+  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kLeast);
+}
+
+std::vector<double> distinct_breaks(std::vector<double> breaks, const Interval& domain) {
+  breaks.insert(breaks.end(), {domain.start, domain.end});
+  std::ranges::sort(breaks);
+  constexpr double kSame = 0x1p-36;
+  const auto are_one = [&](double a, double b) { return b - a <= kSame * domain.length(); };
+  breaks.erase(std::unique(breaks.begin(), breaks.end(), are_one), breaks.end());
+  breaks.back() = domain.end;
+  return breaks;
+}
+
 NurbsCurve cubics_along(const Path& path, const std::vector<double>& breaks, double tolerance) {
   std::vector<Stretch> open = stretches_of(path, breaks);
   std::vector<Stretch> done;

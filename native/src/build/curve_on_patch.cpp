@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cubics_along.hpp"
@@ -93,7 +94,7 @@ class ImageOnPatch {
   /// Knots of the image, and where it crosses those of the patch.
   std::vector<double> breaks() const {
     const Interval domain = image_.domain();
-    std::vector<double> found{domain.start, domain.end};
+    std::vector<double> found;
     for (const double knot : image_.knot_vector().knots()) {
       if (knot > domain.start && knot < domain.end) found.push_back(knot);
     }
@@ -112,12 +113,7 @@ class ImageOnPatch {
         for (const PatchIntersection& place : intersections(image_, across).places) found.push_back(place.t);
       }
     }
-    std::ranges::sort(found);
-    constexpr double kSame = 0x1p-36;
-    const auto are_one = [&](double a, double b) { return b - a <= kSame * domain.length(); };
-    found.erase(std::unique(found.begin(), found.end(), are_one), found.end());
-    found.back() = domain.end;
-    return found;
+    return distinct_breaks(std::move(found), domain);
   }
 
   std::vector<PathPlace> places(const std::vector<PathParameter>& asked) const {
@@ -175,8 +171,7 @@ NurbsCurve curve_on_patch(const NurbsPatch& patch, const NurbsCurve& image, doub
   const double unit = space.length(1.0);
   const NurbsPatch near = patch.with_points(space.enter(patch.points()));
   const ImageOnPatch on_patch(near, image, distance / unit);
-  constexpr double kOfSize = 0x1p-20;
-  const double within = std::max(tolerance ? *tolerance / unit : kOfSize, 0x1p-40);
+  const double within = cubics_tolerance(space, tolerance);
   const Path path = [&](const std::vector<PathParameter>& asked) { return on_patch.places(asked); };
   const NurbsCurve found = cubics_along(path, on_patch.breaks(), within);
   return found.with_points(space.leave(found.points()));

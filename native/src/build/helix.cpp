@@ -1,11 +1,11 @@
 #include "splinecore/build/helix.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cubics_along.hpp"
@@ -100,13 +100,7 @@ std::vector<double> breaks_of(const NurbsCurve& axis, double turns) {
   const int quarters = static_cast<int>(std::ceil(4.0 * std::abs(turns)));
   const std::vector<double> even = divide(axis, quarters);
   found.insert(found.end(), even.begin(), even.end());
-  found.insert(found.end(), {domain.start, domain.end});
-  std::ranges::sort(found);
-  constexpr double kSame = 0x1p-36;
-  const auto are_one = [&](double a, double b) { return b - a <= kSame * domain.length(); };
-  found.erase(std::unique(found.begin(), found.end(), are_one), found.end());
-  found.back() = domain.end;
-  return found;
+  return distinct_breaks(std::move(found), domain);
 }
 
 }  // namespace
@@ -118,8 +112,7 @@ NurbsCurve helix(const NurbsCurve& given, const HelixOptions& options) {
   const NurbsCurve axis = plain.with_points(space.enter(plain.points()));
   const double unit = space.length(1.0);
   const HelixAbout about(axis, options, unit);
-  constexpr double kOfSize = 0x1p-20;
-  const double within = std::max(options.tolerance ? *options.tolerance / unit : kOfSize, 0x1p-40);
+  const double within = cubics_tolerance(space, options.tolerance);
   const Path path = [&](const std::vector<PathParameter>& asked) { return about.places(asked); };
   const NurbsCurve found = cubics_along(path, breaks_of(axis, options.turns), within);
   return found.with_points(space.leave(found.points()));

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "cubics_along.hpp"
 #include "meet/near_space.hpp"
 #include "offset_parts.hpp"
 #include "offset_piece.hpp"
@@ -269,10 +270,7 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
   if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or no vector of numbers");
   if (options.tolerance && !(*options.tolerance > 0.0)) throw InvalidShape("the tolerance is not above 0");
   const NearSpace space(curve.points());
-  const double unit = space.length(1.0);
-  constexpr double kOfSize = 0x1p-20;
-  const SideStep step{options.normal / length, distance / unit,
-                      std::max(options.tolerance ? *options.tolerance / unit : kOfSize, 0x1p-40)};
+  const SideStep step{options.normal / length, distance / space.length(1.0), cubics_tolerance(space, options.tolerance)};
   BezierPieces pieces;
   for (const BezierCurve& piece : to_bezier(curve)) {
     const BezierCurve near = piece.with_points(space.enter(piece.points()));
