@@ -79,7 +79,8 @@ def test_long_verbs_hand_the_cancel_on(verb):
 
 def test_operators_whose_work_may_take_long():
     names = ('rebuild', 'fair', 'patch_rebuild', 'patch_fair', 'fit_patch', 'patch_through_grid', 'fit_curve',
-             'add_projected', 'project_points', 'divide_equally')
+             'add_projected', 'project_points', 'divide_equally', 'add_offset', 'add_about', 'add_section', 'add_planes',
+             'add_on_patch', 'intersections', 'add_touching_circle', 'trim_curve', 'extend_curve', 'split_where_met')
     assert all(issubclass(getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}"), long_work.LongWork) for name in names)
 
 

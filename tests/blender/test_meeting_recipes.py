@@ -148,6 +148,17 @@ def test_a_side_that_two_patches_share_is_a_section_once():
         assert np.linalg.norm(quarter - three) > 1e-3
 
 
+def test_a_long_section_is_called_off():
+    rng = np.random.default_rng(1)
+    knots = np.r_[[0] * 4, np.arange(1, 37), [37] * 4].astype(float)
+    x, y = np.meshgrid(np.linspace(0, 1, 40), np.linspace(0, 1, 40), indexing='ij')
+    waves = [part('core.definition').from_value(sc.NurbsPatch((3, 3), (knots, knots), np.stack(
+        [x, y, 0.2 * rng.uniform(-1, 1, x.shape)], -1))) for _ in range(2)]
+    work = part('core.recipes.table').RECIPES['section'].work(waves, {'tolerance': 1e-8})
+    with pytest.raises(sc.Cancelled):
+        work(lambda: True)
+
+
 def test_planes_beside_a_surface_say_so():
     activate(placed(SPHERE, "ball"))
     with pytest.raises(RuntimeError, match="meets none of the planes"):
