@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "splinecore/base/points.hpp"
 
@@ -153,8 +154,8 @@ int integer(const py::handle& value, const char* name) {
     refuse_type(value, name, "an integer");
   }
   int overflow = 0;
-  const long wide = PyLong_AsLongAndOverflow(number.ptr(), &overflow);
-  if (overflow != 0 || wide > 2147483647L || wide < -2147483647L) {
+  const long long wide = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
+  if (overflow != 0 || wide > 2147483647 || wide < -2147483647) {
     throw InvalidShape(std::string(name) + " = " + short_text(number) + " is far too large");
   }
   return static_cast<int>(wide);

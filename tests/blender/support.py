@@ -14,12 +14,14 @@ def _addon_name():
 
 
 ADDON = _addon_name()
-splinecore = importlib.import_module(ADDON + '.splinecore')
 
 
 def part(name):
     """A module of the add-on, by its dotted name below the add-on."""
     return importlib.import_module(f"{ADDON}.{name}")
+
+
+splinecore = part('core.library').sc
 
 
 def vertices(mesh):

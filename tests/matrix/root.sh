@@ -2,6 +2,7 @@
 # Makes (once) and enters a root of another Debian release.
 #   root.sh make SUITE ROOT            debootstrap and packages; nothing to do where ROOT has them all
 #   root.sh run ROOT PROJECT COMMAND…  COMMAND inside ROOT, with PROJECT mounted at /project
+#   root.sh mirror                     where this machine has Debian's packages from
 set -euo pipefail
 
 packages=(blender g++ cmake ninja-build libeigen3-dev libglm-dev nlohmann-json3-dev pybind11-dev
@@ -10,7 +11,7 @@ packages=(blender g++ cmake ninja-build libeigen3-dev libglm-dev nlohmann-json3-
 mirror_of_host() {
   local mirror
   mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
-           sed -nE 's#^(URIs:|deb) *(\[[^]]*\] *)?(https?://[^ ]*/debian)/?( .*)?$#\3#p' | head -n 1)
+           sed -nE 's#^(URIs:|deb) *(\[[^]]*\] *)?(https?://[^ ]*/debian)/?( .*)?$#\3#p' | head -n 1) || true
   echo "${mirror:-http://deb.debian.org/debian}"
 }
 
@@ -74,5 +75,6 @@ verb=$1; shift
 case "$verb" in
   make) make_root "$@" ;;
   run) run_in_root "$@" ;;
-  *) echo "root.sh make|run …" >&2; exit 2 ;;
+  mirror) mirror_of_host ;;
+  *) echo "root.sh make|run|mirror …" >&2; exit 2 ;;
 esac

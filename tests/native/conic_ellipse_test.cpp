@@ -92,12 +92,14 @@ TEST(EllipseArc, RunsFromItsStartThroughItsSweep) {
     const double sweep = real(random, -2 * kPi, 2 * kPi);
     const int spans = integer(random, 0, 6);
     const NurbsCurve arc = ellipse_arc({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, start, sweep, spans);
-    EXPECT_LE(deviation(arc, 1.0), 1e-13) << start << " " << sweep << " " << spans;
+    // One span of nearly a turn goes nearly to infinity and back.
+    const double tolerance = 2e-14 / (1.0 + std::cos(0.5 * sweep / arc.domain().end));
+    EXPECT_LE(deviation(arc, 1.0), tolerance) << start << " " << sweep << " " << spans;
     EXPECT_TRUE(spans == 0 || arc.domain().end == spans);
     const int count = static_cast<int>(arc.domain().end);
     for (int i = 0; i <= 2 * count; ++i) {
       const double angle = start + sweep * i / (2 * count);
-      EXPECT_LE(largest(point_at(arc, 0.5 * i) - glm::dvec3(std::cos(angle), std::sin(angle), 0)), 1e-13);
+      EXPECT_LE(largest(point_at(arc, 0.5 * i) - glm::dvec3(std::cos(angle), std::sin(angle), 0)), tolerance);
     }
   }
 }

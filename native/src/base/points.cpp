@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/length.hpp"
 #include "given_points.hpp"
 #include "kernels/kernels.hpp"
 #include "require.hpp"
@@ -87,7 +88,7 @@ double extent(std::span<const glm::dvec4> points) noexcept {
     low = glm::min(low, glm::dvec3(p));
     high = glm::max(high, glm::dvec3(p));
   }
-  return low.x > high.x ? 0.0 : std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  return low.x > high.x ? 0.0 : distance_of(low, high);
 }
 
 double largest_coordinate(std::span<const glm::dvec4> points) noexcept {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -17,21 +18,23 @@ namespace {
 /// A band in rows of equal width: row i has the columns from i - lower on, with room for what exchanges fill.
 class Band {
  public:
-  Band(std::size_t count, long lower, long upper)
-      : count_(static_cast<long>(count)), lower_(lower), upper_(std::min(upper + lower, count_ - 1)),
+  Band(std::size_t count, std::ptrdiff_t lower, std::ptrdiff_t upper)
+      : count_(static_cast<std::ptrdiff_t>(count)), lower_(lower), upper_(std::min(upper + lower, count_ - 1)),
         width_(lower_ + upper_ + 1), values_(count * static_cast<std::size_t>(width_)) {}
 
-  double& at(long i, long j) { return values_[static_cast<std::size_t>(i * width_ + j - i + lower_)]; }
+  double& at(std::ptrdiff_t i, std::ptrdiff_t j) {
+    return values_[static_cast<std::size_t>(i * width_ + j - i + lower_)];
+  }
 
   /// Writes X over the right side.
   void solve(double* right, std::size_t columns) {
-    for (long k = 0; k < count_; ++k) {
+    for (std::ptrdiff_t k = 0; k < count_; ++k) {
       breathe(static_cast<std::size_t>(lower_ + 1) * (static_cast<std::size_t>(upper_) + columns));
-      const long last = std::min(count_ - 1, k + lower_);
+      const std::ptrdiff_t last = std::min(count_ - 1, k + lower_);
       take_pivot(k, last, right, columns);
-      for (long i = k + 1; i <= last; ++i) eliminate(k, i, right, columns);
+      for (std::ptrdiff_t i = k + 1; i <= last; ++i) eliminate(k, i, right, columns);
     }
-    for (long k = count_ - 1; k >= 0; --k) {
+    for (std::ptrdiff_t k = count_ - 1; k >= 0; --k) {
       breathe(static_cast<std::size_t>(upper_ + 1) * columns);
       substitute(k, right, columns);
     }
@@ -39,51 +42,51 @@ class Band {
 
  private:
   /// Exchanges row k for the one below that has the largest number in its column, if its own is far smaller.
-  void take_pivot(long k, long last, double* right, std::size_t columns) {
+  void take_pivot(std::ptrdiff_t k, std::ptrdiff_t last, double* right, std::size_t columns) {
     constexpr double kMuchSmaller = 0.1;
-    long best = k;
-    for (long i = k + 1; i <= last; ++i) {
+    std::ptrdiff_t best = k;
+    for (std::ptrdiff_t i = k + 1; i <= last; ++i) {
       if (std::abs(at(i, k)) > std::abs(at(best, k))) best = i;
     }
     if (!(std::abs(at(best, k)) > 0.0)) refuse();
     if (std::abs(at(k, k)) >= kMuchSmaller * std::abs(at(best, k))) return;
-    for (long j = k; j <= std::min(count_ - 1, k + upper_); ++j) std::swap(at(k, j), at(best, j));
+    for (std::ptrdiff_t j = k; j <= std::min(count_ - 1, k + upper_); ++j) std::swap(at(k, j), at(best, j));
     std::swap_ranges(right + k * columns, right + (k + 1) * columns, right + best * columns);
   }
 
-  void eliminate(long k, long i, double* right, std::size_t columns) {
+  void eliminate(std::ptrdiff_t k, std::ptrdiff_t i, double* right, std::size_t columns) {
     if (at(i, k) == 0.0) return;
     const double factor = at(i, k) / at(k, k);
-    const long end = std::min(count_ - 1, k + upper_);
+    const std::ptrdiff_t end = std::min(count_ - 1, k + upper_);
     const double* const from = &at(k, k);
     double* const to = &at(i, k);
-    for (long j = 1; j <= end - k; ++j) to[j] -= factor * from[j];
+    for (std::ptrdiff_t j = 1; j <= end - k; ++j) to[j] -= factor * from[j];
     for (std::size_t c = 0; c < columns; ++c) right[i * columns + c] -= factor * right[k * columns + c];
   }
 
-  void substitute(long k, double* right, std::size_t columns) {
+  void substitute(std::ptrdiff_t k, double* right, std::size_t columns) {
     double* const row = right + k * columns;
-    const long end = std::min(count_ - 1, k + upper_);
-    for (long j = k + 1; j <= end; ++j) {
+    const std::ptrdiff_t end = std::min(count_ - 1, k + upper_);
+    for (std::ptrdiff_t j = k + 1; j <= end; ++j) {
       const double factor = at(k, j);
       for (std::size_t c = 0; c < columns; ++c) row[c] -= factor * right[j * columns + c];
     }
     for (std::size_t c = 0; c < columns; ++c) row[c] /= at(k, k);
   }
 
-  long count_;
-  long lower_;
-  long upper_;
-  long width_;
+  std::ptrdiff_t count_;
+  std::ptrdiff_t lower_;
+  std::ptrdiff_t upper_;
+  std::ptrdiff_t width_;
   std::vector<double> values_;
 };
 
 /// How far the rows of some reach to each side of the diagonal, among the columns below `count`.
 struct Reach {
-  long lower = 0;
-  long upper = 0;
+  std::ptrdiff_t lower = 0;
+  std::ptrdiff_t upper = 0;
 
-  void add(long i, long j) {
+  void add(std::ptrdiff_t i, std::ptrdiff_t j) {
     lower = std::max(lower, i - j);
     upper = std::max(upper, j - i);
   }
@@ -92,17 +95,17 @@ struct Reach {
 }  // namespace
 
 void solve_banded(const BandedRows& matrix, std::span<double> right, std::size_t columns) {
-  const auto count = static_cast<long>(matrix.count());
+  const auto count = static_cast<std::ptrdiff_t>(matrix.count());
   Reach reach;
-  for (long i = 0; i < count; ++i) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
     reach.add(i, matrix.first[i]);
-    reach.add(i, std::min(matrix.first[i] + static_cast<long>(matrix.width), count) - 1);
+    reach.add(i, std::min(matrix.first[i] + static_cast<std::ptrdiff_t>(matrix.width), count) - 1);
   }
   Band band(matrix.count(), reach.lower, reach.upper);
-  for (long i = 0; i < count; ++i) {
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
     const auto row = matrix.row(i);
     for (std::size_t j = 0; j < row.size(); ++j) {
-      const long column = matrix.first[i] + static_cast<long>(j);
+      const std::ptrdiff_t column = matrix.first[i] + static_cast<std::ptrdiff_t>(j);
       if (column < count) band.at(i, column) = row[j];
     }
   }
@@ -209,7 +212,7 @@ void solve_cyclic(const BandedRows& matrix, std::span<double> right, std::size_t
         const std::size_t column = (first + j) % count;
         row[column < inner ? column - begin : matrix.width + (column - inner)] += matrix.row(i)[j];
       }
-      std::copy_n(right.data() + i * columns, columns, row.end() - static_cast<long>(columns));
+      std::copy_n(right.data() + i * columns, columns, row.end() - static_cast<std::ptrdiff_t>(columns));
       triangle.add(begin, row.data());
     }
   };

@@ -10,7 +10,7 @@ namespace splinecore {
 /// A square matrix whose rows are few numbers near the diagonal: row i has `width` of them, from column first[i] on.
 struct BandedRows {
   std::size_t width = 0;
-  std::vector<long> first;     ///< where columns repeat, a row may reach behind the last one
+  std::vector<std::ptrdiff_t> first;     ///< where columns repeat, a row may reach behind the last one
   std::vector<double> values;  ///< row after row
 
   std::size_t count() const noexcept { return first.size(); }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -125,13 +126,13 @@ RunCopy raise_knots(const RaisedLine& line, const Runs& runs, Interval domain, s
   for (std::size_t run = 0; run < runs.values.size(); ++run) {
     end = std::fill_n(end, runs.raised(static_cast<int>(run)), runs.values[run]);
   }
-  const long after_start = std::ranges::upper_bound(raised, domain.start) - raised.begin();
-  const long at_end = std::ranges::lower_bound(raised, domain.end) - raised.begin();
-  const long left_out = after_start - line.degree - 2;
+  const std::ptrdiff_t after_start = std::ranges::upper_bound(raised, domain.start) - raised.begin();
+  const std::ptrdiff_t at_end = std::ranges::lower_bound(raised, domain.end) - raised.begin();
+  const std::ptrdiff_t left_out = after_start - line.degree - 2;
   raised.resize(at_end + line.degree + 2);
   raised.erase(raised.begin(), raised.begin() + left_out);
   RunCopy first{0, 0};
-  for (long i = 0; i < left_out; ++i) first.advance(runs);
+  for (std::ptrdiff_t i = 0; i < left_out; ++i) first.advance(runs);
   return first;
 }
 

@@ -1,6 +1,7 @@
 #include "elevation.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 #include "blossom.hpp"
@@ -16,7 +17,7 @@ namespace {
 /// A distinct old knot, which has old indices first … first + count - 1 and one copy more afterwards.
 struct KnotRun {
   double value;
-  long first;
+  std::ptrdiff_t first;
   int count;
 };
 
@@ -30,7 +31,7 @@ std::vector<KnotRun> runs_of(const OldKnots& old) {
   std::vector<KnotRun> runs;
   for (std::size_t i = 0; i < old.values.size(); ++i) {
     if (runs.empty() || runs.back().value != old.values[i]) {
-      runs.push_back({old.values[i], old.begin + static_cast<long>(i), 0});
+      runs.push_back({old.values[i], old.begin + static_cast<std::ptrdiff_t>(i), 0});
     }
     ++runs.back().count;
   }
@@ -47,8 +48,8 @@ std::vector<Copy> copies_of(const std::vector<KnotRun>& runs) {
 
 /// The new knot vector as copies[begin] … copies[end - 1].
 struct Part {
-  long begin;
-  long end;
+  std::ptrdiff_t begin;
+  std::ptrdiff_t end;
 };
 
 Part plain_part(const KnotVector& knots, const std::vector<KnotRun>& runs, const std::vector<Copy>& copies) {
@@ -65,12 +66,12 @@ Part periodic_part(const KnotVector& knots, const std::vector<KnotRun>& runs, co
   const auto origin = std::ranges::find_if(runs, holds_origin);
   const int copy = static_cast<int>(-origin->first);
   const auto is_first = [&](const Copy& one) { return one.run == origin - runs.begin() && one.copy == copy; };
-  const long begin = std::ranges::find_if(copies, is_first) - copies.begin();
+  const std::ptrdiff_t begin = std::ranges::find_if(copies, is_first) - copies.begin();
   const auto given = knots.knots();
   const auto distinct = std::ranges::count_if(runs, [&](const KnotRun& run) {
     return given.front() <= run.value && run.value < given.back();
   });
-  return {begin, begin + static_cast<long>(given.size()) + distinct};
+  return {begin, begin + static_cast<std::ptrdiff_t>(given.size()) + distinct};
 }
 
 /// The runs that a new point's knots come from, and how many of each.
@@ -80,11 +81,11 @@ struct KnotWindow {
   int first_copy = 0;
 };
 
-void find_window(const std::vector<Copy>& copies, long begin, int size, KnotWindow& window) {
+void find_window(const std::vector<Copy>& copies, std::ptrdiff_t begin, int size, KnotWindow& window) {
   window.runs.clear();
   window.counts.clear();
   window.first_copy = copies[begin].copy;
-  for (long i = begin; i < begin + size; ++i) {
+  for (std::ptrdiff_t i = begin; i < begin + size; ++i) {
     if (window.runs.empty() || window.runs.back() != copies[i].run) {
       window.runs.push_back(copies[i].run);
       window.counts.push_back(0);
@@ -96,7 +97,7 @@ void find_window(const std::vector<Copy>& copies, long begin, int size, KnotWind
 /// A point of a refined curve: the arguments that its blossom has beside old knots, which begin at `shared`.
 struct Blossom {
   std::vector<double> arguments;
-  long shared = 0;
+  std::ptrdiff_t shared = 0;
 };
 
 /// The blossom whose arguments are the knots of the window without one copy of a run.
@@ -123,7 +124,7 @@ void find_blossom_without(const KnotWindow& window, std::size_t removed, const s
 struct Scratch {
   KnotWindow window;
   Blossom blossom;
-  std::vector<long> firsts;
+  std::vector<std::ptrdiff_t> firsts;
   std::vector<std::vector<double>> parts;
 };
 
@@ -131,21 +132,21 @@ struct Scratch {
 void add_row(const std::vector<KnotRun>& runs, const OldKnots& old, int degree, bool periodic, Scratch& scratch,
              PointMatrix::Rows& rows) {
   const KnotWindow& window = scratch.window;
-  std::vector<long>& firsts = scratch.firsts;
+  std::vector<std::ptrdiff_t>& firsts = scratch.firsts;
   std::vector<std::vector<double>>& parts = scratch.parts;
   firsts.clear();
   parts.resize(std::max(parts.size(), window.runs.size()));
   for (std::size_t i = 0; i < window.runs.size(); ++i) {
     Blossom& blossom = scratch.blossom;
     find_blossom_without(window, i, runs, blossom);
-    const long first = blossom.shared - 1 - static_cast<long>(blossom.arguments.size());
+    const std::ptrdiff_t first = blossom.shared - 1 - static_cast<std::ptrdiff_t>(blossom.arguments.size());
     std::vector<double>& part = parts[i];
     part.resize(blossom.arguments.size() + 1);
     breathe(static_cast<std::size_t>(degree) + 4 * part.size() * part.size());
     blossom_weights(old.at(first), degree, blossom.arguments, part.data());
     firsts.push_back(first);
   }
-  const long lowest = std::ranges::min(firsts);
+  const std::ptrdiff_t lowest = std::ranges::min(firsts);
   rows.weights.resize(rows.weights.size() + rows.width);
   double* row = rows.weights.data() + rows.weights.size() - rows.width;
   for (std::size_t i = 0; i < firsts.size(); ++i) {
@@ -166,15 +167,15 @@ PointMatrix elevation(const KnotVector& knots) {
   const bool periodic = knots.periodic();
   const Part part = periodic ? periodic_part(knots, runs, copies) : plain_part(knots, runs, copies);
   std::vector<double> values;
-  for (long i = part.begin; i < part.end; ++i) values.push_back(runs[copies[i].run].value);
+  for (std::ptrdiff_t i = part.begin; i < part.end; ++i) values.push_back(runs[copies[i].run].value);
   KnotVector elevated = KnotVector::make(degree + 1, std::move(values), periodic);
 
-  PointMatrix::Rows rows{2L * degree + 2, {}, {}};
+  PointMatrix::Rows rows{std::ptrdiff_t{2} * degree + 2, {}, {}};
   rows.first.reserve(elevated.count());
   rows.weights.reserve(elevated.count() * rows.width);
   Scratch scratch;
   for (int j = 0; j < elevated.count(); ++j) {
-    const long begin = part.begin + j + (periodic ? -degree : 1);
+    const std::ptrdiff_t begin = part.begin + j + (periodic ? -degree : 1);
     find_window(copies, begin, degree + 1, scratch.window);
     add_row(runs, old, degree, periodic, scratch, rows);
   }

@@ -7,6 +7,7 @@
 #include <queue>
 #include <tuple>
 
+#include "base/length.hpp"
 #include "splinecore/base/pause.hpp"
 
 namespace splinecore {
@@ -34,7 +35,7 @@ class LineCost {
     biggest_ = std::max(biggest_, largest(residue));
     if (point.w == 0.0) return;
     const glm::dvec3 way = glm::dvec3(residue) - residue.w * (glm::dvec3(point) / point.w);
-    way_ = std::max(way_, std::hypot(way.x, way.y, way.z));
+    way_ = std::max(way_, length_of(way));
   }
 
   /// A point that comes out.

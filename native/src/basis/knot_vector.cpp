@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -68,8 +69,8 @@ void require_order(std::span<const double> knots, int degree, bool are_simple) {
 }
 
 void require_period(std::span<const double> knots, int degree) {
-  const auto leading = static_cast<long>(std::ranges::equal_range(knots, knots.front()).size());
-  const auto trailing = static_cast<long>(std::ranges::equal_range(knots, knots.back()).size());
+  const auto leading = static_cast<std::ptrdiff_t>(std::ranges::equal_range(knots, knots.front()).size());
+  const auto trailing = static_cast<std::ptrdiff_t>(std::ranges::equal_range(knots, knots.back()).size());
   if (knots.front() == knots.back()) {
     throw InvalidShape("knots" + index_text(knots.size() - 1) + " = " + text_of(knots.back()) +
                        " equals knots[0]: the period has no length");
@@ -82,10 +83,10 @@ void require_period(std::span<const double> knots, int degree) {
 }
 
 std::vector<double> unroll(std::span<const double> period, int degree) {
-  const long count = static_cast<long>(period.size()) - 1;
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(period.size()) - 1;
   std::vector<double> unrolled;
   unrolled.reserve(count + 2 * degree + 1);
-  for (long i = -degree; i <= count + degree; ++i) unrolled.push_back(periodic_knot(period, i));
+  for (std::ptrdiff_t i = -degree; i <= count + degree; ++i) unrolled.push_back(periodic_knot(period, i));
   return unrolled;
 }
 
@@ -245,7 +246,7 @@ bool operator==(const KnotVector& a, const KnotVector& b) noexcept {
                                   std::ranges::equal(a.knots(), b.knots()));
 }
 
-double periodic_image(std::span<const double> period, double u, long turns) noexcept {
+double periodic_image(std::span<const double> period, double u, std::ptrdiff_t turns) noexcept {
   const double start = period.front();
   const double end = period.back();
   const double length = end - start;
@@ -255,10 +256,10 @@ double periodic_image(std::span<const double> period, double u, long turns) noex
   return u;
 }
 
-double periodic_knot(std::span<const double> period, long i) noexcept {
-  const long count = static_cast<long>(period.size()) - 1;
+double periodic_knot(std::span<const double> period, std::ptrdiff_t i) noexcept {
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(period.size()) - 1;
   if (i >= 0 && i <= count) return period[i];
-  const long turns = i / count - (i % count < 0 ? 1 : 0);
+  const std::ptrdiff_t turns = i / count - (i % count < 0 ? 1 : 0);
   return periodic_image(period, period[i - turns * count], turns);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
@@ -19,8 +20,8 @@ int copied_point(std::span<const double> row) noexcept;
 class PointMatrix {
  public:
   struct Rows {
-    long width = 0;
-    std::vector<long> first;
+    std::ptrdiff_t width = 0;
+    std::vector<std::ptrdiff_t> first;
     std::vector<double> weights;  // width for each row
   };
 
@@ -47,7 +48,7 @@ class PointMatrix {
   std::span<const double> row(std::size_t j) const noexcept {
     return {rows_.weights.data() + j * rows_.width, static_cast<std::size_t>(rows_.width)};
   }
-  std::size_t old_index(std::size_t j, long r) const noexcept;
+  std::size_t old_index(std::size_t j, std::ptrdiff_t r) const noexcept;
 
   KnotVector from_;
   KnotVector to_;

@@ -1,6 +1,7 @@
 #include "refinement.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -19,7 +20,7 @@ namespace {
 /// A knot of the refined vector; an inserted one has no old index.
 struct Merged {
   double value;
-  long old_index;
+  std::ptrdiff_t old_index;
   bool inserted;
 };
 
@@ -41,7 +42,7 @@ void require_multiplicities(const KnotVector& knots, std::span<const double> val
   for (std::size_t i = 0; i < values.size();) {
     std::size_t end = i;
     while (end < values.size() && values[end] == values[i]) ++end;
-    const long times = static_cast<long>(end - i) + multiplicity(knots, values[i]);
+    const std::ptrdiff_t times = static_cast<std::ptrdiff_t>(end - i) + multiplicity(knots, values[i]);
     if (times > knots.degree() + 1) {
       throw InvalidShape("knots: " + text_of(values[i]) + " would have multiplicity " +
                          std::to_string(times) + ", above degree + 1 = " +
@@ -56,17 +57,17 @@ void require_multiplicities(const KnotVector& knots, std::span<const double> val
 std::vector<Merged> merge(const KnotVector& knots, const OldKnots& old,
                           const std::vector<double>& inserted) {
   const bool periodic = knots.periodic();
-  const long reach = periodic ? knots.degree() + 1 : 0;
-  const long last = periodic ? knots.count() + reach : static_cast<long>(old.values.size()) - 1;
+  const std::ptrdiff_t reach = periodic ? knots.degree() + 1 : 0;
+  const std::ptrdiff_t last = periodic ? knots.count() + reach : static_cast<std::ptrdiff_t>(old.values.size()) - 1;
   std::vector<Merged> kept;
   kept.reserve(last + reach + 1);
-  for (long i = -reach; i <= last; ++i) kept.push_back({*old.at(i), i, false});
+  for (std::ptrdiff_t i = -reach; i <= last; ++i) kept.push_back({*old.at(i), i, false});
   const double low = kept.front().value;
   const double high = kept.back().value;
   std::vector<Merged> added;
   added.reserve(inserted.size());
-  const long turns = periodic ? reach / knots.count() + 1 : 0;
-  for (long turn = -turns; turn <= turns; ++turn) {
+  const std::ptrdiff_t turns = periodic ? reach / knots.count() + 1 : 0;
+  for (std::ptrdiff_t turn = -turns; turn <= turns; ++turn) {
     for (const double value : inserted) {
       const double image = periodic ? periodic_image(knots.knots(), value, turn) : value;
       if (image >= low && image <= high) added.push_back({image, 0, true});
@@ -87,9 +88,9 @@ std::vector<Merged> merge(const KnotVector& knots, const OldKnots& old,
 /// Calls visit(first, arguments) for the `count` windows of `degree` knots from `start` on: the
 /// inserted knots of each, and the first of the old points that carry all its old knots.
 template <class Visit>
-void for_each_window(const std::vector<Merged>& merged, long start, int count, int degree, Visit visit) {
+void for_each_window(const std::vector<Merged>& merged, std::ptrdiff_t start, int count, int degree, Visit visit) {
   const auto is_old = [](const Merged& k) { return !k.inserted; };
-  long next_old = std::find_if(merged.rend() - start, merged.rend(), is_old)->old_index + 1;
+  std::ptrdiff_t next_old = std::find_if(merged.rend() - start, merged.rend(), is_old)->old_index + 1;
   std::vector<double> arguments;
   for (int j = 0; j < count; ++j) {
     arguments.clear();
@@ -97,7 +98,7 @@ void for_each_window(const std::vector<Merged>& merged, long start, int count, i
       if (knot.inserted) arguments.push_back(knot.value);
     }
     breathe(static_cast<std::size_t>(degree) + 4 * arguments.size() * arguments.size());
-    visit(next_old - 1 - static_cast<long>(arguments.size()), arguments);
+    visit(next_old - 1 - static_cast<std::ptrdiff_t>(arguments.size()), arguments);
     if (is_old(merged[start + j])) next_old = merged[start + j].old_index + 1;
   }
 }
@@ -110,7 +111,7 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
   require_multiplicities(knots, added);
   const std::vector<Merged> merged = merge(knots, old, added);
   const auto is_origin = [](const Merged& k) { return !k.inserted && k.old_index == 0; };
-  const long origin = std::ranges::find_if(merged, is_origin) - merged.begin();
+  const std::ptrdiff_t origin = std::ranges::find_if(merged, is_origin) - merged.begin();
   std::vector<double> values;
   values.reserve(knots.knots().size() + inserted.size());
   for (std::size_t i = 0; i < knots.knots().size() + inserted.size(); ++i) {
@@ -120,13 +121,13 @@ PointMatrix refinement(const KnotVector& knots, std::span<const double> inserted
   KnotVector refined = KnotVector::make(degree, std::move(values), knots.periodic());
 
   // The window of new point j: the knots after knot j where plain, up to knot j where periodic.
-  const long start = origin + (knots.periodic() ? 1 - degree : 1);
+  const std::ptrdiff_t start = origin + (knots.periodic() ? 1 - degree : 1);
   PointMatrix::Rows rows{degree + 1, {}, {}};
   const std::size_t count = refined.count();
   rows.first.reserve(count);
   rows.weights.assign(count * (degree + 1), 0.0);
   double* row = rows.weights.data();
-  for_each_window(merged, start, refined.count(), degree, [&](long first, const auto& arguments) {
+  for_each_window(merged, start, refined.count(), degree, [&](std::ptrdiff_t first, const auto& arguments) {
     blossom_weights(old.at(first), degree, arguments, row);
     rows.first.push_back(first + (knots.periodic() ? degree : 0));
     row += degree + 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <utility>
@@ -71,7 +72,7 @@ Approximation<Shape> without_listed_knots(Approximation<Shape> best, double tole
 /// The knots of a periodic vector whose points lie on both sides of its seam, in order.
 inline std::vector<double> knots_at_seam(const KnotVector& knots) {
   const auto all = knots.unrolled();
-  const long margin = std::min<long>(2 * knots.degree() + 1, static_cast<long>(all.size()));
+  const auto margin = std::min(std::ptrdiff_t{2} * knots.degree() + 1, std::ssize(all));
   std::vector<double> found(all.begin(), all.begin() + margin);
   found.insert(found.end(), all.end() - margin, all.end());
   std::ranges::sort(found);

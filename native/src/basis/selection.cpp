@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 #include "base/double_double.hpp"
@@ -22,7 +23,7 @@ int position_of(const KnotVector& knots, double u) {
   return static_cast<int>(std::ranges::find(knots.knots(), u) - knots.knots().begin());
 }
 
-int modulo(long i, int count) { return static_cast<int>((i % count + count) % count); }
+int modulo(std::ptrdiff_t i, int count) { return static_cast<int>((i % count + count) % count); }
 
 }  // namespace
 
@@ -47,13 +48,13 @@ Selection part_after(const KnotVector& knots, double u) {
 Selection opened_at(const KnotVector& knots, double u) {
   const auto period = knots.knots();
   // The first of the degree + 1 equal knots; at the seam they may begin before knot 0.
-  long at = position_of(knots, u);
+  std::ptrdiff_t at = position_of(knots, u);
   while (periodic_knot(period, at - 1) == u) --at;
   const int degree = knots.degree();
   std::vector<double> plain;
-  for (long i = at; i <= at + knots.count() + degree; ++i) plain.push_back(periodic_knot(period, i));
+  for (std::ptrdiff_t i = at; i <= at + knots.count() + degree; ++i) plain.push_back(periodic_knot(period, i));
   std::vector<int> indices;
-  for (long i = at; i < at + knots.count(); ++i) indices.push_back(modulo(i + degree, knots.count()));
+  for (std::ptrdiff_t i = at; i < at + knots.count(); ++i) indices.push_back(modulo(i + degree, knots.count()));
   return {KnotVector::make(degree, std::move(plain)), std::move(indices)};
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "meet/near_space.hpp"
+#include "base/length.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/evaluate.hpp"
 

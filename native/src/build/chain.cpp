@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/length.hpp"
 #include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -60,8 +61,6 @@ void require_positive(double length, const std::string& name) {
 
 Vector point_of(const BezierCurve& curve, int i) { return Vector(curve.points()[i]); }
 
-double distance(const Vector& a, const Vector& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
-
 /// Where two curves of a chain meet, on intervals of lengths a and b.
 struct ChainJoint {
   const BezierCurve& q;
@@ -80,9 +79,9 @@ void require_c2(const ChainJoint& joint, std::size_t number, std::optional<doubl
   const double size = std::max(largest_coordinate(joint.q.points()), largest_coordinate(joint.r.points()));
   const double ratio = std::max(joint.a / joint.b, joint.b / joint.a);
   const auto [q, r, a, b] = joint;
-  const std::array<double, 3> gaps{distance(point_of(q, 3), point_of(r, 0)),
-                                   distance(between(point_of(q, 2), b, point_of(r, 1), a), point_of(q, 3)),
-                                   distance(joint.apex_before(), joint.apex_after())};
+  const std::array<double, 3> gaps{distance_of(point_of(q, 3), point_of(r, 0)),
+                                   distance_of(between(point_of(q, 2), b, point_of(r, 1), a), point_of(q, 3)),
+                                   distance_of(joint.apex_before(), joint.apex_after())};
   for (int order = 0; order < 3; ++order) {
     const double allowed = tolerance.value_or(kRounding * size * (order == 2 ? 1.0 + ratio : 1.0));
     if (gaps[order] <= allowed) continue;

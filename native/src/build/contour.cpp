@@ -5,9 +5,9 @@
 #include <glm/vec4.hpp>
 #include <string>
 
+#include "base/length.hpp"
 #include "base/require.hpp"
 #include "curve_ends.hpp"
-#include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/conic/arcs.hpp"
 #include "splinecore/curve/ends.hpp"

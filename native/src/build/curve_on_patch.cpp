@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cubics_along.hpp"
+#include "base/length.hpp"
 #include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/conic/plane.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/length.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/hermite.hpp"
 #include "splinecore/curve/bezier_degree.hpp"
@@ -15,7 +16,7 @@ namespace {
 void require_meeting(const glm::dvec4& end, const glm::dvec4& start, std::size_t joint, double tolerance) {
   const std::string name = "joint " + std::to_string(joint);
   if (end.w == 0.0 || start.w == 0.0) throw InvalidShape(name + " lies at infinity: the weight of an end is zero");
-  const double gap = std::hypot(end.x - start.x, end.y - start.y, end.z - start.z);
+  const double gap = distance_of(glm::dvec3(end), glm::dvec3(start));
   if (gap <= tolerance) return;
   throw InvalidShape(name + " is open: an end lies " + text_of(gap) + " from the next start, the tolerance is " +
                      text_of(tolerance));

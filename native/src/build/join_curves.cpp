@@ -5,8 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "base/length.hpp"
 #include "curve_ends.hpp"
-#include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/measure/arc_length.hpp"

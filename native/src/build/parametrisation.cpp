@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/distance.hpp"
+#include "base/length.hpp"
 #include "base/require.hpp"
 #include "kernels/kernels.hpp"
 #include "splinecore/base/errors.hpp"

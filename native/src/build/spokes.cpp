@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/length.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/conic/ellipse.hpp"
 
@@ -16,7 +17,7 @@ void require_place(const glm::dvec3& place, const std::string& argument) {
 
 double require_length(const glm::dvec3& vector, const std::string& argument) {
   require_place(vector, argument);
-  const double length = std::hypot(vector.x, vector.y, vector.z);
+  const double length = length_of(vector);
   if (std::isnormal(length)) return length;
   throw InvalidShape(argument + " has no direction: its length is " + text_of(length));
 }

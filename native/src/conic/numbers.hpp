@@ -7,15 +7,13 @@
 #include <limits>
 #include <string>
 
+#include "base/length.hpp"
 #include "splinecore/base/errors.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-/// The length of a vector whose square may leave the range of numbers.
-inline double length_of(const glm::dvec3& v) noexcept { return std::hypot(v.x, v.y, v.z); }
 
 /// @throws InvalidShape naming the argument and the coordinate if one is not finite.
 inline void require_vector(const glm::dvec3& v, const std::string& argument) {

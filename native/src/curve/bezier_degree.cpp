@@ -9,6 +9,7 @@
 
 #include "base/double_double.hpp"
 #include "base/given_points.hpp"
+#include "base/length.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -93,16 +94,15 @@ double smallest_weight(const Points& points) {
   return std::ranges::min(points, {}, &glm::dvec4::w).w;
 }
 
-double norm(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// How far the quotient of the homogeneous points moves at most where they move by `change`, into `after`:
 /// (X - P W) / W over the hull of the points P.
 double bound(const glm::dvec4& change, const Points& before, const Points& after) {
   const double weight = smallest_weight(before);
-  if (change.w == 0.0) return norm(glm::dvec3(change)) / weight;
+  if (change.w == 0.0) return length_of(glm::dvec3(change)) / weight;
   double largest = 0.0;
   for (const glm::dvec4& point : as_given(after)) {
-    largest = std::max(largest, norm(glm::dvec3(change) - change.w * glm::dvec3(point)));
+    largest = std::max(largest, length_of(glm::dvec3(change) - change.w * glm::dvec3(point)));
   }
   return largest / weight;
 }

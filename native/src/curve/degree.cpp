@@ -1,6 +1,7 @@
 #include "splinecore/curve/degree.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 #include "base/given_points.hpp"
@@ -41,8 +42,8 @@ KnotVector lowered(const KnotVector& knots) {
   std::vector<double> kept;
   for (auto begin = given.begin(); begin != given.end();) {
     const auto end = std::upper_bound(begin, given.end(), *begin);
-    const long copies = end - begin;
-    kept.insert(kept.end(), std::max(copies - 1, 1L), *begin);
+    const std::ptrdiff_t copies = end - begin;
+    kept.insert(kept.end(), std::max<std::ptrdiff_t>(copies - 1, 1), *begin);
     begin = end;
   }
   return KnotVector::make(knots.degree() - 1, std::move(kept), knots.periodic());

@@ -6,6 +6,7 @@
 #include <queue>
 #include <ranges>
 
+#include "base/length.hpp"
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
 #include "splinecore/base/pause.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using Piece = BernsteinNet<glm::dvec4>;
 
-double length_of(const glm::dvec4& p) { return std::hypot(p.x, p.y, p.z); }
+double place_length(const glm::dvec4& p) { return length_of(glm::dvec3(p)); }
 
 /// Whether no weight is zero or of the other sign, by more than rounding.
 template <class Value, class Weight>
@@ -61,7 +62,7 @@ Piece plain_difference(const Piece& a, const Piece& b, double& size) {
   Piece result{a.rows, a.columns, a.values};
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     result.values[i] = glm::dvec4(glm::dvec3(a.values[i]) - glm::dvec3(b.values[i]), a.values[i].w);
-    size = std::max(size, length_of(a.values[i]) + length_of(b.values[i]));
+    size = std::max(size, place_length(a.values[i]) + place_length(b.values[i]));
   }
   return result;
 }
@@ -78,7 +79,7 @@ Piece rational_difference(const Piece& a, const Piece& b, double& size) {
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     const glm::dvec4 on_a = seen(a.values[i]);
     breathe(32 * b.values.size());
-    const double size_a = length_of(a.values[i]);
+    const double size_a = place_length(a.values[i]);
     const std::size_t row = i / a.columns;
     const std::size_t column = i % a.columns;
     for (std::size_t k = 0; k < b.values.size(); ++k) {
@@ -86,7 +87,7 @@ Piece rational_difference(const Piece& a, const Piece& b, double& size) {
       const double share = shares_u[row * a.rows + k / a.columns] * shares_v[column * a.columns + k % a.columns];
       const std::size_t at = (row + k / a.columns) * result.columns + column + k % a.columns;
       result.values[at] += share * glm::dvec4(glm::dvec3(on_a) * on_b.w - glm::dvec3(on_b) * on_a.w, on_a.w * on_b.w);
-      sizes[at] += share * (size_a * std::abs(on_b.w) + length_of(b.values[k]) * std::abs(on_a.w));
+      sizes[at] += share * (size_a * std::abs(on_b.w) + place_length(b.values[k]) * std::abs(on_a.w));
     }
   }
   size = *std::ranges::max_element(sizes);
@@ -119,18 +120,18 @@ bool DifferencePiece::is_left_out() const {
 }
 
 bool DifferencePiece::is_rounding() const {
-  return std::ranges::all_of(points.values, [&](const auto& p) { return length_of(p) <= rounding; });
+  return std::ranges::all_of(points.values, [&](const auto& p) { return place_length(p) <= rounding; });
 }
 
 double DifferencePiece::bound() const {
   if (is_of_one_sign(points, &glm::dvec4::w)) {
     double longest = 0.0;
-    for (const glm::dvec4& p : points.values) longest = std::max(longest, length_of(p) / std::abs(p.w));
+    for (const glm::dvec4& p : points.values) longest = std::max(longest, place_length(p) / std::abs(p.w));
     return longest;
   }
   if (!is_rounding() || !(limit > 0.0)) return HUGE_VAL;
   // Points that are not left out have no smaller weight where both are the same but for rounding.
-  const auto lengths = points.values | std::views::transform(length_of);
+  const auto lengths = points.values | std::views::transform(place_length);
   return std::ranges::max(lengths) / (limit * limit);
 }
 
@@ -141,7 +142,7 @@ double DifferencePiece::known() const {
   double longest = 0.0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (is_small(end_weights[i], limit)) continue;
-    longest = std::max(longest, ends[i].w == 0.0 ? HUGE_VAL : length_of(ends[i]) / std::abs(ends[i].w));
+    longest = std::max(longest, ends[i].w == 0.0 ? HUGE_VAL : place_length(ends[i]) / std::abs(ends[i].w));
   }
   return longest;
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 #include "base/given_points.hpp"
+#include "base/length.hpp"
 #include "basis/periodic_knots.hpp"
 #include "basis/selection.hpp"
 #include "rescale.hpp"
@@ -48,8 +50,8 @@ namespace {
 NurbsCurve part_of(const NurbsCurve& fine, Interval domain) {
   const auto knots = fine.knot_vector().knots();
   const int degree = fine.degree();
-  const long begin = std::ranges::upper_bound(knots, domain.start) - knots.begin() - degree - 1;
-  const long end = std::ranges::lower_bound(knots, domain.end) - knots.begin() + degree + 1;
+  const std::ptrdiff_t begin = std::ranges::upper_bound(knots, domain.start) - knots.begin() - degree - 1;
+  const std::ptrdiff_t end = std::ranges::lower_bound(knots, domain.end) - knots.begin() + degree + 1;
   return NurbsCurve::make(KnotVector::make(degree, {knots.begin() + begin, knots.begin() + end}),
                           {fine.points().begin() + begin, fine.points().begin() + end - degree - 1});
 }
@@ -133,7 +135,7 @@ double gap_of(const NurbsCurve& curve) {
     throw InvalidShape("the weights at the ends are " + text_of(first.w) + " and " + text_of(last.w) +
                        ": a periodic curve needs equal ones, as in standard form");
   }
-  return std::hypot(first.x - last.x, first.y - last.y, first.z - last.z);
+  return distance_of(glm::dvec3(first), glm::dvec3(last));
 }
 
 /// A clamped curve whose ends meet as a periodic one with a seam of `degree` equal knots.
@@ -165,13 +167,13 @@ Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<d
 
 NurbsCurve with_whole_seam(const NurbsCurve& curve) {
   const auto given = curve.knot_vector().knots();
-  const long late = std::ranges::count(given, given.back()) - 1;
+  const std::ptrdiff_t late = std::ranges::count(given, given.back()) - 1;
   if (!curve.periodic() || late == 0) return curve;
-  const long count = curve.knot_vector().count();
+  const std::ptrdiff_t count = curve.knot_vector().count();
   std::vector<double> knots;
   std::vector<glm::dvec4> points;
-  for (long i = 0; i <= count; ++i) knots.push_back(periodic_knot(given, i - late));
-  for (long i = 0; i < count; ++i) points.push_back(curve.points()[(i - late + count) % count]);
+  for (std::ptrdiff_t i = 0; i <= count; ++i) knots.push_back(periodic_knot(given, i - late));
+  for (std::ptrdiff_t i = 0; i < count; ++i) points.push_back(curve.points()[(i - late + count) % count]);
   return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), true), std::move(points));
 }
 

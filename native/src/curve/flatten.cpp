@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "base/length.hpp"
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
 #include "basis/bernstein_net.hpp"
@@ -20,15 +21,14 @@ using Piece = BernsteinNet<glm::dvec4>;
 constexpr std::size_t kMaxPoints = 1 << 18;
 constexpr int kMaxHalvings = 60;
 
-double norm(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dvec3 way = to - from;
-  const double length = norm(way);
-  if (length == 0.0) return norm(point - from);
+  const double length = length_of(way);
+  if (length == 0.0) return length_of(point - from);
   const glm::dvec3 along = way / length;
   const double place = std::clamp(glm::dot(point - from, along), 0.0, length);
-  return norm(point - from - place * along);
+  return length_of(point - from - place * along);
 }
 
 bool is_flat(const Piece& piece, double tolerance) {

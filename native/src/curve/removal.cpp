@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include "base/as_many.hpp"
@@ -112,9 +113,9 @@ NurbsCurve nearest_on_plain(const NurbsCurve& plain, double u, int times) {
     const int last = static_cast<int>(high - knots.begin()) - 1;
     return without_listed(plain, {&last, 1});
   }
-  const long begin = std::max(0L, (low - knots.begin()) - 2 * degree - 2);
-  const long end = std::min<long>(knots.size(), (high - knots.begin()) + 2 * degree + 2);
-  const long row_end = end - degree - 1;
+  const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, (low - knots.begin()) - 2 * degree - 2);
+  const std::ptrdiff_t end = std::min<std::ptrdiff_t>(knots.size(), (high - knots.begin()) + 2 * degree + 2);
+  const std::ptrdiff_t row_end = end - degree - 1;
   const std::vector<glm::dvec4> points = with_weights_divided(plain.points(), plain.weight_exponent());
   const NurbsCurve part = NurbsCurve::make(KnotVector::make(degree, {knots.begin() + begin, knots.begin() + end}),
                                            {points.begin() + begin, points.begin() + row_end});

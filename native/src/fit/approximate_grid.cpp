@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "along.hpp"
-#include "base/distance.hpp"
+#include "base/length.hpp"
 #include "build/fit_options.hpp"
 #include "control_counts.hpp"
 #include "fitted_points.hpp"
@@ -34,7 +35,9 @@ FittedAxis axis_of(const NearDirection& given, std::size_t rows, bool fixed_ends
                          ? approximating_knots(given.parameters, given.degree, given.count, given.closing)
                          : KnotVector::make(given.degree, given.knots, given.closing == Closing::closed);
   require_approximation_knots(knots, std::span(given.parameters).first(rows), options);
-  return {std::move(knots), {given.parameters.begin(), given.parameters.begin() + static_cast<long>(rows)}, given.weights,
+  return {std::move(knots),
+          {given.parameters.begin(), given.parameters.begin() + static_cast<std::ptrdiff_t>(rows)},
+          given.weights,
           given.smoothing, fixed_ends};
 }
 
@@ -58,13 +61,13 @@ double miss(const FittedAxis& axis, std::span<const double> values, std::size_t 
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto weights = samples.weights(i);
     breathe(4 * weights.size() * columns);
-    std::copy_n(values.begin() + static_cast<long>(i * columns), columns, left.begin());
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * columns), columns, left.begin());
     for (std::size_t k = 0; k < weights.size(); ++k) {
       const double* const from = &controls[(static_cast<std::size_t>(samples.first(i)) + k) % axis.count() * columns];
       for (std::size_t c = 0; c < columns; ++c) left[c] -= weights[k] * from[c];
     }
     for (std::size_t c = 0; c < columns; c += 3) {
-      largest = std::max(largest, std::hypot(left[c], left[c + 1], left[c + 2]));
+      largest = std::max(largest, length_of({left[c], left[c + 1], left[c + 2]}));
     }
   }
   return largest;

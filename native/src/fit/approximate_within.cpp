@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <optional>
@@ -70,7 +71,7 @@ std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task) {
   const auto count = static_cast<std::size_t>(fit.knots.count());
   if (places.empty() || count >= task.most) return {};
   const std::size_t room = std::min(places.size(), task.most - count);
-  std::ranges::partial_sort(places, places.begin() + static_cast<long>(room), std::greater{});
+  std::ranges::partial_sort(places, places.begin() + static_cast<std::ptrdiff_t>(room), std::greater{});
   std::vector<double> all = breaks;
   for (std::size_t k = 0; k < room; ++k) all.push_back(places[k].second);
   std::ranges::sort(all);
@@ -172,7 +173,7 @@ std::optional<Approximation<NurbsCurve>> through_all(std::span<const double> par
   try {
     Approximation<NurbsCurve> made = interpolate(task.points, parameters, exact);
     if (made.error > task.tolerance) return {};
-    task.parameters.assign(parameters.begin(), parameters.begin() + static_cast<long>(task.points.size()));
+    task.parameters.assign(parameters.begin(), parameters.begin() + static_cast<std::ptrdiff_t>(task.points.size()));
     auto fit = fit_on(made.value.knot_vector(), task);
     if (!fit || !is_within(*fit, task)) return made;
     fit = thinned(*std::move(fit), task);
@@ -207,7 +208,7 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
                                              const ApproximationOptions& options) {
   require_tolerance(tolerance);
   require_approximation(points, parameters, closing, options);
-  Task task{points, {parameters.begin(), parameters.begin() + static_cast<long>(points.size())}, options, tolerance,
+  Task task{points, {parameters.begin(), parameters.begin() + std::ssize(points)}, options, tolerance,
             most};
   const KnotVector knots = coarsest(parameters, points.size(), degree, closing, most, options);
   FittedPoints fit = corrected_fit(points, task.parameters, knots, options);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -153,7 +154,7 @@ std::vector<double> averages(std::span<const double> values, std::size_t width) 
   const std::size_t count = values.size() - width + 1;
   breathe(4 * width * count);
   const double share = 1.0 / static_cast<double>(width);
-  std::vector<double> found(values.begin(), values.begin() + static_cast<long>(count));
+  std::vector<double> found(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
   for (std::size_t k = 1; k < width; ++k) {
     for (std::size_t i = 0; i < count; ++i) found[i] += (values[i + k] - values[i]) * share;
   }
@@ -200,12 +201,12 @@ void require_period(const KnotVector& knots, std::span<const double> parameters)
 std::vector<double> closed_knots(std::span<const double> sites, std::span<const double> parameters,
                                  const InterpolationOptions& options) {
   if (options.tangents.empty() && options.degree % 2 == 1) return {parameters.begin(), parameters.end()};
-  const auto count = static_cast<long>(sites.size());
+  const auto count = static_cast<std::ptrdiff_t>(sites.size());
   const double period = parameters.back() - parameters.front();
-  const long width = options.tangents.empty() ? 2 : options.degree;
+  const std::ptrdiff_t width = options.tangents.empty() ? 2 : options.degree;
   std::vector<double> around;
-  for (long i = -(width / 2); i < count + width - width / 2 - 1; ++i) {
-    const long in_period = (i % count + count) % count;
+  for (std::ptrdiff_t i = -(width / 2); i < count + width - width / 2 - 1; ++i) {
+    const std::ptrdiff_t in_period = (i % count + count) % count;
     const auto turns = static_cast<double>((i - in_period) / count);
     around.push_back(sites[static_cast<std::size_t>(in_period)] + turns * period);
   }

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <string>
 
-#include "base/distance.hpp"
+#include "base/length.hpp"
 #include "base/require.hpp"
 #include "grid.hpp"
 #include "splinecore/base/errors.hpp"

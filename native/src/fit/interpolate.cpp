@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/length.hpp"
 #include "basis/blossom.hpp"
 #include "basis/span_tables.hpp"
 #include "knot_points.hpp"
@@ -45,7 +46,7 @@ double largest_distance(const NurbsCurve& curve, const BandedRows& rows, std::sp
       left -= weight * glm::dvec3(points[at]);
       if (++at == points.size()) at = 0;
     }
-    largest = std::max(largest, std::hypot(left.x, left.y, left.z));
+    largest = std::max(largest, length_of(left));
   }
   return largest;
 }

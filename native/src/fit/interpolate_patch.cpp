@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "along.hpp"
-#include "base/distance.hpp"
+#include "base/length.hpp"
 #include "grid.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -34,8 +35,8 @@ std::size_t first_from(std::span<const double> parameters, std::size_t begin, do
     begin += step;
     step *= 2;
   }
-  const auto last = parameters.begin() + static_cast<long>(std::min(begin + step, parameters.size()));
-  return static_cast<std::size_t>(std::lower_bound(parameters.begin() + static_cast<long>(begin), last, end) -
+  const auto last = parameters.begin() + static_cast<std::ptrdiff_t>(std::min(begin + step, parameters.size()));
+  return static_cast<std::size_t>(std::lower_bound(parameters.begin() + static_cast<std::ptrdiff_t>(begin), last, end) -
                                   parameters.begin());
 }
 
@@ -128,19 +129,19 @@ void LeastSquaresFit::add_products() {
 /// Of the control points that are not held.
 BandedRows LeastSquaresFit::free_rows() const {
   const std::size_t width = this->width();
-  const auto degree = static_cast<long>(width) - 1;
-  const auto count = static_cast<long>(knots_.count());
-  const auto begin = static_cast<long>(held_.start);
-  const long end = count - static_cast<long>(held_.end);
+  const auto degree = static_cast<std::ptrdiff_t>(width) - 1;
+  const auto count = static_cast<std::ptrdiff_t>(knots_.count());
+  const auto begin = static_cast<std::ptrdiff_t>(held_.start);
+  const std::ptrdiff_t end = count - static_cast<std::ptrdiff_t>(held_.end);
   BandedRows rows{2 * width - 1, {}, std::vector<double>(static_cast<std::size_t>(end - begin) * (2 * width - 1), 0.0)};
-  for (long i = begin; i < end; ++i) {
-    const long reach = i - degree;
-    const long first = knots_.periodic() ? (reach % count + count) % count : std::max(reach, begin);
+  for (std::ptrdiff_t i = begin; i < end; ++i) {
+    const std::ptrdiff_t reach = i - degree;
+    const std::ptrdiff_t first = knots_.periodic() ? (reach % count + count) % count : std::max(reach, begin);
     rows.first.push_back(first - begin);
     const std::span<double> row = rows.row(static_cast<std::size_t>(i - begin));
-    const long skipped = knots_.periodic() ? 0 : first - reach;
-    for (long k = skipped; k < static_cast<long>(row.size()); ++k) {
-      const long from = std::min(i, reach + k);
+    const std::ptrdiff_t skipped = knots_.periodic() ? 0 : first - reach;
+    for (std::ptrdiff_t k = skipped; k < static_cast<std::ptrdiff_t>(row.size()); ++k) {
+      const std::ptrdiff_t from = std::min(i, reach + k);
       if (!knots_.periodic() && reach + k >= end) break;
       const auto at = static_cast<std::size_t>((from % count + count) % count);
       row[static_cast<std::size_t>(k - skipped)] = products_[at * width + static_cast<std::size_t>(std::abs(degree - k))];

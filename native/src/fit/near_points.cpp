@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 
@@ -23,35 +24,37 @@ class NearRowBlock {
  public:
   static constexpr int kReach = kDegree - 1;
   static constexpr int kWidth = 2 * kReach + 1;
-  static constexpr long kFewest = 4;
+  static constexpr std::ptrdiff_t kFewest = 4;
 
   /// Rows first … end - 1, kNearRows at most; where they are few those before them, too.
   /// @returns whether their parameters lie near the knots of their control points
-  bool write(const NearPoints& system, long first, long end) {
+  bool write(const NearPoints& system, std::ptrdiff_t first, std::ptrdiff_t end) {
     breathe(4 * kWidth * kNearRows);
     begin_ = std::min(first, end - kFewest);
     // What lies before the first knot or behind the last is read and not taken.
-    const auto count = static_cast<long>(system.knots.size());
-    const auto number = static_cast<long>(knots_.size());
-    const long from = begin_ - kDegree;
+    const auto count = static_cast<std::ptrdiff_t>(system.knots.size());
+    const auto number = static_cast<std::ptrdiff_t>(knots_.size());
+    const std::ptrdiff_t from = begin_ - kDegree;
     if (from >= 0 && from + number <= count) {
       std::copy_n(system.knots.begin() + from, number, knots_.begin());
     } else {
-      for (long k = 0; k < number; ++k) knots_[k] = system.knots[std::clamp(from + k, 0L, count - 1)];
+      for (std::ptrdiff_t k = 0; k < number; ++k) {
+        knots_[k] = system.knots[std::clamp<std::ptrdiff_t>(from + k, 0, count - 1)];
+      }
     }
-    const double* const parameters = system.parameters.data() + begin_ - static_cast<long>(system.start.size());
+    const double* const parameters = system.parameters.data() + begin_ - std::ssize(system.start);
     return kernels().near_rows[kDegree - 2](knots_.data() + kDegree, parameters,
                                             static_cast<std::size_t>(end - begin_), rows_.data());
   }
 
-  std::array<double, kWidth> row(long i) const {
+  std::array<double, kWidth> row(std::ptrdiff_t i) const {
     std::array<double, kWidth> row;
     for (int k = 0; k < kWidth; ++k) row[k] = rows_[k * kNearRows + static_cast<std::size_t>(i - begin_)];
     return row;
   }
 
  private:
-  long begin_ = 0;
+  std::ptrdiff_t begin_ = 0;
   std::array<double, kNearRows + 3 * kDegree> knots_;
   std::array<double, kNearRows * kWidth> rows_;
 };
@@ -61,18 +64,18 @@ template <int kDegree>
 class NearSystem {
   static constexpr int kReach = NearRowBlock<kDegree>::kReach;
   static constexpr int kWidth = NearRowBlock<kDegree>::kWidth;
-  static constexpr long kBlock = kNearRows;
+  static constexpr std::ptrdiff_t kBlock = kNearRows;
 
  public:
   explicit NearSystem(const NearPoints& given)
-      : given_(given), inner_(static_cast<long>(given.start.size())),
-        count_(inner_ + static_cast<long>(given.points.size() + given.end.size())),
-        outer_(inner_ + static_cast<long>(given.points.size())), middle_(inner_ + (outer_ - inner_) / 2),
+      : given_(given), inner_(static_cast<std::ptrdiff_t>(given.start.size())),
+        count_(inner_ + static_cast<std::ptrdiff_t>(given.points.size() + given.end.size())),
+        outer_(inner_ + static_cast<std::ptrdiff_t>(given.points.size())), middle_(inner_ + (outer_ - inner_) / 2),
         factors_(std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(count_ * (kReach - 1)))),
         points_(static_cast<std::size_t>(count_)) {}
 
   std::optional<NearSolution> solution() {
-    const bool is_long = outer_ - inner_ >= std::max<long>(NearRowBlock<kDegree>::kFewest, 2 * kWidth);
+    const bool is_long = outer_ - inner_ >= std::max<std::ptrdiff_t>(NearRowBlock<kDegree>::kFewest, 2 * kWidth);
     if (!is_long) return {};
     if (!sweep() || !meet()) return {};
     substitute();
@@ -86,21 +89,21 @@ class NearSystem {
   bool sweep() {
     BandSweep<kReach, true> forward;
     BandSweep<kReach, false> backward;
-    for (long i = 0; i < inner_; ++i) take_end(forward, i, given_.start[static_cast<std::size_t>(i)], 0);
-    for (long i = count_ - 1; i >= outer_; --i) {
+    for (std::ptrdiff_t i = 0; i < inner_; ++i) take_end(forward, i, given_.start[static_cast<std::size_t>(i)], 0);
+    for (std::ptrdiff_t i = count_ - 1; i >= outer_; --i) {
       take_end(backward, i, given_.end[static_cast<std::size_t>(i - outer_)], count_ - 1 - kDegree);
     }
     NearRowBlock<kDegree> early;
     NearRowBlock<kDegree> late;
     bool fit = true;
-    for (long block = 0; block < outer_ - middle_; block += kBlock) {
-      const long first = inner_ + block;
-      const long end = std::max(std::min(first + kBlock, middle_), first);
-      const long last = outer_ - 1 - block;
-      const long begin = std::max(last + 1 - kBlock, middle_);
+    for (std::ptrdiff_t block = 0; block < outer_ - middle_; block += kBlock) {
+      const std::ptrdiff_t first = inner_ + block;
+      const std::ptrdiff_t end = std::max(std::min(first + kBlock, middle_), first);
+      const std::ptrdiff_t last = outer_ - 1 - block;
+      const std::ptrdiff_t begin = std::max(last + 1 - kBlock, middle_);
       if (first < end) fit &= early.write(given_, first, end);
       fit &= late.write(given_, begin, last + 1);
-      for (long step = 0; step <= last - begin; ++step) {
+      for (std::ptrdiff_t step = 0; step <= last - begin; ++step) {
         if (first + step < end) take_point(forward, early, first + step);
         take_point(backward, late, last - step);
       }
@@ -109,33 +112,37 @@ class NearSystem {
   }
 
   template <class Sweep>
-  void take_end(Sweep& sweep, long i, const EndRow& end, long first) {
+  void take_end(Sweep& sweep, std::ptrdiff_t i, const EndRow& end, std::ptrdiff_t first) {
     std::array<double, 3 * kWidth> row{};
     std::ranges::copy(end.functions, row.begin() + kWidth + (first - i + kReach));
     sweep.take(row.data() + kWidth, end.value, factors(i), points_[static_cast<std::size_t>(i)]);
   }
 
   template <class Sweep>
-  void take_point(Sweep& sweep, const NearRowBlock<kDegree>& rows, long i) {
+  void take_point(Sweep& sweep, const NearRowBlock<kDegree>& rows, std::ptrdiff_t i) {
     const std::array<double, kWidth> row = rows.row(i);
     sweep.take(row.data(), given_.points[static_cast<std::size_t>(i - inner_)], factors(i),
                points_[static_cast<std::size_t>(i)]);
   }
 
-  double* factors(long i) { return factors_.get() + i * (kReach - 1); }
-  double factor(long i, long j) { return j == 0 ? points_[static_cast<std::size_t>(i)].w : factors(i)[j - 1]; }
+  double* factors(std::ptrdiff_t i) { return factors_.get() + i * (kReach - 1); }
+  double factor(std::ptrdiff_t i, std::ptrdiff_t j) {
+    return j == 0 ? points_[static_cast<std::size_t>(i)].w : factors(i)[j - 1];
+  }
 
   /// Decides the points next to the middle, of which each sweep has left the other's open.
   bool meet() {
     constexpr std::size_t kNumber = 2 * kReach;
-    const long first = middle_ - kReach;
-    BandedRows rows{kNumber, std::vector<long>(kNumber, 0), std::vector<double>(kNumber * kNumber, 0.0)};
+    const std::ptrdiff_t first = middle_ - kReach;
+    BandedRows rows{kNumber, std::vector<std::ptrdiff_t>(kNumber, 0), std::vector<double>(kNumber * kNumber, 0.0)};
     std::vector<double> right(3 * kNumber);
-    for (long i = 0; i < static_cast<long>(kNumber); ++i) {
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(kNumber); ++i) {
       const glm::dvec4& point = points_[static_cast<std::size_t>(first + i)];
       if (!is_finite(glm::dvec3(point))) return false;
       rows.row(i)[i] = 1.0;
-      for (long j = 0; j < kReach; ++j) rows.row(i)[i < kReach ? i + 1 + j : i - 1 - j] = factor(first + i, j);
+      for (std::ptrdiff_t j = 0; j < kReach; ++j) {
+        rows.row(i)[i < kReach ? i + 1 + j : i - 1 - j] = factor(first + i, j);
+      }
       std::copy_n(&point.x, 3, &right[3 * i]);
     }
     solve_banded(rows, right, 3);
@@ -146,12 +153,12 @@ class NearSystem {
   }
 
   void substitute() {
-    const long steps = std::max(middle_, count_ - middle_) - kReach;
-    for (long block = 0; block < steps; block += kBlock) {
+    const std::ptrdiff_t steps = std::max(middle_, count_ - middle_) - kReach;
+    for (std::ptrdiff_t block = 0; block < steps; block += kBlock) {
       breathe(4 * kBlock * kReach);
-      for (long step = block; step < std::min(block + kBlock, steps); ++step) {
-        const long early = middle_ - kReach - 1 - step;
-        const long late = middle_ + kReach + step;
+      for (std::ptrdiff_t step = block; step < std::min(block + kBlock, steps); ++step) {
+        const std::ptrdiff_t early = middle_ - kReach - 1 - step;
+        const std::ptrdiff_t late = middle_ + kReach + step;
         if (early >= 0) substitute<1>(early);
         if (late < count_) substitute<-1>(late);
       }
@@ -159,21 +166,21 @@ class NearSystem {
   }
 
   template <int kStep>
-  void substitute(long i) {
+  void substitute(std::ptrdiff_t i) {
     glm::dvec4* const point = points_.data() + i;
     glm::dvec3 value(point[0]);
     for (int j = kReach - 1; j >= 0; --j) value -= factor(i, j) * glm::dvec3(point[kStep * (j + 1)]);
     point[0] = {value, 1.0};
   }
 
-  glm::dvec3 point_at(const double* functions, long first, long number) const {
+  glm::dvec3 point_at(const double* functions, std::ptrdiff_t first, std::ptrdiff_t number) const {
     const glm::dvec4* const points = points_.data() + first;
     glm::dvec3 point(0.0);
-    for (long j = 0; j < number; ++j) point += functions[j] * glm::dvec3(points[j]);
+    for (std::ptrdiff_t j = 0; j < number; ++j) point += functions[j] * glm::dvec3(points[j]);
     return point;
   }
 
-  glm::dvec3 point_of(const std::array<double, kWidth>& row, long i) const {
+  glm::dvec3 point_of(const std::array<double, kWidth>& row, std::ptrdiff_t i) const {
     const glm::dvec4* const points = points_.data() + (i - kReach);
     glm::dvec3 point = row[0] * glm::dvec3(points[0]);
     for (int j = 1; j < kWidth; ++j) point += row[j] * glm::dvec3(points[j]);
@@ -181,9 +188,9 @@ class NearSystem {
   }
 
   /// Of a row that reaches over an end, where it is zero.
-  glm::dvec3 point_near_end(const std::array<double, kWidth>& row, long i) const {
-    const long first = std::max(i - kReach, 0L);
-    const long last = std::min<long>(i + kReach, count_ - 1);
+  glm::dvec3 point_near_end(const std::array<double, kWidth>& row, std::ptrdiff_t i) const {
+    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(i - kReach, 0);
+    const std::ptrdiff_t last = std::min<std::ptrdiff_t>(i + kReach, count_ - 1);
     return point_at(row.data() + (first - i + kReach), first, last + 1 - first);
   }
 
@@ -204,10 +211,10 @@ class NearSystem {
       if (row.order == 0) compare(point_at(row.functions.data(), count_ - 1 - kDegree, kDegree + 1), row.value);
     }
     NearRowBlock<kDegree> rows;
-    for (long block = inner_; block < outer_; block += kBlock) {
-      const long end = std::min(block + kBlock, outer_);
+    for (std::ptrdiff_t block = inner_; block < outer_; block += kBlock) {
+      const std::ptrdiff_t end = std::min(block + kBlock, outer_);
       rows.write(given_, block, end);
-      for (long i = block; i < end; ++i) {
+      for (std::ptrdiff_t i = block; i < end; ++i) {
         const std::array<double, kWidth> row = rows.row(i);
         const bool is_whole = i >= kReach && i + kReach < count_;
         const glm::dvec3& wanted = given_.points[static_cast<std::size_t>(i - inner_)];
@@ -218,10 +225,10 @@ class NearSystem {
   }
 
   const NearPoints& given_;
-  long inner_;  ///< the first row of a point that is no end's
-  long count_;
-  long outer_;  ///< the row behind the last of them
-  long middle_;
+  std::ptrdiff_t inner_;  ///< the first row of a point that is no end's
+  std::ptrdiff_t count_;
+  std::ptrdiff_t outer_;  ///< the row behind the last of them
+  std::ptrdiff_t middle_;
   std::unique_ptr<double[]> factors_;  ///< of each row but the first, which stands with its point
   std::vector<glm::dvec4> points_;
 };

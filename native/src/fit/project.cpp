@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/distance.hpp"
+#include "base/length.hpp"
 #include "fitted_points.hpp"
 #include "quadrature_nodes.hpp"
 #include "splinecore/base/errors.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include "base/require.hpp"
@@ -21,11 +22,11 @@ Side side_at(const KnotVector& knots, double parameter) {
 }
 
 /// A point of the curve has a control point of its own (Schoenberg and Whitney 1953).
-void require_own_function(const KnotVector& knots, const Condition& condition, std::size_t i, long first,
+void require_own_function(const KnotVector& knots, const Condition& condition, std::size_t i, std::ptrdiff_t first,
                           std::span<const double> weights) {
   if (knots.periodic() || condition.order > 0) return;
-  const long own = static_cast<long>(i) - first;
-  if (own >= 0 && own < static_cast<long>(weights.size()) && weights[static_cast<std::size_t>(own)] > 0.0) return;
+  const std::ptrdiff_t own = static_cast<std::ptrdiff_t>(i) - first;
+  if (own >= 0 && own < std::ssize(weights) && weights[static_cast<std::size_t>(own)] > 0.0) return;
   throw InvalidShape("parameters" + index_text(condition.point) + " = " + text_of(condition.parameter) +
                      ": no curve with these knots passes through all points, for too many lie between some of them");
 }
@@ -38,7 +39,8 @@ System system_of(const KnotVector& knots, std::span<const Condition> conditions)
   Stencil derivatives(near, order);
   const auto width = static_cast<std::size_t>(knots.degree()) + 1;
   const std::size_t count = conditions.size();
-  System system{{width, std::vector<long>(count), std::vector<double>(count * width)}, std::vector<double>(3 * count)};
+  System system{{width, std::vector<std::ptrdiff_t>(count), std::vector<double>(count * width)},
+                std::vector<double>(3 * count)};
   std::vector<double> arguments(width - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const Condition& condition = conditions[i];

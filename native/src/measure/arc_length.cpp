@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/length.hpp"
 #include "length_parts.hpp"
 #include "quadrature.hpp"
 #include "splinecore/base/errors.hpp"
@@ -33,7 +34,7 @@ class PartLength {
   double speed(double t) const {
     const glm::dvec4& slope = before_.slopes.values.back();
     const double w = before_.weights.values.back();
-    return std::hypot(slope.x, slope.y, slope.z) / (t * w * w);
+    return length_of(glm::dvec3(slope)) / (t * w * w);
   }
 
   /// Where the length is this one.

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "base/length.hpp"
 #include "patch/tolerance.hpp"
 #include "patch_march.hpp"
 #include "patch_pairs.hpp"

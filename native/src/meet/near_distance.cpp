@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/length.hpp"
 #include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"

@@ -114,10 +114,4 @@ double place_tolerance(const NearSpace& space, std::optional<double> tolerance) 
   return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kRounding + 4.0 * space.rounding());
 }
 
-double distance_of(const glm::dvec3& a, const glm::dvec3& b) noexcept {
-  const glm::dvec3 half = 0.5 * a - 0.5 * b;
-  const int exponent = exponent_of(largest_of(half));
-  return std::ldexp(glm::length(scaled(half, -exponent)), exponent + 1);
-}
-
 }  // namespace splinecore

@@ -68,8 +68,5 @@ std::vector<glm::dvec4> together(std::span<const glm::dvec4> a, std::span<const 
 /// @throws InvalidShape unless it is 0 or more.
 double place_tolerance(const NearSpace& space, std::optional<double> tolerance);
 
-/// The distance between two points, though its square may be no number.
-double distance_of(const glm::dvec3& a, const glm::dvec3& b) noexcept;
-
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/length.hpp"
 #include "base/parallel.hpp"
 #include "base/require.hpp"
 #include "nearest_search.hpp"

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/length.hpp"
 #include "near_space.hpp"
 
 namespace splinecore {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 
@@ -91,10 +92,10 @@ NurbsPatch refined(const NurbsPatch& patch, Axis axis, const std::vector<double>
 
 /// Point i along a has the knots i - degree + 1 … i as polar values; reversed, they begin with the last.
 std::vector<std::size_t> columns_against(const KnotVector& knots) {
-  const long count = knots.count();
-  const long turn = knots.periodic() ? knots.degree() + multiplicity(knots, knots.domain().start) - 2 : -1;
+  const std::ptrdiff_t count = knots.count();
+  const std::ptrdiff_t turn = knots.periodic() ? knots.degree() + multiplicity(knots, knots.domain().start) - 2 : -1;
   std::vector<std::size_t> columns(count);
-  for (long i = 0; i < count; ++i) columns[i] = (2 * count - i + turn) % count;
+  for (std::ptrdiff_t i = 0; i < count; ++i) columns[i] = (2 * count - i + turn) % count;
   return columns;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "base/length.hpp"
 #include "basis/bernstein_net.hpp"
 #include "lines.hpp"
 #include "splinecore/base/points.hpp"
@@ -98,7 +99,7 @@ SideCurve turned(SideCurve side) {
 }
 
 bool near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= tolerance;
+  return distance_of(a, b) <= tolerance;
 }
 
 /// Whether two sides have the very same pieces.

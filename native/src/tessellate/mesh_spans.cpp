@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/length.hpp"
 #include "basis/bernstein_net.hpp"
 #include "patch/bezier_piece.hpp"
 #include "splinecore/base/points.hpp"
@@ -38,7 +39,7 @@ bool stands_still(const BernsteinNet<glm::dvec4>& piece, Axis axis, double toler
       const glm::dvec4& from = axis == Axis::u ? first[j] : first[i * piece.columns];
       // Of the projected points, without dividing by a weight that may be 0.
       const glm::dvec3 apart = glm::dvec3(p) * from.w - glm::dvec3(from) * p.w;
-      if (!(std::hypot(apart.x, apart.y, apart.z) <= tolerance * std::abs(p.w * from.w))) return false;
+      if (!(length_of(apart) <= tolerance * std::abs(p.w * from.w))) return false;
     }
   }
   return true;

@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "kernels/kernels.hpp"
+#include "support.hpp"
 
 namespace splinecore {
 namespace {
@@ -69,11 +69,10 @@ TEST(NumberKernels, AWeightThatIsNotOneIsFoundAtEveryPlace) {
 }
 
 TEST(NumberKernels, ChordsAreTheDistancesOfNeighbours) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+  testing::Random random(5);
   for (const std::size_t count : {4, 5, 6, 7, 8, 9, 63, 64}) {
     std::vector<glm::dvec3> points(count + 1);
-    for (glm::dvec3& point : points) point = {anywhere(random), anywhere(random), anywhere(random)};
+    for (glm::dvec3& point : points) point = testing::random_vector(random, 1.0);
     std::vector<double> found(count);
     EXPECT_TRUE(kernels().chords(&points.front().x, count, 1e-280, 1e300, found.data()));
     for (std::size_t i = 0; i < count; ++i) {

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <random>
+
+#include "support.hpp"
 
 namespace splinecore {
 namespace {
@@ -27,7 +28,7 @@ std::vector<std::vector<double>> all_bounds() {
   found.push_back({0.0, 5e-324, 1e-323, 3e-323});
   found.push_back({1e7, 1e7 + 0.5, 1e7 + 1});
   for (const double size : {1e-300, 1e300}) found.push_back({-size, 0.1 * size, 0.2 * size, size});
-  std::mt19937_64 random(3);
+  testing::Random random(3);
   std::vector<double> scattered{0.0};
   for (int i = 0; i < 300; ++i) scattered.push_back(scattered.back() + std::exp(-std::ldexp(double(random() >> 40), -19)));
   found.push_back(scattered);

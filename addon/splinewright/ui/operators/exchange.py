@@ -8,7 +8,7 @@ from bpy.props import BoolProperty, CollectionProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from ...bridge import blocks, shape, store, versions
-from ...core import bpt, transform
+from ...core import transform
 from ...core import definition as definitions
 from ...core.definition import ANY_CURVES
 from ...core.failures import FAILURES, Refusal, sentence
@@ -191,7 +191,7 @@ class SPLINEWRIGHT_OT_import_bpt(_Bpt, _Import, bpy.types.Operator):
     bl_description = "Import a file of Bezier patches as one object; equal points become one"
 
     def values(self, text):
-        return [bpt.loads(text, self.flip)]
+        return [sc.bpt.loads(text, self.flip)]
 
 
 class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
@@ -205,7 +205,7 @@ class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
         if len(curves) == len(values):
             raise Refusal(_NO_PATCH)
         patches = [patch for name, value in values.items() if name not in curves for patch in self._patches(name, value)]
-        return bpt.dumps(sc.PatchSet.from_patches(patches) if len(patches) > 1 else patches[0]), curves
+        return sc.bpt.dumps(sc.PatchSet.from_patches(patches) if len(patches) > 1 else patches[0]), curves
 
     def _patches(self, name, value):
         """Those of one object. Raises Refusal that names it where the format cannot hold them."""

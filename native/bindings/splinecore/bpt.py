@@ -7,7 +7,9 @@ import re
 
 import numpy as np
 
-from .library import sc
+from . import _splinecore as _sc
+
+__all__ = ["LIMIT", "dumps", "loads"]
 
 #: More points than this in one file are taken for a damaged count.
 LIMIT = 10_000_000
@@ -26,7 +28,7 @@ class _Words:
 
     def take(self, kind, what):
         if self._next >= len(self._words):
-            raise sc.InvalidShape(f"BPT: the file ends where {what} is expected")
+            raise _sc.InvalidShape(f"BPT: the file ends where {what} is expected")
         word, line = self._words[self._next]
         self._next += 1
         try:
@@ -34,7 +36,7 @@ class _Words:
                 raise ValueError(word)
             return kind(word)
         except ValueError:
-            raise sc.InvalidShape(f"BPT line {line}: '{word[:40]}' is not {what}") from None
+            raise _sc.InvalidShape(f"BPT line {line}: '{word[:40]}' is not {what}") from None
 
     @property
     def left(self):
@@ -53,11 +55,11 @@ def loads(text, flip=False):
     words = _Words(text)
     count = words.take(int, "the count of patches")
     if not 1 <= count <= LIMIT:
-        raise sc.InvalidShape(f"BPT: the count of patches is {count}")
+        raise _sc.InvalidShape(f"BPT: the count of patches is {count}")
     patches = [_read_patch(words, i) for i in range(count)]
     if words.left:
-        raise sc.InvalidShape(f"BPT line {words.line}: {words.left} words follow the last patch")
-    patch_set = sc.PatchSet.from_patches(patches)
+        raise _sc.InvalidShape(f"BPT line {words.line}: {words.left} words follow the last patch")
+    patch_set = _sc.PatchSet.from_patches(patches)
     return patch_set.flipped() if flip else patch_set
 
 
@@ -66,17 +68,17 @@ def _read_patch(words, index):
     degree_v = words.take(int, f"the degree in v of patch {index}")
     for name, degree in (("u", degree_u), ("v", degree_v)):
         if not 1 <= degree <= 255:
-            raise sc.InvalidShape(f"BPT: patch {index} has degree {degree} in {name}, 1 to 255 is expected")
+            raise _sc.InvalidShape(f"BPT: patch {index} has degree {degree} in {name}, 1 to 255 is expected")
     size = 3 * (degree_u + 1) * (degree_v + 1)
     if words.left < size:
-        raise sc.InvalidShape(f"BPT: the file ends inside patch {index}: {size - words.left} numbers are missing")
+        raise _sc.InvalidShape(f"BPT: the file ends inside patch {index}: {size - words.left} numbers are missing")
     numbers = [words.take(float, f"a coordinate of patch {index}") for _ in range(size)]
     # Zeros of both signs are one point.
     points = np.array(numbers).reshape(degree_u + 1, degree_v + 1, 3) + 0.0
     try:
-        return sc.BezierPatch(points)
-    except sc.InvalidShape as error:
-        raise sc.InvalidShape(f"BPT: patch {index}: {error}") from None
+        return _sc.BezierPatch(points)
+    except _sc.InvalidShape as error:
+        raise _sc.InvalidShape(f"BPT: patch {index}: {error}") from None
 
 
 def dumps(value):
@@ -84,12 +86,12 @@ def dumps(value):
 
     Raises InvalidShape if a patch is rational, which the format cannot hold.
     """
-    patches = [value[i] for i in range(len(value))] if isinstance(value, sc.PatchSet) else [value]
+    patches = [value[i] for i in range(len(value))] if isinstance(value, _sc.PatchSet) else [value]
     beziers = []
     for i, patch in enumerate(patches):
         if patch.is_rational:
-            raise sc.InvalidShape(f"patch {i} is rational: BPT holds no weights")
-        beziers += [patch] if isinstance(patch, sc.BezierPatch) else [b for row in patch.to_bezier() for b in row]
+            raise _sc.InvalidShape(f"patch {i} is rational: BPT holds no weights")
+        beziers += [patch] if isinstance(patch, _sc.BezierPatch) else [b for row in patch.to_bezier() for b in row]
     lines = [str(len(beziers))]
     for patch in beziers:
         lines.append("{} {}".format(*patch.degree))

@@ -1,0 +1,41 @@
+"""Self-Test: whether everything works on this machine, said so that it can be sent to others."""
+
+import bpy
+
+from ...bridge import self_test
+from .. import progress
+from . import reports
+
+
+class SPLINEWRIGHT_OT_self_test(bpy.types.Operator):
+    bl_idname = "splinewright.self_test"
+    bl_label = "Self-Test"
+    bl_description = ("Try the native library on this machine: against formulas, bit for bit against other systems, against "
+                      "Blender's own NURBS, and how fast it is. What comes out is printed and copied to the clipboard")
+    bl_options = {'REGISTER'}
+
+    def execute(self, context):
+        lines, failed = self_test.machine(), []
+        with progress.shown(context, self_test.COUNT) as done:
+            for number, check in enumerate(self_test.checks(context), 1):
+                lines.append(f"{'passed' if check.passed else 'FAILED'}  {check.name}: {check.found}")
+                failed += [] if check.passed else [check.name]
+                done(number)
+        said = "\n".join(lines)
+        print(said)
+        context.window_manager.clipboard = said
+        if failed:
+            return reports.cancelled(self, f"Failed: {', '.join(failed)}. All of it is in the clipboard")
+        if not bpy.app.background:
+            _show(context, lines)
+        return reports.finished(self, reports.Said("Everything works: what was tried is in the clipboard"))
+
+
+def _show(context, lines):
+    def draw(popup, _context):
+        for line in lines:
+            popup.layout.label(text=line)
+    context.window_manager.popup_menu(draw, title="Self-Test", icon='CHECKMARK')
+
+
+CLASSES = (SPLINEWRIGHT_OT_self_test,)

@@ -1,0 +1,7 @@
+"""`python -m splinecore`: what files hold, conversion, meshes, comparison."""
+
+import sys
+
+from .command import main
+
+sys.exit(main())

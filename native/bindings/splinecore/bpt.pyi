@@ -1,0 +1,6 @@
+from . import BezierPatch, HermitePatch, NurbsPatch, PatchSet
+
+LIMIT: int
+
+def loads(text: str, flip: bool = False) -> PatchSet: ...
+def dumps(value: NurbsPatch | BezierPatch | HermitePatch | PatchSet) -> str: ...

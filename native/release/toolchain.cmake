@@ -1,0 +1,37 @@
+# Zig's C++ compiler for one target of targets.py; make.py gives the values.
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES RELEASE_TOOLS RELEASE_TRIPLE RELEASE_SYSTEM RELEASE_HEADERS)
+
+set(CMAKE_SYSTEM_NAME ${RELEASE_SYSTEM})
+string(REGEX MATCH "^[^-]+" CMAKE_SYSTEM_PROCESSOR "${RELEASE_TRIPLE}")
+set(CMAKE_CXX_COMPILER ${RELEASE_TOOLS}/zig-clang++)
+set(CMAKE_CXX_COMPILER_TARGET ${RELEASE_TRIPLE})
+set(CMAKE_AR ${RELEASE_TOOLS}/zig-ar CACHE FILEPATH "")
+set(CMAKE_RANLIB ${RELEASE_TOOLS}/zig-ranlib CACHE FILEPATH "")
+set(CMAKE_STRIP /bin/true CACHE FILEPATH "")  # links strip; a later one would break the signature of arm64 Macs
+
+# No fused multiply-add: the same bits everywhere.
+set(CMAKE_CXX_FLAGS_INIT "-ffp-contract=off -g0")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "")
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
+if(RELEASE_SYSTEM STREQUAL Darwin)
+  set(CMAKE_MODULE_LINKER_FLAGS_INIT "-Wl,-x -Wl,-install_name,@rpath/_splinecore.so")
+  set(CMAKE_INSTALL_NAME_TOOL /bin/true CACHE FILEPATH "")
+  set(CMAKE_OSX_SYSROOT "" CACHE STRING "")
+  set(CMAKE_OSX_ARCHITECTURES "" CACHE STRING "")
+else()
+  set(CMAKE_MODULE_LINKER_FLAGS_INIT "-s")
+endif()
+set(CMAKE_USER_MAKE_RULES_OVERRIDE_CXX ${CMAKE_CURRENT_LIST_DIR}/link_rules.cmake)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # nothing is linked only to try the compiler
+set(CMAKE_INTERPROCEDURAL_OPTIMIZATION OFF)
+set(CMAKE_HAVE_LIBC_PTHREAD ON)
+
+# Headers of Debian's packages, unpacked beside those of this machine, and nothing else.
+set(CMAKE_FIND_ROOT_PATH ${RELEASE_HEADERS})
+set(CMAKE_PREFIX_PATH ${RELEASE_HEADERS}/usr)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)

@@ -1,0 +1,190 @@
+"""python -m splinecore: what is printed and written, exit codes, and files that are wrong."""
+
+import os
+import subprocess
+import sys
+from collections import Counter
+
+import numpy as np
+import pytest
+
+import splinecore as sc
+from shapes import circle, closed_cubic, hermite_chain, sphere_octant, torus, wavy_patch
+from splinecore import command
+
+
+def call(capsys, *arguments):
+    """The exit code, the output and the error output."""
+    code = command.main([str(argument) for argument in arguments])
+    said = capsys.readouterr()
+    return code, said.out, said.err
+
+
+@pytest.fixture
+def file(tmp_path):
+    """Writes values into a JSON file."""
+    def write(name, *values):
+        path = tmp_path / name
+        path.write_text(sc.dumps(list(values) if len(values) != 1 else values[0]))
+        return path
+    return write
+
+
+def test_the_module_runs_as_a_program(file):
+    path = file("a.json", circle())
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run([sys.executable, "-m", "splinecore", "info", path], capture_output=True, text=True, env=environment)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "0: NurbsCurve: degree 2" in done.stdout and "length 6.28318531" in done.stdout
+    for wrong in ([], ["info"], ["melt", path], ["compare", path]):
+        assert subprocess.run([sys.executable, "-m", "splinecore", *wrong], capture_output=True, env=environment).returncode == 2
+
+
+def test_info_tells_of_every_kind(capsys, file):
+    values = [circle(), closed_cubic(), hermite_chain(), sc.PowerCurve([[0, 0, 0], [1, 0, 0], [0, 2, 0]]), wavy_patch(),
+              torus(), sc.PatchSet.from_patches([wavy_patch(), torus()])]
+    code, out, err = call(capsys, "info", file("a.json", *values))
+    lines = out.splitlines()
+    assert (code, err, len(lines)) == (0, "", len(values) + 1)
+    for value, line in zip(values, lines[1:]):
+        assert type(value).__name__ in line and ("area" in line or "length" in line)
+    assert "periodic" in lines[2] and "rational" in lines[6] and "2 patches" in lines[7]
+
+
+def test_a_shape_at_infinity_is_told_of(capsys, file):
+    line = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0, 0), (1, 0, 0)], [1, 0])
+    code, out, _ = call(capsys, "info", file("a.json", line))
+    assert code == 0 and "infinit" in out
+
+
+def test_json_and_bpt_become_each_other(capsys, file, tmp_path):
+    flat = sc.BezierPatch(np.arange(48.0).reshape(4, 4, 3) % 7)
+    bpt, back = tmp_path / "a.bpt", tmp_path / "b.json"
+    assert call(capsys, "convert", file("a.json", flat), bpt)[0] == 0
+    assert call(capsys, "convert", bpt, back)[0] == 0
+    made = sc.loads(back.read_text())
+    assert isinstance(made, sc.PatchSet) and np.array_equal(made[0].points, flat.points)
+
+
+@pytest.mark.parametrize("kind, types", [("nurbs", (sc.NurbsCurve, sc.NurbsPatch)), ("bezier", (sc.BezierCurve, sc.BezierPatch))])
+def test_shapes_become_of_one_kind(capsys, file, tmp_path, kind, types):
+    values = [circle(), closed_cubic(), hermite_chain(), wavy_patch(), sc.PatchSet.from_patches([torus()])]
+    path, made = file("a.json", *values), tmp_path / "b.json"
+    assert call(capsys, "convert", path, made, "--to", kind)[0] == 0
+    found = sc.loads(made.read_text())
+    assert all(isinstance(value, types) for value in found) and len(found) >= len(values)
+
+
+def test_a_rational_patch_is_no_bpt(capsys, file, tmp_path):
+    code, out, err = call(capsys, "convert", file("a.json", torus()), tmp_path / "a.bpt")
+    assert (code, out) == (2, "") and "BPT holds no weights" in err
+    code, _, err = call(capsys, "convert", file("b.json", circle()), tmp_path / "a.bpt")
+    assert code == 2 and "no surface" in err
+    assert not (tmp_path / "a.bpt").exists()
+
+
+def obj_of(path):
+    """Positions, faces and lines of an OBJ file."""
+    words = [line.split() for line in path.read_text().splitlines()]
+    positions = np.array([line[1:] for line in words if line[0] == "v"], float)
+    faces = [[int(corner.split("/")[0]) - 1 for corner in line[1:]] for line in words if line[0] == "f"]
+    lines = [[int(place) - 1 for place in line[1:]] for line in words if line[0] == "l"]
+    normals = np.array([line[1:] for line in words if line[0] == "vn"], float)
+    return positions, faces, lines, normals
+
+
+@pytest.mark.parametrize("fineness", [["--resolution", 6], ["--tolerance", 0.01], ["--angle", 10], []])
+def test_obj_is_the_mesh(capsys, file, tmp_path, fineness):
+    path = tmp_path / "a.obj"
+    code, out, _ = call(capsys, "tessellate", file("a.json", torus(), sphere_octant(), circle()), path, *fineness)
+    positions, faces, lines, normals = obj_of(path)
+    assert code == 0 and f"{len(positions)} vertices, {len(faces)} faces, 1 lines" in out
+    assert len(normals) == sum(map(len, faces)) and np.allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-5)
+    edges = Counter(frozenset(pair) for face in faces for pair in zip(face, face[1:] + face[:1]))
+    ring = [count for edge, count in edges.items() if max(np.linalg.norm(positions[list(edge)], axis=1)) > 1.5]
+    assert len(ring) > 50 and set(ring) == {2}, "the torus is closed"
+    assert sorted({i for face in faces + lines for i in face}) == list(range(len(positions)))
+    assert lines[0][0] == lines[0][-1]
+    assert np.abs(np.linalg.norm(positions[lines[0]], axis=1) - 1).max() < 1e-6
+
+
+def test_ply_holds_what_obj_holds(capsys, file, tmp_path):
+    source = file("a.json", torus(), sphere_octant(), circle())
+    for ending in ("obj", "ply"):
+        assert call(capsys, "tessellate", source, tmp_path / f"a.{ending}", "--tolerance", 0.05)[0] == 0
+    positions, faces, lines, _ = obj_of(tmp_path / "a.obj")
+    header, data = (tmp_path / "a.ply").read_bytes().split(b"end_header\n", 1)
+    assert f"element vertex {len(positions)}" in header.decode() and f"element face {len(faces)}" in header.decode()
+    found = np.frombuffer(data, "<f4", 3 * len(positions)).reshape(-1, 3)
+    assert np.allclose(found, positions, rtol=1e-6, atol=1e-9)
+    at = found.nbytes
+    for face in faces:
+        assert data[at] == len(face) and np.frombuffer(data, "<i4", len(face), at + 1).tolist() == face
+        at += 1 + 4 * len(face)
+    edges = np.frombuffer(data, "<i4", offset=at).reshape(-1, 2)
+    assert edges.tolist() == [list(pair) for pair in zip(lines[0][:-1], lines[0][1:])]
+
+
+def test_stl_is_closed_and_has_the_volume(capsys, file, tmp_path):
+    path = tmp_path / "a.stl"
+    assert call(capsys, "tessellate", file("a.json", torus()), path, "--tolerance", 0.001)[0] == 0
+    data = path.read_bytes()
+    count = int.from_bytes(data[80:84], "little")
+    records = np.frombuffer(data, np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("rest", "<u2")]), offset=84)
+    points = records["points"].astype(float)
+    volume = abs(np.einsum("ij,ij->i", points[:, 0], np.cross(points[:, 1], points[:, 2])).sum()) / 6
+    assert count == len(records) > 100 and abs(volume / (2 * np.pi**2 * 3) - 1) < 0.002
+    code, _, err = call(capsys, "tessellate", file("b.json", circle()), path)
+    assert code == 2 and "curves" in err and path.read_bytes() == data
+
+
+def test_compare_tells_what_differs(capsys, file):
+    a = file("a.json", circle(), torus())
+    assert call(capsys, "compare", a, file("b.json", circle(), torus()))[:2] == (0, "the same\n")
+    moved = circle().with_points(circle().points + (0, 0, 1e-3))
+    other = file("c.json", moved, torus())
+    code, out, _ = call(capsys, "compare", a, other)
+    assert code == 1 and "0: up to 0.001 apart" in out and out.endswith("different\n")
+    assert call(capsys, "compare", a, other, "--tolerance", 0.0011)[0] == 0
+    assert call(capsys, "compare", a, file("d.json", circle()))[0] == 1
+    assert "NurbsCurve and a NurbsPatch" in call(capsys, "compare", a, file("e.json", torus(), torus()))[1]
+
+
+def test_one_shape_in_two_forms_is_the_same(capsys, file):
+    finer = circle().refine([0.1, 0.3])
+    assert call(capsys, "compare", file("a.json", circle()), file("b.json", finer), "--tolerance", 1e-14)[0] == 0
+
+
+def test_progress_is_on_the_error_output_where_it_is_wanted(capsys, file):
+    path = file("a.json", *[circle()] * 3)
+    assert call(capsys, "compare", path, path, "--progress")[1:] == ("the same\n", "\r1 of 3\r2 of 3\r3 of 3\n")
+    assert call(capsys, "compare", path, path)[2] == ""
+
+
+@pytest.mark.parametrize("content, words", [("", "a.json"), ("{", "a.json"), ("[1, 2]", "a.json"), ("\udcff", "no text")])
+def test_a_damaged_file_is_told_of(capsys, tmp_path, content, words):
+    path = tmp_path / "a.json"
+    path.write_bytes(content.encode(errors="surrogateescape"))
+    code, out, err = call(capsys, "info", path)
+    assert (code, out) == (2, "") and err.startswith("splinecore: ") and words in err and err.count("\n") == 1
+
+
+def test_wrong_places_and_endings_are_told_of(capsys, file, tmp_path):
+    path = file("a.json", torus())
+    for arguments, words in (
+            (["info", tmp_path / "none.json"], "cannot be read"), (["info", tmp_path], "cannot be read"),
+            (["tessellate", path, tmp_path / "none/a.obj"], "cannot be written"),
+            (["tessellate", path, tmp_path / "a.step"], ".obj, .ply, .stl can be written"),
+            (["convert", path, tmp_path / "a.iges"], ".json, .bpt can be written"),
+            (["tessellate", path, tmp_path / "a.obj", "--resolution", 0], "resolution"),
+            (["tessellate", path, tmp_path / "a.obj", "--tolerance", "nan"], "tolerance")):
+        code, out, err = call(capsys, *arguments)
+        assert (code, out) == (2, "") and words in err, err
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.json"]
+
+
+def test_an_interruption_has_a_code_of_its_own(capsys, file, monkeypatch):
+    def interrupted(value):
+        raise KeyboardInterrupt
+    monkeypatch.setattr(command, "describe", interrupted)
+    assert call(capsys, "info", file("a.json", circle()))[0] == 130
