@@ -55,7 +55,7 @@ class _Manual:
     def page(self, name):
         """One page as HTML."""
         markdown = MarkdownIt('commonmark').enable('table')
-        text = re.sub(r"^<!-- README: (.+) -->$", lambda found: _section(self.readme, found[1]), _source(name), flags=re.M)
+        text = re.sub(r"^<!-- README: (.+) -->$", lambda found: section(self.readme, found[1]), _source(name), flags=re.M)
         tokens = markdown.parse(text)
         headings = self._settle(name, tokens)
         body = markdown.renderer.render(tokens, markdown.options, {})
@@ -121,7 +121,7 @@ def _title(text):
     return re.match(r"# (.+)", text)[1]
 
 
-def _section(readme, title):
+def section(readme, title):
     """The text below a heading of the README, up to the next one of its rank."""
     found = re.search(rf"^## {re.escape(title)}\n(.*?)(?=^## |\Z)", readme, re.S | re.M)
     if not found:

@@ -141,3 +141,8 @@ def test_metadata_is_that_of_the_project():
     text = room("wheels").metadata()
     assert re.search(r"^Version: \d+\.\d+\.\d+$", text, re.M) and "License-Expression: GPL-3.0-or-later\n" in text
     assert "Requires-Dist: numpy" in text and "Requires-Python: >=3.11\n" in text
+
+
+def test_the_citation_has_the_version():
+    version = re.search(r"project\(splinecore VERSION ([0-9.]+)", (PROJECT / "native/CMakeLists.txt").read_text())[1]
+    assert f"\nversion: {version}\n" in (PROJECT / "CITATION.cff").read_text()

@@ -8,9 +8,8 @@ __all__ = ["obj", "ply", "stl"]
 def obj(meshes, lines=()):
     """The bytes of an OBJ file.
 
-    meshes  (positions, normals, starts, vertices) each: positions (n, 3), one normal for each corner or None, where the
-            corners of each face start and their end, (faces + 1,), and the vertex of each corner
-    lines   (positions, is_closed) each
+    `meshes` are of (positions, normals, starts, vertices): positions (n, 3), one normal for each corner or None, where the
+    corners of each face start and their end, (faces + 1,), and the vertex of each corner. `lines` are of (positions, is_closed).
     """
     parts, before, normals_before = [], 1, 1
     for positions, normals, starts, vertices in meshes:
