@@ -109,13 +109,14 @@ def main():
     if unknown:
         parser.error(f"{unknown[0]} is not one of {', '.join(TARGETS)}")
     release = Release(args.build.resolve(), args.cache.resolve())
+    chosen = [TARGETS[name] for name in args.platforms or TARGETS]
     if args.syntax:
-        for target in [TARGETS[name] for name in args.platforms or TARGETS]:
+        for target in chosen:
             heading(f"Zig's compiler for {target.platform}")
             print(f"It takes all {release.syntax(target, PYTHONS[-1])} files")
         return
     results = native_results(args.build)
-    for target in [TARGETS[name] for name in args.platforms or TARGETS]:
+    for target in chosen:
         for python in PYTHONS:
             heading(f"{target.platform}, Python {python}")
             began = time.monotonic()
@@ -130,6 +131,8 @@ def main():
         run(sys.executable, HERE / "compare.py", *results)
     heading("Packages")
     packages.pack(release)
+    if any(target.platform == "linux-x64" for target in chosen):
+        run(HERE / "in_blender.sh", release.dist, args.build, args.cache)
 
 
 if __name__ == "__main__":

@@ -2,11 +2,12 @@
 
 import hashlib
 import json
+import os
 import shutil
 import sys
 
 from targets import PYTHONS, TARGETS
-from tools import PROJECT, run
+from tools import HERE, PROJECT, run
 from wheels import BINDINGS, NATIVE, version
 
 #: Blender's own tool for extensions, in the official builds of PyPI.
@@ -27,6 +28,7 @@ def pack(release):
     for extension in extensions:
         run(sys.executable, tool, "validate", extension)
     _repository(release, tool, extensions)
+    shutil.copy(HERE / "NOTES.md", release.dist)
     _sums(release)
 
 
@@ -55,10 +57,17 @@ def _legacy_modules(release):
 
 
 def _sources(release):
-    """The source archive, and a wheel built from it by pip alone, to show that it can be."""
-    for old in release.dist.glob("splinecore-*.tar.gz"):
-        old.unlink()
-    run(release.tools.python, "-m", "build", "--sdist", NATIVE, "--outdir", release.dist, capture_output=True)
+    """The source archive with its licence, from which pip builds a module that works."""
+    folder, trial = release.build / "sources", release.build / "from-sources"
+    for old in (folder, trial):
+        shutil.rmtree(old, ignore_errors=True)
+    shutil.copytree(NATIVE, folder, ignore=shutil.ignore_patterns("build", "__pycache__", "release"))
+    shutil.copy(PROJECT / "LICENSE", folder)
+    run(release.tools.python, "-m", "build", "--sdist", folder, "--outdir", release.dist, capture_output=True)
+    archive = release.dist / f"splinecore-{version()}.tar.gz"
+    run(release.tools.python, "-m", "pip", "install", "-q", "--disable-pip-version-check", "--target", trial, archive, "numpy",
+        env=os.environ | {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"})
+    run(release.tools.python, "-m", "splinecore", "--version", env=os.environ | {"PYTHONPATH": str(trial)})
 
 
 def _extension_tool(release):

@@ -1,7 +1,10 @@
 """Bake Animation: what followed moves the same by itself, where Splinewright is missing, too; and the way back."""
 
 import json
+import re
 import subprocess
+import textwrap
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -377,3 +380,12 @@ def test_baking_of_many_frames_is_exact_to_the_last():
     for frame in (1, 37, 99, 100):
         bpy.context.scene.frame_set(frame)
         assert np.abs(evaluated(ob)[:, 2] - (frame - 1)).max() < 1e-4
+
+
+def test_what_the_page_on_farms_says_bakes_a_film(tmp_path):
+    """The lines that examples/farm.md gives to blender --python-expr."""
+    page = (Path(__file__).resolve().parents[2] / "examples/farm.md").read_text()
+    lines = re.search(r'--python-expr "\n(.*?)"\n', page, re.S)[1]
+    ob = curve()
+    exec(textwrap.dedent(lines).replace("/tmp/film-baked.blend", (tmp_path / "film.blend").as_posix()), {})
+    assert baking.is_baked(ob.data) and (tmp_path / "film.blend").exists()

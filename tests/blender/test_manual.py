@@ -3,6 +3,7 @@
 import html.parser
 import os
 import re
+import textwrap
 import webbrowser
 import zipfile
 from pathlib import Path
@@ -11,6 +12,7 @@ from urllib.parse import unquote, urlparse
 import bpy
 import pytest
 
+from shapes import op
 from support import ADDON, part
 
 manual = part('ui.manual')
@@ -158,3 +160,22 @@ def test_the_hook_goes_with_the_add_on():
     finally:
         part('ui').register()
     assert [prefix for prefix, _ in bpy.utils.manual_map() if prefix == manual.address_of("")]
+
+
+def samples():
+    """The Python of the manual and the README that is for Blender."""
+    project = Path(__file__).resolve().parents[2]
+    for page in (*sorted((project / "addon/manual").glob("*.md")), project / "README.md"):
+        for code in re.findall(r"^ *```python\n(.*?)^ *```", page.read_text(), re.S | re.M):
+            if re.search(r"\bC\.object|\bbpy\b", code):
+                yield pytest.param(textwrap.dedent(code), id=page.stem)
+
+
+@pytest.mark.parametrize('code', samples())
+def test_samples_for_blender_run(code):
+    op(bpy.ops.splinewright.add_nurbs_curve)
+    exec(code, {'C': bpy.context, 'bpy': bpy})
+
+
+def test_there_are_samples_for_blender():
+    assert len(list(samples())) >= 2

@@ -20,7 +20,8 @@ inline constexpr double kContinuityTolerance = 1e-8;
 
 /// At a parameter. Directions and curvatures are limits: where a derivative falls to zero the next ones tell.
 /// A periodic curve takes any parameter, modulo its period.
-/// @throws PointAtInfinity; InvalidShape unless u lies inside the domain of a plain curve.
+/// @throws PointAtInfinity
+/// @throws InvalidShape unless u lies inside the domain of a plain curve.
 Continuity continuity_at(const NurbsCurve& curve, double u, double tolerance = kContinuityTolerance);
 
 /// Between the end of a and the start of b, each with its own parameter.
