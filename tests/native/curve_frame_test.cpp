@@ -124,7 +124,7 @@ TEST(CurveFrame, FramesAreOrthonormalAndTurnWithTheCurve) {
 }
 
 /// The curve with its weights and knots divided by powers of two.
-NurbsCurve divided(const NurbsCurve& curve, int weights, int parameters) {
+static NurbsCurve divided(const NurbsCurve& curve, int weights, int parameters) {
   std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
   for (glm::dvec4& p : points) p.w = std::scalbn(p.w, -weights);
   const auto given = curve.knot_vector().knots();

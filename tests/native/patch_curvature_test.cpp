@@ -92,7 +92,7 @@ TEST(PatchCurvature, FormsOfAParaboloid) {
   EXPECT_NEAR(forms.n, -8.0 * z, 1e-13);
 }
 
-KnotVector divided(const KnotVector& knots, int exponent) {
+static KnotVector divided(const KnotVector& knots, int exponent) {
   std::vector<double> divided(knots.knots().begin(), knots.knots().end());
   for (double& u : divided) u = std::scalbn(u, -exponent);
   return KnotVector::make(knots.degree(), std::move(divided), knots.periodic());

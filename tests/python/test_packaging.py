@@ -18,7 +18,7 @@ PACKAGE = pathlib.Path(sc.__file__).resolve().parent
 
 def run(*command, **more):
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"} | more.pop("env", {})
-    done = subprocess.run([*map(str, command)], capture_output=True, text=True, env=environment, timeout=600, **more)
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, env=environment, timeout=1500, **more)
     return done.returncode, done.stdout + done.stderr
 
 
