@@ -21,7 +21,7 @@ _SURFACE_TOLERANCE = 1e-4
 def machine():
     """Lines on what this runs on."""
     return [f"Splinewright {__version__}, splinecore {sc.__version__} ({sc.__instruction_set__})",
-            f"Blender {versions.text}, Python {platform.python_version()}, NumPy {np.__version__}",
+            f"Blender {versions.name()}, Python {platform.python_version()}, NumPy {np.__version__}",
             f"{platform.system()} {platform.release()}, {platform.machine()}, {sys.byteorder} endian"]
 
 

@@ -13,9 +13,6 @@ from ..core.native import native
 
 _VERSION = bpy.app.version
 
-#: For people.
-text = bpy.app.version_string
-
 #: Where curves are sampled: 5.0.0 goes by spans, 4.5.15 did not. 4.2.0 to 4.5.15 take a cyclic curve of resolution 1 for
 #: its control polygon, 3.4.1 and 5.0.0 do not.
 sampling = native.Sampling(by_span=_VERSION >= (5, 0, 0), polygon_at_1=(4, 2, 0) <= _VERSION < (5, 0, 0))
@@ -49,6 +46,11 @@ tells_of_failed_saves = hasattr(bpy.app.handlers, 'save_post_fail')
 
 #: 4.2.0, not 3.4.1: a window tells which operators are under way in it.
 knows_modal_operators = 'modal_operators' in bpy.types.Window.bl_rna.properties
+
+
+def name():
+    """Of this Blender, for people."""
+    return bpy.app.version_string
 
 
 @cache
