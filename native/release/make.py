@@ -52,7 +52,7 @@ class Release:
         folder = self.configured_module(target, python)
         commands = [entry["command"] for entry in json.loads((folder / "compile_commands.json").read_text())]
         with ThreadPoolExecutor(os.cpu_count()) as workers:
-            for _ in workers.map(lambda command: run("sh", "-c", f"{command} -fsyntax-only -w", cwd=folder), commands):
+            for _ in workers.map(lambda command: run("sh", "-c", f"{command} -O0 -fno-sanitize=undefined -w", cwd=folder), commands):
                 pass
         return len(commands)
 
