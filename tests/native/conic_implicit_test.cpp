@@ -77,7 +77,7 @@ TEST(ImplicitConic, TypeAndShapeStayWhenTurnedMovedAndMultiplied) {
     EXPECT_NEAR(found.shape().first, plain.shape().first, 1e-11);
     EXPECT_NEAR(found.shape().second, plain.shape().second, 1e-11);
   }
-  EXPECT_LE(lost, 10);
+  EXPECT_LE(lost, 2);
 }
 
 TEST(ImplicitConic, OfAnEllipseHasFociWhoseDistancesAddUp) {

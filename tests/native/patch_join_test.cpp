@@ -128,7 +128,7 @@ TEST(PatchJoin, MeasuredContinuityIsThatAskedFor) {
       EXPECT_EQ(wanted, 2) << round << " " << static_cast<int>(smoothness);
     }
   }
-  EXPECT_LE(doubtful, kRounds / 100);
+  EXPECT_LE(doubtful, kRounds / 200);
 }
 
 TEST(PatchJoin, ASetOfBothSharesTheEdge) {
