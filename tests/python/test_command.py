@@ -138,6 +138,22 @@ def test_stl_is_closed_and_has_the_volume(capsys, file, tmp_path):
     assert code == 2 and "curves" in err and path.read_bytes() == data
 
 
+@pytest.mark.parametrize("ending", ["obj", "ply", "stl"])
+def test_a_file_of_nothing_becomes_a_mesh_of_nothing(capsys, tmp_path, ending):
+    path = tmp_path / "a.json"
+    path.write_text(sc.dumps([]))
+    code, out, err = call(capsys, "tessellate", path, tmp_path / f"a.{ending}")
+    assert (code, err) == (0, "") and "0 vertices, 0 faces, 0 lines" in out
+
+
+@pytest.mark.parametrize("value", [hermite_chain(), sc.PowerCurve([[0, 0, 0], [1, 0, 0], [0, 2, 0]]), wavy_patch(), torus(),
+                                   circle()], ids=lambda value: type(value).__name__)
+def test_bezier_pieces_are_those_of_the_shape(value):
+    made = command.converted(value, "bezier")
+    assert all(isinstance(part, (sc.BezierCurve, sc.BezierPatch)) for part in made)
+    assert [again for part in made for again in command.converted(part, "bezier")] == made
+
+
 def test_compare_tells_what_differs(capsys, file):
     a = file("a.json", circle(), torus())
     assert call(capsys, "compare", a, file("b.json", circle(), torus()))[:2] == (0, "the same\n")

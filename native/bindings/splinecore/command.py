@@ -10,10 +10,11 @@ from pathlib import Path
 import numpy as np
 
 from . import (
+    BezierCurve,
+    BezierPatch,
     Error,
     HermitePatch,
     NurbsPatch,
-    BezierPatch,
     PatchSet,
     PowerCurve,
     Tessellation,
@@ -26,6 +27,7 @@ from . import (
 )
 
 PATCHES = (NurbsPatch, BezierPatch, HermitePatch)
+SURFACES = (PatchSet, *PATCHES)
 
 
 class Refused(Exception):
@@ -101,8 +103,7 @@ def describe(value):
     try:
         low, high = value.bounding_box()
         facts.append(f"from ({', '.join(f'{x:.6g}' for x in low)}) to ({', '.join(f'{x:.6g}' for x in high)})")
-        is_surface = isinstance(value, (PatchSet, *PATCHES))
-        facts.append(f"area {value.area(tolerance=1e-6):.6g}" if is_surface else f"length {value.length():.9g}")
+        facts.append(f"area {value.area(tolerance=1e-6):.6g}" if isinstance(value, SURFACES) else f"length {value.length():.9g}")
     except Error as error:
         facts.append(str(error))
     return f"{kind}: {'; '.join(facts)}"
@@ -129,22 +130,28 @@ def converted(value, kind):
     if kind is None:
         return [value]
     if isinstance(value, PatchSet):
-        return [part for i in range(len(value)) for part in converted(value[i], kind)]
+        return [part for patch in patches_of(value) for part in converted(patch, kind)]
     if kind == "nurbs":
         return [value.to_nurbs()]
-    made = value.to_bezier() if hasattr(value, "to_bezier") else value
-    flat = np.array(made, dtype=object).ravel().tolist() if isinstance(made, (list, tuple)) else [made]
-    return flat
+    if isinstance(value, (BezierCurve, BezierPatch)):
+        return [value]
+    made = value.to_bezier()
+    if isinstance(value, PATCHES):
+        return [part for row in made for part in row]
+    return made if isinstance(made, list) else [made]
+
+
+def patches_of(value):
+    """The patches of a set, or the one that a patch is."""
+    return [value[i] for i in range(len(value))] if isinstance(value, PatchSet) else [value]
 
 
 def one_set(values):
     """The patches of all values as one set."""
     patches = []
     for value in values:
-        if isinstance(value, PatchSet):
-            patches += [value[i] for i in range(len(value))]
-        elif isinstance(value, PATCHES):
-            patches.append(value)
+        if isinstance(value, SURFACES):
+            patches += patches_of(value)
         else:
             raise Refused(f"a {type(value).__name__} is no surface: BPT holds Bezier patches alone")
     return PatchSet.from_patches(patches)
@@ -157,7 +164,7 @@ def tessellate(args):
     require_fineness(args)
     found, lines = [], []
     for value in values:
-        if isinstance(value, (PatchSet, *PATCHES)):
+        if isinstance(value, SURFACES):
             found.append(mesh_of(value, args))
         else:
             lines += value.polylines(args.resolution or 32)
@@ -214,11 +221,10 @@ def difference(a, b, tolerance):
     """What to say of two shapes, and whether they are the same up to the tolerance."""
     if type(a) is type(b) and a == b:
         return "", True
-    surfaces = [isinstance(value, (PatchSet, *PATCHES)) for value in (a, b)]
-    if surfaces[0] != surfaces[1]:
+    if isinstance(a, SURFACES) != isinstance(b, SURFACES):
         return f"a {type(a).__name__} and a {type(b).__name__}", False
     if isinstance(a, PatchSet) or isinstance(b, PatchSet):
-        parts = [[value[i] for i in range(len(value))] if isinstance(value, PatchSet) else [value] for value in (a, b)]
+        parts = [patches_of(value) for value in (a, b)]
         if len(parts[0]) != len(parts[1]):
             return f"{len(parts[0])} and {len(parts[1])} patches", False
         distance = max(distance_of(*pair) for pair in zip(*parts))

@@ -64,7 +64,8 @@ def _edges(count, is_closed):
 
 def stl(meshes):
     """The bytes of a binary STL file, faces as fans of triangles; `meshes` as of obj()."""
-    triangles = np.concatenate([_triangles(np.asarray(mesh[0], np.float32), mesh[2], mesh[3]) for mesh in meshes])
+    none = np.empty((0, 3, 3), np.float32)
+    triangles = np.concatenate([none] + [_triangles(np.asarray(mesh[0], np.float32), mesh[2], mesh[3]) for mesh in meshes])
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     records = np.zeros(len(triangles), np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("rest", "<u2")]))
