@@ -1,4 +1,4 @@
-"""Installs the extension inside Blender: install.py -- file ZIP, or install.py -- repository URL"""
+"""Installs the extension inside Blender and lets it test itself: install.py -- file ZIP, or install.py -- repository URL"""
 
 import sys
 import time
@@ -24,7 +24,8 @@ def from_repository(url):
 
 how, what = sys.argv[sys.argv.index('--') + 1:]
 {'file': from_file, 'repository': from_repository}[how](what)
-if not [name for name in bpy.context.preferences.addons.keys() if name.endswith('.splinewright')]:
+names = [name for name in bpy.context.preferences.addons.keys() if name.endswith('.splinewright')]
+if not names:
     sys.exit("the extension is not enabled")
-print(f"Installed from the {how}: {next(name for name in bpy.context.preferences.addons.keys() if name.endswith('.splinewright'))}")
-bpy.ops.wm.save_userpref()
+print(f"Installed from the {how}: {names[0]}")
+bpy.ops.splinewright.self_test()
