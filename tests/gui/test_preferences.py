@@ -56,6 +56,13 @@ def steps():
     assert not any(trouble), trouble
 
     with view.override():
+        assert bpy.ops.splinewright.self_test('INVOKE_DEFAULT') == {'FINISHED'}
+    yield from redrawn()
+    save_picture(OUTPUT / "self-test.png")
+    view.move(view.region.x + view.region.width // 2, view.region.y + 5)
+    yield from redrawn()
+    assert "Results, bit for bit" in bpy.context.window_manager.clipboard
+    with view.override():
         bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True)
     user_item("splinewright.edit_net").type = 'F6'
     user_item("splinewright.leave_net").active = False

@@ -71,7 +71,6 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
             return
         layout.label(text=f"Native library splinecore {library.sc.__version__} is loaded", icon='CHECKMARK')
         _draw_help(layout)
-        layout.row().operator("splinewright.self_test", icon='CHECKBOX_HLT')
         self._draw_new_shapes(_section(layout, "New Shapes"))
         _section(layout, "Nets").prop(self, "show_hints")
         _draw_keys(layout, context)
@@ -107,6 +106,8 @@ def _draw_help(layout):
     row = layout.row()
     row.alignment = 'LEFT'
     row.operator(manual.SPLINEWRIGHT_OT_manual.bl_idname, icon='HELP')
+    if not library.problem:
+        row.operator("splinewright.self_test", icon='PLAY')
     for text, address in addresses.known():
         row.operator("wm.url_open", text=text, icon='URL').url = address
 
