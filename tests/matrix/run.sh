@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Packs one zip with a module for every Python, and runs the Blender tests with that very file: all of them, and windows,
-# on the Blender of Debian 12 (this system), of Debian 13 and of Debian unstable; on the official builds, which have no
-# windows, all but those that no version changes.
+# Packs one zip with a module for every Python, and runs the Blender tests with that very file: all of them on the Blender
+# of Debian 12 (this system); all but those that no version changes on that of Debian 13 and of Debian unstable; every second
+# one of these on each official build. Each window is opened on one of Debian's three.
 #   run.sh BUILD CACHE           CACHE keeps the roots of the other releases and the official builds
-#   run.sh BUILD CACHE full      all of it on the official builds, too
+#   run.sh BUILD CACHE full      all of it everywhere, with modules by each release's own compiler
 #   run.sh BUILD CACHE plan      only says which official builds there are
 set -euo pipefail
 here=$(cd -P "$(dirname "$0")" && pwd)
@@ -19,7 +19,8 @@ in_root() { local suite=$1; shift; "$here/root.sh" run "$cache/$suite" "$project
 
 make_root() { "$here/root.sh" make "$1" "$cache/$1" >"$build/root-$1.log" 2>&1; }
 
-build_module() {
+# By a release's own compiler.
+build_in_root() {
   in_root "$1" sh -c "
     cmake -S /project -B $inside/roots/$1 -G Ninja -DCMAKE_BUILD_TYPE=Release -DSPLINEWRIGHT_TESTS=OFF \
       -DSPLINECORE_PRECOMPILED=ON &&
@@ -28,21 +29,63 @@ build_module() {
     { tail -n 40 "$build/module-$1.log" >&2; return 1; }
 }
 
+# The version of the Python that a release has.
+python_in() { ls "$cache/$1/usr/include" | sed -n 's/^python\(3\.[0-9]*\)$/\1/p'; }
+
+# With the library that is built already, by this system's compiler: its C library is the oldest.
+build_here() {
+  local suite version folder pythons=() targets=()
+  for suite in "$@"; do
+    folder=$build/headers/$suite version=$(python_in "$suite")
+    mkdir -p "$folder"
+    ln -sfn "$cache/$suite/usr/include/"{pybind11,"python$version",*-linux-gnu} "$folder/"
+    pythons+=("$version=$folder") targets+=("_splinecore_${version/./}")
+  done
+  { /usr/bin/cmake -S "$project" -B "$build" -DSPLINECORE_MORE_PYTHONS="$(IFS=\;; echo "${pythons[*]}")" &&
+    /usr/bin/cmake --build "$build" --target "${targets[@]}" && cp -u "$build"/more/_splinecore.*.so "$build/modules/"; } \
+    >"$build/modules.log" 2>&1 || { tail -n 40 "$build/modules.log" >&2; return 1; }
+}
+
 heading() { printf '\n== %s\n' "$*"; }
 
 # Runs a command and remembers its name where it fails.
 failed=()
 attempt() { local name=$1; shift; "$@" || failed+=("$name"); }
 
+# The windows of a release: all, or its part of those that all share.
+windows_of() {
+  local i all=("$project"/tests/gui/test_*.py) releases=(bookworm "${suites[@]}")
+  for ((i = 0; i < ${#all[@]}; i++)); do
+    [ "$how" != full ] && [ "${releases[i % ${#releases[@]}]}" != "$1" ] || echo "tests/gui/$(basename "${all[i]}")"
+  done
+}
+
+# Tests that no version changes.
+of_any_version() { sed -nE 's/^(test_\w+\.py).*/\1/p' "$here/any_version.txt" | tr '\n' ' '; }
+
 test_debian() {
+  local without= windows
+  windows=$(windows_of "$1" | tr '\n' ' ')
+  [ "$how" = full ] || [ "$1" = bookworm ] || without=$(of_any_version)
   heading "Debian $1"
   if [ "$1" = bookworm ]; then
     attempt "Debian $1" "$here/../blender/run.sh" "$build/$zip" "$build/blender"
-    attempt "Debian $1, windows" "$here/../gui/run.sh" "$build/$zip" "$build/gui"
+    (cd "$project" && "$here/../gui/run.sh" "$build/$zip" "$build/gui" $windows) || failed+=("Debian $1, windows")
   else
-    attempt "Debian $1" in_root "$1" sh -c "cd /project && tests/blender/run.sh $inside/$zip $inside/blender-$1"
-    attempt "Debian $1, windows" in_root "$1" sh -c "cd /project && tests/gui/run.sh $inside/$zip $inside/gui-$1"
+    attempt "Debian $1" in_root "$1" sh -c "cd /project && SHARED_WITHOUT='$without' tests/blender/run.sh $inside/$zip \
+      $inside/blender-$1"
+    attempt "Debian $1, windows" in_root "$1" sh -c "cd /project && tests/gui/run.sh $inside/$zip $inside/gui-$1 $windows"
   fi
+}
+
+# Every second test that a version may change is left out: of the even ones or of the odd ones.
+every_second() {
+  local i=0 name known; known=" $(of_any_version)"
+  for name in "$project"/tests/blender/test_*.py; do
+    name=$(basename "$name")
+    if [[ $known = *" $name "* ]]; then echo "$name"; continue; fi
+    [ $((i++ % 2)) = "$1" ] || echo "$name"
+  done | tr '\n' ' '
 }
 
 # official_build VERB VERSION RELEASE: leaves what it is, or why it is not, in $made.
@@ -56,13 +99,13 @@ official_build() {
 }
 
 test_official() {
-  local version=$1 release=$2 code=0
+  local version=$1 release=$2 turn=$3 code=0
   official_build make "$version" "$release" || code=$?
   heading "$made"
   case $code in 0) ;; 3 | 4) return ;; *) failed+=("Blender $version"); return ;; esac
   local program=official/$version/blender without=
-  [ "$how" = full ] || without=$(sed -nE 's/^(test_\w+\.py).*/\1/p' "$here/any_version.txt" | tr '\n' ' ')
-  [ -z "$without" ] || echo "without ${without% }: ./run matrix full has them, too"
+  [ "$how" = full ] || without=$(every_second "$turn")
+  [ -z "$without" ] || echo "without $(wc -w <<<"$without") files, which other builds have: ./run matrix full has all"
   if [ "$release" = bookworm ]; then
     "$here/official.sh" program "$folder" "$project" "$build/$program"
     BLENDER=$build/$program SHARED_WITHOUT=$without attempt "$made" "$here/../blender/run.sh" "$build/$zip" "$build/official/$version"
@@ -95,10 +138,14 @@ else
   unstable="Debian unstable cannot install its Blender today: ${reason:-$(tail -n 1 "$build/root-sid.log")}"
 fi
 
-echo "Building the module in ${suites[*]}"
-builders=()
-for suite in "${suites[@]}"; do build_module "$suite" & builders+=($!); done
-for builder in "${builders[@]}"; do wait "$builder"; done
+echo "Building the module for ${suites[*]}"
+if [ "$how" = full ]; then
+  builders=()
+  for suite in "${suites[@]}"; do build_in_root "$suite" & builders+=($!); done
+  for builder in "${builders[@]}"; do wait "$builder"; done
+else
+  build_here "${suites[@]}"
+fi
 rm -f "$build"/splinewright-*.zip
 /usr/bin/cmake --build "$build" --target zip >/dev/null
 zip=$(basename "$build"/splinewright-*.zip)
@@ -106,6 +153,7 @@ echo "Packed $zip with $(ls "$build"/modules | wc -l) modules: $(ls "$build"/mod
 
 for suite in bookworm "${suites[@]}"; do test_debian "$suite"; done
 [ -z "$unstable" ] || { heading "Debian unstable"; echo "$unstable"; }
-for entry in "${official[@]}"; do test_official "${entry%:*}" "${entry#*:}"; done
+turn=0
+for entry in "${official[@]}"; do test_official "${entry%:*}" "${entry#*:}" $((turn++ % 2)); done
 
 [ ${#failed[@]} -eq 0 ] || { printf '\nFailed:\n'; printf '  %s\n' "${failed[@]}"; exit 1; }

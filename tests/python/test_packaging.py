@@ -61,8 +61,9 @@ print(sc.__version__)
 """
 
 
-def compiled_before():
-    """Settings with which what the build has compiled in the same way is taken from ccache, where there is one."""
+def as_the_build():
+    """Settings with which what the build has compiled is taken from ccache, where there is one: with its pybind11, too.
+    With the one of PyPI, in an isolated build, `./run release` installs the source distribution."""
     if not shutil.which("ccache"):
         return {}
     return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON"}
@@ -73,11 +74,10 @@ def test_pip_install_gives_a_package_that_works_in_a_plain_python(tmp_path):
     if code:
         pytest.skip(f"venv does not work here: {output[-200:]}")
     python = tmp_path / "venv/bin/python"
-    code, output = run(python, "-m", "pip", "--retries", "1", "--timeout", "15", "download", "--no-deps", "-q",
-                       "-d", tmp_path / "download", "scikit-build-core")
+    code, output = run(python, "-m", "pip", "--retries", "1", "--timeout", "15", "install", "-q", "scikit-build-core", "numpy")
     if code:
         pytest.skip(f"PyPI cannot be reached, so there is no scikit-build-core: {output[-200:]}")
-    must(python, "-m", "pip", "install", "-q", NATIVE, env=compiled_before())
+    must(python, "-m", "pip", "install", "-q", "--no-build-isolation", NATIVE, env=as_the_build())
     assert must(python, "-c", WHEEL_USE, cwd=tmp_path).strip() == version_of_cmake()
 
 
