@@ -66,7 +66,8 @@ def as_the_build():
     With the one of PyPI, in an isolated build, `./run release` installs the source distribution."""
     if not shutil.which("ccache"):
         return {}
-    return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON"}
+    return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON", "CXX": "/usr/bin/c++",
+            "PATH": f"/usr/bin:{os.environ['PATH']}", "CCACHE_DEPEND": "1"}
 
 
 def test_pip_install_gives_a_package_that_works_in_a_plain_python(tmp_path):

@@ -34,13 +34,13 @@ TEST(CallMemory, CallsWithinCallsHavePlacesOfTheirOwn) {
     {
       CallMemory inner;
       const Numbers others(100, 2.0, inner.resource());
-      if (round == 2) EXPECT_EQ(others.data(), second);
+      if (round == 2) { EXPECT_EQ(others.data(), second); }
       second = others.data();
     }
     const Numbers more(100, 3.0, outer.resource());
     EXPECT_EQ(numbers, Numbers(100, 1.0));
     EXPECT_EQ(more, Numbers(100, 3.0));
-    if (round == 2) EXPECT_EQ(numbers.data(), first);
+    if (round == 2) { EXPECT_EQ(numbers.data(), first); }
     first = numbers.data();
   }
 }
