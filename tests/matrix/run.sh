@@ -70,6 +70,7 @@ test_debian() {
   windows=$(windows_of "$1" | tr '\n' ' ')
   [ "$how" = full ] || [ "$1" = bookworm ] || without=$(of_any_version)
   heading "Debian $1"
+  [ "$how" = full ] || echo "with $(wc -w <<<"$windows") of the windows, without $(wc -w <<<"$without") files: ./run matrix full has all"
   if [ "$1" = bookworm ]; then
     attempt "Debian $1" "$here/../blender/run.sh" "$build/$zip" "$build/blender"
     (cd "$project" && "$here/../gui/run.sh" "$build/$zip" "$build/gui" $windows) || failed+=("Debian $1, windows")
@@ -157,7 +158,11 @@ for suite in bookworm "${suites[@]}"; do test_debian "$suite"; done
 [ -z "$unstable" ] || { heading "Debian unstable"; echo "$unstable"; }
 turn=0
 for entry in "${official[@]}"; do
-  if [ "$how" != full ] && [ "${entry%:*}" = "$only_full" ]; then continue; fi
+  if [ "$how" != full ] && [ "${entry%:*}" = "$only_full" ]; then
+    heading "Blender $only_full"
+    echo "./run matrix full alone tries it"
+    continue
+  fi
   test_official "${entry%:*}" "${entry#*:}" $((turn++ % 2))
 done
 

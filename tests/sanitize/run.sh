@@ -186,6 +186,7 @@ case "$part" in
     native_tests "$slow_native"
     python_tests "${quick_python[@]}"
     fuzz few "${targets[@]}"
+    echo "Without slow tests, threads and long fuzzing: ./run sanitize full has them, too"
     ;;
   full)
     build_with address "$asan" splinecore_tests splinecore_inside_tests splinewright_replay _splinecore fuzzers
