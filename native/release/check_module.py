@@ -65,13 +65,17 @@ def windows(lief, path):
             "asks": "Windows 10"}
 
 
+# Names that the linker gives to the file itself.
+OF_THE_LINKER = {"__mh_dylib_header", "___dso_handle"}
+
+
 def macos(lief, path):
     binary = lief.MachO.parse(path).at(0)
     oldest = tuple(binary.build_version.minos[:2])
     machine = {"X86_64": "x86_64", "ARM64": "aarch64"}[binary.header.cpu_type.name]
     return {"libraries": [library.name for library in binary.libraries if library.command.name != "ID_DYLIB"],
             "machine": machine, "version": oldest, "asks": f"macOS {'.'.join(map(str, oldest))}",
-            "exports": sorted(symbol.name for symbol in binary.exported_symbols),
+            "exports": sorted({symbol.name for symbol in binary.exported_symbols} - OF_THE_LINKER),
             "signature": signature(binary, open(path, "rb").read())}
 
 
