@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import sys
+from pathlib import Path
 
 from targets import PYTHONS, TARGETS
 from tools import HERE, PROJECT, run
@@ -56,12 +57,17 @@ def _legacy_modules(release):
     return folder
 
 
+def _not_given(folder, names):
+    """What is no source; below `native` itself rooms have such names, too."""
+    return {"__pycache__", *(("build", "release") if Path(folder) == NATIVE else ())} & set(names)
+
+
 def _sources(release):
     """The source archive with its licence, from which pip builds a module that works."""
     folder, trial = release.build / "sources", release.build / "from-sources"
     for old in (folder, trial):
         shutil.rmtree(old, ignore_errors=True)
-    shutil.copytree(NATIVE, folder, ignore=shutil.ignore_patterns("build", "__pycache__", "release"))
+    shutil.copytree(NATIVE, folder, ignore=_not_given)
     shutil.copy(PROJECT / "LICENSE", folder)
     run(release.tools.python, "-m", "build", "--sdist", folder, "--outdir", release.dist, capture_output=True)
     archive = release.dist / f"splinecore-{version()}.tar.gz"

@@ -155,7 +155,7 @@ void meeting_results(Random& random) {
   result("meet.patch", [&] {
     for (const auto& place : intersections(a, patch).places) print(place.point), print(place.t);
   });
-  result("build.offset", [&] {
+  result("libm offset", [&] {
     for (const NurbsCurve& made : offset(flat, 0.4, {.tolerance = 1e-3})) print_points(made);
   });
 }

@@ -131,7 +131,8 @@ inline glm::dvec3 random_vector(Random& random, double size = 10.0) {
 inline double random_weight(Random& random, Weights weights) {
   if (weights == Weights::one) return 1.0;
   if (weights == Weights::positive || integer(random, 0, 1) == 0) {
-    return std::ldexp(real(random, 1.0, 2.0), integer(random, -2, 1));
+    const int exponent = integer(random, -2, 1);
+    return std::ldexp(real(random, 1.0, 2.0), exponent);
   }
   return integer(random, 0, 1) == 0 ? 0.0 : -real(random, 0.1, 2.0);
 }
@@ -140,7 +141,8 @@ inline double random_weight(Random& random, Weights weights) {
 inline std::vector<glm::dvec4> random_points(Random& random, int count, Weights weights) {
   std::vector<glm::dvec4> points;
   for (int i = 0; i < count; ++i) {
-    points.emplace_back(random_vector(random), random_weight(random, weights));
+    const double weight = random_weight(random, weights);  // draws in an order that is the same with every compiler
+    points.emplace_back(random_vector(random), weight);
     if (points[i].w == 0.0 && (i == 0 || points[i - 1].w == 0.0)) points[i].w = 1.0;
   }
   return points;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "kernels.hpp"
+#include "processor.hpp"
 
 namespace splinecore {
 
@@ -21,12 +22,8 @@ namespace {
 std::span<const Kernels* const> usable() noexcept {
 #if defined(__x86_64__)
   static constexpr std::array<const Kernels*, 3> kSets{&x86_64_v4, &x86_64_v3, &baseline};
-  __builtin_cpu_init();
-  const bool has_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-                      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-  const bool has_v4 = has_v3 && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
-                      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");
-  return std::span(kSets).subspan(has_v4 ? 0 : has_v3 ? 1 : 2);
+  const int level = x86_64_level();
+  return std::span(kSets).subspan(level == 4 ? 0 : level == 3 ? 1 : 2);
 #else
   static constexpr std::array<const Kernels*, 1> kSets{&baseline};
   return kSets;

@@ -61,18 +61,14 @@ SPLINECORE_INLINE double mul_add(double a, double b, double c) { return __builti
 SPLINECORE_INLINE double mul_add(double a, double b, double c) { return a * b + c; }
 #endif
 
-// No more doubles than a register holds: of longer vectors compilers keep sums in memory.
-#if defined(__FMA__) && defined(__AVX2__)
+// No more doubles than a register holds: of longer vectors compilers keep sums in memory. ARM has two registers for four, so
+// that sums are in the same order, and have the same bits, as those of processors with AVX2.
+#if (defined(__FMA__) && defined(__AVX2__)) || defined(__aarch64__)
+#define SPLINECORE_FOUR_LANES
 typedef Lanes OwnLanes;
 #else
 typedef double OwnLanes __attribute__((vector_size(16)));
-#if defined(__aarch64__)
-SPLINECORE_INLINE OwnLanes mul_add(OwnLanes a, OwnLanes b, OwnLanes c) {
-  return OwnLanes{__builtin_fma(a[0], b[0], c[0]), __builtin_fma(a[1], b[1], c[1])};
-}
-#else
 SPLINECORE_INLINE OwnLanes mul_add(OwnLanes a, OwnLanes b, OwnLanes c) { return a * b + c; }
-#endif
 #if defined(__SSE2__)
 SPLINECORE_INLINE OwnLanes square_root(OwnLanes a) { return _mm_sqrt_pd(a); }
 #else

@@ -21,7 +21,7 @@ SPLINECORE_INLINE void load_triples(const double* from, SumLanes* xyz) {
   xyz[1] = __builtin_shufflevector(y, c, 0, 1, 2, 3, 4, 8, 11, 14);
   xyz[2] = __builtin_shufflevector(z, c, 0, 1, 2, 3, 4, 9, 12, 15);
 }
-#elif defined(__FMA__) && defined(__AVX2__)
+#elif defined(SPLINECORE_FOUR_LANES)
 SPLINECORE_INLINE void load_triples(const double* from, SumLanes* xyz) {
   const Lanes a = load(from);                                      // x0 y0 z0 x1
   const Lanes b = load(from + 4);                                  // y1 z1 x2 y2
