@@ -3,8 +3,11 @@
 import itertools
 import json
 import os
+import platform
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -271,3 +274,16 @@ def test_pieces_and_removal_keep_curves_of_any_weights(scale):
     tripled = plain.insert_knot(15, 2)
     u = np.linspace(*plain.domain, 200)
     np.testing.assert_allclose(tripled.remove_knot(15, 2).value.evaluate(u), plain.evaluate(u), rtol=0, atol=1e-12)
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64" or not Path("/proc/cpuinfo").exists(), reason="processors of x86-64 under Linux")
+def test_what_the_processor_can_is_used():
+    """By the flags that the system lists. Some compilers' runtimes find none of them."""
+    flags = set(re.search(r"^flags\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.M)[1].split())
+    best = "baseline"
+    if {"avx2", "fma", "bmi1", "bmi2", "movbe", "f16c", "abm"} <= flags:
+        best = "x86-64-v4" if {"avx512f", "avx512vl", "avx512dq", "avx512bw", "avx512cd"} <= flags else "x86-64-v3"
+    environment = {name: value for name, value in os.environ.items() if name != "SPLINECORE_KERNELS"}
+    found = subprocess.run([sys.executable, "-c", "import splinecore; print(splinecore.__instruction_set__)"], check=True,
+                           capture_output=True, text=True, env=environment)
+    assert found.stdout.strip() == best
