@@ -39,6 +39,11 @@ def _zip(release, suffix, *arguments):
     return path
 
 
+def _lipo():
+    """LLVM's tool, which Debian gives no name without its version."""
+    return shutil.which("llvm-lipo") or sorted(Path("/usr/lib").glob("llvm-*/bin/llvm-lipo"))[-1]
+
+
 def _legacy_modules(release):
     """A folder of the modules of all systems, those of both kinds of Macs in one file: they have one name."""
     folder = release.build / "legacy"
@@ -53,7 +58,7 @@ def _legacy_modules(release):
         if len(modules) == 1:
             shutil.copy(modules[0], folder)
         else:
-            run("llvm-lipo", "-create", *modules, "-output", folder / name)
+            run(_lipo(), "-create", *modules, "-output", folder / name)
     return folder
 
 
