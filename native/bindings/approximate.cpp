@@ -94,8 +94,7 @@ AnyApproximation project(const py::object& function, const py::object& knots, co
   }, cancel));
 }
 
-template <class Curve>
-AnyApproximation rebuild(const Curve& self, const py::object& count, const py::object& degree,
+AnyApproximation rebuild(const AnyCurve& self, const py::object& count, const py::object& degree,
                          const py::object& tolerance, const py::object& ends, const py::object& cancel) {
   const splinecore::NurbsCurve& curve = form(self);
   const int order = degree.is_none() ? curve.degree() : integer(degree, "degree");
@@ -109,15 +108,13 @@ AnyApproximation rebuild(const Curve& self, const py::object& count, const py::o
   }, cancel));
 }
 
-template <class Curve>
-AnyApproximation fair(const Curve& self, const py::object& tolerance, const py::object& ends, const py::object& cancel) {
+AnyApproximation fair(const AnyCurve& self, const py::object& tolerance, const py::object& ends, const py::object& cancel) {
   const double within = real(tolerance, "tolerance");
   const KeptEnds kept = kept_ends_of(ends);
   return wrap(unlocked([&] { return splinecore::fair(form(self), within, kept); }, cancel));
 }
 
-template <class Patch>
-AnyApproximation rebuild_patch(const Patch& self, const py::object& counts, const py::object& degrees,
+AnyApproximation rebuild_patch(const AnyPatch& self, const py::object& counts, const py::object& degrees,
                                const py::object& cancel) {
   const splinecore::NurbsPatch& patch = patch_form(self);
   const auto number = both(counts, "counts");
@@ -131,8 +128,7 @@ AnyApproximation rebuild_patch(const Patch& self, const py::object& counts, cons
   return wrap(unlocked([&] { return splinecore::rebuild(patch, u, v); }, cancel));
 }
 
-template <class Patch>
-AnyApproximation fair_patch(const Patch& self, const py::object& tolerance, const py::object& ends,
+AnyApproximation fair_patch(const AnyPatch& self, const py::object& tolerance, const py::object& ends,
                             const py::object& cancel) {
   const splinecore::NurbsPatch& patch = patch_form(self);
   const double within = real(tolerance, "tolerance");
@@ -171,46 +167,50 @@ void bind_functions(py::module_& fit) {
           "Raises InvalidShape where a value is not finite, and for knots that belong to no curve.");
 }
 
+void bind_curves_nearby(const CurveClasses& cls) {
+  cls.def("rebuild", &rebuild, py::arg("count") = py::none(), py::arg("degree") = py::none(), py::kw_only(),
+          py::arg("tolerance") = py::none(), py::arg("ends") = "points", py::arg("cancel") = py::none(),
+          "The polynomial NurbsCurve with even knots over the same domain that is nearest in the integral of the\n"
+          "squared distance at equal parameters, as an Approximation: its error is the largest such distance, at most\n"
+          "1 % above the truth. Periodic if the curve is. Lecture row S17.\n\n"
+          "count: of control points; degree + 1 make one Bezier piece. tolerance: as few as come within it, count at\n"
+          "most. ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
+          "Raises ToleranceNotReached, and InvalidShape for counts below what the degree needs.");
+  cls.def("fair", &fair, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
+          py::arg("cancel") = py::none(),
+          "A curve on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
+          "Approximation: its error is the largest distance at equal parameters, at most 1 % above the truth. Least\n"
+          "integral of the squared second derivative of the spline without weights (Reinsch 1967).\n\n"
+          "ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
+          "Raises InvalidShape unless the tolerance is positive and the degree is 2 at least.");
+}
+
+void bind_patches_nearby(const PatchClasses& cls) {
+  cls.def("rebuild", &rebuild_patch, py::arg("counts"), py::arg("degrees") = py::none(), py::kw_only(),
+          py::arg("cancel") = py::none(),
+          "The polynomial NurbsPatch with even knots over the same domain that is nearest first along u, then along v,\n"
+          "as an Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth.\n"
+          "Corners stay; periodic directions stay periodic. Lecture rows S17, S20.\n\n"
+          "counts: of control points, (u, v) or one for both. degrees: the same; None keeps them. cancel: ends the\n"
+          "call by returning true. Raises InvalidShape for counts below what the degree needs.");
+  cls.def("fair", &fair_patch, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
+          py::arg("cancel") = py::none(),
+          "A patch on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
+          "Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth. Least\n"
+          "energy of a thin plate as long and wide as the net, the integral of S_uu² + 2 S_uv² + S_vv², of the spline\n"
+          "without weights (Greiner 1994).\n\n"
+          "Borders stay; ends: 'points', or 'tangents': the derivatives across them, too; a pair for u and v. cancel:\n"
+          "ends the call by returning true.\n\n"
+          "Raises InvalidShape unless the tolerance is positive and a degree is 2 at least, and for degrees too high.");
+}
+
 }  // namespace
 
 void bind_approximate(py::module_& module) {
   py::module_ fit = module.attr("fit");
   bind_functions(fit);
-  for_curves(module, []<class Curve>(py::class_<Curve> cls) {
-    cls.def("rebuild", &rebuild<Curve>, py::arg("count") = py::none(), py::arg("degree") = py::none(), py::kw_only(),
-            py::arg("tolerance") = py::none(), py::arg("ends") = "points", py::arg("cancel") = py::none(),
-            "The polynomial NurbsCurve with even knots over the same domain that is nearest in the integral of the\n"
-            "squared distance at equal parameters, as an Approximation: its error is the largest such distance, at most\n"
-            "1 % above the truth. Periodic if the curve is. Lecture row S17.\n\n"
-            "count: of control points; degree + 1 make one Bezier piece. tolerance: as few as come within it, count at\n"
-            "most. ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
-            "Raises ToleranceNotReached, and InvalidShape for counts below what the degree needs.");
-    cls.def("fair", &fair<Curve>, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
-            py::arg("cancel") = py::none(),
-            "A curve on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
-            "Approximation: its error is the largest distance at equal parameters, at most 1 % above the truth. Least\n"
-            "integral of the squared second derivative of the spline without weights (Reinsch 1967).\n\n"
-            "ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
-            "Raises InvalidShape unless the tolerance is positive and the degree is 2 at least.");
-  });
-  for_patches(module, []<class Patch>(py::class_<Patch> cls) {
-    cls.def("rebuild", &rebuild_patch<Patch>, py::arg("counts"), py::arg("degrees") = py::none(), py::kw_only(),
-            py::arg("cancel") = py::none(),
-            "The polynomial NurbsPatch with even knots over the same domain that is nearest first along u, then along v,\n"
-            "as an Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth.\n"
-            "Corners stay; periodic directions stay periodic. Lecture rows S17, S20.\n\n"
-            "counts: of control points, (u, v) or one for both. degrees: the same; None keeps them. cancel: ends the\n"
-            "call by returning true. Raises InvalidShape for counts below what the degree needs.");
-    cls.def("fair", &fair_patch<Patch>, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
-            py::arg("cancel") = py::none(),
-            "A patch on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
-            "Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth. Least\n"
-            "energy of a thin plate as long and wide as the net, the integral of S_uu² + 2 S_uv² + S_vv², of the spline\n"
-            "without weights (Greiner 1994).\n\n"
-            "Borders stay; ends: 'points', or 'tangents': the derivatives across them, too; a pair for u and v. cancel:\n"
-            "ends the call by returning true.\n\n"
-            "Raises InvalidShape unless the tolerance is positive and a degree is 2 at least, and for degrees too high.");
-  });
+  bind_curves_nearby(CurveClasses(module));
+  bind_patches_nearby(PatchClasses(module));
 }
 
 }  // namespace bindings

@@ -45,9 +45,8 @@ py::array_t<double> divide_by_length(const NurbsCurve& curve, const py::object& 
   return new_numbers(std::span(found));
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("parameter_at_length", [](const Curve& self, const py::object& s, const py::object& tolerance,
+void bind_curve(const CurveClasses& cls) {
+  cls.def("parameter_at_length", [](const AnyCurve& self, const py::object& s, const py::object& tolerance,
                                     const py::object& cancel) {
             return parameter_at_length(form(self), s, tolerance, cancel);
           },
@@ -59,13 +58,13 @@ void bind_curve(py::class_<Curve> cls) {
           "any numbers. Where the curve stands still it is the first parameter. InvalidShape names a length below 0\n"
           "or above that of the curve; and as length(). cancel is a callable that ends a long call by returning True.\n"
           "Row S15.");
-  cls.def("divide", [](const Curve& self, const py::object& count, const py::object& tolerance,
+  cls.def("divide", [](const AnyCurve& self, const py::object& count, const py::object& tolerance,
                        const py::object& cancel) { return divide(form(self), count, tolerance, cancel); },
           py::arg("count"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
           py::arg("cancel") = py::none(),
           "The parameters of parts of equal length: (count + 1,) with both ends; (count,) where the curve closes.\n\n"
           "As parameter_at_length(). InvalidShape unless 1 <= count <= 2^22, or if the curve has no length. Row S15.");
-  cls.def("divide_by_length", [](const Curve& self, const py::object& step, const py::object& tolerance,
+  cls.def("divide_by_length", [](const AnyCurve& self, const py::object& step, const py::object& tolerance,
                                  const py::object& cancel) {
             return divide_by_length(form(self), step, tolerance, cancel);
           },
@@ -78,7 +77,7 @@ void bind_curve(py::class_<Curve> cls) {
 }  // namespace
 
 void bind_arc_lengths(py::module_& module) {
-  for_curves(module, [](auto cls) { bind_curve(cls); });
+  bind_curve(CurveClasses(module));
 }
 
 }  // namespace bindings

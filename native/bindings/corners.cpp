@@ -15,16 +15,15 @@ using splinecore::NurbsCurve;
 
 namespace {
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("rounded", [](const Curve& self, const py::object& radius, const py::object& cancel) {
+void bind_curve(const CurveClasses& cls) {
+  cls.def("rounded", [](const AnyCurve& self, const py::object& radius, const py::object& cancel) {
             const double of = real(radius, "radius");
             return unlocked([&] { return splinecore::rounded(form(self), of); }, cancel);
           }, py::arg("radius"), py::kw_only(), py::arg("cancel") = py::none(),
           "The curve with an arc of a circle in place of each of its corners, at the seam of a closed one, too: a NurbsCurve.\n"
           "Its runs between corners are shortened to where the arcs touch them. Lecture row S18. InvalidShape naming the\n"
           "corner if no arc of that radius fits between its neighbours, or the curve turns back or is not plane there.");
-  cls.def("chamfered", [](const Curve& self, const py::object& length, const py::object& cancel) {
+  cls.def("chamfered", [](const AnyCurve& self, const py::object& length, const py::object& cancel) {
             const double by = real(length, "length");
             return unlocked([&] { return splinecore::chamfered(form(self), by); }, cancel);
           }, py::arg("length"), py::kw_only(), py::arg("cancel") = py::none(),
@@ -37,7 +36,7 @@ py::tuple tuple_of(const CornerBetween& made) { return py::make_tuple(made.a, ma
 }  // namespace
 
 void bind_corners(py::module_& module) {
-  for_curves(module, [](auto cls) { bind_curve(cls); });
+  bind_curve(CurveClasses(module));
   py::module_ build = module.attr("build");
   build.def("filleted", [](const py::object& a, const py::object& b, const py::object& radius, const py::object& kept,
                            const py::object& normal, const py::object& cancel) {

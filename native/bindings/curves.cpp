@@ -2,7 +2,7 @@
 
 #include "approximation.hpp"
 #include "arrays.hpp"
-#include "curve_methods.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rational.hpp"
 #include "rooms.hpp"
@@ -115,7 +115,6 @@ void bind_nurbs(py::module_& module) {
                  },
                  py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = false,
                  "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
-  bind_common(cls);
   bind_points(cls);
   bind_rational_verbs(cls);
   bind_verbs(cls);
@@ -219,7 +218,6 @@ void bind_bezier(py::module_& module) {
     splinecore::require_points(rows);
     return BezierCurve::from_homogeneous(rows);
   }, py::arg("points"), "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
-  bind_common(cls);
   bind_points(cls);
   bind_rational_verbs(cls);
   bind_value(cls);
@@ -254,7 +252,6 @@ void bind_hermite(py::module_& module) {
             return HermiteCurve::make(vectors(real_array(points, "points"), "points", 1), tangents_of(tangents),
                                       optional_numbers(parameters, "parameters"));
           }), py::arg("points"), py::arg("tangents"), py::arg("parameters") = py::none());
-  bind_common(cls);
   bind_value(cls);
   cls.def_property_readonly("points", [](const py::object& self) {
     const auto points = py::cast<const HermiteCurve&>(self).points();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "arrays.hpp"
@@ -64,21 +66,107 @@ inline const splinecore::NurbsPatch& any_patch(const pybind11::object& value, co
                                  ", a patch is expected");
 }
 
-/// Gives the class of every kind of curve, bound before, more methods.
-template <class Bind>
-void for_curves(const pybind11::module_& module, Bind bind) {
-  bind(class_of<splinecore::NurbsCurve>(module, "NurbsCurve"));
-  bind(class_of<splinecore::BezierCurve>(module, "BezierCurve"));
-  bind(class_of<splinecore::HermiteCurve>(module, "HermiteCurve"));
-  bind(class_of<splinecore::PowerCurve>(module, "PowerCurve"));
-}
+/// A curve of any kind, as the methods that all kinds have take it.
+struct AnyCurve {
+  const splinecore::NurbsCurve* nurbs = nullptr;
+};
+inline const splinecore::NurbsCurve& form(const AnyCurve& curve) { return *curve.nurbs; }
 
-/// The same of patches.
-template <class Bind>
-void for_patches(const pybind11::module_& module, Bind bind) {
-  bind(class_of<splinecore::NurbsPatch>(module, "NurbsPatch"));
-  bind(class_of<splinecore::BezierPatch>(module, "BezierPatch"));
-  bind(class_of<splinecore::HermitePatch>(module, "HermitePatch"));
-}
+/// A patch of any kind.
+struct AnyPatch {
+  const splinecore::NurbsPatch* nurbs = nullptr;
+};
+inline const splinecore::NurbsPatch& patch_form(const AnyPatch& patch) { return *patch.nurbs; }
+
+/// Classes that were bound before and are given the same methods.
+class Classes {
+ public:
+  template <class Function, class... Extra>
+  const Classes& def(const char* name, Function function, const Extra&... extra) const {
+    namespace py = pybind11;
+    for (const py::object& cls : classes_) {
+      cls.attr(name) = py::cpp_function(+function, py::name(name), py::is_method(cls), plain(extra)...);
+    }
+    return *this;
+  }
+
+  template <class Getter>
+  const Classes& def_property(const char* name, Getter getter, const char* text = nullptr) const {
+    namespace py = pybind11;
+    const py::handle property(reinterpret_cast<PyObject*>(&PyProperty_Type));
+    for (const py::object& cls : classes_) {
+      cls.attr(name) = property(py::cpp_function(+getter, py::is_method(cls)), py::none(), py::none(), text);
+    }
+    return *this;
+  }
+
+ protected:
+  Classes(const pybind11::module_& module, std::initializer_list<const char*> names) {
+    for (const char* name : names) classes_.emplace_back(module.attr(name));
+  }
+
+ private:
+  // Texts of all lengths are of one type, so that functions of one type share what calls them.
+  static const char* plain(const char* text) { return text; }
+  template <class Extra>
+  static const Extra& plain(const Extra& extra)
+    requires(!std::is_array_v<Extra>)
+  {
+    return extra;
+  }
+
+  std::vector<pybind11::object> classes_;
+};
+
+struct CurveClasses : Classes {
+  explicit CurveClasses(const pybind11::module_& module)
+      : Classes(module, {"NurbsCurve", "BezierCurve", "HermiteCurve", "PowerCurve"}) {}
+};
+
+struct PatchClasses : Classes {
+  explicit PatchClasses(const pybind11::module_& module) : Classes(module, {"NurbsPatch", "BezierPatch", "HermitePatch"}) {}
+};
 
 }  // namespace bindings
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<bindings::AnyCurve> {
+  PYBIND11_TYPE_CASTER(bindings::AnyCurve, const_name("Curve"));
+
+  bool load(handle object, bool) {
+    using namespace splinecore;
+    return is<NurbsCurve>(object) || is<BezierCurve>(object) || is<HermiteCurve>(object) || is<PowerCurve>(object);
+  }
+
+ private:
+  template <class Kind>
+  bool is(handle object) {
+    make_caster<Kind> kind;
+    if (!type::handle_of(object).is(type::handle_of<Kind>()) || !kind.load(object, false)) return false;
+    value.nurbs = &bindings::form(cast_op<const Kind&>(kind));
+    return true;
+  }
+};
+
+template <>
+struct type_caster<bindings::AnyPatch> {
+  PYBIND11_TYPE_CASTER(bindings::AnyPatch, const_name("Patch"));
+
+  bool load(handle object, bool) {
+    using namespace splinecore;
+    return is<NurbsPatch>(object) || is<BezierPatch>(object) || is<HermitePatch>(object);
+  }
+
+ private:
+  template <class Kind>
+  bool is(handle object) {
+    make_caster<Kind> kind;
+    if (!type::handle_of(object).is(type::handle_of<Kind>()) || !kind.load(object, false)) return false;
+    value.nurbs = &bindings::patch_form(cast_op<const Kind&>(kind));
+    return true;
+  }
+};
+
+}  // namespace pybind11::detail

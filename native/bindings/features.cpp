@@ -55,29 +55,28 @@ py::array_t<double> rows_of(const Box& box) {
   return out;
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("signed_curvature", [](const Curve& self, const py::object& u, const py::object& normal,
+void bind_curve(const CurveClasses& cls) {
+  cls.def("signed_curvature", [](const AnyCurve& self, const py::object& u, const py::object& normal,
                                  const py::object& side) { return signed_curvature(form(self), u, normal, side); },
           py::arg("u"), py::arg("normal") = py::none(), py::kw_only(), py::arg("side") = "right",
           "(C' x C'') · normal / |C'|³ at parameters (...,) -> (...,): positive where the curve bends to its left.\n\n"
           "normal (3,) is that of its plane, by default towards +z; InvalidShape if it lies in none. Of a curve that\n"
           "is not in a plane at right angles to the normal it is the part of the curvature about the normal.\n"
           "Limits, inf and nan as those of curvature(). Row S15.");
-  cls.def("inflections", [](const Curve& self, const py::object& direction) {
+  cls.def("inflections", [](const AnyCurve& self, const py::object& direction) {
             return inflections(form(self), direction);
           }, py::arg("direction") = py::none(),
           "The parameters (n,), in order, where the curve begins to bend to the other side.\n\n"
           "Seen against a direction (3,), by default the normal of its plane: InvalidShape if it lies in none. All\n"
           "roots of the numerator of the signed curvature on every span that change its sign; of a straight part\n"
           "between two bends it is the middle. A corner is none, and no change at infinity. Row S15.");
-  cls.def("extrema", [](const Curve& self, const py::object& direction) { return extrema(form(self), direction); },
+  cls.def("extrema", [](const AnyCurve& self, const py::object& direction) { return extrema(form(self), direction); },
           py::arg("direction"),
           "The parameters (n,), in order, where the curve is at rest along a direction (3,) or turns about.\n\n"
           "All roots of the derivative along it, both ends of a part at right angles to it, corners where it changes\n"
           "sign, and the ends of the curve and of its pieces. InvalidShape if the direction is zero; PointAtInfinity\n"
           "if the curve runs to infinity. Row S15.");
-  cls.def("bounding_box", [](const Curve& self) {
+  cls.def("bounding_box", [](const AnyCurve& self) {
             return rows_of(unlocked([&] { return splinecore::bounding_box(form(self)); }));
           },
           "The smallest box along the axes that the curve lies in: (2, 3), its lowest and its highest corner.\n\n"
@@ -85,9 +84,12 @@ void bind_curve(py::class_<Curve> cls) {
           "PointAtInfinity if the curve runs to infinity. Row S15.");
 }
 
-template <class Shaped, class Form>
-void bind_box(py::class_<Shaped> cls, Form form_of) {
-  cls.def("bounding_box", [form_of](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
+const NurbsPatch& form_of(const AnyPatch& patch) { return patch_form(patch); }
+const PatchSet& form_of(const PatchSet& set) { return set; }
+
+template <class Shaped, class Owner>
+void bind_box(Owner cls) {
+  cls.def("bounding_box", [](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             return rows_of(unlocked([&] { return splinecore::bounding_box(form_of(self), most); }, cancel));
           }, py::kw_only(), py::arg("tolerance") = splinecore::kBoxTolerance, py::arg("cancel") = py::none(),
@@ -101,11 +103,9 @@ void bind_box(py::class_<Shaped> cls, Form form_of) {
 }  // namespace
 
 void bind_features(py::module_& module) {
-  for_curves(module, [](auto cls) { bind_curve(cls); });
-  for_patches(module, [](auto cls) {
-    bind_box(cls, [](const auto& patch) -> const NurbsPatch& { return patch_form(patch); });
-  });
-  bind_box(class_of<PatchSet>(module, "PatchSet"), [](const PatchSet& set) -> const PatchSet& { return set; });
+  bind_curve(CurveClasses(module));
+  bind_box<AnyPatch>(PatchClasses(module));
+  bind_box<PatchSet>(class_of<PatchSet>(module, "PatchSet"));
 }
 
 }  // namespace bindings

@@ -60,9 +60,8 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
   return out;
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("frames", [](const Curve& self, const py::object& u, const py::object& kind, const py::object& start,
+void bind_curve(const CurveClasses& cls) {
+  cls.def("frames", [](const AnyCurve& self, const py::object& u, const py::object& kind, const py::object& start,
                        const py::object& closed, const py::object& side, const py::object& cancel) {
             return frames(form(self), u, kind, start, closed, side, cancel);
           },
@@ -84,7 +83,7 @@ void bind_curve(py::class_<Curve> cls) {
 }  // namespace
 
 void bind_frames(py::module_& module) {
-  for_curves(module, [](auto cls) { bind_curve(cls); });
+  bind_curve(CurveClasses(module));
 }
 
 }  // namespace bindings

@@ -80,9 +80,8 @@ PatchIntersections arrays_of(const splinecore::PatchIntersections& found) {
   return out;
 }
 
-template <class Curve>
-void bind_with_patches(py::class_<Curve> cls) {
-  cls.def("patch_intersections", [](const Curve& self, const py::object& patch, const py::object& tolerance,
+void bind_with_patches(const CurveClasses& cls) {
+  cls.def("patch_intersections", [](const AnyCurve& self, const py::object& patch, const py::object& tolerance,
                                     const py::object& cancel) {
             const splinecore::NurbsPatch& with = any_patch(patch, "patch");
             const auto most = tolerance_of(tolerance);
@@ -95,7 +94,7 @@ void bind_with_patches(py::class_<Curve> cls) {
           "By halving, as intersections(): a part goes through a part of the patch once at most where no tangent is\n"
           "parallel to a tangent plane. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
           "InvalidShape if the tolerance is below 0, or where more than 2^20 pairs of parts are within it.");
-  cls.def("plane_intersections", [](const Curve& self, const py::object& origin, const py::object& normal,
+  cls.def("plane_intersections", [](const AnyCurve& self, const py::object& origin, const py::object& normal,
                                     const py::object& tolerance, const py::object& cancel) {
             const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));
             const auto most = tolerance_of(tolerance);
@@ -108,9 +107,8 @@ void bind_with_patches(py::class_<Curve> cls) {
           "InvalidShape as patch_intersections(), and if the normal is zero.");
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("intersections", [](const Curve& self, const py::object& other, const py::object& tolerance,
+void bind_curve(const CurveClasses& cls) {
+  cls.def("intersections", [](const AnyCurve& self, const py::object& other, const py::object& tolerance,
                               const py::object& cancel) {
             const NurbsCurve& with = any_curve(other, "other");
             const auto most = tolerance_of(tolerance);
@@ -126,7 +124,7 @@ void bind_curve(py::class_<Curve> cls) {
           "their hulls are apart, their tangents differ so that they cross once at most (Sederberg and Meyers 1988),\n"
           "or they lie together. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
           "InvalidShape if the tolerance is below 0, or where more than 2^22 pairs of parts are within it.");
-  cls.def("self_intersections", [](const Curve& self, const py::object& tolerance, const py::object& cancel) {
+  cls.def("self_intersections", [](const AnyCurve& self, const py::object& tolerance, const py::object& cancel) {
             const auto most = tolerance_of(tolerance);
             return arrays_of(unlocked([&] { return splinecore::self_intersections(form(self), most); }, cancel));
           },
@@ -178,10 +176,8 @@ void bind_patch_result(py::module_& module) {
 void bind_intersections(py::module_& module) {
   bind_result(module);
   bind_patch_result(module);
-  for_curves(module, [](auto cls) {
-    bind_curve(cls);
-    bind_with_patches(cls);
-  });
+  bind_curve(CurveClasses(module));
+  bind_with_patches(CurveClasses(module));
 }
 
 }  // namespace bindings

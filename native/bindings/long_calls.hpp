@@ -3,8 +3,8 @@
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
-#include <string>
 
 #include "splinecore/base/pause.hpp"
 
@@ -18,36 +18,32 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled by the caller") {}
 };
 
-inline bool is_true(const py::object& answer) {
-  const int truth = PyObject_IsTrue(answer.ptr());
-  if (truth < 0) throw py::error_already_set();
-  return truth != 0;
-}
-
 /// @throws py::type_error if cancel is neither None nor callable.
-inline void require_callable(const py::object& cancel) {
-  if (!cancel.is_none() && PyCallable_Check(cancel.ptr()) == 0) {
-    throw py::type_error("cancel = " + std::string(py::repr(cancel)) + " is not callable");
-  }
-}
+void require_callable(const py::object& cancel);
 
 /// Heeds Ctrl-C and `cancel`, a callable that returns true to end the call. With the interpreter's lock.
-inline void heed(const py::object& cancel) {
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  if (!cancel.is_none() && is_true(cancel())) throw Cancelled();
-}
+void heed(const py::object& cancel);
+
+/// As long as it lives, its thread works without the interpreter's lock, and long work heeds Ctrl-C and `cancel`.
+class Unlocked {
+ public:
+  /// @throws py::type_error if cancel is neither None nor callable.
+  explicit Unlocked(const py::object& cancel);
+  ~Unlocked();
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+ private:
+  splinecore::Pause pause_;
+  py::gil_scoped_release without_lock_;
+  splinecore::Pausing pausing_;
+};
 
 /// The result of work that needs no interpreter, done without its lock; it heeds Ctrl-C and `cancel` where it is long.
 /// @throws py::type_error if cancel is neither None nor callable.
 template <class Work>
 auto unlocked(Work work, const py::object& cancel = py::none()) {
-  require_callable(cancel);
-  const splinecore::Pause pause = [&cancel] {
-    const py::gil_scoped_acquire locked;
-    heed(cancel);
-  };
-  const py::gil_scoped_release without_lock;
-  const splinecore::Pausing pausing(pause);
+  const Unlocked here(cancel);
   return work();
 }
 

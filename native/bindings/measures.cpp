@@ -90,9 +90,8 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
   return out;
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("length", [](const Curve& self, const py::object& start, const py::object& end, const py::object& tolerance,
+void bind_curve(const CurveClasses& cls) {
+  cls.def("length", [](const AnyCurve& self, const py::object& start, const py::object& end, const py::object& tolerance,
                        const py::object& cancel) { return length(form(self), start, end, tolerance, cancel); },
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::kw_only(),
           py::arg("tolerance") = splinecore::kLengthTolerance, py::arg("cancel") = py::none(),
@@ -103,19 +102,19 @@ void bind_curve(py::class_<Curve> cls) {
           "start <= end in the domain of another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached\n"
           "where that takes too much work: it tells an error that is above the tolerance. cancel: a callable that ends\n"
           "the call by returning true. Row S15.");
-  cls.def("curvature", [](const Curve& self, const py::object& u, const py::object& side) {
+  cls.def("curvature", [](const AnyCurve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::curvature);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
           "|C' x C''| / |C'|³ at parameters (...,) -> (...,).\n\n"
           "Where C' falls to zero it is the limit, inf at a sharp cusp; nan where the curve stands still.\n"
           "InvalidShape if it is too large for a number. Rows S15, S16.");
-  cls.def("torsion", [](const Curve& self, const py::object& u, const py::object& side) {
+  cls.def("torsion", [](const AnyCurve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::torsion);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
           "det(C', C'', C''') / |C' x C''|² at parameters (...,) -> (...,), positive for a right-handed screw.\n\n"
           "At an inflection or a cusp it is the limit; nan on a straight line, which has no osculating plane.\n"
           "Row S15.");
-  cls.def("frenet_frame", [](const Curve& self, const py::object& u, const py::object& side) {
+  cls.def("frenet_frame", [](const AnyCurve& self, const py::object& u, const py::object& side) {
             return frames(form(self), u, side);
           }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
           "Unit tangent, normal and binormal at parameters: (...,) -> (..., 3, 3), one a row.\n\n"
@@ -193,23 +192,22 @@ constexpr const char* kAreaText =
     "ToleranceNotReached where it takes too much work, as with many digits of a patch that folds back on itself: it\n"
     "tells an error that is above the tolerance. cancel: a callable that ends the call by returning true. Rows S19, S20.";
 
-template <class Patch>
-void bind_patch(py::class_<Patch> cls) {
-  cls.def("fundamental_forms", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side) {
+void bind_patch(const PatchClasses& cls) {
+  cls.def("fundamental_forms", [](const AnyPatch& self, const py::object& u, const py::object& v, const py::object& side) {
             return fundamental_forms(patch_form(self), u, v, side);
           }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
           "(first, second) at pairs of parameters: u and v broadcast, (...,) -> two arrays (..., 2, 2).\n\n"
           "[[E, F], [F, G]] and [[L, M], [M, N]], with the unit normal along S_u x S_v. At a pole the normal is its\n"
           "limit; the second form is nan where it has none. InvalidShape if a form is too large for a number.\n"
           "Rows S19, S20.");
-  cls.def("curvatures", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side) {
+  cls.def("curvatures", [](const AnyPatch& self, const py::object& u, const py::object& v, const py::object& side) {
             return curvatures(patch_form(self), u, v, side);
           }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
           "Curvatures at pairs of parameters, which broadcast: positive where the patch bends towards its normal.\n\n"
           "At a pole they are those of the one form that all lines through it agree on; nan where they do not, as\n"
           "at the tip of a cone, and where S_u and S_v are parallel. InvalidShape if one is too large for a number.\n"
           "Rows S19, S20.");
-  cls.def("area", [](const Patch& self, const py::object& tolerance, const py::object& cancel) {
+  cls.def("area", [](const AnyPatch& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::area(patch_form(self), most).value; }, cancel);
           }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(), kAreaText);
@@ -283,8 +281,8 @@ void bind_result(py::module_& module) {
 
 void bind_measure(py::module_& module) {
   bind_result(module);
-  for_curves(module, [](auto cls) { bind_curve(cls); });
-  for_patches(module, [](auto cls) { bind_patch(cls); });
+  bind_curve(CurveClasses(module));
+  bind_patch(PatchClasses(module));
   bind_set(class_of<PatchSet>(module, "PatchSet"));
   bind_moments(class_of<PatchSet>(module, "PatchSet"));
 }

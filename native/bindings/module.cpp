@@ -47,10 +47,12 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_basis(module);
   bindings::bind_power(module);
   bindings::bind_curves(module);
+  bindings::bind_curve_methods(module);
   bindings::bind_build(module);
   bindings::bind_fit(module);
   bindings::bind_conics(module);
   bindings::bind_patches(module);
+  bindings::bind_patch_methods(module);
   bindings::bind_patch_set(module);
   bindings::bind_tessellation(module);
   bindings::bind_measure(module);

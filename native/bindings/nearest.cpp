@@ -67,9 +67,8 @@ Nearest nearest(const NurbsPatch& patch, const py::object& points, const py::obj
   return out;
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("nearest", [](const Curve& self, const py::object& points, const py::object& threads,
+void bind_curve(const CurveClasses& cls) {
+  cls.def("nearest", [](const AnyCurve& self, const py::object& points, const py::object& threads,
                         const py::object& cancel) {
             return nearest(form(self), points, threads, cancel);
           },
@@ -85,9 +84,8 @@ void bind_curve(py::class_<Curve> cls) {
           "InvalidShape names a point that is not finite.");
 }
 
-template <class Patch>
-void bind_patch(py::class_<Patch> cls) {
-  cls.def("nearest", [](const Patch& self, const py::object& points, const py::object& threads,
+void bind_patch(const PatchClasses& cls) {
+  cls.def("nearest", [](const AnyPatch& self, const py::object& points, const py::object& threads,
                         const py::object& cancel) {
             return nearest(patch_form(self), points, threads, cancel);
           },
@@ -125,8 +123,8 @@ Nearest arrays_for(const Shape& shape, const Shape& parameters) {
 
 void bind_nearest(py::module_& module) {
   bind_result(module);
-  for_curves(module, [](auto cls) { bind_curve(cls); });
-  for_patches(module, [](auto cls) { bind_patch(cls); });
+  bind_curve(CurveClasses(module));
+  bind_patch(PatchClasses(module));
 }
 
 }  // namespace bindings

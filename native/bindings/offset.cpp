@@ -16,9 +16,8 @@ using splinecore::OffsetOptions;
 
 namespace {
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("offset", [](const Curve& self, const py::object& distance, const py::object& normal, const py::object& tolerance,
+void bind_curve(const CurveClasses& cls) {
+  cls.def("offset", [](const AnyCurve& self, const py::object& distance, const py::object& normal, const py::object& tolerance,
                        const py::object& corner, const py::object& trimmed, const py::object& cancel) {
             OffsetOptions options{vector_of(normal, "normal"), {}, chosen<OffsetCorner>(corner, "corner", {{"round", OffsetCorner::round}, {"sharp", OffsetCorner::sharp}}), boolean(trimmed, "trimmed")};
             if (!tolerance.is_none()) options.tolerance = real(tolerance, "tolerance");
@@ -41,7 +40,7 @@ void bind_curve(py::class_<Curve> cls) {
 }  // namespace
 
 void bind_offset(py::module_& module) {
-  for_curves(module, [](auto cls) { bind_curve(cls); });
+  bind_curve(CurveClasses(module));
 }
 
 }  // namespace bindings

@@ -1,14 +1,10 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "long_calls.hpp"
-#include "patch_evaluation.hpp"
 #include "patch_verbs.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/convert/to_bezier.hpp"
-#include "splinecore/convert/to_hermite.hpp"
 #include "splinecore/patch/bezier_patch.hpp"
-#include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/hermite_patch.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 #include "values.hpp"
@@ -22,7 +18,6 @@ using splinecore::HermitePatch;
 using splinecore::InvalidShape;
 using splinecore::KnotVector;
 using splinecore::NurbsPatch;
-using splinecore::PatchOptions;
 
 namespace {
 
@@ -30,84 +25,11 @@ const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
 const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
 const NurbsPatch& form(const HermitePatch& patch) { return patch.nurbs(); }
 
-py::list bezier_rows(const NurbsPatch& patch) {
-  const auto grid = unlocked([&] { return splinecore::to_bezier(patch); });
-  py::list rows;
-  for (int i = 0; i < grid.count_u; ++i) {
-    py::list row;
-    for (int j = 0; j < grid.count_v; ++j) row.append(grid.patches[i * grid.count_v + j]);
-    rows.append(row);
-  }
-  return rows;
-}
-
 Shape net_shape(const NurbsPatch& patch) { return {patch.count(Axis::u), patch.count(Axis::v)}; }
 
-/// What every kind of patch can do through its NURBS form.
+/// Parts and other parametrisations of any kind of patch, which are of that kind.
 template <class Patch>
-void bind_common(py::class_<Patch>& cls) {
-  cls.def_property_readonly("degree", [](const Patch& self) {
-    return py::make_tuple(form(self).knot_vector(Axis::u).degree(), form(self).knot_vector(Axis::v).degree());
-  }, "(degree in u, degree in v).");
-  cls.def_property_readonly("domain", [](const Patch& self) {
-    return py::make_tuple(pair_of(form(self).knot_vector(Axis::u).domain()),
-                          pair_of(form(self).knot_vector(Axis::v).domain()));
-  }, "((start, end) of u, (start, end) of v).");
-  cls.def_property_readonly("is_rational", [](const Patch& self) { return form(self).rational(); },
-                            "True unless every weight is 1.");
-  cls.def("evaluate", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
-                         const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                         const py::object& threads, const py::object& cancel) {
-            return evaluate(form(self), u, v, side, at_infinity, dtype, out, threads, cancel);
-          },
-          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
-          py::arg("cancel") = py::none(),
-          "Points at pairs of parameters: u and v broadcast, (...,) -> (..., 3). side is 'right', 'left' or a\n"
-          "pair for u and v. The rest as for curves, and of a periodic direction as for periodic ones; a pair has the\n"
-          "same bits in a grid of any shape. Along u is summed first: where swapped() exchanges u and v, the last bits\n"
-          "may differ. Rows S19, S20.");
-  cls.def("evaluate_grid", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
-                              const py::object& at_infinity, const py::object& dtype, const py::object& out,
-                              const py::object& threads, const py::object& cancel) {
-            return evaluate_grid(form(self), u, v, side, at_infinity, dtype, out, threads, cancel);
-          },
-          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
-          py::arg("cancel") = py::none(),
-          "Points at every pair of (a,) u and (b,) v: (a, b, 3).");
-  cls.def("evaluate_grid_with_normals",
-          [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
-             const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& threads,
-             const py::object& cancel) {
-            return evaluate_grid_with_normals(form(self), u, v, side, at_infinity, dtype, out, threads, cancel);
-          },
-          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
-          py::arg("cancel") = py::none(),
-          "(points, unit normals) of a grid, both (a, b, 3). Normals point along S_u x S_v; at a pole or a\n"
-          "collapsed edge they are the limit from inside the domain, and NaN where there is none: where the patch\n"
-          "is a curve or a point, or no wider than some roundings of its length. out is a pair of arrays.");
-  cls.def("derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& order,
-                            const py::object& side, const py::object& at_infinity, const py::object& out,
-                            const py::object& threads, const py::object& cancel) {
-            return derivatives(form(self), u, v, order, side, at_infinity, out, threads, cancel);
-          },
-          py::arg("u"), py::arg("v"), py::arg("order"), py::kw_only(), py::arg("side") = "right",
-          py::arg("at_infinity") = "raise", py::arg("out") = py::none(), py::arg("threads") = 0,
-          py::arg("cancel") = py::none(),
-          "Mixed derivatives, k along u and l along v, k, l <= order: (..., order + 1, order + 1, 3) float64.\n"
-          "[..., 0, 0, :] is what evaluate() and evaluate_grid() give, bit for bit. One that is too large for a\n"
-          "number raises InvalidShape, or is NaN with at_infinity='nan'. The NURBS Book, A4.4.");
-  cls.def("first_derivatives", [](const Patch& self, const py::object& u, const py::object& v, const py::object& side,
-                                  const py::object& at_infinity, const py::object& out, const py::object& threads,
-                                  const py::object& cancel) {
-            return first_derivatives(form(self), u, v, side, at_infinity, out, threads, cancel);
-          },
-          py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
-          py::arg("out") = py::none(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
-          "The points and their first derivatives along u and v: (..., 3, 3) float64, S, S_u and S_v, the same bits\n"
-          "as of derivatives().");
+void bind_parts(py::class_<Patch>& cls) {
   cls.def("split", [](const Patch& self, const py::object& axis, const py::object& u) -> py::tuple {
             const Axis direction = axis_of(axis);
             const double at = real(u, "u");
@@ -123,10 +45,6 @@ void bind_common(py::class_<Patch>& cls) {
           py::arg("axis"), "The same surface with axis 'u' or 'v' running backwards: normals turn over.");
   cls.def("swapped", [](const Patch& self) { return splinecore::swapped(self); },
           "The same surface with u and v exchanged: normals turn over.");
-  cls.def("to_bezier", [](const Patch& self) { return bezier_rows(form(self)); },
-          "One BezierPatch for each pair of spans: rows along u of lists along v.");
-  cls.def("to_hermite", [](const Patch& self) { return unlocked([&] { return splinecore::to_hermite(form(self)); }); },
-          "The same patch as a HermitePatch; InvalidShape if rational, of degree above 3 or not C1 inside.");
 }
 
 template <class Patch>
@@ -217,7 +135,7 @@ void bind_nurbs(py::module_& module) {
                  },
                  py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = py::make_tuple(false, false),
                  "From points (nu, nv, 4): wx, wy, wz, w; w = 0 makes a direction.");
-  bind_common(cls);
+  bind_parts(cls);
   bind_points(cls);
   bind_value(cls);
   cls.def_property_readonly("periodic", [](const NurbsPatch& self) {
@@ -270,7 +188,7 @@ void bind_bezier(py::module_& module) {
             const auto limited = [](py::ssize_t n) { return static_cast<int>(std::min<py::ssize_t>(n, 1 << 30)); };
             return BezierPatch::make(limited(net.shape(0)), limited(net.shape(1)), std::move(rows));
           }), py::arg("points"), py::arg("weights") = py::none());
-  bind_common(cls);
+  bind_parts(cls);
   bind_points(cls);
   bind_value(cls);
   cls.def("with_points", [](const BezierPatch& self, const py::object& points) {
@@ -316,7 +234,7 @@ void bind_hermite(py::module_& module) {
           }),
           py::arg("points"), py::arg("tangents_u"), py::arg("tangents_v"), py::arg("twists") = py::none(),
           py::arg("parameters") = py::none());
-  bind_common(cls);
+  bind_parts(cls);
   bind_value(cls);
   const auto add_net = [&cls](const char* name, std::vector<glm::dvec3> splinecore::HermiteNet::*member) {
     cls.def_property_readonly(name, [member](const py::object& self) {

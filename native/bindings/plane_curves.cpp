@@ -22,9 +22,8 @@ int winding_number(const NurbsCurve& curve, const py::object& point, const py::o
   return unlocked([&] { return splinecore::winding_number(curve, around, across); });
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("signed_area", [](const Curve& self, const py::object& normal, const py::object& tolerance) {
+void bind_curve(const CurveClasses& cls) {
+  cls.def("signed_area", [](const AnyCurve& self, const py::object& normal, const py::object& tolerance) {
             return signed_area(form(self), normal, tolerance);
           },
           py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0), py::kw_only(),
@@ -35,7 +34,7 @@ void bind_curve(py::class_<Curve> cls) {
           "theorem: exact of polynomials but for rounding, of rational curves off by at most the tolerance times what\n"
           "the line from the curve's middle sweeps. InvalidShape if the ends are apart by more than 1e-9 of the size\n"
           "or the curve is in several pieces; PointAtInfinity, ToleranceNotReached. Row S15.");
-  cls.def("winding_number", [](const Curve& self, const py::object& point, const py::object& normal) {
+  cls.def("winding_number", [](const AnyCurve& self, const py::object& point, const py::object& normal) {
             return winding_number(form(self), point, normal);
           },
           py::arg("point"), py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0),
@@ -47,7 +46,7 @@ void bind_curve(py::class_<Curve> cls) {
 }  // namespace
 
 void bind_plane_curves(py::module_& module) {
-  for_curves(module, [](auto cls) { bind_curve(cls); });
+  bind_curve(CurveClasses(module));
 }
 
 }  // namespace bindings

@@ -1,6 +1,5 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
-#include "curve_methods.hpp"
 #include "rooms.hpp"
 #include "splinecore/curve/power_curve.hpp"
 #include "values.hpp"
@@ -92,7 +91,6 @@ void bind_power(py::module_& module) {
       "It is evaluated through its Bernstein form on the domain, whose points are right to an ulp of the\n"
       "largest. Raises InvalidShape or TypeError naming the argument, index and value. Lecture row S2.");
   bind_making(cls);
-  bind_common(cls);
   bind_value(cls);
   bind_parts(cls);
   bind_verbs(cls);

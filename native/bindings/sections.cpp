@@ -58,9 +58,8 @@ py::array_t<double> parameters_of(const Sections& found) {
   return out;
 }
 
-template <class Patch>
-void bind_patch(py::class_<Patch> cls) {
-  cls.def("sections", [](const Patch& self, const py::object& other, const py::object& tolerance, const py::object& cancel) {
+void bind_patch(const PatchClasses& cls) {
+  cls.def("sections", [](const AnyPatch& self, const py::object& other, const py::object& tolerance, const py::object& cancel) {
             const NurbsPatch& with = any_patch(other, "other");
             const auto most = tolerance_of(tolerance);
             return unlocked([&] { return splinecore::sections(patch_form(self), with, most); }, cancel);
@@ -75,7 +74,7 @@ void bind_patch(py::class_<Patch> cls) {
           "Newton's method follows; where they touch the second derivatives of their distance say along which way that\n"
           "stays. Lecture row S18. cancel is a callable that ends a long call by returning True. InvalidShape if the\n"
           "tolerance is below 0, or after 2^20 pairs of parts that are not apart, as where patches nearly touch.");
-  cls.def("plane_sections", [](const Patch& self, const py::object& origin, const py::object& normal,
+  cls.def("plane_sections", [](const AnyPatch& self, const py::object& origin, const py::object& normal,
                                const py::object& tolerance, const py::object& cancel) {
             const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));
             const auto most = tolerance_of(tolerance);
@@ -114,7 +113,7 @@ void bind_result(py::module_& module) {
 
 void bind_sections(py::module_& module) {
   bind_result(module);
-  for_patches(module, [](auto cls) { bind_patch(cls); });
+  bind_patch(PatchClasses(module));
 }
 
 }  // namespace bindings

@@ -47,9 +47,8 @@ Nearest nearest_all(const Form& form, const py::object& point, const py::object&
   return arrays_of(unlocked([&] { return splinecore::nearest_all(form, from, most); }, cancel));
 }
 
-template <class Curve>
-void bind_curve(py::class_<Curve> cls) {
-  cls.def("stationary_points", [](const Curve& self, const py::object& point, const py::object& cancel) {
+void bind_curve(const CurveClasses& cls) {
+  cls.def("stationary_points", [](const AnyCurve& self, const py::object& point, const py::object& cancel) {
             return stationary_points(form(self), point, cancel);
           },
           py::arg("point"), py::kw_only(), py::arg("cancel") = py::none(),
@@ -61,7 +60,7 @@ void bind_curve(py::class_<Curve> cls) {
           "rounding does not tell apart are one. Of a curve that passes through infinity the finite places count.\n"
           "cancel is a callable that ends a long call by returning True. InvalidShape if the point is not finite\n"
           "or too far away, or, naming an interval, where the distance is constant, as from a circle's centre.");
-  cls.def("nearest_all", [](const Curve& self, const py::object& point, const py::object& tolerance,
+  cls.def("nearest_all", [](const AnyCurve& self, const py::object& point, const py::object& tolerance,
                             const py::object& cancel) {
             return nearest_all(form(self), point, tolerance, cancel);
           },
@@ -72,9 +71,8 @@ void bind_curve(py::class_<Curve> cls) {
           "the tolerance is below 0 or the point not finite, and where the distance is constant and as small.");
 }
 
-template <class Patch>
-void bind_patch(py::class_<Patch> cls) {
-  cls.def("stationary_points", [](const Patch& self, const py::object& point, const py::object& cancel) {
+void bind_patch(const PatchClasses& cls) {
+  cls.def("stationary_points", [](const AnyPatch& self, const py::object& point, const py::object& cancel) {
             return stationary_points(patch_form(self), point, cancel);
           },
           py::arg("point"), py::kw_only(), py::arg("cancel") = py::none(),
@@ -86,7 +84,7 @@ void bind_patch(py::class_<Patch> cls) {
           "method; places that rounding does not tell apart are one. cancel is a callable that ends a long call\n"
           "by returning True. InvalidShape if the point is not finite or too far away, or, naming one of them,\n"
           "where such places are a curve or more, as from the centre of a sphere.");
-  cls.def("nearest_all", [](const Patch& self, const py::object& point, const py::object& tolerance,
+  cls.def("nearest_all", [](const AnyPatch& self, const py::object& point, const py::object& tolerance,
                             const py::object& cancel) {
             return nearest_all(patch_form(self), point, tolerance, cancel);
           },
@@ -117,8 +115,8 @@ void bind_result(py::module_& module) {
 
 void bind_stationary(py::module_& module) {
   bind_result(module);
-  for_curves(module, [](auto cls) { bind_curve(cls); });
-  for_patches(module, [](auto cls) { bind_patch(cls); });
+  bind_curve(CurveClasses(module));
+  bind_patch(PatchClasses(module));
 }
 
 }  // namespace bindings

@@ -35,10 +35,12 @@ splinecore::VectorField asked(const py::object& field) {
   };
 }
 
-/// @param form_of  what the library takes for a value
-template <class Shaped, class FormOf>
-void bind_integrals(py::class_<Shaped> cls, FormOf form_of) {
-  cls.def("flux", [form_of](const Shaped& self, const py::object& field, const py::object& tolerance,
+const splinecore::NurbsPatch& form_of(const AnyPatch& patch) { return patch_form(patch); }
+const PatchSet& form_of(const PatchSet& set) { return set; }
+
+template <class Shaped, class Owner>
+void bind_integrals(Owner cls) {
+  cls.def("flux", [](const Shaped& self, const py::object& field, const py::object& tolerance,
                             const py::object& cancel) {
             const splinecore::VectorField wanted = asked(field);
             const double most = real(tolerance, "tolerance");
@@ -54,7 +56,7 @@ void bind_integrals(py::class_<Shaped> cls, FormOf form_of) {
           "call by returning true.\n\n"
           "InvalidShape if values of the field have another shape or are not finite; PointAtInfinity;\n"
           "ToleranceNotReached, as where the field jumps. Rows S19, S20.");
-  cls.def("surface_centroid", [form_of](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
+  cls.def("surface_centroid", [](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             const glm::dvec3 found =
                 unlocked([&] { return splinecore::surface_centroid(form_of(self), most).value; }, cancel);
@@ -71,10 +73,8 @@ void bind_integrals(py::class_<Shaped> cls, FormOf form_of) {
 }  // namespace
 
 void bind_surface_integrals(py::module_& module) {
-  for_patches(module, []<class Patch>(py::class_<Patch> cls) {
-    bind_integrals(cls, [](const Patch& patch) -> const splinecore::NurbsPatch& { return patch_form(patch); });
-  });
-  bind_integrals(class_of<PatchSet>(module, "PatchSet"), [](const PatchSet& set) -> const PatchSet& { return set; });
+  bind_integrals<AnyPatch>(PatchClasses(module));
+  bind_integrals<PatchSet>(class_of<PatchSet>(module, "PatchSet"));
 }
 
 }  // namespace bindings

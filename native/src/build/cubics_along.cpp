@@ -1,3 +1,4 @@
+#include "base/sort_by.hpp"
 #include "cubics_along.hpp"
 
 #include <algorithm>
@@ -150,7 +151,7 @@ NurbsCurve cubics_along(const Path& path, const std::vector<double>& breaks, dou
     if (done.size() + 2 * far.size() > kMostCubics) throw_too_small();
     open = halves_of(path, far);
   }
-  std::ranges::sort(done, {}, &Stretch::from);
+  sort_by(done, [](const Stretch& stretch) { return stretch.from; });
   return chain_of(done);
 }
 

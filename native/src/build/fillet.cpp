@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "base/sort_by.hpp"
 #include "meet/near_space.hpp"
 #include "offset_parts.hpp"
 #include "splinecore/base/errors.hpp"
@@ -138,7 +139,7 @@ std::vector<Fillet> fillets(const NurbsCurve& given_a, const NurbsCurve& given_b
     fillet.arc = fillet.arc.with_points(space.leave(fillet.arc.points()));
     fillet.centre = space.leave(fillet.centre);
   }
-  std::ranges::sort(found, {}, [](const Fillet& fillet) { return std::pair(fillet.a, fillet.b); });
+  sort_by(found, [](const Fillet& fillet) { return SortKey{fillet.a, fillet.b}; });
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/length.hpp"
+#include "base/sort_by.hpp"
 #include "curve_ends.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -41,7 +42,7 @@ std::vector<EndPair> near_pairs(const std::vector<glm::dvec3>& ends, const std::
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (is_open[i / 2]) order.push_back(i);
   }
-  std::ranges::sort(order, {}, [&](std::size_t i) { return ends[i].x; });
+  sort_by(order, [&](std::size_t i) { return ends[i].x; });
   std::vector<EndPair> pairs;
   for (auto a = order.begin(); a != order.end(); ++a) {
     for (auto b = a + 1; b != order.end() && ends[*b].x - ends[*a].x <= tolerance; ++b) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/one_sign.hpp"
+#include "base/sort_by.hpp"
 #include "basis/bernstein_net.hpp"
 #include "basis/gaps.hpp"
 #include "bezier_piece.hpp"
@@ -90,7 +91,7 @@ bool is_at_infinity(const NurbsCurve& curve, double u, Side side) {
 std::vector<Interval> pieces(const NurbsCurve& curve) {
   Zeros cuts = zeros_of_weight(curve);
   for (const double u : gaps(curve.knot_vector())) cuts.push_back({u, u});
-  std::ranges::sort(cuts, {}, &Interval::start);
+  sort_by(cuts, [](const Interval& cut) { return cut.start; });
   const Interval range = curve.domain();
   std::vector<Interval> found;
   double start = range.start;

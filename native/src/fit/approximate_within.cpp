@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/sort_by.hpp"
 #include "build/fit_options.hpp"
 #include "control_counts.hpp"
 #include "fitted_points.hpp"
@@ -124,7 +125,7 @@ KnotVector coarser(const FittedPoints& fit, std::size_t number, std::size_t spar
   const std::vector<double> jumps = jumps_of(fit);
   std::vector<std::size_t> order(jumps.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return jumps[i]; });
+  sort_by(order, [&](std::size_t i) { return jumps[i]; });
   std::vector<bool> is_out(jumps.size() + 2, false);  // by break
   for (const std::size_t i : std::span(order).subspan(std::min(spared, order.size()))) {
     if (number == 0) break;

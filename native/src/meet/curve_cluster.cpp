@@ -1,3 +1,4 @@
+#include "base/sort_by.hpp"
 #include "curve_cluster.hpp"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ std::vector<CurveCluster> merged_at_seam(const TwoCurves& curves, std::vector<Cu
   const auto inner = std::partition(clusters.begin(), clusters.end(), is_at_start);
   std::vector<CurveCluster> found(std::make_move_iterator(inner), std::make_move_iterator(clusters.end()));
   clusters.erase(inner, clusters.end());
-  std::ranges::sort(found, {}, [](const CurveCluster& c) { return -c.a().end; });
+  sort_by(found, [](const CurveCluster& c) { return -c.a().end; });
   for (CurveCluster& cluster : clusters) {
     const auto goes_on = [&](const CurveCluster& c) {
       return curves.a.are_beside(c.a(), {end, end}, tolerance) &&
@@ -129,7 +130,7 @@ SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
 }
 
 std::vector<CurveCluster> clusters_of(const TwoCurves& curves, std::vector<CurveStretch> stretches, double tolerance) {
-  std::ranges::sort(stretches, {}, [](const CurveStretch& s) { return along_a(s).start; });
+  sort_by(stretches, [](const CurveStretch& s) { return along_a(s).start; });
   std::vector<CurveCluster> done;
   std::vector<CurveCluster> open;
   for (const CurveStretch& stretch : stretches) {

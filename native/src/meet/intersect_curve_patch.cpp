@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/sort_by.hpp"
 #include "curve_patch_pairs.hpp"
 #include "near_space.hpp"
 #include "plane_patch.hpp"
@@ -62,7 +63,7 @@ class PierceOutcome {
     const auto along = [](const CurveOnPatch& s) {
       return Interval{CurvePieces::place({s.piece, s.range.start}), CurvePieces::place({s.piece, s.range.end})};
     };
-    std::ranges::sort(stretches, {}, [&](const CurveOnPatch& s) { return along(s).start; });
+    sort_by(stretches, [&](const CurveOnPatch& s) { return along(s).start; });
     std::vector<Cluster> clusters;
     for (const CurveOnPatch& stretch : stretches) {
       const Interval own = along(stretch);
@@ -127,7 +128,7 @@ class PierceOutcome {
   double parameter(double place) const { return curve_.parameter(curve_.spot(place)); }
 
   std::vector<PatchIntersection> once_each(std::vector<Place> places) const {
-    std::ranges::stable_sort(places, {}, [&](const Place& p) { return std::pair(!p.touches, shapes().distance(p.at)); });
+    sort_by(places, [&](const Place& p) { return SortKey{p.touches ? 0.0 : 1.0, shapes().distance(p.at)}; });
     std::vector<PierceSpot> known;
     std::vector<PatchIntersection> found;
     for (const Place& place : places) {
@@ -142,7 +143,7 @@ class PierceOutcome {
       found.push_back({curve_.is_closed() && t >= domain_.end ? domain_.start : t, patch_.parameters(place.at.patch),
                        space_.leave(on_curve + 0.5 * gap), space_.length(glm::length(gap)), place.touches});
     }
-    std::ranges::sort(found, {}, [](const PatchIntersection& place) { return place.t; });
+    sort_by(found, [](const PatchIntersection& place) { return place.t; });
     return found;
   }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_by.hpp"
 #include "curve_cluster.hpp"
 #include "near_space.hpp"
 #include "splinecore/meet/intersections.hpp"
@@ -39,7 +40,7 @@ class IntersectionSearch {
       }
     }
     found.places = once_each(std::move(places));
-    std::ranges::sort(found.overlaps, {}, [](const CurveOverlap& overlap) { return overlap.a.start; });
+    sort_by(found.overlaps, [](const CurveOverlap& overlap) { return overlap.a.start; });
     return found;
   }
 
@@ -55,8 +56,8 @@ class IntersectionSearch {
   std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
     std::vector<CurveIntersection> found;
     std::vector<SpotPair> known;
-    const auto rank = [&](const Place& place) { return std::pair(!place.touches, curves().distance(place.at)); };
-    std::ranges::stable_sort(places, {}, rank);
+    const auto rank = [&](const Place& place) { return SortKey{place.touches ? 0.0 : 1.0, curves().distance(place.at)}; };
+    sort_by(places, rank);
     for (Place place : places) {
       if (!b_ && a_.are_one(place.at.a, place.at.b, tolerance_)) continue;
       if (!b_ && CurvePieces::place(place.at.a) > CurvePieces::place(place.at.b)) std::swap(place.at.a, place.at.b);
@@ -67,7 +68,7 @@ class IntersectionSearch {
       known.push_back(place.at);
       found.push_back(intersection(place));
     }
-    std::ranges::sort(found, {}, [](const CurveIntersection& place) { return std::pair(place.a, place.b); });
+    sort_by(found, [](const CurveIntersection& place) { return SortKey{place.a, place.b}; });
     return found;
   }
 

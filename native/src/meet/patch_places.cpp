@@ -1,3 +1,4 @@
+#include "base/sort_by.hpp"
 #include "patch_places.hpp"
 
 #include <algorithm>
@@ -132,7 +133,7 @@ std::vector<StationaryOnPatch> PatchPlaces::found() const {
     found.push_back({place.parameters[0], place.parameters[1], patch_.origin().leave(place.point),
                      patch_.origin().distance_to(place.point), place.kind});
   }
-  std::ranges::sort(found, {}, [](const StationaryOnPatch& place) { return std::tuple(place.u, place.v); });
+  sort_by(found, [](const StationaryOnPatch& place) { return SortKey{place.u, place.v}; });
   return found;
 }
 

@@ -1,3 +1,4 @@
+#include "base/sort_by.hpp"
 #include "common_edge.hpp"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ std::vector<SharedKnot> knots_along(const KnotVector& knots, bool is_reversed) {
         is_reversed && !is_start ? (domain.end - all[i]) / domain.length() : (all[i] - domain.start) / domain.length();
     found.push_back({share, all[i], 1});
   }
-  std::ranges::sort(found, {}, &SharedKnot::share);
+  sort_by(found, [](const SharedKnot& knot) { return knot.share; });
   return found;
 }
 

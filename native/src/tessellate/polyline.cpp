@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/one_sign.hpp"
+#include "base/sort_by.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/finite_arcs.hpp"
@@ -92,7 +93,7 @@ std::vector<Interval> arcs_within(const NurbsCurve& curve, double reach, std::sp
   for (std::size_t i = 0, count = arcs.size(); i < count; ++i) {
     arcs.push_back({arcs[i].start - period, arcs[i].end - period});
   }
-  std::ranges::sort(arcs, {}, &Interval::start);
+  sort_by(arcs, [](const Interval& arc) { return arc.start; });
   return arcs;
 }
 
