@@ -1,5 +1,6 @@
 #include "approximation.hpp"
 
+#include "classes.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/errors.hpp"
 #include "values.hpp"
@@ -15,7 +16,7 @@ std::string text_of(const AnyApproximation& self) {
 }  // namespace
 
 void bind_approximation(py::module_& module) {
-  py::class_<AnyApproximation> cls(
+  Class<AnyApproximation> cls(
       module, "Approximation", py::module_local(),
       "A value that stands for another, and how far the two lie apart at most.\n\n"
       "Unpacks: value, error = curve.reduce(). The error is a length in the units of the points, 0 where\n"

@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "basis_matrices.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/order.hpp"
@@ -157,7 +158,7 @@ struct BoundSamples {
 
 void bind_basis(py::module_& module) {
   py::module_ basis = module.def_submodule("basis", "Knot vectors, basis functions, samples.");
-  py::class_<KnotVector> knot_vector(basis, "KnotVector", py::module_local(),
+  Class<KnotVector> knot_vector(basis, "KnotVector", py::module_local(),
                          "A degree and its non-decreasing knots.\n\n"
                          "Plain: n + degree + 1 knots for n control points. Periodic: n + 1 knots, one period.\n"
                          "Degree 0 is allowed here, though no curve has it. Raises InvalidShape if a knot\n"
@@ -218,7 +219,7 @@ void bind_basis(py::module_& module) {
       });
 
   bind_matrices(basis);
-  py::class_<BoundSamples> bound_samples(basis, "Samples", py::module_local(),
+  Class<BoundSamples> bound_samples(basis, "Samples", py::module_local(),
                            "Where a batch of parameters falls, and with which weights.\n\n"
                            "Computed once, applied to any rows of numbers: points, weights, colours.");
   seal(bound_samples);

@@ -1,5 +1,6 @@
 #include "approximation.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/conic/arcs.hpp"
@@ -128,7 +129,7 @@ py::tuple state_of(const ImplicitConic& conic) {
 }
 
 void bind_implicit_conic(py::module_& conics) {
-  py::class_<ImplicitConic> cls(
+  Class<ImplicitConic> cls(
       conics, "ImplicitConic", py::module_local(),
       "ImplicitConic(coefficients, origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis=(0, 1, 0))\n\n"
       "a x² + b xy + c y² + d x + e y + f = 0, coefficients (6,) = a … f, in the coordinates of a plane with\n"

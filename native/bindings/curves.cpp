@@ -2,6 +2,7 @@
 
 #include "approximation.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rational.hpp"
@@ -29,7 +30,7 @@ namespace {
 
 /// Control points with weights, as Bezier and NURBS curves have them.
 template <class Curve>
-void bind_points(py::class_<Curve>& cls) {
+void bind_points(Class<Curve>& cls) {
   const auto count = [](const Curve& curve) { return Shape{static_cast<py::ssize_t>(curve.points().size())}; };
   cls.def_property_readonly("points", [count](const py::object& self) {
     const auto& curve = py::cast<const Curve&>(self);
@@ -63,7 +64,7 @@ void bind_points(py::class_<Curve>& cls) {
 
 /// Curves of several spans.
 template <class Curve>
-void bind_to_power(py::class_<Curve>& cls) {
+void bind_to_power(Class<Curve>& cls) {
   cls.def("to_power", [](const Curve& self) { return unlocked([&] { return splinecore::to_power(form(self)); }); },
           "One PowerCurve for each span, in order, in powers of the parameter from the start of its span (row S2).");
 }
@@ -90,7 +91,7 @@ std::string text_of(const NurbsCurve& curve) {
 }
 
 void bind_nurbs(py::module_& module) {
-  py::class_<NurbsCurve> cls(
+  Class<NurbsCurve> cls(
       module, "NurbsCurve", py::module_local(),
       "NurbsCurve(degree, knots, points, weights=None, periodic=False)\n\n"
       "n control points (n, 2 or 3) with weights (n,) on n + degree + 1 knots; periodic on n + 1, one period.\n"
@@ -187,7 +188,7 @@ AnyApproximation reduced(const BezierCurve& curve, const py::object& times, cons
       [&] { return most ? splinecore::reduced(curve, steps, *most) : splinecore::reduced(curve, steps); }));
 }
 
-void bind_degrees(py::class_<BezierCurve>& cls) {
+void bind_degrees(Class<BezierCurve>& cls) {
   cls.def("elevate", [](const BezierCurve& self, const py::object& times) {
             const int count = integer(times, "times");
             return unlocked([&] { return splinecore::elevated(self, count); });
@@ -206,7 +207,7 @@ void bind_degrees(py::class_<BezierCurve>& cls) {
 }
 
 void bind_bezier(py::module_& module) {
-  py::class_<BezierCurve> cls(
+  Class<BezierCurve> cls(
       module, "BezierCurve", py::module_local(),
       "BezierCurve(points, weights=None)\n\n"
       "degree + 1 control points (n, 2 or 3) with weights (n,), over [0, 1]. Lecture rows S6, S9, S11.");
@@ -243,7 +244,7 @@ void bind_bezier(py::module_& module) {
 }
 
 void bind_hermite(py::module_& module) {
-  py::class_<HermiteCurve> cls(
+  Class<HermiteCurve> cls(
       module, "HermiteCurve", py::module_local(),
       "HermiteCurve(points, tangents, parameters=None)\n\n"
       "A chain of cubics through points (n, 2 or 3) with derivatives (n, 3), or (n, 2, 3): incoming and\n"

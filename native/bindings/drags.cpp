@@ -1,5 +1,5 @@
 #include "arrays.hpp"
-#include "class_of.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/build/drag.hpp"
@@ -74,7 +74,7 @@ const char* const kHermitePatch =
     "measured at a third of the span, twists at a ninth.";
 
 template <class Curve>
-void bind_curve(py::class_<Curve> cls, const char* text) {
+void bind_curve(Class<Curve> cls, const char* text) {
   cls.def("dragged", [](const Curve& self, const py::object& u, const py::object& by, const py::object& tangent_by,
                         const py::object& second_by, const py::object& factors, const py::object& locality) {
             const double at = real(u, "u");
@@ -89,7 +89,7 @@ void bind_curve(py::class_<Curve> cls, const char* text) {
 }
 
 template <class Patch>
-void bind_patch(py::class_<Patch> cls, const char* text) {
+void bind_patch(Class<Patch> cls, const char* text) {
   cls.def("dragged", [](const Patch& self, const py::object& u, const py::object& v, const py::object& by,
                         const py::object& tangent_u_by, const py::object& tangent_v_by, const py::object& factors,
                         const py::object& locality) {
@@ -104,7 +104,7 @@ void bind_patch(py::class_<Patch> cls, const char* text) {
           py::arg("locality") = 0.0, text);
 }
 
-void bind_set(py::class_<PatchSet> cls) {
+void bind_set(Class<PatchSet> cls) {
   cls.def("dragged", [](const PatchSet& self, const py::object& patch, const py::object& u, const py::object& v,
                         const py::object& by, const py::object& tangent_u_by, const py::object& tangent_v_by,
                         const py::object& factors, const py::object& locality) {

@@ -2,11 +2,10 @@
 
 #include <initializer_list>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "arrays.hpp"
-#include "class_of.hpp"
+#include "classes.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/bezier_curve.hpp"
 #include "splinecore/curve/hermite_curve.hpp"
@@ -85,7 +84,7 @@ class Classes {
   const Classes& def(const char* name, Function function, const Extra&... extra) const {
     namespace py = pybind11;
     for (const py::object& cls : classes_) {
-      cls.attr(name) = py::cpp_function(+function, py::name(name), py::is_method(cls), plain(extra)...);
+      cls.attr(name) = py::cpp_function(plain_function(function), py::name(name), py::is_method(cls), plain(extra)...);
     }
     return *this;
   }
@@ -95,7 +94,7 @@ class Classes {
     namespace py = pybind11;
     const py::handle property(reinterpret_cast<PyObject*>(&PyProperty_Type));
     for (const py::object& cls : classes_) {
-      cls.attr(name) = property(py::cpp_function(+getter, py::is_method(cls)), py::none(), py::none(), text);
+      cls.attr(name) = property(py::cpp_function(plain_function(getter), py::is_method(cls)), py::none(), py::none(), text);
     }
     return *this;
   }
@@ -106,15 +105,6 @@ class Classes {
   }
 
  private:
-  // Texts of all lengths are of one type, so that functions of one type share what calls them.
-  static const char* plain(const char* text) { return text; }
-  template <class Extra>
-  static const Extra& plain(const Extra& extra)
-    requires(!std::is_array_v<Extra>)
-  {
-    return extra;
-  }
-
   std::vector<pybind11::object> classes_;
 };
 

@@ -1,4 +1,5 @@
 
+#include "classes.hpp"
 #include "formulas.hpp"
 #include "long_calls.hpp"
 #include "output.hpp"
@@ -210,7 +211,7 @@ std::vector<Formula> formulas_of(const py::object& value, const std::vector<std:
 
 void bind_formula(py::module_& module) {
   bind_error(module);
-  py::class_<Formula> cls(
+  Class<Formula> cls(
       module, "Formula", py::module_local(),
       "Formula(text, variables=('t',), constants=None)\n\n"
       "An expression of real variables, read from text; nothing in it is ever run. Numbers, + - * / ^,\n"

@@ -2,6 +2,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
@@ -134,7 +135,7 @@ void bind_curve(const CurveClasses& cls) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<Intersections> cls(module, "Intersections", py::module_local(),
+  Class<Intersections> cls(module, "Intersections", py::module_local(),
                                 "The n places where two curves meet, and the m stretches that they have in common.\n\n"
                                 "parameters is (n, 2): of the first and the second curve; points (n, 3), in the middle\n"
                                 "between both; distances (n,), of the curves there; touches (n,), whether their tangents\n"
@@ -154,7 +155,7 @@ void bind_result(py::module_& module) {
 }
 
 void bind_patch_result(py::module_& module) {
-  py::class_<PatchIntersections> cls(module, "PatchIntersections", py::module_local(),
+  Class<PatchIntersections> cls(module, "PatchIntersections", py::module_local(),
                                      "The n places where a curve meets a patch, and the m stretches that lie on it.\n\n"
                                      "parameters is (n, 3): t of the curve, u and v of the patch; points (n, 3), in the\n"
                                      "middle between both; distances (n,), of both there; touches (n,), whether the curve\n"

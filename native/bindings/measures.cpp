@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
@@ -213,7 +214,7 @@ void bind_patch(const PatchClasses& cls) {
           }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(), kAreaText);
 }
 
-void bind_set(py::class_<PatchSet> cls) {
+void bind_set(Class<PatchSet> cls) {
   cls.def("area", [](const PatchSet& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::area(self, most).value; }, cancel);
@@ -239,7 +240,7 @@ py::array_t<double> second_moments(const PatchSet& set, const py::object& about,
   return out;
 }
 
-void bind_moments(py::class_<PatchSet> cls) {
+void bind_moments(Class<PatchSet> cls) {
   cls.def("centroid", [](const PatchSet& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             const glm::dvec3 found = unlocked([&] { return splinecore::centroid(self, most).value; }, cancel);
@@ -264,7 +265,7 @@ void bind_moments(py::class_<PatchSet> cls) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<Curvatures> cls(
+  Class<Curvatures> cls(
       module, "Curvatures", py::module_local(),
       "How patches bend at places (...,): positive towards the normal along S_u x S_v.\n\n"
       "gauss and mean are (...,); principal is (..., 2), the larger one first; directions is (..., 2, 3), unit\n"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
@@ -104,7 +105,7 @@ void bind_patch(const PatchClasses& cls) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<Nearest> cls(module, "Nearest", py::module_local(),
+  Class<Nearest> cls(module, "Nearest", py::module_local(),
                           "The nearest points of a shape to points (..., 3).\n\n"
                           "parameters is (...,) on a curve and (..., 2), u and v, on a patch; points is (..., 3),\n"
                           "distances (...,).");

@@ -3,6 +3,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/measure/seam.hpp"
@@ -108,7 +109,7 @@ SeamContinuity seam_continuity(const AnyPatch& a, const py::object& first_side, 
 }
 
 void bind_seam(py::module_& module) {
-  py::class_<SeamContinuity> cls(
+  Class<SeamContinuity> cls(
       module, "SeamContinuity", py::module_local(),
       "How smoothly one patch goes on as another across a side of each (lecture rows S16, S21).\n\n"
       "gap is a length, angle in [0, pi] lies between the tangent planes (0 where the second goes on, pi where it\n"
@@ -169,7 +170,7 @@ void bind_seam_function(py::module_& module) {
 
 template <class Patch>
 void bind_continuity_to(const py::module_& module, const char* name) {
-  auto cls = py::reinterpret_borrow<py::class_<Patch>>(module.attr(name));
+  auto cls = py::reinterpret_borrow<Class<Patch>>(module.attr(name));
   cls.def("continuity_to", [](const Patch& self, const py::object& side, const py::object& other,
                               const py::object& other_side, const py::object& tolerance,
                               const py::object& reversed) {
@@ -182,7 +183,7 @@ void bind_continuity_to(const py::module_& module, const char* name) {
 }
 
 void bind_join(py::module_& module) {
-  py::class_<JoinedPatches> cls(
+  Class<JoinedPatches> cls(
       module, "JoinedPatches", py::module_local(),
       "Two patches that meet in a side of each: points and weights along it are equal.\n\n"
       "first and second are BezierPatches if both were, otherwise NurbsPatches. first_error and second_error are how\n"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "patch_evaluation.hpp"
 #include "rooms.hpp"
@@ -179,7 +180,7 @@ py::list seams(const PatchSet& set) {
 }  // namespace
 
 void bind_patch_set(py::module_& module) {
-  py::class_<PatchSet> cls(
+  Class<PatchSet> cls(
       module, "PatchSet", py::module_local(),
       "PatchSet(points, patches, weights=None)\n\n"
       "Many patches on one pool of points (n, 2 or 3) with weights (n,), so that neighbours share them.\n"

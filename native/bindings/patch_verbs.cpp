@@ -3,6 +3,7 @@
 #include "approximation.hpp"
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/distance.hpp"
@@ -36,7 +37,7 @@ const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
 const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
 
 template <class Patch>
-void bind_curves_of(py::class_<Patch>& cls) {
+void bind_curves_of(Class<Patch>& cls) {
   cls.def("isocurve", [](const Patch& self, const py::object& axis, const py::object& at) {
             const Axis direction = axis_of(axis);
             const auto& patch = carrier(self);
@@ -56,7 +57,7 @@ void bind_curves_of(py::class_<Patch>& cls) {
 }
 
 template <class Patch>
-void bind_degrees(py::class_<Patch>& cls, const char* elevate, const char* reduce) {
+void bind_degrees(Class<Patch>& cls, const char* elevate, const char* reduce) {
   cls.def("elevate", [](const Patch& self, const py::object& axis, const py::object& times) {
             const Axis direction = axis_of(axis);
             const int count = integer(times, "times");
@@ -72,7 +73,7 @@ void bind_degrees(py::class_<Patch>& cls, const char* elevate, const char* reduc
 }
 
 template <class Patch>
-void bind_transformed(py::class_<Patch>& cls) {
+void bind_transformed(Class<Patch>& cls) {
   cls.def("transformed", [](const Patch& self, const py::object& matrix) {
             return splinecore::transformed(self, matrix_of(matrix));
           }, py::arg("matrix"),
@@ -80,7 +81,7 @@ void bind_transformed(py::class_<Patch>& cls) {
           "Under a projective one the weights change; a point that goes to infinity gets weight 0. Rows S9, S20.");
 }
 
-void bind_removal(py::class_<NurbsPatch>& cls) {
+void bind_removal(Class<NurbsPatch>& cls) {
   cls.def("remove_knot", [](const NurbsPatch& self, const py::object& axis, const py::object& u,
                             const py::object& times, const py::object& tolerance) {
             const Axis direction = axis_of(axis);
@@ -103,7 +104,7 @@ void bind_removal(py::class_<NurbsPatch>& cls) {
           "Least error first, as of a curve. cancel is a callable that ends a long call by returning True. Row S20.");
 }
 
-void bind_ends(py::class_<NurbsPatch>& cls) {
+void bind_ends(Class<NurbsPatch>& cls) {
   cls.def("with_domain", [](const NurbsPatch& self, const py::object& axis, const py::object& domain) {
             return splinecore::with_domain(self, axis_of(axis), interval_of(domain, "domain"));
           }, py::arg("axis"), py::arg("domain"),
@@ -135,7 +136,7 @@ void bind_ends(py::class_<NurbsPatch>& cls) {
 
 }  // namespace
 
-void bind_patch_verbs(py::class_<NurbsPatch>& cls) {
+void bind_patch_verbs(Class<NurbsPatch>& cls) {
   bind_curves_of(cls);
   bind_degrees(cls,
                "The same patch of a degree higher by times along an axis, 'u' or 'v'; every distinct knot has as many\n"
@@ -164,7 +165,7 @@ void bind_patch_verbs(py::class_<NurbsPatch>& cls) {
           "InvalidShape if the domains differ.");
 }
 
-void bind_patch_verbs(py::class_<BezierPatch>& cls) {
+void bind_patch_verbs(Class<BezierPatch>& cls) {
   bind_curves_of(cls);
   bind_degrees(cls,
                "The same patch of a degree higher by times along an axis, 'u' or 'v'. The NURBS Book, eq. 5.36;\n"
@@ -175,6 +176,6 @@ void bind_patch_verbs(py::class_<BezierPatch>& cls) {
   bind_transformed(cls);
 }
 
-void bind_patch_verbs(py::class_<HermitePatch>& cls) { bind_curves_of(cls); }
+void bind_patch_verbs(Class<HermitePatch>& cls) { bind_curves_of(cls); }
 
 }  // namespace bindings

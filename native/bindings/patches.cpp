@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "patch_verbs.hpp"
 #include "rooms.hpp"
@@ -23,13 +24,12 @@ namespace {
 
 const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
 const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
-const NurbsPatch& form(const HermitePatch& patch) { return patch.nurbs(); }
 
 Shape net_shape(const NurbsPatch& patch) { return {patch.count(Axis::u), patch.count(Axis::v)}; }
 
 /// Parts and other parametrisations of any kind of patch, which are of that kind.
 template <class Patch>
-void bind_parts(py::class_<Patch>& cls) {
+void bind_parts(Class<Patch>& cls) {
   cls.def("split", [](const Patch& self, const py::object& axis, const py::object& u) -> py::tuple {
             const Axis direction = axis_of(axis);
             const double at = real(u, "u");
@@ -48,7 +48,7 @@ void bind_parts(py::class_<Patch>& cls) {
 }
 
 template <class Patch>
-void bind_points(py::class_<Patch>& cls) {
+void bind_points(Class<Patch>& cls) {
   cls.def_property_readonly("points", [](const py::object& self) {
     const auto& patch = form(py::cast<const Patch&>(self));
     return view_of_points(patch.points(), net_shape(patch), self);
@@ -107,7 +107,7 @@ void require_counts(const Doubles& net, const KnotVector& u, const KnotVector& v
 }
 
 void bind_nurbs(py::module_& module) {
-  py::class_<NurbsPatch> cls(
+  Class<NurbsPatch> cls(
       module, "NurbsPatch", py::module_local(),
       "NurbsPatch(degree, knots, points, weights=None, periodic=(False, False))\n\n"
       "A net (nu, nv, 2 or 3) with weights (nu, nv) on two knot vectors; degree, knots and periodic are pairs\n"
@@ -178,7 +178,7 @@ void bind_nurbs(py::module_& module) {
 }
 
 void bind_bezier(py::module_& module) {
-  py::class_<BezierPatch> cls(
+  Class<BezierPatch> cls(
       module, "BezierPatch", py::module_local(),
       "BezierPatch(points, weights=None)\n\n"
       "A net (degree_u + 1, degree_v + 1, 2 or 3) with weights, over [0, 1] x [0, 1]. Lecture row S19.");
@@ -215,7 +215,7 @@ std::vector<glm::dvec3> vectors_of_net(const py::object& value, const char* name
 }
 
 void bind_hermite(py::module_& module) {
-  py::class_<HermitePatch> cls(
+  Class<HermitePatch> cls(
       module, "HermitePatch", py::module_local(),
       "HermitePatch(points, tangents_u, tangents_v, twists=None, parameters=None)\n\n"
       "A grid of bicubic patches through points (nu, nv, 2 or 3) with derivatives of the same shape; without\n"

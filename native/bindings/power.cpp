@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "rooms.hpp"
 #include "splinecore/curve/power_curve.hpp"
 #include "values.hpp"
@@ -21,7 +22,7 @@ std::vector<glm::dvec4> polynomial_rows(const py::object& coefficients) {
   return rows;
 }
 
-void bind_making(py::class_<PowerCurve>& cls) {
+void bind_making(Class<PowerCurve>& cls) {
   cls.def(py::init([](const py::object& coefficients, const py::object& origin, const py::object& domain) {
             return PowerCurve::make(polynomial_rows(coefficients), real(origin, "origin"), interval_of(domain, "domain"));
           }),
@@ -35,7 +36,7 @@ void bind_making(py::class_<PowerCurve>& cls) {
                  "A rational curve from coefficients (n, 4) of wx, wy, wz and of the denominator w.");
 }
 
-void bind_parts(py::class_<PowerCurve>& cls) {
+void bind_parts(Class<PowerCurve>& cls) {
   const auto count = [](const PowerCurve& self) { return Shape{static_cast<py::ssize_t>(self.coefficients().size())}; };
   cls.def_property_readonly("coefficients", [count](const py::object& self) {
     const auto& curve = py::cast<const PowerCurve&>(self);
@@ -52,7 +53,7 @@ void bind_parts(py::class_<PowerCurve>& cls) {
   cls.def_property_readonly("origin", &PowerCurve::origin);
 }
 
-void bind_verbs(py::class_<PowerCurve>& cls) {
+void bind_verbs(Class<PowerCurve>& cls) {
   cls.def("with_origin", [](const PowerCurve& self, const py::object& origin) {
             return splinecore::with_origin(self, real(origin, "origin"));
           }, py::arg("origin"),
@@ -84,7 +85,7 @@ void bind_verbs(py::class_<PowerCurve>& cls) {
 }  // namespace
 
 void bind_power(py::module_& module) {
-  py::class_<PowerCurve> cls(
+  Class<PowerCurve> cls(
       module, "PowerCurve", py::module_local(),
       "PowerCurve(coefficients, origin=0.0, domain=(0.0, 1.0))\n\n"
       "A polynomial by its coefficients (degree + 1, 2 or 3), lowest power first: Q(t) = sum c_k (t - origin)^k.\n"

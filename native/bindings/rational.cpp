@@ -1,6 +1,7 @@
 #include "rational.hpp"
 
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "splinecore/curve/casteljau.hpp"
 #include "splinecore/curve/finite_arcs.hpp"
@@ -38,7 +39,7 @@ const NurbsCurve& form(const NurbsCurve& curve) { return curve; }
 const NurbsCurve& form(const BezierCurve& curve) { return curve.nurbs(); }
 
 template <class Curve>
-void bind_common(py::class_<Curve>& cls) {
+void bind_common(Class<Curve>& cls) {
   cls.def("finite_arcs", [](const Curve& self, const py::object& length) {
             const double most = real(length, "length");
             return unlocked([&] { return splinecore::finite_arcs(form(self), most); });
@@ -60,9 +61,9 @@ void bind_common(py::class_<Curve>& cls) {
 
 }  // namespace
 
-void bind_rational_verbs(py::class_<NurbsCurve>& cls) { bind_common(cls); }
+void bind_rational_verbs(Class<NurbsCurve>& cls) { bind_common(cls); }
 
-void bind_rational_verbs(py::class_<BezierCurve>& cls) {
+void bind_rational_verbs(Class<BezierCurve>& cls) {
   bind_common(cls);
   cls.def("casteljau_triangle", [](const BezierCurve& self, const py::object& u) {
             return arrays_of(splinecore::casteljau_triangle(self, real(u, "u")));

@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
@@ -88,7 +89,7 @@ void bind_patch(const PatchClasses& cls) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<Sections> cls(module, "Sections", py::module_local(),
+  Class<Sections> cls(module, "Sections", py::module_local(),
                            "The n curves that two shapes have in common, and the m points where they touch beside them.\n\n"
                            "curves is a tuple of n NurbsCurve; on_a and on_b are their images on the first and the second\n"
                            "shape, points (u, v, 0) by the same parameter, over the seam of a closed patch beyond its domain;\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "nearest.hpp"
@@ -96,7 +97,7 @@ void bind_patch(const PatchClasses& cls) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<StationaryPoints> cls(module, "StationaryPoints", py::module_local(),
+  Class<StationaryPoints> cls(module, "StationaryPoints", py::module_local(),
                                    "The n places of a shape where the distance from a point is stationary.\n\n"
                                    "parameters is (n,) on a curve and (n, 2), u and v, on a patch; points is (n, 3),\n"
                                    "distances (n,). kinds holds for each 'minimum', 'maximum' or 'saddle', which is\n"

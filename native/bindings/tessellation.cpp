@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "output.hpp"
 #include "rooms.hpp"
@@ -69,7 +70,7 @@ bool fits(const Tessellation& self, const py::object& patch_set, const py::objec
 }  // namespace
 
 void bind_tessellation(py::module_& module) {
-  py::class_<Tessellation> cls(
+  Class<Tessellation> cls(
       module, "Tessellation", py::module_local(),
       "Tessellation(patch_set, resolution)\n\n"
       "The mesh of a patch set, resolution (an int or a pair) faces in every span, everything but\n"

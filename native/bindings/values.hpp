@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "classes.hpp"
 #include "hashes.hpp"
 #include "long_calls.hpp"
 #include "splinecore/base/errors.hpp"
@@ -42,7 +43,7 @@ py::tuple state_of_size(const py::object& state, std::size_t size);
 
 /// Comparison, hash, pickle and text of an immutable value.
 template <class Shape>
-void bind_value(py::class_<Shape>& cls) {
+void bind_value(Class<Shape>& cls) {
   using splinecore::Value;
   seal(cls);
   const auto text_of = [](const Shape& self) { return unlocked([&] { return splinecore::to_json(Value(self)); }); };

@@ -3,6 +3,7 @@
 #include "approximation.hpp"
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/curve/degree.hpp"
@@ -32,7 +33,7 @@ Smoothness smoothness_of(const py::object& value) {
   throw InvalidShape("continuity = " + std::string(py::repr(value)) + " is not 'C0', 'G1', 'C1' or 'C2'");
 }
 
-void bind_knot_verbs(py::class_<NurbsCurve>& cls) {
+void bind_knot_verbs(Class<NurbsCurve>& cls) {
   cls.def("remove_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times,
                             const py::object& tolerance) {
             const double at = real(u, "u");
@@ -67,7 +68,7 @@ void bind_knot_verbs(py::class_<NurbsCurve>& cls) {
           "error is as of remove_knot(). ToleranceNotReached with a tolerance that it exceeds. Row S15.");
 }
 
-void bind_end_verbs(py::class_<NurbsCurve>& cls) {
+void bind_end_verbs(Class<NurbsCurve>& cls) {
   cls.def("with_domain", [](const NurbsCurve& self, const py::object& domain) {
             return splinecore::with_domain(self, interval_of(domain, "domain"));
           }, py::arg("domain"),
@@ -96,7 +97,7 @@ void bind_end_verbs(py::class_<NurbsCurve>& cls) {
           "Row S7.");
 }
 
-void bind_measures(py::class_<NurbsCurve>& cls) {
+void bind_measures(Class<NurbsCurve>& cls) {
   cls.def("transformed", [](const NurbsCurve& self, const py::object& matrix) {
             return splinecore::transformed(self, matrix_of(matrix));
           }, py::arg("matrix"),
@@ -134,14 +135,14 @@ void bind_measures(py::class_<NurbsCurve>& cls) {
 
 }  // namespace
 
-void bind_verbs(py::class_<NurbsCurve>& cls) {
+void bind_verbs(Class<NurbsCurve>& cls) {
   bind_knot_verbs(cls);
   bind_end_verbs(cls);
   bind_measures(cls);
 }
 
 void bind_continuity(py::module_& module) {
-  py::class_<Continuity> cls(
+  Class<Continuity> cls(
       module, "Continuity", py::module_local(),
       "How smoothly a curve goes on where two of its pieces, or two curves, meet (lecture row S16).\n\n"
       "gap is a length, angle lies in [0, pi], curvature_difference is the length of the difference of the two\n"

@@ -2,11 +2,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include "classes.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
 namespace bindings {
 
 /// What changes the knots, degree, ends or place of a NURBS curve, and measures it.
-void bind_verbs(pybind11::class_<splinecore::NurbsCurve>& cls);
+void bind_verbs(Class<splinecore::NurbsCurve>& cls);
 
 }  // namespace bindings

@@ -271,7 +271,7 @@ template <int kAxes>
 double NearestSearch<kAxes>::go_down(const PiecePart& part, const glm::dvec4* net, const Range& range, Place& at) {
   // After a step as short the next one would be rounding.
   constexpr double kLastStep = 0x1p-27;
-  constexpr double kRounding = 0x1p-50;
+  constexpr double kNoGain = 0x1p-50;
   constexpr double kUnseen = 0x1p-44;
   constexpr int kMostSteps = 60;
   Slopes<kAxes> here = slopes(net, at);
@@ -316,7 +316,7 @@ double NearestSearch<kAxes>::go_down(const PiecePart& part, const glm::dvec4* ne
     }
     if (is_lower) continue;
     offer(part, range, at, here.offset);
-    return gain <= kRounding * squared ? squared : -1.0;
+    return gain <= kNoGain * squared ? squared : -1.0;
   }
   offer(part, range, at, here.offset);
   return -1.0;
