@@ -53,6 +53,7 @@ FUNCTIONS = {
         [f"a*t^{at.degree}", "a*sin(3*t)"], (0, 1), tolerance=1e-3 * at.size, constants={"a": at.size}),
     "build.patch_from_formulas": lambda at: build.patch_from_formulas(
         [f"a*u^{at.degree}", "a*v", "a*sin(u+v)"], (0, 1), (0, 1), tolerance=1e-2 * at.size, constants={"a": at.size}),
+    "build.loft": lambda at: [build.loft([at.bezier, xyz(at, 0, 0, 3)], style=style).value for style in ('normal', 'straight')],
     "build.plane": lambda at: build.plane(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1)),
     "build.cylinder": lambda at: build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size),
     "build.cone": lambda at: build.cone(xyz(at, 1), (0, 0, 1), at.size, at.size),

@@ -22,6 +22,7 @@ join_curves = _build.join_curves
 join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
+loft = _build.loft
 osculating_polynomial = _build.osculating_polynomial
 patch_from_formulas = _build.patch_from_formulas
 plane = _build.plane
@@ -54,6 +55,7 @@ __all__ = [
     "join_patches",
     "kochanek_bartels",
     "lagrange_evaluate",
+    "loft",
     "osculating_polynomial",
     "patch_from_formulas",
     "plane",

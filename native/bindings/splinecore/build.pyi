@@ -40,6 +40,7 @@ __all__ = [
     "join_patches",
     "kochanek_bartels",
     "lagrange_evaluate",
+    "loft",
     "osculating_polynomial",
     "patch_from_formulas",
     "plane",
@@ -57,6 +58,7 @@ _Ends = Literal["parabola", "chord", "natural"]
 _Curve = NurbsCurve | BezierCurve | HermiteCurve | PowerCurve
 _Patch = NurbsPatch | BezierPatch | HermitePatch
 _Border = Literal["u_start", "u_end", "v_start", "v_end"]
+_Neighbour = tuple[_Patch, _Border, Literal["G1", "G2"]] | tuple[_Patch, _Border, Literal["G1", "G2"], float]
 _PatchSmoothness = Literal["C0", "G1", "C1", "G2", "C2"]
 
 def polynomial_through(points: ArrayLike, parameters: ArrayLike | None = None) -> NurbsCurve: ...
@@ -212,6 +214,26 @@ def fillets(
     a: _Curve, b: _Curve, radius: float, normal: ArrayLike = (0, 0, 1), *, cancel: Callable[[], object] | None = None
 ) -> list[tuple[NurbsCurve, float, float, bool, bool]]: ...
 def ruled(a: _Curve, b: _Curve) -> NurbsPatch: ...
+def loft(
+    sections: Sequence[_Curve | ArrayLike],
+    *,
+    style: Literal["normal", "tight", "uniform", "loose", "straight"] = "normal",
+    closed: bool = False,
+    degree: int = 3,
+    align: bool = True,
+    weights: Literal["scaled", "kept"] = "scaled",
+    tolerance: float | None = None,
+    knot_distance: float = 0.0,
+    parameters: ArrayLike | None = None,
+    knots: ArrayLike | None = None,
+    start_tangent: ArrayLike | None = None,
+    end_tangent: ArrayLike | None = None,
+    start_flat: ArrayLike | None = None,
+    end_flat: ArrayLike | None = None,
+    start_neighbour: _Neighbour | None = None,
+    end_neighbour: _Neighbour | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...
 def join_patches(
     first: _Patch,
     first_side: _Border,

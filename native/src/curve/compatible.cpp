@@ -1,9 +1,11 @@
 #include "splinecore/curve/compatible.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "splinecore/base/errors.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/ends.hpp"
 
@@ -11,51 +13,118 @@ namespace splinecore {
 
 namespace {
 
-/// The curve with its knots moved onto those of the other that are the same but for rounding.
-NurbsCurve with_common_knots(const NurbsCurve& curve, const KnotVector& others) {
-  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-  const Interval domain = others.domain();
-  const double slack = kRounding * std::max(std::abs(domain.start), std::abs(domain.end));
-  std::vector<double> knots(curve.knot_vector().knots().begin(), curve.knot_vector().knots().end());
-  const auto wanted = others.knots();
-  for (double& knot : knots) {
-    const double given = knot;
-    for (auto other = std::ranges::lower_bound(wanted, given - slack); other != wanted.end(); ++other) {
-      if (*other > given + slack) break;
-      knot = *other;
-    }
+/// A knot of several curves, as often as the one that has it most often.
+struct CommonKnot {
+  double at;
+  int times;
+};
+
+/// Each knot once: where it is, and how often.
+std::vector<CommonKnot> distinct(std::span<const double> knots) {
+  std::vector<CommonKnot> found;
+  for (const double knot : knots) {
+    if (found.empty() || found.back().at != knot) found.push_back({knot, 0});
+    ++found.back().times;
   }
+  return found;
+}
+
+/// The nearest of common knots within a distance, or none.
+const CommonKnot* nearest(const std::vector<CommonKnot>& common, double at, double slack) {
+  const auto next = std::ranges::lower_bound(common, at, {}, &CommonKnot::at);
+  const CommonKnot* best = nullptr;
+  for (auto one = next == common.begin() ? next : next - 1; one != common.end() && one <= next; ++one) {
+    const bool is_nearer = std::abs(one->at - at) <= slack && (!best || std::abs(one->at - at) < std::abs(best->at - at));
+    if (is_nearer) best = &*one;
+  }
+  return best;
+}
+
+/// The knots moved onto common ones; those that would become a gap, or be one with the end of the domain, stay.
+std::vector<double> moved(const KnotVector& knots, const std::vector<CommonKnot>& common, double slack) {
+  std::vector<double> places;
+  const Interval domain = knots.domain();
+  for (const CommonKnot& own : distinct(knots.knots())) {
+    const CommonKnot* const other = nearest(common, own.at, slack);
+    double at = other ? other->at : own.at;
+    const auto before = std::ranges::count(places, at);
+    const bool is_end = at == domain.start || at == domain.end;
+    if (before > 0 && (is_end || before + own.times > knots.degree())) at = own.at;
+    places.insert(places.end(), own.times, at);
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
+NurbsCurve on_common_places(const NurbsCurve& curve, const std::vector<CommonKnot>& common, double slack) {
+  std::vector<double> knots = moved(curve.knot_vector(), common, slack);
+  if (std::ranges::equal(knots, curve.knot_vector().knots())) return curve;
   return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), curve.periodic()),
                           {curve.points().begin(), curve.points().end()});
 }
 
-/// The curve with the knots that only the other has. Of a period the end is the start, which is counted there.
-NurbsCurve with_knots_of(const NurbsCurve& curve, const KnotVector& others) {
+void add(std::vector<CommonKnot>& common, const KnotVector& knots) {
+  for (const CommonKnot& own : distinct(knots.knots())) {
+    const auto place = std::ranges::lower_bound(common, own.at, {}, &CommonKnot::at);
+    if (place == common.end() || place->at != own.at) {
+      common.insert(place, own);
+    } else {
+      place->times = std::max(place->times, own.times);
+    }
+  }
+}
+
+/// The curve with the knots that only others have. Of a period the end is the start, which is counted there.
+NurbsCurve with_all(const NurbsCurve& curve, const std::vector<CommonKnot>& common) {
+  std::vector<double> all;
+  for (const CommonKnot& knot : common) all.insert(all.end(), knot.times, knot.at);
   const std::size_t left_out = curve.periodic() ? 1 : 0;
   const auto own = curve.knot_vector().knots();
-  const auto wanted = others.knots();
   std::vector<double> missing;
-  std::ranges::set_difference(wanted.first(wanted.size() - left_out), own.first(own.size() - left_out),
+  std::ranges::set_difference(std::span(all).first(all.size() - left_out), own.first(own.size() - left_out),
                               std::back_inserter(missing));
   if (missing.empty()) return curve;
   const NurbsCurve refined = refine(curve, missing);
   return curve.periodic() ? with_whole_seam(refined) : refined;
 }
 
+bool have_one_knot_vector(std::span<const NurbsCurve> curves) {
+  return std::ranges::all_of(curves, [&](const NurbsCurve& curve) { return curve.knot_vector() == curves[0].knot_vector(); });
+}
+
 }  // namespace
 
+std::vector<NurbsCurve> compatible(std::span<const NurbsCurve> curves, double knot_distance) {
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  if (curves.empty()) throw InvalidShape("there is no curve");
+  if (!(knot_distance >= 0.0 && knot_distance < 1.0)) {
+    throw InvalidShape("knot_distance = " + text_of(knot_distance) + ": a part of the domain from 0 to below 1 is expected");
+  }
+  const int degree = std::ranges::max_element(curves, {}, &NurbsCurve::degree)->degree();
+  const Interval domain = curves[0].domain();
+  std::vector<NurbsCurve> made;
+  for (const NurbsCurve& curve : curves) {
+    made.push_back(elevated(curve, degree - curve.degree()));
+    if (!(made.back().domain() == domain)) made.back() = with_domain(made.back(), domain);
+  }
+  if (have_one_knot_vector(made)) return made;
+  const bool is_periodic = std::ranges::all_of(curves, &NurbsCurve::periodic);
+  const double slack = std::max(kRounding * std::max(std::abs(domain.start), std::abs(domain.end)),
+                                knot_distance * domain.length());
+  std::vector<CommonKnot> common;
+  for (NurbsCurve& curve : made) {
+    curve = is_periodic ? with_whole_seam(curve) : clamped(curve);
+    curve = on_common_places(curve, common, slack);
+    add(common, curve.knot_vector());
+  }
+  for (NurbsCurve& curve : made) curve = with_all(curve, common);
+  return made;
+}
+
 std::pair<NurbsCurve, NurbsCurve> compatible(const NurbsCurve& a, const NurbsCurve& b) {
-  const int degree = std::max(a.degree(), b.degree());
-  NurbsCurve first = elevated(a, degree - a.degree());
-  NurbsCurve second = elevated(b, degree - b.degree());
-  if (!(first.domain() == second.domain())) second = with_domain(second, first.domain());
-  if (first.knot_vector() == second.knot_vector()) return {first, second};
-  const bool is_periodic = a.periodic() && b.periodic();
-  first = is_periodic ? with_whole_seam(first) : clamped(first);
-  second = is_periodic ? with_whole_seam(second) : clamped(second);
-  second = with_common_knots(second, first.knot_vector());
-  first = with_knots_of(first, second.knot_vector());
-  return {first, with_knots_of(second, first.knot_vector())};
+  const std::array<NurbsCurve, 2> both{a, b};
+  const std::vector<NurbsCurve> made = compatible(both);
+  return {made[0], made[1]};
 }
 
 }  // namespace splinecore

@@ -165,16 +165,33 @@ Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<d
   return without_copies(std::move(best), seam, curve, slack);
 }
 
-NurbsCurve with_whole_seam(const NurbsCurve& curve) {
+namespace {
+
+/// A periodic curve that begins `steps` knots later.
+NurbsCurve begun_at(const NurbsCurve& curve, std::ptrdiff_t steps) {
   const auto given = curve.knot_vector().knots();
-  const std::ptrdiff_t late = std::ranges::count(given, given.back()) - 1;
-  if (!curve.periodic() || late == 0) return curve;
   const std::ptrdiff_t count = curve.knot_vector().count();
   std::vector<double> knots;
   std::vector<glm::dvec4> points;
-  for (std::ptrdiff_t i = 0; i <= count; ++i) knots.push_back(periodic_knot(given, i - late));
-  for (std::ptrdiff_t i = 0; i < count; ++i) points.push_back(curve.points()[(i - late + count) % count]);
+  for (std::ptrdiff_t i = 0; i <= count; ++i) knots.push_back(periodic_knot(given, i + steps));
+  for (std::ptrdiff_t i = 0; i < count; ++i) points.push_back(curve.points()[((i + steps) % count + count) % count]);
   return NurbsCurve::make(KnotVector::make(curve.degree(), std::move(knots), true), std::move(points));
+}
+
+}  // namespace
+
+NurbsCurve with_whole_seam(const NurbsCurve& curve) {
+  const auto given = curve.knot_vector().knots();
+  const std::ptrdiff_t late = std::ranges::count(given, given.back()) - 1;
+  return !curve.periodic() || late == 0 ? curve : begun_at(curve, -late);
+}
+
+NurbsCurve with_seam_at(const NurbsCurve& curve, double u) {
+  if (!curve.periodic()) throw InvalidShape("only a periodic curve has a seam");
+  const double start = curve.knot_vector().admit(u, Side::right);
+  const NurbsCurve cut = multiplicity(curve.knot_vector(), start) > 0 ? curve : insert_knot(curve, start);
+  const NurbsCurve whole = with_whole_seam(cut);
+  return begun_at(whole, std::ranges::lower_bound(whole.knot_vector().knots(), start) - whole.knot_vector().knots().begin());
 }
 
 }  // namespace splinecore

@@ -8,6 +8,7 @@
 #include "control_counts.hpp"
 #include "fitted_points.hpp"
 #include "quadrature_nodes.hpp"
+#include "rebuilt_on.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -24,9 +25,9 @@ std::vector<glm::dvec3> slope_at(const NurbsCurve& curve, double u, Side side) {
 
 }  // namespace
 
-Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size_t count, KeptEnds ends) {
+Approximation<NurbsCurve> rebuilt_on(const NurbsCurve& curve, const KnotVector& knots, KeptEnds ends) {
   const bool is_open = !curve.periodic();
-  const KnotVector knots = even_knots(degree, count, curve.domain(), !is_open);
+  const int degree = knots.degree();
   const auto breaks = breaks_of(curve.knot_vector(), knots);
   QuadratureNodes nodes = quadrature_nodes(breaks, node_count(curve.degree(), degree, curve.rational()), is_open);
   std::vector<glm::dvec3> points(nodes.parameters.size());
@@ -41,6 +42,10 @@ Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size
   const double error = largest_distance(curve, made);
   if (!std::isfinite(error)) throw InvalidShape("a curve that runs to infinity cannot be rebuilt");
   return {std::move(made), error};
+}
+
+Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size_t count, KeptEnds ends) {
+  return rebuilt_on(curve, even_knots(degree, count, curve.domain(), curve.periodic()), ends);
 }
 
 Approximation<NurbsCurve> rebuild_within(const NurbsCurve& curve, int degree, double tolerance, std::size_t most,

@@ -29,4 +29,7 @@ Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<d
 /// The same periodic curve whose knots begin with all copies of the first, and end with one.
 NurbsCurve with_whole_seam(const NurbsCurve& curve);
 
+/// The same periodic curve over the period that begins at a parameter, which has a knot there.
+NurbsCurve with_seam_at(const NurbsCurve& curve, double u);
+
 }  // namespace splinecore

@@ -1,0 +1,145 @@
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "approximation.hpp"
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+#include "rooms.hpp"
+#include "splinecore/surface/loft.hpp"
+
+namespace bindings {
+
+using splinecore::Closing;
+using splinecore::InvalidShape;
+using splinecore::LoftEnd;
+using splinecore::LoftNeighbour;
+using splinecore::LoftOptions;
+using splinecore::LoftSection;
+using splinecore::LoftStyle;
+using splinecore::SectionWeights;
+
+namespace {
+
+/// Curves of any kinds, and points.
+std::vector<LoftSection> sections_of(const py::object& value) {
+  const bool is_list = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+  if (!is_list) throw py::type_error("sections must be a list of curves and points, not " + type_name(value));
+  std::vector<LoftSection> sections;
+  for (const py::handle& item : value) {
+    const std::string name = "sections" + splinecore::index_text(sections.size());
+    const auto section = py::reinterpret_borrow<py::object>(item);
+    const bool is_point = py::isinstance<py::array>(section) || py::isinstance<py::list>(section) ||
+                          py::isinstance<py::tuple>(section);
+    if (is_point) {
+      sections.emplace_back(vector_of(section, name.c_str()));
+    } else {
+      sections.emplace_back(any_curve(section, name.c_str()));
+    }
+  }
+  return sections;
+}
+
+std::optional<glm::dvec3> optional_vector(const py::object& value, const char* name) {
+  if (value.is_none()) return {};
+  return vector_of(value, name);
+}
+
+int continuity_of(const py::object& word, const char* name) {
+  return chosen<int>(word, name, {{"G0", 0}, {"G1", 1}, {"G2", 2}, {"G3", 3}});
+}
+
+/// (patch, side, 'G0' to 'G3'), and the strength where it is not 1.
+std::optional<LoftNeighbour> neighbour_of(const py::object& value, const char* name) {
+  if (value.is_none()) return {};
+  const bool is_tuple = py::isinstance<py::tuple>(value) && (py::len(value) == 3 || py::len(value) == 4);
+  if (!is_tuple) throw py::type_error(std::string(name) + " must be a tuple (patch, side, 'G0' to 'G3'[, strength])");
+  const auto given = py::reinterpret_borrow<py::tuple>(value);
+  LoftNeighbour neighbour{any_patch(given[0], name), border_of(given[1], name)};
+  neighbour.continuity = continuity_of(given[2], name);
+  if (given.size() == 4) neighbour.strength = real(given[3], name);
+  return neighbour;
+}
+
+LoftStyle style_of(const py::object& word) {
+  return chosen<LoftStyle>(word, "style", {{"normal", LoftStyle::normal}, {"tight", LoftStyle::tight},
+                                           {"uniform", LoftStyle::uniform}, {"loose", LoftStyle::loose},
+                                           {"straight", LoftStyle::straight}});
+}
+
+void bind_loft(py::module_& build) {
+  build.def("loft", [](const py::object& sections, const py::object& style, const py::object& closed,
+                       const py::object& degree, const py::object& align, const py::object& weights,
+                       const py::object& tolerance, const py::object& knot_distance, const py::object& parameters,
+                       const py::object& knots, const py::object& start_tangent, const py::object& end_tangent,
+                       const py::object& start_flat, const py::object& end_flat, const py::object& start_neighbour,
+                       const py::object& end_neighbour, const py::object& cancel) {
+              const std::vector<LoftSection> through = sections_of(sections);
+              LoftOptions options;
+              options.style = style_of(style);
+              options.closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
+              options.degree = integer(degree, "degree");
+              options.is_aligned = boolean(align, "align");
+              options.weights = chosen<SectionWeights>(
+                  weights, "weights", {{"scaled", SectionWeights::scaled}, {"kept", SectionWeights::kept}});
+              options.tolerance = tolerance_of(tolerance);
+              options.knot_distance = real(knot_distance, "knot_distance");
+              options.parameters = optional_numbers(parameters, "parameters");
+              options.knots = optional_numbers(knots, "knots");
+              options.start = {optional_vector(start_tangent, "start_tangent"), optional_vector(start_flat, "start_flat"),
+                               neighbour_of(start_neighbour, "start_neighbour")};
+              options.end = {optional_vector(end_tangent, "end_tangent"), optional_vector(end_flat, "end_flat"),
+                             neighbour_of(end_neighbour, "end_neighbour")};
+              return wrap(unlocked([&] { return splinecore::loft(through, options); }, cancel));
+            }, py::arg("sections"), py::kw_only(), py::arg("style") = "normal", py::arg("closed") = false,
+            py::arg("degree") = 3, py::arg("align") = true, py::arg("weights") = "scaled", py::arg("tolerance") = py::none(),
+            py::arg("knot_distance") = 0.0, py::arg("parameters") = py::none(), py::arg("knots") = py::none(),
+            py::arg("start_tangent") = py::none(), py::arg("end_tangent") = py::none(), py::arg("start_flat") = py::none(),
+            py::arg("end_flat") = py::none(), py::arg("start_neighbour") = py::none(),
+            py::arg("end_neighbour") = py::none(), py::arg("cancel") = py::none(),
+            "The surface through sections, curves of any kinds or as first and last one points (3,), in which it closes:\n"
+            "(value, error), a NurbsPatch with u along the sections and v from one to the next, and how far sections were\n"
+            "moved. Skinning (The NURBS Book, 10.3; lecture row S20).\n\n"
+            "style: 'normal' by distances, 'tight' by their roots, 'uniform', 'loose' where sections are rows of control\n"
+            "points, 'straight' by segments. degree is that along v. align: directions and seams of sections are those of\n"
+            "the section before; closed sections make the surface periodic. weights, which each curve may have multiplied by\n"
+            "any factor: 'scaled', divided by their mean, or 'kept'. With a tolerance, a length, sections may be moved so far\n"
+            "for few knots; knots nearer than knot_distance, a part of the domain, are taken for one. parameters and knots\n"
+            "are those along v.\n\n"
+            "At each end one of: tangent (3,), of length 1 as fast as elsewhere; flat (3,), the normal of the tangent plane in\n"
+            "a point; neighbour (patch, side, 'G0' to 'G3'[, strength]), whose side becomes one more section.\n"
+            "InvalidShape if there are fewer than two sections, three where closed, an inner one is a point, or weights would\n"
+            "not stay positive between sections; ToleranceNotReached.");
+}
+
+void bind_patch_blend(py::module_& build) {
+  build.def("blend_patches", [](const py::object& a, const py::object& side_a, const py::object& b, const py::object& side_b,
+                                const py::object& continuity, const py::object& strengths, const py::object& align) {
+              const auto [on_a, on_b] = both(continuity, "continuity");
+              const auto [of_a, of_b] = both(strengths, "strengths");
+              LoftNeighbour from{any_patch(a, "a"), border_of(side_a, "side_a"), continuity_of(on_a, "continuity"), real(of_a, "strengths")};
+              LoftNeighbour to{any_patch(b, "b"), border_of(side_b, "side_b"), continuity_of(on_b, "continuity"), real(of_b, "strengths")};
+              const bool is_aligned = boolean(align, "align");
+              return unlocked([&] { return splinecore::blend(from, to, is_aligned); });
+            }, py::arg("a"), py::arg("side_a"), py::arg("b"), py::arg("side_b"), py::arg("continuity") = "G2",
+            py::arg("strengths") = 1.0, py::kw_only(), py::arg("align") = true,
+            "The NurbsPatch from a side of one patch to a side of another one that goes on from both: with their points, tangent\n"
+            "planes, curvatures and how these change for 'G0' to 'G3', one word for both or a pair. u runs along the sides, v\n"
+            "from a to b in one span. strengths say how far it follows each. align: b's side is turned to run as a's does.\n"
+            "Lecture row S21.\n\n"
+            "InvalidShape if a side is the seam of a periodic direction or lies at infinity, a patch stands still across its\n"
+            "side, both sides are one, or weights would not stay positive.");
+}
+
+}  // namespace
+
+void bind_lofts(py::module_& module) {
+  py::module_ build = module.attr("build");
+  bind_loft(build);
+  bind_patch_blend(build);
+}
+
+}  // namespace bindings

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "splinecore/base/approximation.hpp"
+#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/patch/isocurve.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+namespace splinecore {
+
+/// A curve that a surface runs through, or as the first or last one a point, in which it closes: a pole.
+using LoftSection = std::variant<NurbsCurve, glm::dvec3>;
+
+/// How a loft runs from section to section.
+enum class LoftStyle {
+  normal,    ///< smoothly, as fast as the sections are far apart: parameters by distance
+  tight,     ///< smoothly, nearer to the straight way: by the roots of distances
+  uniform,   ///< smoothly, as fast between near sections as between far ones
+  loose,     ///< the sections are its rows of control points, which it need not touch
+  straight,  ///< by segments
+};
+
+/// What is made of the weights of sections, which may be multiplied by any factor without changing their curves.
+enum class SectionWeights {
+  scaled,  ///< each section's are divided by their mean
+  kept,    ///< as they are given
+};
+
+/// A patch that a loft goes on from at its first or last section, which is a side of that patch.
+struct LoftNeighbour {
+  NurbsPatch patch;
+  Border side;
+  int continuity = 1;     ///< 1: with its tangent planes, 2: and curvatures, 3: and how these change; 0: with its side alone
+  double strength = 1.0;  ///< how far it follows the patch: its speed by that of the loft elsewhere
+};
+
+/// How a loft begins or ends. One of these at most.
+struct LoftEnd {
+  std::optional<glm::dvec3> tangent;        ///< where it goes, for all points; of length 1 as fast as elsewhere
+  std::optional<glm::dvec3> flat;           ///< in a pole: the normal of its tangent plane there
+  std::optional<LoftNeighbour> neighbour;   ///< whose side is a section before the first, or after the last one
+};
+
+struct LoftOptions {
+  LoftStyle style = LoftStyle::normal;
+  Closing closing = Closing::open;
+  int degree = 3;           ///< along v, less where the sections are too few
+  bool is_aligned = true;   ///< directions and seams of sections are those of the section before
+  SectionWeights weights = SectionWeights::scaled;
+  double knot_distance = 0.0;       ///< knots of sections that are nearer, as a part of the domain, are taken for one
+  std::optional<double> tolerance;  ///< sections may be moved so far, for as few knots as that allows
+  std::vector<double> parameters;   ///< along v, one for each section, and where closed one more; empty: by style
+  std::vector<double> knots;        ///< along v, all, one period where closed; empty: averages of parameters
+  LoftEnd start;
+  LoftEnd end;
+};
+
+/// The surface through sections: u along them, v from one to the next (skinning: The NURBS Book, 10.3; row S20).
+///
+/// Sections are made compatible(): exactly, unless a tolerance or a distance of knots allows less. Closed ones become
+/// periodic, if all are. Homogeneous control points are interpolated along v, so that rational sections are exact; where
+/// all have the same weights, these are those of the surface everywhere. Two sections alone are joined by segments, or by
+/// one span of the degree that the conditions at the ends ask for.
+/// @returns the surface, and how far sections were moved
+/// @throws InvalidShape if there are fewer than two sections, neighbours' sides among them (three where closed), a point is another one than the first
+///         or last, sections follow each other that are one, weights would not stay positive between sections, or a
+///         neighbour's side lies at infinity; ToleranceNotReached.
+Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options = {});
+
+/// The surface from a side of one patch to a side of another one that goes on from both: a loft of two neighbours, one
+/// span of degree continuity + continuity + 1 across. Row S21.
+NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_aligned = true);
+
+}  // namespace splinecore

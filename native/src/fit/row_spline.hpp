@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "splinecore/basis/knot_vector.hpp"
+#include "splinecore/build/parametrisation.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// Rows of numbers, as many in each, that a spline has at parameters, and derivatives 1, 2, … at its ends.
+struct RowConditions {
+  std::vector<double> parameters;  ///< one for each row, and where closed one more for the return
+  std::vector<std::vector<double>> rows;
+  std::vector<std::vector<double>> start;
+  std::vector<std::vector<double>> end;
+};
+
+/// Rows of numbers as control points.
+struct RowSpline {
+  KnotVector knots;
+  std::vector<double> controls;  ///< row after row
+};
+
+/// The spline through rows, as interpolate() has it of points, all columns at once.
+/// @param knots  all of them, one period where closed; empty: averaged
+/// @throws InvalidShape as interpolate()
+RowSpline spline_through(const RowConditions& given, int degree, Closing closing, const std::vector<double>& knots = {});
+
+/// Its knots alone.
+KnotVector knots_through(const RowConditions& given, int degree, Closing closing, const std::vector<double>& knots = {});
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,196 @@
+#include "loft_sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "aligned_sections.hpp"
+#include "base/quotient.hpp"
+#include "rebuild_together.hpp"
+#include "ribbon.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/curve/compatible.hpp"
+#include "splinecore/curve/distance.hpp"
+#include "splinecore/curve/ends.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A section and, behind it, rows that stay beside it: of a neighbour's ribbon.
+struct Bundle {
+  std::vector<NurbsCurve> rows;
+  double width = 0.0;  ///< of the ribbon; 0 of a section
+};
+
+bool is_pole(const LoftSection& section) { return std::holds_alternative<glm::dvec3>(section); }
+
+/// The bundle made periodic if each of its rows closes, up to rounding.
+Bundle closed_up(Bundle bundle) {
+  try {
+    std::vector<NurbsCurve> closed;
+    for (const NurbsCurve& row : bundle.rows) closed.push_back(made_periodic(row).value);
+    bundle.rows = std::move(closed);
+  } catch (const ToleranceNotReached&) {
+  } catch (const InvalidShape&) {
+  }
+  return bundle;
+}
+
+Bundle bundle_of(const LoftNeighbour& neighbour) {
+  Ribbon ribbon = ribbon_of(neighbour.patch, neighbour.side);
+  return {std::move(ribbon.rows), ribbon.width};
+}
+
+std::vector<Bundle> bundles_of(std::span<const LoftSection> sections, const LoftOptions& options) {
+  std::vector<Bundle> bundles;
+  if (options.start.neighbour) bundles.push_back(bundle_of(*options.start.neighbour));
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (!is_pole(sections[i])) {
+      bundles.push_back({{std::get<NurbsCurve>(sections[i])}});
+      continue;
+    }
+    const bool is_outer = (i == 0 && !options.start.neighbour) || (i + 1 == sections.size() && !options.end.neighbour);
+    if (!is_outer || options.closing == Closing::closed) {
+      throw InvalidShape("sections" + index_text(i) + " is a point: only the first and the last section of an open loft may be");
+    }
+    if (!is_finite(std::get<glm::dvec3>(sections[i]))) throw InvalidShape("sections" + index_text(i) + " is not finite");
+  }
+  if (options.end.neighbour) bundles.push_back(bundle_of(*options.end.neighbour));
+  if (bundles.empty()) throw InvalidShape("all sections are points: a curve is needed");
+  return bundles;
+}
+
+NurbsCurve near_curve(const NurbsCurve& curve, const NearSpace& space) {
+  return curve.with_points(space.enter(curve.points()));
+}
+
+NearSpace space_of(const std::vector<Bundle>& bundles, std::span<const LoftSection> sections) {
+  std::vector<glm::dvec4> all;
+  for (const Bundle& bundle : bundles) all.insert(all.end(), bundle.rows[0].points().begin(), bundle.rows[0].points().end());
+  for (const LoftSection& section : sections) {
+    if (is_pole(section)) all.emplace_back(std::get<glm::dvec3>(section), 1.0);
+  }
+  return NearSpace(all);
+}
+
+void align(std::vector<Bundle>& bundles, const NearSpace& space) {
+  std::vector<NurbsCurve> near;
+  for (const Bundle& bundle : bundles) near.push_back(near_curve(bundle.rows[0], space));
+  const std::vector<SectionTurn> turns = turns_of(near);
+  for (std::size_t i = 0; i < bundles.size(); ++i) {
+    for (NurbsCurve& row : bundles[i].rows) row = turned(row, turns[i]);
+  }
+}
+
+/// The sections, not the sides of neighbours, on few knots. @returns how far they were moved
+double rebuild(std::vector<Bundle>& bundles, double tolerance) {
+  std::vector<NurbsCurve> curves;
+  int degree = 3;
+  for (const Bundle& bundle : bundles) {
+    if (bundle.width > 0.0) {
+      degree = std::max(degree, bundle.rows[0].degree());
+    } else {
+      curves.push_back(bundle.rows[0]);
+    }
+  }
+  if (curves.empty()) return 0.0;
+  auto rebuilt = rebuild_together(curves, degree, tolerance);
+  std::size_t next = 0;
+  for (Bundle& bundle : bundles) {
+    if (bundle.width == 0.0) bundle.rows[0] = std::move(rebuilt.value[next++]);
+  }
+  return rebuilt.error;
+}
+
+/// All rows on one knot vector. @returns how far they were moved
+double make_compatible(std::vector<Bundle>& bundles, double knot_distance) {
+  std::vector<NurbsCurve> all;
+  for (const Bundle& bundle : bundles) all.insert(all.end(), bundle.rows.begin(), bundle.rows.end());
+  const std::vector<NurbsCurve> made = compatible(all, knot_distance);
+  double error = 0.0;
+  std::size_t next = 0;
+  for (Bundle& bundle : bundles) {
+    for (NurbsCurve& row : bundle.rows) {
+      if (knot_distance > 0.0) {
+        const NurbsCurve before = row.periodic() && !made[next].periodic() ? clamped(row) : row;
+        error = std::max(error, largest_distance(with_domain(before, made[next].domain()), made[next]));
+      }
+      row = made[next++];
+    }
+  }
+  return error;
+}
+
+/// What the weights of a section are divided by.
+double factor_of(const NurbsCurve& section, SectionWeights weights) {
+  if (weights == SectionWeights::kept || !section.rational()) return 1.0;
+  double sum = 0.0;
+  for (const glm::dvec4& p : section.points()) sum += p.w;
+  return sum == 0.0 ? 1.0 : sum / static_cast<double>(section.points().size());
+}
+
+NurbsCurve with_weights_divided(const NurbsCurve& curve, double factor) {
+  if (factor == 1.0) return curve;
+  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
+  for (glm::dvec4& p : points) p = p.w == 0.0 ? p / factor : glm::dvec4(glm::dvec3(p), p.w / factor);
+  return curve.with_points(std::move(points));
+}
+
+LeavingRows leaving_rows(const Bundle& bundle, int count, const NearSpace& space) {
+  Ribbon near{{}, bundle.width};
+  for (const NurbsCurve& row : bundle.rows) near.rows.push_back(near_curve(row, space));
+  LeavingRows rows;
+  for (int order = 1; order <= count; ++order) rows.push_back(derivative_out(near, order));
+  return rows;
+}
+
+SectionRow row_of(std::vector<glm::dvec4> points, const NearSpace& space) {
+  std::vector<glm::dvec4> near = homogeneous(space.enter(points));
+  return {std::move(points), std::move(near)};
+}
+
+/// A point as often as a section has control points, with the weights of these.
+SectionRow pole_row(const glm::dvec3& pole, const SectionRow& beside, const NearSpace& space) {
+  std::vector<glm::dvec4> points;
+  for (const glm::dvec4& p : beside.points) points.emplace_back(pole, p.w);
+  SectionRow row = row_of(std::move(points), space);
+  for (std::size_t i = 0; i < row.points.size(); ++i) {
+    if (row.points[i].w == 0.0) row.points[i] = row.near[i] = glm::dvec4(0.0);
+  }
+  return row;
+}
+
+}  // namespace
+
+LoftSections loft_sections(std::span<const LoftSection> sections, const LoftOptions& options) {
+  std::vector<Bundle> bundles = bundles_of(sections, options);
+  for (Bundle& bundle : bundles) bundle = closed_up(std::move(bundle));
+  const NearSpace space = space_of(bundles, sections);
+  if (options.is_aligned) align(bundles, space);
+  double error = options.tolerance ? rebuild(bundles, *options.tolerance) : 0.0;
+  error += make_compatible(bundles, options.knot_distance);
+  for (Bundle& bundle : bundles) {
+    const double factor = factor_of(bundle.rows[0], options.weights);
+    for (NurbsCurve& row : bundle.rows) row = with_weights_divided(row, factor);
+  }
+  LoftSections made{space, bundles[0].rows[0].knot_vector(), {}, {}, {}, error};
+  for (const Bundle& bundle : bundles) {
+    made.rows.push_back(row_of({bundle.rows[0].points().begin(), bundle.rows[0].points().end()}, space));
+  }
+  if (options.start.neighbour) {
+    made.leaving_start = leaving_rows(bundles.front(), options.start.neighbour->continuity, space);
+  }
+  if (options.end.neighbour) made.leaving_end = leaving_rows(bundles.back(), options.end.neighbour->continuity, space);
+  if (!sections.empty() && is_pole(sections.front())) {
+    made.rows.insert(made.rows.begin(), pole_row(std::get<glm::dvec3>(sections.front()), made.rows.front(), space));
+  }
+  if (!sections.empty() && is_pole(sections.back())) {
+    made.rows.push_back(pole_row(std::get<glm::dvec3>(sections.back()), made.rows.back(), space));
+  }
+  return made;
+}
+
+}  // namespace splinecore

@@ -1,0 +1,179 @@
+#include "network_curves.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/length.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/build/part.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/measure/arc_length.hpp"
+#include "splinecore/meet/intersections.hpp"
+#include "splinecore/meet/nearest.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Table = std::vector<std::vector<double>>;
+
+/// Where each curve meets each other one, from both sides: [i][j] and [j][i].
+struct Crossings {
+  Table on_u;
+  Table on_v;
+};
+
+double least_distance(const NurbsCurve& a, const NurbsCurve& b) {
+  constexpr int kPlaces = 257;
+  const Interval domain = a.domain();
+  std::vector<double> at(kPlaces);
+  for (int k = 0; k < kPlaces; ++k) at[k] = k + 1 < kPlaces ? domain.start + domain.length() * k / (kPlaces - 1) : domain.end;
+  std::vector<glm::dvec3> points(kPlaces);
+  evaluate(a, at, {&points.front().x, 3 * points.size()});
+  std::vector<NearestOnCurve> found(kPlaces);
+  nearest(b, points, found);
+  return std::ranges::min_element(found, {}, &NearestOnCurve::distance)->distance;
+}
+
+std::string pair_text(std::size_t i, std::size_t j) { return "along_u" + index_text(i) + " and along_v" + index_text(j); }
+
+Crossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance) {
+  Crossings found{Table(along_u.size(), std::vector<double>(along_v.size())),
+                  Table(along_v.size(), std::vector<double>(along_u.size()))};
+  for (std::size_t i = 0; i < along_u.size(); ++i) {
+    for (std::size_t j = 0; j < along_v.size(); ++j) {
+      const CurveIntersections meets = intersections(along_u[i], along_v[j], tolerance);
+      if (!meets.overlaps.empty()) throw InvalidShape(pair_text(i, j) + " lie on each other: they are to cross once");
+      if (meets.places.empty()) {
+        throw InvalidShape(pair_text(i, j) + " do not meet: they come to " +
+                           text_of(least_distance(along_u[i], along_v[j])) + " of each other, the tolerance is " +
+                           text_of(tolerance));
+      }
+      if (meets.places.size() > 1) {
+        throw InvalidShape(pair_text(i, j) + " meet in " + std::to_string(meets.places.size()) +
+                           " places: they are to cross once");
+      }
+      found.on_u[i][j] = meets.places[0].a;
+      found.on_v[j][i] = meets.places[0].b;
+    }
+  }
+  return found;
+}
+
+std::vector<std::size_t> order_of(const std::vector<double>& parameters) {
+  std::vector<std::size_t> order(parameters.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return parameters[i]; });
+  return order;
+}
+
+template <class Item>
+std::vector<Item> in_order(const std::vector<Item>& items, const std::vector<std::size_t>& order) {
+  std::vector<Item> found;
+  for (const std::size_t i : order) found.push_back(items[i]);
+  return found;
+}
+
+bool are_all_closed(std::span<const NurbsCurve> curves) {
+  return std::ranges::all_of(curves, [](const NurbsCurve& curve) { return is_closed(curve); });
+}
+
+/// How many steps round go up: of a closed curve all but one, if it runs in the order of the others.
+std::size_t rises(const std::vector<double>& at) {
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < at.size(); ++j) count += at[(j + 1) % at.size()] > at[j] ? 1 : 0;
+  return count;
+}
+
+/// The other way round, over the same domain.
+void turn(NurbsCurve& curve, std::vector<double>& at) {
+  const Interval before = curve.domain();
+  curve = with_domain(reversed(curve), before);
+  for (double& u : at) u = before.start + (before.end - u);
+}
+
+/// The point half-way from the first crossing to the second, or from that on to the first again.
+glm::dvec3 point_between(const NurbsCurve& curve, const std::vector<double>& at, bool is_second) {
+  const Interval domain = curve.domain();
+  const double period = domain.length();
+  double from = is_second ? at[1] : at[0];
+  double to = is_second ? at[0] : at[1];
+  if (to < from) to += period;
+  double middle = 0.5 * (from + to);
+  if (middle > domain.end) middle -= period;
+  glm::dvec3 point;
+  evaluate(curve, {&middle, 1}, std::span(&point.x, 3));
+  return point;
+}
+
+/// Whether a closed curve that two others cross runs against the one beside it.
+bool runs_against(const NurbsCurve& curve, const std::vector<double>& at, const glm::dvec3& beside) {
+  return distance_of(point_between(curve, at, true), beside) < distance_of(point_between(curve, at, false), beside);
+}
+
+/// From the first crossing on, once round, over one period that begins there.
+void begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
+  if (!curve.periodic()) curve = made_periodic(curve).value;
+  const double period = curve.domain().length();
+  const double start = curve.knot_vector().admit(at.front(), Side::right);
+  curve = with_seam_at(curve, start);
+  for (double& u : at) {
+    while (u < start) u += period;
+    while (u >= start + period) u -= period;
+  }
+  at.front() = start;
+  at.push_back(curve.domain().end);
+}
+
+/// Brings the curves of a family into the order of the others, whose order stands.
+/// @param name  of the family
+void run_along(NetworkFamily& family, const char* name) {
+  std::optional<glm::dvec3> beside;
+  for (std::size_t i = 0; i < family.curves.size(); ++i) {
+    NurbsCurve& curve = family.curves[i];
+    std::vector<double>& at = family.crossings[i];
+    const auto refuse = [&] {
+      throw InvalidShape(std::string(name) + index_text(i) + " crosses the others in another order than its neighbours");
+    };
+    if (family.is_closed) {
+      if (at.size() > 2 && rises(at) != at.size() - 1) turn(curve, at);
+      if (at.size() > 2 && rises(at) != at.size() - 1) refuse();
+      if (at.size() == 2 && beside && runs_against(curve, at, *beside)) turn(curve, at);
+      beside = point_between(curve, at, false);
+      begin_at_first(curve, at);
+      continue;
+    }
+    if (at.front() > at.back()) turn(curve, at);
+    if (!std::ranges::is_sorted(at)) refuse();
+    curve = clamped(part(curve, at.front(), at.back()));
+    at.front() = curve.domain().start;
+    at.back() = curve.domain().end;
+  }
+}
+
+}  // namespace
+
+NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance) {
+  for (const auto& [family, name] : {std::pair{along_u, "along_u"}, std::pair{along_v, "along_v"}}) {
+    if (family.size() < 2) throw InvalidShape(std::string(name) + " has fewer than two curves");
+  }
+  const Crossings found = crossings_of(along_u, along_v, tolerance);
+  const std::vector<std::size_t> order_u = order_of(found.on_v[0]);
+  const std::vector<std::size_t> order_v = order_of(found.on_u[0]);
+  NetworkCurves network;
+  network.u.is_closed = are_all_closed(along_u);
+  network.v.is_closed = are_all_closed(along_v);
+  network.u.curves = in_order(std::vector(along_u.begin(), along_u.end()), order_u);
+  network.v.curves = in_order(std::vector(along_v.begin(), along_v.end()), order_v);
+  for (const std::size_t i : order_u) network.u.crossings.push_back(in_order(found.on_u[i], order_v));
+  for (const std::size_t j : order_v) network.v.crossings.push_back(in_order(found.on_v[j], order_u));
+  run_along(network.u, "along_u");
+  run_along(network.v, "along_v");
+  return network;
+}
+
+}  // namespace splinecore

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// The curves of one direction of a network, in order, each run through in one direction, from the first of the others
+/// to the last, or if closed from the first one round to it again.
+struct NetworkFamily {
+  std::vector<NurbsCurve> curves;
+  /// [i][j]: where curve i meets curve j of the others; if closed one more, a period behind the first.
+  std::vector<std::vector<double>> crossings;
+  bool is_closed = false;
+};
+
+struct NetworkCurves {
+  NetworkFamily u;
+  NetworkFamily v;
+};
+
+/// @throws InvalidShape as network()
+NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance);
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// The pace under which a curve is at wanted parameters where it was at given ones: a map that rises from one to the
+/// other, by cubics between them. They join smoothly where the cubic spline through all rises, else with the slopes of
+/// Fritsch and Butland (1984).
+class Pacing {
+ public:
+  /// @param wanted  increasing, as `given`, and as many; of a periodic curve from the start to the end of a period
+  Pacing(std::vector<double> wanted, std::vector<double> given, bool is_periodic);
+
+  /// The parameter of the curve at one of those wanted.
+  double at(double u) const;
+
+ private:
+  bool rises() const;
+
+  std::vector<double> wanted_;
+  std::vector<double> given_;
+  std::vector<double> slopes_;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop
