@@ -54,6 +54,15 @@ FUNCTIONS = {
     "build.patch_from_formulas": lambda at: build.patch_from_formulas(
         [f"a*u^{at.degree}", "a*v", "a*sin(u+v)"], (0, 1), (0, 1), tolerance=1e-2 * at.size, constants={"a": at.size}),
     "build.loft": lambda at: [build.loft([at.bezier, xyz(at, 0, 0, 3)], style=style).value for style in ('normal', 'straight')],
+    "build.blend_patches": lambda at: build.blend_patches(
+        build.extrude(at.bezier, xyz(at, 0, 0, 1)), "v_end", build.extrude(at.bezier, xyz(at, 0, 0, 1)).transformed(
+            np.array([[1, 0, 0, 0], [0, 1, 0, 3 * at.size], [0, 0, 1, 3 * at.size]])), "v_start", "G1"),
+    "build.coons": lambda at: build.coons([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
+        ((0, 0), (1, 0)), ((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0)))]),
+    "build.network": lambda at: build.network(
+        [sc.BezierCurve([xyz(at, 0, y), xyz(at, 1, y)]) for y in (0, 1)],
+        [sc.BezierCurve([xyz(at, x, 0), xyz(at, x, 1)]) for x in (0, 1)]),
+    "build.sweep": lambda at: build.sweep(sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), at.bezier, tolerance=1e-2 * at.size),
     "build.plane": lambda at: build.plane(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1)),
     "build.cylinder": lambda at: build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size),
     "build.cone": lambda at: build.cone(xyz(at, 1), (0, 0, 1), at.size, at.size),

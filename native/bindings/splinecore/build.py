@@ -3,12 +3,14 @@
 from ._splinecore import build as _build
 
 blend = _build.blend
+blend_patches = _build.blend_patches
 c2_pair = _build.c2_pair
 catmull_rom = _build.catmull_rom
 chain_from_polygon = _build.chain_from_polygon
 chamfered = _build.chamfered
 cone = _build.cone
 contour = _build.contour
+coons = _build.coons
 curve_from_formulas = _build.curve_from_formulas
 curve_on_patch = _build.curve_on_patch
 cylinder = _build.cylinder
@@ -23,6 +25,7 @@ join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
 loft = _build.loft
+network = _build.network
 osculating_polynomial = _build.osculating_polynomial
 patch_from_formulas = _build.patch_from_formulas
 plane = _build.plane
@@ -31,17 +34,20 @@ polynomial_through = _build.polynomial_through
 revolve = _build.revolve
 ruled = _build.ruled
 sphere = _build.sphere
+sweep = _build.sweep
 torus = _build.torus
 touching_circle = _build.touching_circle
 
 __all__ = [
     "blend",
+    "blend_patches",
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",
     "chamfered",
     "cone",
     "contour",
+    "coons",
     "curve_from_formulas",
     "curve_on_patch",
     "cylinder",
@@ -56,6 +62,7 @@ __all__ = [
     "kochanek_bartels",
     "lagrange_evaluate",
     "loft",
+    "network",
     "osculating_polynomial",
     "patch_from_formulas",
     "plane",
@@ -64,6 +71,7 @@ __all__ = [
     "revolve",
     "ruled",
     "sphere",
+    "sweep",
     "torus",
     "touching_circle",
 ]

@@ -21,12 +21,14 @@ from . import (
 
 __all__ = [
     "blend",
+    "blend_patches",
     "c2_pair",
     "catmull_rom",
     "chain_from_polygon",
     "chamfered",
     "cone",
     "contour",
+    "coons",
     "curve_from_formulas",
     "curve_on_patch",
     "cylinder",
@@ -41,6 +43,7 @@ __all__ = [
     "kochanek_bartels",
     "lagrange_evaluate",
     "loft",
+    "network",
     "osculating_polynomial",
     "patch_from_formulas",
     "plane",
@@ -49,6 +52,7 @@ __all__ = [
     "revolve",
     "ruled",
     "sphere",
+    "sweep",
     "torus",
     "touching_circle",
 ]
@@ -58,7 +62,8 @@ _Ends = Literal["parabola", "chord", "natural"]
 _Curve = NurbsCurve | BezierCurve | HermiteCurve | PowerCurve
 _Patch = NurbsPatch | BezierPatch | HermitePatch
 _Border = Literal["u_start", "u_end", "v_start", "v_end"]
-_Neighbour = tuple[_Patch, _Border, Literal["G1", "G2"]] | tuple[_Patch, _Border, Literal["G1", "G2"], float]
+_EdgeContinuity = Literal["G0", "G1", "G2", "G3"]
+_Neighbour = tuple[_Patch, _Border, _EdgeContinuity] | tuple[_Patch, _Border, _EdgeContinuity, float]
 _PatchSmoothness = Literal["C0", "G1", "C1", "G2", "C2"]
 
 def polynomial_through(points: ArrayLike, parameters: ArrayLike | None = None) -> NurbsCurve: ...
@@ -232,6 +237,39 @@ def loft(
     end_flat: ArrayLike | None = None,
     start_neighbour: _Neighbour | None = None,
     end_neighbour: _Neighbour | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...
+def blend_patches(
+    a: _Patch,
+    side_a: _Border,
+    b: _Patch,
+    side_b: _Border,
+    continuity: _EdgeContinuity | tuple[_EdgeContinuity, _EdgeContinuity] = "G2",
+    strengths: float | tuple[float, float] = 1.0,
+    *,
+    align: bool = True,
+) -> NurbsPatch: ...
+def coons(
+    sides: Sequence[_Curve], *, tolerance: float | None = None, cancel: Callable[[], object] | None = None
+) -> Approximation[NurbsPatch]: ...
+def network(
+    along_u: Sequence[_Curve],
+    along_v: Sequence[_Curve],
+    *,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...
+def sweep(
+    rail: _Curve,
+    sections: _Curve | Sequence[_Curve],
+    *,
+    at: ArrayLike | None = None,
+    frame: Literal["minimal", "upright", "parallel"] = "minimal",
+    up: ArrayLike = (0, 0, 1),
+    start: ArrayLike | None = None,
+    end_scale: float = 1.0,
+    twist: float = 0.0,
+    tolerance: float | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
 def join_patches(

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "splinecore/base/approximation.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+namespace splinecore {
+
+/// How a section is turned on its way along a rail.
+enum class RailFrame {
+  minimal,   ///< about the rail no more than it must be, and along a closed one evenly back to where it was
+  upright,   ///< its y stays as near to a direction as a right angle to the rail allows
+  parallel,  ///< not at all
+};
+
+/// A section in the frame of its rail: x along the frame's normal, y along its binormal, z along the rail.
+struct RailSection {
+  NurbsCurve curve;
+  double at;  ///< the parameter of the rail to which it belongs
+};
+
+struct SweepOptions {
+  RailFrame frame = RailFrame::minimal;
+  glm::dvec3 up{0.0, 0.0, 1.0};        ///< of upright frames
+  std::optional<glm::dvec3> start;     ///< where x points at the start of the rail, of minimal frames; none: as of CarriedFrame
+  double end_scale = 1.0;              ///< sections grow evenly by the length of the rail up to this factor
+  double twist = 0.0;                  ///< and turn about it by so much, in radians
+  std::optional<double> tolerance;     ///< how far the surface may be from the sweep; none: 2^-20 of the size of the rail
+};
+
+/// The surface of a section that moves along a rail, changing from one section to the next where there are several: u along
+/// the sections, v along the rail, by its parameter (The NURBS Book, 10.4; row S20).
+///
+/// Parallel frames and straight rails are exact: a sum of both curves. Otherwise rows of control points are cubic splines
+/// along v, as often smooth as the rail, through as many of them as the tolerance needs. At corners of the rail rows lie in
+/// the plane that halves the corner, so that stretches between are whole if they are straight; others are refused.
+/// @returns the surface, and how far rows were found to be from where they should be
+/// @throws InvalidShape if there is no section, their parameters do not increase or lie outside the rail, a frame does not
+///         exist, the rail turns back, or an end scale is not above 0; ToleranceNotReached; as
+///         rotation_minimising_frames().
+Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> sections,
+                                const SweepOptions& options = {});
+
+}  // namespace splinecore

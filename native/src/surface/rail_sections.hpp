@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fit/row_spline.hpp"
+#include "splinecore/surface/sweep.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// The sections of a sweep on one knot vector, and how they change along its rail.
+class RailSections {
+ public:
+  /// @param unit  by which lengths of sections are divided
+  /// @throws InvalidShape as sweep()
+  RailSections(std::span<const RailSection> sections, const NurbsCurve& rail, double unit);
+
+  const KnotVector& knots() const noexcept { return knots_; }
+
+  /// Whether it is the same everywhere.
+  bool is_one() const noexcept { return !along_; }
+
+  /// Homogeneous control points at parameters of the rail, row after row.
+  std::vector<glm::dvec4> at(std::span<const double> parameters) const;
+
+ private:
+  KnotVector knots_;
+  std::vector<glm::dvec4> first_;
+  std::optional<RowSpline> along_;  ///< where there are several
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,233 @@
+#include "splinecore/surface/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "base/length.hpp"
+#include "base/quotient.hpp"
+#include "build/fit_options.hpp"
+#include "fitted_rows.hpp"
+#include "fitted_together.hpp"
+#include "meet/near_space.hpp"
+#include "rail_frames.hpp"
+#include "rail_sections.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/measure/arc_length.hpp"
+#include "splinecore/patch/ends.hpp"
+
+namespace splinecore {
+
+namespace {
+
+void require_options(const SweepOptions& options) {
+  if (options.tolerance) require_tolerance(*options.tolerance);
+  if (!(options.end_scale > 0.0 && std::isfinite(options.end_scale))) {
+    throw InvalidShape("end_scale = " + text_of(options.end_scale) + ": above 0 is expected");
+  }
+  if (!std::isfinite(options.twist)) throw InvalidShape("twist = " + text_of(options.twist) + " is not finite");
+  if (options.frame == RailFrame::upright && !(is_finite(options.up) && length_of(options.up) > 0.0)) {
+    throw InvalidShape("the upright direction is zero or not finite");
+  }
+}
+
+/// A rail that closes smoothly as a periodic one, one with corners from one of them on.
+NurbsCurve prepared(const NurbsCurve& rail) {
+  if (!rail.periodic() && !is_closed(rail)) return clamped(rail);
+  NurbsCurve round = rail;
+  if (!rail.periodic()) {
+    try {
+      round = made_periodic(rail).value;
+    } catch (const InvalidShape&) {
+      return clamped(rail);
+    }
+  }
+  const std::vector<double> corners = corners_of({&round, 1});
+  return corners.empty() ? round : clamped(with_seam_at(round, corners.front()));
+}
+
+bool is_straight(const NurbsCurve& rail) {
+  constexpr double kRounding = 0x1p-46;
+  const auto points = rail.points();
+  if (std::ranges::any_of(points, [](const glm::dvec4& p) { return p.w <= 0.0; })) return false;
+  const glm::dvec3 way = glm::dvec3(points.back()) - glm::dvec3(points.front());
+  const double length = length_of(way);
+  if (!(length > 0.0)) return false;
+  return std::ranges::all_of(points, [&](const glm::dvec4& p) {
+    const glm::dvec3 from = glm::dvec3(p) - glm::dvec3(points.front());
+    return length_of(from - glm::dot(from, way) / length / length * way) <= kRounding * length;
+  });
+}
+
+/// The sum of a section in a frame and the rail, less where the frame is.
+NurbsPatch sum_of(const NurbsCurve& rail, const RailSections& sections, const MovingFrame& frame) {
+  const double start = rail.domain().start;
+  const std::vector<glm::dvec4> section = as_given(sections.at(std::span(&start, 1)));
+  std::vector<glm::dvec4> net;
+  for (const glm::dvec4& q : section) {
+    const glm::dvec3 out = in_frame(frame, glm::dvec3(q));
+    for (const glm::dvec4& c : rail.points()) {
+      if (q.w == 0.0 || c.w == 0.0) {
+        net.emplace_back(q.w == 0.0 ? c.w * out : q.w * glm::dvec3(c), 0.0);
+      } else {
+        net.emplace_back(glm::dvec3(c) + out, q.w * c.w);
+      }
+    }
+  }
+  return NurbsPatch::make(sections.knots(), rail.knot_vector(), std::move(net));
+}
+
+/// What sections are on their way along a rail, whose corners are mitred.
+class Sweeping {
+ public:
+  Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options)
+      : rail_(rail), sections_(sections), options_(options), corners_(corners_of({&rail, 1})) {
+    const double end = rail.domain().end;
+    whole_ = lengths_at_parameters(rail, std::span(&end, 1)).front();
+  }
+
+  std::vector<double> breaks() const {
+    std::vector<double> breaks{rail_.domain().start};
+    for (const double corner : corners_) {
+      if (corner > rail_.domain().start && corner < rail_.domain().end) breaks.push_back(corner);
+    }
+    breaks.push_back(rail_.domain().end);
+    return breaks;
+  }
+
+  std::vector<glm::dvec4> rows_at(std::span<const double> at, const Interval& stretch) const {
+    const std::vector<RailPlace> places = rail_places(rail_, at, stretch, options_);
+    const std::vector<double> lengths = lengths_at_parameters(rail_, at);
+    std::vector<glm::dvec4> rows = sections_.at(at);
+    const std::size_t width = rows.size() / at.size();
+    const Mitre mitre = mitre_of(stretch);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const double share = lengths[i] / whole_;
+      for (std::size_t j = 0; j < width; ++j) {
+        glm::dvec4& p = rows[i * width + j];
+        const glm::dvec3 out = in_frame(places[i].frame, turned(glm::dvec3(p), share));
+        p = glm::dvec4(out + p.w * places[i].point + slide(mitre, places[i], out, p.w) * places[i].frame.tangent, p.w);
+      }
+    }
+    return rows;
+  }
+
+ private:
+  /// The planes that halve the corners at both ends of a stretch, by their normals; 0 where there is none.
+  struct Mitre {
+    glm::dvec3 start{0.0};
+    glm::dvec3 end{0.0};
+    glm::dvec3 from{0.0};
+    double length = 0.0;
+  };
+
+  bool is_corner(double v) const {
+    const Interval domain = rail_.domain();
+    const bool is_end = v == domain.start || v == domain.end;
+    return !is_end && std::ranges::count(corners_, v) > 0;
+  }
+
+  /// Sections grow and turn about the rail.
+  glm::dvec3 turned(const glm::dvec3& q, double share) const {
+    const double size = 1.0 + share * (options_.end_scale - 1.0);
+    const double angle = share * options_.twist;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    return {size * (c * q.x - s * q.y), size * (s * q.x + c * q.y), q.z};
+  }
+
+  Mitre mitre_of(const Interval& stretch) const {
+    Mitre mitre;
+    const bool has_start = is_corner(stretch.start);
+    const bool has_end = is_corner(stretch.end);
+    if (!has_start && !has_end) return mitre;
+    const double ends[] = {stretch.start, stretch.end};
+    const std::vector<RailPlace> own = rail_places(rail_, ends, stretch, options_);
+    mitre.from = own[0].point;
+    mitre.length = length_of(own[1].point - own[0].point);
+    require_straight(stretch, own);
+    if (has_start) mitre.start = half_plane(own[0].frame.tangent, stretch.start, Side::left);
+    if (has_end) mitre.end = half_plane(own[1].frame.tangent, stretch.end, Side::right);
+    return mitre;
+  }
+
+  /// Between two tangents at a corner.
+  glm::dvec3 half_plane(const glm::dvec3& tangent, double at, Side other) const {
+    constexpr double kTurnsBack = 1e-3;
+    const Interval beyond = other == Side::left ? Interval{rail_.domain().start, at} : Interval{at, rail_.domain().end};
+    const glm::dvec3 next = rail_places(rail_, std::span(&at, 1), beyond, options_)[0].frame.tangent;
+    const glm::dvec3 normal = tangent + next;
+    if (!(length_of(normal) > kTurnsBack)) throw InvalidShape("the rail turns back at " + text_of(at));
+    return normal / length_of(normal);
+  }
+
+  void require_straight(const Interval& stretch, const std::vector<RailPlace>& ends) const {
+    constexpr double kRounding = 1e-9;
+    const double middle = stretch.start + 0.5 * stretch.length();
+    const RailPlace between = rail_places(rail_, std::span(&middle, 1), stretch, options_)[0];
+    const bool is_straight_there = length_of(ends[0].frame.tangent - ends[1].frame.tangent) <= kRounding &&
+                                   length_of(between.frame.tangent - ends[0].frame.tangent) <= kRounding;
+    if (is_straight_there) return;
+    throw InvalidShape("the rail has a corner beside a curved stretch, from " + text_of(stretch.start) + " to " +
+                       text_of(stretch.end) + ": round the corner first");
+  }
+
+  /// How far, times its weight, a point moves along a straight stretch to be in the planes at its ends.
+  double slide(const Mitre& mitre, const RailPlace& place, const glm::dvec3& out, double weight) const {
+    if (mitre.length == 0.0 || weight == 0.0) return 0.0;
+    const auto to_plane = [&](const glm::dvec3& normal) {
+      return normal == glm::dvec3(0.0) ? 0.0 : -glm::dot(out, normal) / glm::dot(place.frame.tangent, normal);
+    };
+    const double share = length_of(place.point - mitre.from) / mitre.length;
+    return (1.0 - share) * to_plane(mitre.start) + share * to_plane(mitre.end);
+  }
+
+  const NurbsCurve& rail_;
+  const RailSections& sections_;
+  const SweepOptions& options_;
+  std::vector<double> corners_;
+  double whole_ = 0.0;
+};
+
+NurbsPatch from_rows(const KnotVector& knots_u, const FittedRows& rows) {
+  const auto count_u = static_cast<std::size_t>(knots_u.count());
+  const auto count_v = static_cast<std::size_t>(rows.knots.count());
+  std::vector<glm::dvec4> net(rows.rows.size());
+  for (std::size_t j = 0; j < count_v; ++j) {
+    for (std::size_t i = 0; i < count_u; ++i) net[i * count_v + j] = rows.rows[j * count_u + i];
+  }
+  return NurbsPatch::from_homogeneous(knots_u, rows.knots, net);
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> sections, const SweepOptions& options) {
+  require_options(options);
+  const NearSpace space(rail.points());
+  const NurbsCurve whole = prepared(rail);
+  const NurbsCurve near = whole.with_points(space.enter(whole.points()));
+  const RailSections along(sections, near, space.length(1.0));
+  const auto left = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
+  const bool is_level = along.is_one() && options.end_scale == 1.0 && options.twist == 0.0;
+  if (is_level && (options.frame == RailFrame::parallel || is_straight(near))) {
+    const double start = near.domain().start;
+    const RailPlace place = rail_places(near, std::span(&start, 1), near.domain(), options)[0];
+    return {left(sum_of(near, along, place.frame)), 0.0};
+  }
+  if (options.frame == RailFrame::parallel) {
+    throw InvalidShape("parallel sections keep their size and turn: one section, without scale and twist");
+  }
+  const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
+  const Sweeping sweeping(near, along, options);
+  const bool goes_round = near.periodic() && options.end_scale == 1.0 && options.twist == 0.0;
+  const FittedRows rows = fitted_rows(
+      [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); },
+      sweeping.breaks(), goes_round ? Closing::closed : Closing::open, within);
+  return {left(from_rows(along.knots(), rows)), space.length(rows.error)};
+}
+
+}  // namespace splinecore
