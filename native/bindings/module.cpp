@@ -76,7 +76,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_made_curves(module);
   bindings::bind_lofts(module);
   bindings::bind_networks(module);
-  bindings::bind_sweeps(module);
+  bindings::bind_rails(module);
   bindings::bind_patch_joins(module);
   bindings::bind_formula(module);
   bindings::bind_from_formulas(module);

@@ -39,7 +39,7 @@ void bind_corners(pybind11::module_& module);
 void bind_made_curves(pybind11::module_& module);
 void bind_lofts(pybind11::module_& module);
 void bind_networks(pybind11::module_& module);
-void bind_sweeps(pybind11::module_& module);
+void bind_rails(pybind11::module_& module);
 void bind_patch_joins(pybind11::module_& module);
 void bind_formula(pybind11::module_& module);
 void bind_from_formulas(pybind11::module_& module);

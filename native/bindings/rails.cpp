@@ -45,7 +45,7 @@ std::vector<RailSection> sections_of(const py::object& value, const py::object& 
 
 }  // namespace
 
-void bind_sweeps(py::module_& module) {
+void bind_rails(py::module_& module) {
   py::module_ build = module.attr("build");
   build.def("sweep", [](const py::object& rail, const py::object& sections, const py::object& at, const py::object& frame,
                         const py::object& up, const py::object& start, const py::object& end_scale, const py::object& twist,
