@@ -40,12 +40,14 @@ def test_circles_of_a_cylinder_and_of_a_cone_give_them_back(style, closed_form, 
 
 @pytest.mark.parametrize("turned", [False, True])
 def test_seams_and_directions_do_not_matter(turned):
-    """The circles begin anywhere and every second one runs the other way: the cylinder is not twisted."""
-    sections = [moved(circle(), z, turn=turn) for z, turn in zip((0, 1, 2, 3), (0, 0.3, 1.1, 2.9))]
-    if turned:
-        sections = [curve.reversed() if i % 2 else curve for i, curve in enumerate(sections)]
-    points = grid(build.loft(sections).value).reshape(-1, 3)
-    assert np.abs(np.hypot(points[:, 0], points[:, 1]) - 1).max() <= 1e-12
+    """The circles begin anywhere and every second one runs the other way: the cylinder is not twisted. Where their knots lie
+    over each other it is exact, elsewhere equal parameters are not quite equal angles."""
+    for turns, most in (((0, 1, 3, 2), 1e-12), ((0, 0.2, 0.7, 1.9), 5e-4)):
+        sections = [moved(circle(), z, turn=turn * np.pi / 2) for z, turn in enumerate(turns)]
+        if turned:
+            sections = [curve.reversed() if i % 2 else curve for i, curve in enumerate(sections)]
+        points = grid(build.loft(sections).value).reshape(-1, 3)
+        assert np.abs(np.hypot(points[:, 0], points[:, 1]) - 1).max() <= most
     twisted = grid(build.loft(sections, align=False).value).reshape(-1, 3)
     assert np.abs(np.hypot(twisted[:, 0], twisted[:, 1]) - 1).max() > 1e-2
 
@@ -80,7 +82,7 @@ def test_planar_sections_of_one_plane_make_a_plane_surface():
 
 def test_two_segments_give_a_bilinear_patch_of_one_span():
     made = build.loft([sc.BezierCurve([[0, 0, 0], [1, 0, 0]]), sc.BezierCurve([[0, 1, 0], [1, 1, 1]])]).value
-    assert made.degrees == (1, 1) and made.points.tolist() == [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]
+    assert made.degree == (1, 1) and made.points.tolist() == [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]
 
 
 # Sections of every kind
@@ -121,8 +123,8 @@ def test_at_any_size_and_far_away(scale, far):
 
 
 def test_kinds_degrees_and_closings_may_differ():
-    made = build.loft([circle(), moved(closed_cubic(), 3.0), moved(hermite_chain(), 6.0)], style="straight").value
-    assert made.periodic == (False, False) and made.degrees == (3, 1)
+    made = build.loft([circle(), moved(closed_cubic(), 3.0), moved(hermite_chain().to_nurbs(), 6.0)], style="straight").value
+    assert made.periodic == (False, False) and made.degree == (3, 1)
     closed = build.loft([circle(), moved(closed_cubic(), 3.0)]).value
     assert closed.periodic == (True, False)
 
@@ -142,9 +144,9 @@ def test_a_closed_loft_goes_round():
         np.array([[math.cos(t), 0, -math.sin(t), 2 * math.cos(t)], [math.sin(t), 0, math.cos(t), 2 * math.sin(t)], [0, 1, 0, 0]]))
         for t in np.linspace(0, 2 * np.pi, 9)[:-1]]
     made = build.loft(sections, closed=True).value
-    assert made.periodic == (True, True) and made.degrees[1] == 3
+    assert made.periodic == (True, True) and made.degree[1] == 3
     three = build.loft(sections[::3], closed=True).value
-    assert three.degrees[1] == 2 and three.periodic[1]
+    assert three.degree[1] == 2 and three.periodic[1]
 
 
 # Few knots
@@ -161,7 +163,7 @@ def test_within_a_tolerance_there_are_few_spans():
     made, error = build.loft(sections, tolerance=1e-3)
     assert exact.points.shape[0] > 150 and made.points.shape[0] <= 12
     assert 0 < error <= 1e-3
-    assert made.periodic == (False, False) and not (made.weights != 1).any()
+    assert made.periodic == (False, False) and (made.weights == 1).all()
 
 
 def test_near_knots_are_taken_for_one():
@@ -192,7 +194,7 @@ def test_a_point_closes_the_surface_and_may_be_round():
 def test_a_tangent_is_that_of_every_point():
     sections = [sc.BezierCurve([[0, 0, 0], [1, 0, 0]]), sc.BezierCurve([[0, 2, 0], [1, 2, 1]])]
     made = build.loft(sections, start_tangent=(0, 0, 1), end_tangent=(0, 1, 0)).value
-    assert made.degrees == (1, 3)
+    assert made.degree == (1, 3)
     u = np.linspace(0, 1, 9)
     for v, wanted in ((0, (0, 0, 1)), (1, (0, 1, 0))):
         d = made.derivatives(u, np.full_like(u, v), 1)[:, 0, 1]
@@ -210,7 +212,7 @@ def test_a_blend_goes_on_from_both_patches(continuity):
     for _ in range(25):
         first, second = (random_patch(rng, ends="clamped", degree=int(rng.integers(3, 6))) for _ in range(2))
         if rng.random() < 0.6:
-            first, second = (sc.NurbsPatch(patch.degrees, patch.knots, patch.points) for patch in (first, second))
+            first, second = (sc.NurbsPatch(patch.degree, patch.knots, patch.points) for patch in (first, second))
         second = second.transformed(np.c_[np.eye(3), [0, 0, 60.0]])
         side_a, side_b = (SIDES[i] for i in rng.integers(4, size=2))
         try:
@@ -218,7 +220,7 @@ def test_a_blend_goes_on_from_both_patches(continuity):
         except sc.InvalidShape as refused:
             assert "weights" in str(refused)
             continue
-        assert made.degrees[1] == 2 * order + 1
+        assert made.degree[1] == 2 * order + 1
         assert len(np.unique(made.knots[1])) == 2
         for patch, side, own in ((first, side_a, "v_start"), (second, side_b, "v_end")):
             seam = sc.seam_continuity(patch, side, made, own, tolerance=1e-6)
@@ -236,7 +238,7 @@ def test_the_third_order_of_a_blend_agrees():
     v = np.linspace(0, 1, 33)
     made = build.blend_patches(first, "u_end", third, "u_start", "G3")
     points = made.evaluate(v, np.full_like(v, 0.5))
-    assert np.linalg.norm(middle.nearest(points).point - points, axis=1).max() < 5e-3
+    assert np.linalg.norm(middle.nearest(points).points - points, axis=1).max() < 5e-3
 
 
 def test_a_loft_between_neighbours_goes_on_from_them():

@@ -10,7 +10,7 @@ import splinecore as sc
 from random_curves import random_curve
 from random_patches import random_patch
 from shapes import circle
-from splinecore import build, conics
+from splinecore import build
 
 
 def grid(patch, count=17):
@@ -33,7 +33,7 @@ def test_the_sides_of_a_bilinear_patch_give_it_back():
     for _ in range(50):
         patch = sc.BezierPatch(rng.uniform(-1, 1, (2, 2, 3)) * 10.0 ** rng.integers(-3, 4))
         made, error = build.coons(sides_of(patch))
-        assert error == 0.0 and made.degrees == (1, 1)
+        assert error == 0.0 and made.degree == (1, 1)
         assert np.abs(made.points - patch.points).max() <= 1e-15 * np.abs(patch.points).max()
 
 
@@ -44,7 +44,7 @@ def test_any_order_of_turning_and_any_size():
         sides = [side.reversed() if t else side for side, t in zip(sides_of(patch), (False, *turned))]
         assert np.abs(grid(build.coons(sides).value) - grid(reference)).max() <= 1e-14
     for scale in (1e-150, 1e150):
-        made = build.coons([side.transformed(scale * np.eye(3)) for side in sides_of(patch)]).value
+        made = build.coons([side.to_nurbs().transformed(scale * np.eye(3)) for side in sides_of(patch)]).value
         assert np.abs(grid(made) / scale - grid(reference)).max() <= 1e-13
 
 
@@ -72,19 +72,20 @@ def test_every_side_is_on_the_patch():
 
 def test_three_sides_and_rational_ones():
     """An octant of a sphere has its borders."""
-    arcs = [conics.arc_about((0, 0, 0), a, b) for a, b in (((1, 0, 0), (0, 1, 0)), ((0, 1, 0), (0, 0, 1)), ((0, 0, 1), (1, 0, 0)))]
+    x, y, z = np.eye(3)
+    arcs = [sc.BezierCurve([a, a + b, b], [1, math.sqrt(0.5), 1]) for a, b in ((x, y), (y, z), (z, x))]
     made = build.coons(arcs).value
-    for side in ("v_start", "u_end", "u_start"):
+    for side in ("v_start", "u_end", "v_end"):
         edge = made.boundary(side)
         assert np.abs(np.linalg.norm(edge.evaluate(np.linspace(*edge.domain, 40)), axis=1) - 1).max() <= 1e-14
-    assert np.ptp(made.points[:, -1], axis=0).max() == 0.0
+    assert np.ptp(made.points[0], axis=0).max() == 0.0
 
 
 def test_a_gap_is_said_and_closed_within_a_tolerance():
     sides = [line((0, 0, 0), (1, 0, 0)), line((1, 0.01, 0), (1, 1, 0)), line((1, 1, 0), (0, 1, 0)), line((0, 1, 0), (0, 0, 0))]
     with pytest.raises(sc.ToleranceNotReached, match=r"sides\[0\] and sides\[1\] do not meet") as refused:
         build.coons(sides)
-    assert refused.value.error == pytest.approx(0.01)
+    assert "0.01" in str(refused.value)
     made, error = build.coons(sides, tolerance=0.02)
     assert error == pytest.approx(0.005) and made.points[-1, 0].tolist() == [1, 0.005, 0]
 
@@ -118,7 +119,7 @@ def test_curves_of_any_patch_give_it_back():
                for knots in patch.knots):
             continue
         if rng.random() < 0.5:
-            patch = sc.NurbsPatch(patch.degrees, patch.knots, patch.points)
+            patch = sc.NurbsPatch(patch.degree, patch.knots, patch.points)
         (count_u, count_v) = patch.points.shape[:2]
         at_v = greville(patch.knots[1], degree, count_v)
         at_u = np.linspace(*patch.domain[0], int(rng.integers(2, 6)))
@@ -167,7 +168,7 @@ def test_curves_that_cross_at_other_parameters_are_met_within_the_tolerance():
     assert error <= 0.02
     for one in along_u + along_v:
         points = one.evaluate(np.linspace(*one.domain, 25))
-        assert np.linalg.norm(made.nearest(points).point - points, axis=1).max() <= 0.02
+        assert np.linalg.norm(made.nearest(points).points - points, axis=1).max() <= 0.02
 
 
 def test_rings_and_ribs_make_a_closed_surface():

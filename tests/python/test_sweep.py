@@ -38,7 +38,7 @@ def test_a_circle_along_a_circle_is_a_torus(tolerance, periodic):
 def test_a_straight_rail_is_exact():
     made, error = build.sweep(line((0, 0, 0), (0, 0, 5)), ring(2.0))
     points = grid(made).reshape(-1, 3)
-    assert error == 0.0 and made.degrees == (2, 1)
+    assert error == 0.0 and made.degree == (2, 1)
     assert np.abs(np.hypot(points[:, 0], points[:, 1]) - 2).max() <= 1e-14
 
 

@@ -208,6 +208,21 @@ int degree_along(std::size_t conditions, std::size_t rows, const LoftOptions& op
   return std::min(rows == 2 && options.knots.empty() ? std::max(options.degree, kOfTwo) : options.degree, most);
 }
 
+/// Weights that are the same in all rows, and whose derivatives are 0, are those of the control points to the last digit.
+void keep_level_weights(const RowConditions& given, RowSpline& spline) {
+  const std::size_t numbers = given.rows.front().size();
+  for (std::size_t at = 3; at < numbers; at += 4) {
+    const double weight = given.rows.front()[at];
+    const auto is_level = [&](const std::vector<double>& row) { return row[at] == weight; };
+    const auto is_still = [&](const std::vector<double>& row) { return row[at] == 0.0; };
+    if (!std::ranges::all_of(given.rows, is_level) || !std::ranges::all_of(given.start, is_still) ||
+        !std::ranges::all_of(given.end, is_still)) {
+      continue;
+    }
+    for (std::size_t i = at; i < spline.controls.size(); i += numbers) spline.controls[i] = weight;
+  }
+}
+
 RowSpline spline_along(const LoftSections& sections, const LoftOptions& options) {
   const Pace pace = pace_along(sections, options);
   RowConditions given;
@@ -218,7 +233,11 @@ RowSpline spline_along(const LoftSections& sections, const LoftOptions& options)
   given.end = leaving(options.end, sections.leaving_end, rows.back(), rows[rows.size() - 2], -pace.speed);
   const std::size_t conditions = given.rows.size() + given.start.size() + given.end.size();
   const int degree = degree_along(conditions, given.rows.size(), options);
-  if (options.style != LoftStyle::loose) return spline_through(given, degree, options.closing, options.knots);
+  if (options.style != LoftStyle::loose) {
+    RowSpline through = spline_through(given, degree, options.closing, options.knots);
+    keep_level_weights(given, through);
+    return through;
+  }
   RowSpline spline{knots_through(given, degree, options.closing, options.knots), {}};
   for (const auto& row : given.rows) spline.controls.insert(spline.controls.end(), row.begin(), row.end());
   return spline;

@@ -229,6 +229,13 @@ NurbsPatch summed(const Paced& u, const Paced& v) {
                      through_crossings(u, v, along_u, along_v));
 }
 
+/// Of a patch of polynomials, whose weights are 1 but for rounding.
+NurbsPatch with_weights_one(const NurbsPatch& patch) {
+  std::vector<glm::dvec4> points(patch.points().begin(), patch.points().end());
+  for (glm::dvec4& p : points) p.w = 1.0;
+  return patch.with_points(std::move(points));
+}
+
 /// The largest distance of curves from the lines of the patch on which they are to lie.
 double distance_from(const NurbsPatch& patch, const Paced& family, std::span<const double> others, Axis axis) {
   constexpr int kPlaces = 129;
@@ -282,7 +289,10 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   }
   u.curves = compatible(u.curves);
   v.curves = compatible(v.curves);
-  const NurbsPatch patch = summed(u, v);
+  NurbsPatch patch = summed(u, v);
+  if (!std::ranges::any_of(u.curves, &NurbsCurve::rational) && !std::ranges::any_of(v.curves, &NurbsCurve::rational)) {
+    patch = with_weights_one(patch);
+  }
   const double error = std::max(distance_from(patch, u, v.wanted, Axis::v), distance_from(patch, v, u.wanted, Axis::u));
   return {patch.with_points(space.leave(patch.points())), space.length(error)};
 }

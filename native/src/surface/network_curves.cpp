@@ -27,6 +27,9 @@ struct Crossings {
   Table on_v;
 };
 
+/// Of curves about 1 large: so near they meet, and where they are farther apart than this they only pass one another.
+constexpr double kMet = 0x1p-30;
+
 double least_distance(const NurbsCurve& a, const NurbsCurve& b) {
   constexpr int kPlaces = 257;
   const Interval domain = a.domain();
@@ -53,12 +56,14 @@ Crossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const Nurb
                            text_of(least_distance(along_u[i], along_v[j])) + " of each other, the tolerance is " +
                            text_of(tolerance));
       }
-      if (meets.places.size() > 1) {
+      const CurveIntersection& nearest_place = *std::ranges::min_element(meets.places, {}, &CurveIntersection::distance);
+      const auto are_as_near = [&](const CurveIntersection& one) { return one.distance <= std::max(kMet, nearest_place.distance); };
+      if (meets.places.size() > 1 && std::ranges::count_if(meets.places, are_as_near) != 1) {
         throw InvalidShape(pair_text(i, j) + " meet in " + std::to_string(meets.places.size()) +
                            " places: they are to cross once");
       }
-      found.on_u[i][j] = meets.places[0].a;
-      found.on_v[j][i] = meets.places[0].b;
+      found.on_u[i][j] = nearest_place.a;
+      found.on_v[j][i] = nearest_place.b;
     }
   }
   return found;

@@ -18,6 +18,7 @@
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/measure/arc_length.hpp"
+#include "splinecore/measure/length.hpp"
 #include "splinecore/patch/ends.hpp"
 
 namespace splinecore {
@@ -57,10 +58,14 @@ bool is_straight(const NurbsCurve& rail) {
   const glm::dvec3 way = glm::dvec3(points.back()) - glm::dvec3(points.front());
   const double length = length_of(way);
   if (!(length > 0.0)) return false;
-  return std::ranges::all_of(points, [&](const glm::dvec4& p) {
+  double reached = 0.0;
+  for (const glm::dvec4& p : points) {
     const glm::dvec3 from = glm::dvec3(p) - glm::dvec3(points.front());
-    return length_of(from - glm::dot(from, way) / length / length * way) <= kRounding * length;
-  });
+    const double along = glm::dot(from, way) / length;
+    if (along < reached || length_of(from - along / length * way) > kRounding * length) return false;
+    reached = along;
+  }
+  return true;
 }
 
 /// The sum of a section in a frame and the rail, less where the frame is.
@@ -85,10 +90,7 @@ NurbsPatch sum_of(const NurbsCurve& rail, const RailSections& sections, const Mo
 class Sweeping {
  public:
   Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options)
-      : rail_(rail), sections_(sections), options_(options), corners_(corners_of({&rail, 1})) {
-    const double end = rail.domain().end;
-    whole_ = lengths_at_parameters(rail, std::span(&end, 1)).front();
-  }
+      : rail_(rail), sections_(sections), options_(options), corners_(corners_of({&rail, 1})), whole_(length(rail).value) {}
 
   std::vector<double> breaks() const {
     std::vector<double> breaks{rail_.domain().start};
@@ -101,7 +103,10 @@ class Sweeping {
 
   std::vector<glm::dvec4> rows_at(std::span<const double> at, const Interval& stretch) const {
     const std::vector<RailPlace> places = rail_places(rail_, at, stretch, options_);
-    const std::vector<double> lengths = lengths_at_parameters(rail_, at);
+    std::vector<double> lengths = lengths_at_parameters(rail_, at);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (at[i] == rail_.domain().end) lengths[i] = whole_;  // of a periodic one it is the start, too
+    }
     std::vector<glm::dvec4> rows = sections_.at(at);
     const std::size_t width = rows.size() / at.size();
     const Mitre mitre = mitre_of(stretch);
@@ -190,7 +195,7 @@ class Sweeping {
   const RailSections& sections_;
   const SweepOptions& options_;
   std::vector<double> corners_;
-  double whole_ = 0.0;
+  double whole_;
 };
 
 NurbsPatch from_rows(const KnotVector& knots_u, const FittedRows& rows) {
