@@ -50,9 +50,9 @@ double product(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& 
 }
 
 /// Beginnings of a curve, and how near to another one each brings it: the larger, the nearer.
-class Nearness {
+class Beginnings {
  public:
-  Nearness(const std::vector<glm::dvec3>& other, const NurbsCurve& curve) : other_(other), curve_(curve) {}
+  Beginnings(const std::vector<glm::dvec3>& other, const NurbsCurve& curve) : other_(other), curve_(curve) {}
 
   double at(double begin) const { return product(other_, points_at(curve_, begin)); }
 
@@ -106,7 +106,7 @@ struct Beginning {
   double nearness;
 };
 
-Beginning nearest_of(const std::vector<double>& places, const Nearness& nearness) {
+Beginning nearest_of(const std::vector<double>& places, const Beginnings& nearness) {
   Beginning best{places.front(), nearness.at(places.front())};
   for (const double place : places) {
     const Beginning one{place, nearness.at(place)};
@@ -116,7 +116,7 @@ Beginning nearest_of(const std::vector<double>& places, const Nearness& nearness
 }
 
 /// Where a periodic curve best begins. @param size  what nearness is relative to
-Beginning beginning_of(const NurbsCurve& curve, const Nearness& nearness, bool from_corner, double size) {
+Beginning beginning_of(const NurbsCurve& curve, const Beginnings& nearness, bool from_corner, double size) {
   const std::vector<double> corners = corners_of({&curve, 1});
   if (from_corner && !corners.empty()) return nearest_of(corners, nearness);
   const double best = nearness.best();
@@ -132,8 +132,8 @@ Beginning beginning_of(const NurbsCurve& curve, const Nearness& nearness, bool f
 SectionTurn turn_of(const NurbsCurve& before, const NurbsCurve& curve) {
   const NurbsCurve other_way = reversed(curve);
   const std::vector<glm::dvec3> other = about_middle(points_at(before, before.domain().start));
-  const Nearness along(other, curve);
-  const Nearness against(other, other_way);
+  const Beginnings along(other, curve);
+  const Beginnings against(other, other_way);
   const std::vector<glm::dvec3> own = about_middle(points_at(curve, curve.domain().start));
   const double size = std::sqrt(product(other, other)) * std::sqrt(product(own, own));
   if (!curve.periodic()) {

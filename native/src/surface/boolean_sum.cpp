@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "patch/compatible_patches.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/patch/compatible.hpp"
 
 namespace splinecore {
 

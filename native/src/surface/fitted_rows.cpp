@@ -33,9 +33,9 @@ double distance_of(const glm::dvec4& a, const glm::dvec4& b) {
 }
 
 /// One stretch without corners.
-class Stretch {
+class RowStretch {
  public:
-  Stretch(const RowsAt& rows_at, const Interval& interval, Closing closing)
+  RowStretch(const RowsAt& rows_at, const Interval& interval, Closing closing)
       : rows_at_(rows_at), interval_(interval), closing_(closing) {
     const int first = closing == Closing::closed ? 8 : kDegree;
     std::vector<double> places;
@@ -139,7 +139,7 @@ FittedRows joined(const FittedRows& a, const FittedRows& b, std::size_t columns)
 FittedRows fitted_rows(const RowsAt& rows_at, const std::vector<double>& breaks, Closing closing, double tolerance) {
   std::optional<FittedRows> all;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    FittedRows one = Stretch(rows_at, {breaks[i], breaks[i + 1]}, closing).within(tolerance);
+    FittedRows one = RowStretch(rows_at, {breaks[i], breaks[i + 1]}, closing).within(tolerance);
     const std::size_t columns = one.rows.size() / static_cast<std::size_t>(one.knots.count());
     all = all ? joined(*all, one, columns) : std::move(one);
   }

@@ -1,4 +1,4 @@
-#include "splinecore/patch/compatible.hpp"
+#include "compatible_patches.hpp"
 
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"

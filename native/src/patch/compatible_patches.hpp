@@ -5,6 +5,7 @@
 
 #include "splinecore/patch/nurbs_patch.hpp"
 
+#pragma GCC visibility push(hidden)
 namespace splinecore {
 
 /// Patches over the domains of the first, of the same degrees and on the same knots in both directions, as compatible()
@@ -13,3 +14,4 @@ namespace splinecore {
 std::vector<NurbsPatch> compatible(std::span<const NurbsPatch> patches);
 
 }  // namespace splinecore
+#pragma GCC visibility pop
