@@ -22,7 +22,7 @@ namespace {
 using Table = std::vector<std::vector<double>>;
 
 /// Where each curve meets each other one, from both sides: [i][j] and [j][i].
-struct Crossings {
+struct NetworkCrossings {
   Table on_u;
   Table on_v;
 };
@@ -44,8 +44,8 @@ double least_distance(const NurbsCurve& a, const NurbsCurve& b) {
 
 std::string pair_text(std::size_t i, std::size_t j) { return "along_u" + index_text(i) + " and along_v" + index_text(j); }
 
-Crossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance) {
-  Crossings found{Table(along_u.size(), std::vector<double>(along_v.size())),
+NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance) {
+  NetworkCrossings found{Table(along_u.size(), std::vector<double>(along_v.size())),
                   Table(along_v.size(), std::vector<double>(along_u.size()))};
   for (std::size_t i = 0; i < along_u.size(); ++i) {
     for (std::size_t j = 0; j < along_v.size(); ++j) {
@@ -166,7 +166,7 @@ NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<cons
   for (const auto& [family, name] : {std::pair{along_u, "along_u"}, std::pair{along_v, "along_v"}}) {
     if (family.size() < 2) throw InvalidShape(std::string(name) + " has fewer than two curves");
   }
-  const Crossings found = crossings_of(along_u, along_v, tolerance);
+  const NetworkCrossings found = crossings_of(along_u, along_v, tolerance);
   const std::vector<std::size_t> order_u = order_of(found.on_v[0]);
   const std::vector<std::size_t> order_v = order_of(found.on_u[0]);
   NetworkCurves network;
