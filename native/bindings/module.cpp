@@ -77,6 +77,9 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_lofts(module);
   bindings::bind_networks(module);
   bindings::bind_rails(module);
+  bindings::bind_surface_verbs(module);
+  bindings::bind_fills(module);
+  bindings::bind_subdivisions(module);
   bindings::bind_patch_joins(module);
   bindings::bind_formula(module);
   bindings::bind_from_formulas(module);

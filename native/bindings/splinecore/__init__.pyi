@@ -16,6 +16,7 @@ __all__ = [
     "Continuity",
     "Curvatures",
     "Error",
+    "Filling",
     "Formula",
     "FormulaError",
     "HermiteCurve",
@@ -33,6 +34,7 @@ __all__ = [
     "SeamContinuity",
     "Sections",
     "StationaryPoints",
+    "SubdivisionPatches",
     "Tessellation",
     "ToleranceNotReached",
     "basis",
@@ -101,6 +103,44 @@ class Continuity:
     def g(self) -> int: ...
     def __copy__(self) -> Continuity: ...
     def __deepcopy__(self, memo: object, /) -> Continuity: ...
+
+@final
+class Filling:
+    """What fills a hole: patches, and how well they go on from its sides.
+
+    gap is a length, angle and inner_angle are in radians, curvature_difference is 1 / length.
+    """
+
+    @property
+    def patches(self) -> tuple[NurbsPatch, ...]: ...
+    @property
+    def gap(self) -> float: ...
+    @property
+    def angle(self) -> float: ...
+    @property
+    def curvature_difference(self) -> float: ...
+    @property
+    def inner_angle(self) -> float: ...
+    def __copy__(self) -> Filling: ...
+    def __deepcopy__(self, memo: object, /) -> Filling: ...
+
+@final
+class SubdivisionPatches:
+    """Patches of the surface to which a mesh converges, one for each face of the mesh subdivided `rounds` times.
+
+    irregular of them are not the surface itself; angle is in radians.
+    """
+
+    @property
+    def patches(self) -> tuple[NurbsPatch, ...]: ...
+    @property
+    def rounds(self) -> int: ...
+    @property
+    def irregular(self) -> int: ...
+    @property
+    def angle(self) -> float: ...
+    def __copy__(self) -> SubdivisionPatches: ...
+    def __deepcopy__(self, memo: object, /) -> SubdivisionPatches: ...
 
 @final
 class SeamContinuity:

@@ -5,6 +5,7 @@ from ._splinecore import build as _build
 blend = _build.blend
 blend_patches = _build.blend_patches
 c2_pair = _build.c2_pair
+catmull_clark = _build.catmull_clark
 catmull_rom = _build.catmull_rom
 chain_from_polygon = _build.chain_from_polygon
 chamfered = _build.chamfered
@@ -15,7 +16,9 @@ curve_from_formulas = _build.curve_from_formulas
 curve_on_patch = _build.curve_on_patch
 cylinder = _build.cylinder
 disc = _build.disc
+extend_patch = _build.extend_patch
 extrude = _build.extrude
+fill = _build.fill
 filleted = _build.filleted
 fillets = _build.fillets
 helix = _build.helix
@@ -25,9 +28,12 @@ join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
 loft = _build.loft
+match_patch = _build.match_patch
 network = _build.network
+offset_patch = _build.offset_patch
 osculating_polynomial = _build.osculating_polynomial
 patch_from_formulas = _build.patch_from_formulas
+pipe = _build.pipe
 plane = _build.plane
 polygon_of_chain = _build.polygon_of_chain
 polynomial_through = _build.polynomial_through
@@ -35,6 +41,8 @@ revolve = _build.revolve
 ruled = _build.ruled
 sphere = _build.sphere
 sweep = _build.sweep
+sweep_two_rails = _build.sweep_two_rails
+thicken = _build.thicken
 torus = _build.torus
 touching_circle = _build.touching_circle
 
@@ -42,6 +50,7 @@ __all__ = [
     "blend",
     "blend_patches",
     "c2_pair",
+    "catmull_clark",
     "catmull_rom",
     "chain_from_polygon",
     "chamfered",
@@ -52,7 +61,9 @@ __all__ = [
     "curve_on_patch",
     "cylinder",
     "disc",
+    "extend_patch",
     "extrude",
+    "fill",
     "filleted",
     "fillets",
     "helix",
@@ -62,9 +73,12 @@ __all__ = [
     "kochanek_bartels",
     "lagrange_evaluate",
     "loft",
+    "match_patch",
     "network",
+    "offset_patch",
     "osculating_polynomial",
     "patch_from_formulas",
+    "pipe",
     "plane",
     "polygon_of_chain",
     "polynomial_through",
@@ -72,6 +86,8 @@ __all__ = [
     "ruled",
     "sphere",
     "sweep",
+    "sweep_two_rails",
+    "thicken",
     "torus",
     "touching_circle",
 ]

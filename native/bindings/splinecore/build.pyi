@@ -10,6 +10,7 @@ from . import (
     Approximation,
     BezierCurve,
     BezierPatch,
+    Filling,
     Formula,
     HermiteCurve,
     HermitePatch,
@@ -17,12 +18,14 @@ from . import (
     NurbsCurve,
     NurbsPatch,
     PowerCurve,
+    SubdivisionPatches,
 )
 
 __all__ = [
     "blend",
     "blend_patches",
     "c2_pair",
+    "catmull_clark",
     "catmull_rom",
     "chain_from_polygon",
     "chamfered",
@@ -33,7 +36,9 @@ __all__ = [
     "curve_on_patch",
     "cylinder",
     "disc",
+    "extend_patch",
     "extrude",
+    "fill",
     "filleted",
     "fillets",
     "helix",
@@ -43,9 +48,12 @@ __all__ = [
     "kochanek_bartels",
     "lagrange_evaluate",
     "loft",
+    "match_patch",
     "network",
+    "offset_patch",
     "osculating_polynomial",
     "patch_from_formulas",
+    "pipe",
     "plane",
     "polygon_of_chain",
     "polynomial_through",
@@ -53,6 +61,8 @@ __all__ = [
     "ruled",
     "sphere",
     "sweep",
+    "sweep_two_rails",
+    "thicken",
     "torus",
     "touching_circle",
 ]
@@ -268,10 +278,70 @@ def sweep(
     up: ArrayLike = (0, 0, 1),
     start: ArrayLike | None = None,
     end_scale: float = 1.0,
+    scales: ArrayLike | None = None,
     twist: float = 0.0,
     tolerance: float | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
+def sweep_two_rails(
+    rail: _Curve,
+    second: _Curve,
+    sections: _Curve | Sequence[_Curve],
+    *,
+    at: ArrayLike | None = None,
+    height: Literal["scaled", "kept"] = "scaled",
+    up: ArrayLike | None = None,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...
+def pipe(
+    axis: _Curve,
+    radius: float | ArrayLike,
+    *,
+    caps: Literal["none", "flat", "round"] = "none",
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[list[NurbsPatch]]: ...
+def offset_patch(
+    patch: _Patch,
+    distance: float,
+    *,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...
+def thicken(
+    patch: _Patch,
+    start: float,
+    end: float,
+    *,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[list[NurbsPatch]]: ...
+def extend_patch(
+    patch: _Patch, side: _Border, length: float, how: Literal["natural", "straight"] = "natural"
+) -> NurbsPatch: ...
+def match_patch(
+    patch: _Patch,
+    side: _Border,
+    onto: _Patch,
+    onto_side: _Border,
+    continuity: _EdgeContinuity = "G1",
+    *,
+    rows: int | None = None,
+    strength: float = 1.0,
+    reversed: bool | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[NurbsPatch]: ...
+def fill(
+    sides: Sequence[_Curve | tuple[_Patch, _Border, Literal["G0", "G1", "G2"]]],
+    *,
+    tolerance: float | None = None,
+    angle: float = 1e-4,
+    cancel: Callable[[], object] | None = None,
+) -> Filling: ...
+def catmull_clark(
+    points: ArrayLike, faces: Sequence[Sequence[SupportsIndex]], *, cancel: Callable[[], object] | None = None
+) -> SubdivisionPatches: ...
 def join_patches(
     first: _Patch,
     first_side: _Border,

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "basis/blossom.hpp"
 #include "curve_ends.hpp"
 #include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
@@ -17,6 +16,7 @@
 #include "splinecore/measure/arc_length.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 #include "splinecore/measure/length.hpp"
+#include "with_end.hpp"
 
 namespace splinecore {
 
@@ -44,26 +44,6 @@ std::optional<NurbsCurve> arc_on(const NurbsCurve& curve, const DirectedEnd& end
   }
   const double radius = 1.0 / bend;
   return ellipse_arc(end.point + radius * frame.normal, -radius * frame.normal, radius * end.tangent, 0.0, angle);
-}
-
-/// A clamped curve whose last span ends at another parameter.
-NurbsCurve with_end(const NurbsCurve& curve, double end) {
-  const int degree = curve.degree();
-  const auto knots = curve.knot_vector().knots();
-  const auto points = curve.homogeneous_points();
-  const std::size_t first = points.size() - 1 - static_cast<std::size_t>(degree);
-  std::vector<glm::dvec4> moved(points.begin(), points.end());
-  std::vector<double> row(static_cast<std::size_t>(degree) + 1);
-  const std::vector<double> ends(row.size(), end);
-  for (std::size_t k = 1; k <= static_cast<std::size_t>(degree); ++k) {
-    blossom_weights(knots.data() + first, degree, std::span(ends).first(k), row.data());
-    glm::dvec4 sum(0.0);
-    for (std::size_t i = 0; i <= k; ++i) sum += row[i] * points[first + i];
-    moved[first + k] = sum;
-  }
-  std::vector<double> further(knots.begin(), knots.end());
-  std::fill(further.end() - degree - 1, further.end(), end);
-  return NurbsCurve::from_homogeneous(KnotVector::make(degree, std::move(further)), moved);
 }
 
 /// Whether what was put behind a curve is in sight.

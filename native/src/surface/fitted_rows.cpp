@@ -146,4 +146,14 @@ FittedRows fitted_rows(const RowsAt& rows_at, const std::vector<double>& breaks,
   return *std::move(all);
 }
 
+NurbsPatch patch_of(const KnotVector& knots_u, const FittedRows& rows) {
+  const auto count_u = static_cast<std::size_t>(knots_u.count());
+  const auto count_v = static_cast<std::size_t>(rows.knots.count());
+  std::vector<glm::dvec4> net(rows.rows.size());
+  for (std::size_t j = 0; j < count_v; ++j) {
+    for (std::size_t i = 0; i < count_u; ++i) net[i * count_v + j] = rows.rows[j * count_u + i];
+  }
+  return NurbsPatch::from_homogeneous(knots_u, rows.knots, net);
+}
+
 }  // namespace splinecore

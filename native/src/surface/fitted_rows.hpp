@@ -7,6 +7,7 @@
 
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/build/parametrisation.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -27,6 +28,9 @@ struct FittedRows {
 /// @param closing  closed: the last rows are the first, and the only breaks are the ends
 /// @throws ToleranceNotReached if 2^14 rows do not come within it
 FittedRows fitted_rows(const RowsAt& rows_at, const std::vector<double>& breaks, Closing closing, double tolerance);
+
+/// The patch whose rows along u these are.
+NurbsPatch patch_of(const KnotVector& knots_u, const FittedRows& rows);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -9,6 +9,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "fit/row_spline.hpp"
+#include "going_on.hpp"
 #include "loft_sections.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -121,24 +122,6 @@ std::vector<double> numbers_of(std::span<const glm::dvec4> row) {
   return numbers;
 }
 
-std::vector<glm::dvec4> times(double factor, std::vector<glm::dvec4> row) {
-  for (glm::dvec4& p : row) p *= factor;
-  return row;
-}
-
-/// How fast points leave, on average.
-double speed_of(std::span<const glm::dvec4> row, std::span<const glm::dvec4> derivative) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const double w = row[i].w;
-    if (w == 0.0) continue;
-    sum += length_of((glm::dvec3(derivative[i]) - derivative[i].w / w * glm::dvec3(row[i])) / w);
-    count += 1.0;
-  }
-  return count == 0.0 ? 0.0 : sum / count;
-}
-
 /// Of each point the same: where w is its weight, w times the vector.
 std::vector<glm::dvec4> weighted(std::span<const glm::dvec4> row, const glm::dvec3& vector) {
   std::vector<glm::dvec4> found;
@@ -160,44 +143,19 @@ std::vector<glm::dvec4> along_plane(const SectionRow& pole, const SectionRow& be
     found.emplace_back(w * way, 0.0);
   }
   if (!(sum > 0.0)) throw InvalidShape("a pole cannot be flat: the section beside it lies along the normal");
-  return times(1.0 / sum, std::move(found));
-}
-
-/// What a patch goes on as: derivatives 1, 2, … of L(t) A(k t), A being the patch beyond its side, homogeneous, and L a
-/// function of t alone, under which weights on average begin level.
-std::vector<std::vector<glm::dvec4>> going_on(const SectionRow& edge, const LeavingRows& out, double k) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < edge.near.size(); ++i) {
-    if (edge.near[i].w == 0.0) continue;
-    sum += out[0][i].w / edge.near[i].w;
-    count += 1.0;
-  }
-  const double level = -k * sum / count;
-  std::vector<std::vector<glm::dvec4>> found;
-  for (std::size_t order = 1; order <= out.size(); ++order) {
-    std::vector<glm::dvec4> row = times(std::pow(level, order), edge.near);
-    double choose = 1.0;
-    for (std::size_t m = 1; m <= order; ++m) {
-      choose *= static_cast<double>(order - m + 1) / static_cast<double>(m);
-      const double factor = choose * std::pow(level, order - m) * std::pow(k, m);
-      for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * out[m - 1][i];
-    }
-    found.push_back(std::move(row));
-  }
-  return found;
+  return scaled(1.0 / sum, std::move(found));
 }
 
 /// Derivatives along v at an end, of the homogeneous rows. @param speed  elsewhere; below 0 at the end, where v leads to it
 std::vector<std::vector<double>> leaving(const LoftEnd& end, const LeavingRows& out, const SectionRow& own,
                                          const SectionRow& beside, double speed) {
-  if (end.tangent) return {numbers_of(times(std::abs(speed), weighted(own.near, *end.tangent)))};
-  if (end.flat) return {numbers_of(times(speed, along_plane(own, beside, *end.flat)))};
+  if (end.tangent) return {numbers_of(scaled(std::abs(speed), weighted(own.near, *end.tangent)))};
+  if (end.flat) return {numbers_of(scaled(speed, along_plane(own, beside, *end.flat)))};
   std::vector<std::vector<double>> rows;
   if (out.empty()) return rows;
   const double given = speed_of(own.near, out[0]);
   if (!(given > 0.0)) throw InvalidShape("a neighbour stands still across its side: nothing goes on from there");
-  for (const auto& row : going_on(own, out, end.neighbour->strength * speed / given)) rows.push_back(numbers_of(row));
+  for (const auto& row : going_on(own.near, out, end.neighbour->strength * speed / given)) rows.push_back(numbers_of(row));
   return rows;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "going_on.hpp"
 #include "meet/near_space.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/surface/loft.hpp"

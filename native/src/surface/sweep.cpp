@@ -12,6 +12,7 @@
 #include "fitted_rows.hpp"
 #include "fitted_together.hpp"
 #include "meet/near_space.hpp"
+#include "numbers_along.hpp"
 #include "rail_frames.hpp"
 #include "rail_sections.hpp"
 #include "splinecore/base/errors.hpp"
@@ -69,12 +70,12 @@ bool is_straight(const NurbsCurve& rail) {
 }
 
 /// The sum of a section in a frame and the rail, less where the frame is.
-NurbsPatch sum_of(const NurbsCurve& rail, const RailSections& sections, const MovingFrame& frame) {
+NurbsPatch sum_of(const NurbsCurve& rail, const RailSections& sections, const MovingFrame& frame, double scale) {
   const double start = rail.domain().start;
   const std::vector<glm::dvec4> section = as_given(sections.at(std::span(&start, 1)));
   std::vector<glm::dvec4> net;
   for (const glm::dvec4& q : section) {
-    const glm::dvec3 out = in_frame(frame, glm::dvec3(q));
+    const glm::dvec3 out = in_frame(frame, scale * glm::dvec3(q));
     for (const glm::dvec4& c : rail.points()) {
       if (q.w == 0.0 || c.w == 0.0) {
         net.emplace_back(q.w == 0.0 ? c.w * out : q.w * glm::dvec3(c), 0.0);
@@ -86,11 +87,27 @@ NurbsPatch sum_of(const NurbsCurve& rail, const RailSections& sections, const Mo
   return NurbsPatch::make(sections.knots(), rail.knot_vector(), std::move(net));
 }
 
+NumbersAlong scales_of(const SweepOptions& options, const NurbsCurve& rail) {
+  const RailNumber one{rail.domain().start, 1.0};
+  const std::span<const RailNumber> given = options.scales.empty() ? std::span(&one, 1) : std::span(options.scales);
+  return NumbersAlong(given, rail.domain(), rail.periodic(), "scale");
+}
+
 /// What sections are on their way along a rail, whose corners are mitred.
 class Sweeping {
  public:
   Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options)
-      : rail_(rail), sections_(sections), options_(options), corners_(corners_of({&rail, 1})), whole_(length(rail).value) {}
+      : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), corners_(corners_of({&rail, 1})),
+        whole_(length(rail).value) {}
+
+  bool is_level() const {
+    return sections_.is_one() && options_.end_scale == 1.0 && options_.twist == 0.0 && scales_.is_one();
+  }
+
+  /// That of the start.
+  double scale() const { return scales_.at(rail_.domain().start); }
+
+  bool goes_round() const { return rail_.periodic() && options_.end_scale == 1.0 && options_.twist == 0.0; }
 
   std::vector<double> breaks() const {
     std::vector<double> breaks{rail_.domain().start};
@@ -114,7 +131,7 @@ class Sweeping {
       const double share = lengths[i] / whole_;
       for (std::size_t j = 0; j < width; ++j) {
         glm::dvec4& p = rows[i * width + j];
-        const glm::dvec3 out = in_frame(places[i].frame, turned(glm::dvec3(p), share));
+        const glm::dvec3 out = in_frame(places[i].frame, scales_.at(at[i]) * turned(glm::dvec3(p), share));
         p = glm::dvec4(out + p.w * places[i].point + slide(mitre, places[i], out, p.w) * places[i].frame.tangent, p.w);
       }
     }
@@ -194,45 +211,51 @@ class Sweeping {
   const NurbsCurve& rail_;
   const RailSections& sections_;
   const SweepOptions& options_;
+  NumbersAlong scales_;
   std::vector<double> corners_;
   double whole_;
 };
 
-NurbsPatch from_rows(const KnotVector& knots_u, const FittedRows& rows) {
-  const auto count_u = static_cast<std::size_t>(knots_u.count());
-  const auto count_v = static_cast<std::size_t>(rows.knots.count());
-  std::vector<glm::dvec4> net(rows.rows.size());
-  for (std::size_t j = 0; j < count_v; ++j) {
-    for (std::size_t i = 0; i < count_u; ++i) net[i * count_v + j] = rows.rows[j * count_u + i];
-  }
-  return NurbsPatch::from_homogeneous(knots_u, rows.knots, net);
+/// Places on a closed rail that begins elsewhere now.
+template <class Placed>
+std::vector<Placed> placed_on(const NurbsCurve& rail, std::span<const Placed> given) {
+  std::vector<Placed> found(given.begin(), given.end());
+  const Interval domain = rail.domain();
+  const auto is_before = [&](const Placed& one) { return one.at < domain.start; };
+  const auto behind = std::ranges::find_if_not(found, is_before);
+  for (auto one = found.begin(); one != behind; ++one) one->at += domain.length();
+  std::rotate(found.begin(), behind, found.end());
+  return found;
 }
 
 }  // namespace
 
-Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> sections, const SweepOptions& options) {
-  require_options(options);
+Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> given, const SweepOptions& wanted) {
+  require_options(wanted);
   const NearSpace space(rail.points());
   const NurbsCurve whole = prepared(rail);
   const NurbsCurve near = whole.with_points(space.enter(whole.points()));
+  const bool begins_elsewhere = near.domain().start != rail.domain().start;
+  SweepOptions options = wanted;
+  if (begins_elsewhere) options.scales = placed_on<RailNumber>(near, wanted.scales);
+  const std::vector<RailSection> sections =
+      begins_elsewhere ? placed_on(near, given) : std::vector<RailSection>(given.begin(), given.end());
   const RailSections along(sections, near, space.length(1.0));
   const auto left = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
-  const bool is_level = along.is_one() && options.end_scale == 1.0 && options.twist == 0.0;
-  if (is_level && (options.frame == RailFrame::parallel || is_straight(near))) {
+  const Sweeping sweeping(near, along, options);
+  if (sweeping.is_level() && (options.frame == RailFrame::parallel || is_straight(near))) {
     const double start = near.domain().start;
     const RailPlace place = rail_places(near, std::span(&start, 1), near.domain(), options)[0];
-    return {left(sum_of(near, along, place.frame)), 0.0};
+    return {left(sum_of(near, along, place.frame, sweeping.scale())), 0.0};
   }
   if (options.frame == RailFrame::parallel) {
     throw InvalidShape("parallel sections keep their size and turn: one section, without scale and twist");
   }
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
-  const Sweeping sweeping(near, along, options);
-  const bool goes_round = near.periodic() && options.end_scale == 1.0 && options.twist == 0.0;
   const FittedRows rows = fitted_rows(
       [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); },
-      sweeping.breaks(), goes_round ? Closing::closed : Closing::open, within);
-  return {left(from_rows(along.knots(), rows)), space.length(rows.error)};
+      sweeping.breaks(), sweeping.goes_round() ? Closing::closed : Closing::open, within);
+  return {left(patch_of(along.knots(), rows)), space.length(rows.error)};
 }
 
 }  // namespace splinecore

@@ -24,11 +24,18 @@ struct RailSection {
   double at;  ///< the parameter of the rail to which it belongs
 };
 
+/// A number above 0 that belongs to a parameter of a rail.
+struct RailNumber {
+  double at;
+  double value;
+};
+
 struct SweepOptions {
   RailFrame frame = RailFrame::minimal;
   glm::dvec3 up{0.0, 0.0, 1.0};        ///< of upright frames
   std::optional<glm::dvec3> start;     ///< where x points at the start of the rail, of minimal frames; none: as of CarriedFrame
   double end_scale = 1.0;              ///< sections grow evenly by the length of the rail up to this factor
+  std::vector<RailNumber> scales;      ///< and by factors between which it goes without overshoot; empty: 1
   double twist = 0.0;                  ///< and turn about it by so much, in radians
   std::optional<double> tolerance;     ///< how far the surface may be from the sweep; none: 2^-20 of the size of the rail
 };
@@ -45,5 +52,22 @@ struct SweepOptions {
 ///         rotation_minimising_frames().
 Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> sections,
                                 const SweepOptions& options = {});
+
+struct TwoRailOptions {
+  bool is_height_scaled = true;        ///< sections grow with the distance of the rails in all directions; or along it alone
+  std::optional<glm::dvec3> up;        ///< y stays as near to it as the rails allow; none: at right angles to the rails, as they run
+  std::optional<double> tolerance;     ///< how far the surface may be from the sweep; none: 2^-20 of the size of the rails
+};
+
+/// The surface of a section between two rails, which are run through at equal parts of their domains (row S20): u along the
+/// sections, v by the parameter of the first rail.
+///
+/// x of a section points from the first rail to the second one, and is stretched so that it stays between them; z is at
+/// right angles to it and to y. Rows are fitted as those of sweep(). Closed where both rails are, smoothly.
+/// @returns the surface, and how far rows were found to be from where they should be
+/// @throws InvalidShape as sweep(), or if the rails meet, have corners without an upright direction, or run along the way
+///         from one to the other; ToleranceNotReached.
+Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second, std::span<const RailSection> sections,
+                                const TwoRailOptions& options = {});
 
 }  // namespace splinecore

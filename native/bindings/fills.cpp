@@ -1,0 +1,80 @@
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "neighbours.hpp"
+#include "rooms.hpp"
+#include "splinecore/surface/fill.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::FillOptions;
+using splinecore::FillSide;
+using splinecore::Filling;
+
+namespace {
+
+/// Curves of any kinds, and neighbours.
+std::vector<FillSide> sides_of(const py::object& value) {
+  const bool is_list = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+  if (!is_list) throw py::type_error("sides must be a list of curves and neighbours, not " + type_name(value));
+  std::vector<FillSide> sides;
+  for (const py::handle& item : value) {
+    const std::string name = "sides" + splinecore::index_text(sides.size());
+    const auto side = py::reinterpret_borrow<py::object>(item);
+    if (py::isinstance<py::tuple>(side)) {
+      sides.emplace_back(*neighbour_of(side, name.c_str()));
+    } else {
+      sides.emplace_back(any_curve(side, name.c_str()));
+    }
+  }
+  return sides;
+}
+
+void bind_filling(py::module_& module) {
+  py::class_<Filling> cls(module, "Filling", py::module_local(),
+                          "What fills a hole: patches, a tuple of NurbsPatch, and how well it goes on (lecture row S21).\n\n"
+                          "gap, a length, is the largest distance from a side; angle, in radians, the largest between tangent planes along\n"
+                          "neighbours with 'G1' and 'G2'; curvature_difference, in 1 / length, that of normal curvatures across those with\n"
+                          "'G2'; inner_angle the largest between tangent planes of patches of the filling.");
+  seal(cls);
+  cls.def_property_readonly("patches", [](const Filling& self) { return py::tuple(py::cast(self.patches)); },
+                            "A tuple of NurbsPatch.");
+  cls.def_readonly("gap", &Filling::gap);
+  cls.def_readonly("angle", &Filling::angle);
+  cls.def_readonly("curvature_difference", &Filling::curvature_difference);
+  cls.def_readonly("inner_angle", &Filling::inner_angle);
+  cls.def("__repr__", [](const Filling& self) {
+    const auto text = [](double value) { return splinecore::text_of(value); };
+    return "Filling(" + std::to_string(self.patches.size()) + " patches, gap=" + text(self.gap) + ", angle=" + text(self.angle) +
+           ", curvature_difference=" + text(self.curvature_difference) + ", inner_angle=" + text(self.inner_angle) + ")";
+  });
+}
+
+}  // namespace
+
+void bind_fills(py::module_& module) {
+  bind_filling(module);
+  py::module_ build = module.attr("build");
+  build.def("fill", [](const py::object& sides, const py::object& tolerance, const py::object& angle, const py::object& cancel) {
+              const std::vector<FillSide> around = sides_of(sides);
+              const FillOptions options{tolerance_of(tolerance), real(angle, "angle")};
+              return unlocked([&] { return splinecore::fill(around, options); }, cancel);
+            }, py::arg("sides"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = 1e-4,
+            py::arg("cancel") = py::none(),
+            "The Filling of a hole of three to eight sides, which are curves of any kinds or neighbours (patch, side, 'G0' to\n"
+            "'G2'), one after the other in any directions: the surface that goes on from these, by least third derivatives (Sarraga\n"
+            "1987, Greiner 1994; row S21).\n\n"
+            "A hole of four sides is one patch of degree 5; others are split from the middle of each side to a point. There are as\n"
+            "few spans as come within the tolerance, a length, by default 2^-20 of the size of the sides, and the angle, in\n"
+            "radians; eight at most, and the Filling says what was reached. Where neighbours do not share their tangent plane at a\n"
+            "corner, nothing can go on from both.\n"
+            "InvalidShape unless there are 3 to 8 sides that go round, or if one turns back over its neighbour;\n"
+            "ToleranceNotReached says how far ends of sides lie apart, or how far the filling is from its sides.");
+}
+
+}  // namespace bindings

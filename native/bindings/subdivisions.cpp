@@ -1,0 +1,84 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "arrays.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+#include "rooms.hpp"
+#include "splinecore/surface/catmull_clark.hpp"
+#include "values.hpp"
+
+namespace bindings {
+
+using splinecore::ControlMesh;
+using splinecore::InvalidShape;
+using splinecore::SubdivisionPatches;
+
+namespace {
+
+std::vector<std::vector<int>> faces_of(const py::object& value) {
+  const bool is_sequence = py::isinstance<py::sequence>(value) && !py::isinstance<py::str>(value);
+  if (!is_sequence && !py::isinstance<py::array>(value)) {
+    throw py::type_error("faces must be a list of lists of point numbers, not " + type_name(value));
+  }
+  std::vector<std::vector<int>> faces;
+  for (const py::handle& item : value) {
+    const std::string name = "faces" + splinecore::index_text(faces.size());
+    std::vector<int> face;
+    for (const py::handle& corner : item) face.push_back(integer(corner, name.c_str()));
+    faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+ControlMesh mesh_of(const py::object& points, const py::object& faces) {
+  const Doubles rows = real_array(points, "points");
+  if (rows.ndim() != 2 || rows.shape(1) != 3) throw InvalidShape("points must have the shape (n, 3), not " + shape_text(rows));
+  ControlMesh mesh;
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    const double* const p = rows.data() + 3 * i;
+    mesh.points.emplace_back(p[0], p[1], p[2]);
+  }
+  mesh.faces = faces_of(faces);
+  return mesh;
+}
+
+void bind_patches_of_subdivision(py::module_& module) {
+  py::class_<SubdivisionPatches> cls(module, "SubdivisionPatches", py::module_local(),
+                                     "Patches of the surface to which a mesh converges: patches, a tuple of NurbsPatch, one for each face of the mesh\n"
+                                     "that was subdivided `rounds` times, in its order.\n\n"
+                                     "irregular patches, beside extraordinary points, are not the surface itself; angle, in radians, is the largest\n"
+                                     "between tangent planes across a side of one of these.");
+  seal(cls);
+  cls.def_property_readonly("patches", [](const SubdivisionPatches& self) { return py::tuple(py::cast(self.patches)); },
+                            "A tuple of NurbsPatch.");
+  cls.def_readonly("rounds", &SubdivisionPatches::rounds);
+  cls.def_readonly("irregular", &SubdivisionPatches::irregular);
+  cls.def_readonly("angle", &SubdivisionPatches::angle);
+  cls.def("__repr__", [](const SubdivisionPatches& self) {
+    return "SubdivisionPatches(" + std::to_string(self.patches.size()) + " patches, rounds=" + std::to_string(self.rounds) +
+           ", irregular=" + std::to_string(self.irregular) + ", angle=" + splinecore::text_of(self.angle) + ")";
+  });
+}
+
+}  // namespace
+
+void bind_subdivisions(py::module_& module) {
+  bind_patches_of_subdivision(module);
+  py::module_ build = module.attr("build");
+  build.def("catmull_clark", [](const py::object& points, const py::object& faces, const py::object& cancel) {
+              const ControlMesh mesh = mesh_of(points, faces);
+              return unlocked([&] { return splinecore::catmull_clark(mesh); }, cancel);
+            }, py::arg("points"), py::arg("faces"), py::kw_only(), py::arg("cancel") = py::none(),
+            "The surface of Catmull and Clark's scheme, whose corners are points (n, 3) and whose faces are lists of their numbers,\n"
+            "counterclockwise seen from outside: SubdivisionPatches (Catmull and Clark 1978; row S20).\n\n"
+            "The mesh is subdivided until all its faces have four sides and at most one extraordinary point, about which not four\n"
+            "faces meet. A face without one is a bicubic patch, exactly that of the surface. Those about an extraordinary point are\n"
+            "patches of degree 7 through its limit that continue the curvatures round about, and meet in common tangent planes.\n"
+            "Edges that have one face converge to cubic splines, and corners of one face stay.\n"
+            "InvalidShape if there is no face, one has fewer than three corners or one twice, an edge has more than two faces, faces\n"
+            "beside each other are turned differently, or parts meet in a point alone.");
+}
+
+}  // namespace bindings

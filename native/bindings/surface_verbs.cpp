@@ -1,0 +1,101 @@
+#include <optional>
+#include <vector>
+
+#include "approximation.hpp"
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "every_kind.hpp"
+#include "long_calls.hpp"
+#include "point_arguments.hpp"
+#include "rooms.hpp"
+#include "splinecore/surface/extend_patch.hpp"
+#include "splinecore/surface/match.hpp"
+#include "splinecore/surface/offset_patch.hpp"
+
+namespace bindings {
+
+using splinecore::Extension;
+using splinecore::MatchOptions;
+
+namespace {
+
+void bind_offset_patch(py::module_& build) {
+  build.def("offset_patch", [](const py::object& patch, const py::object& distance, const py::object& tolerance,
+                               const py::object& cancel) {
+              const auto given = any_patch(patch, "patch");
+              const double by = real(distance, "distance");
+              const std::optional<double> within = tolerance_of(tolerance);
+              return wrap(unlocked([&] { return splinecore::offset(given, by, within); }, cancel));
+            }, py::arg("patch"), py::arg("distance"), py::kw_only(), py::arg("tolerance") = py::none(),
+            py::arg("cancel") = py::none(),
+            "The patch a distance away along its normals, to the other side where that is below 0: (value, error), a NurbsPatch\n"
+            "and how far it was found to be from where it should be (Farin 2002, 8; row S20).\n\n"
+            "It has the weights of the patch: planes, cylinders, cones, spheres and tori come out exactly, but for rounding, others\n"
+            "within the tolerance, a length, by default 2^-20 of the size of the patch.\n"
+            "InvalidShape if the distance is not finite, the patch has a crease, a gap or no normal somewhere, or bends with a\n"
+            "radius that is not longer than the distance; ToleranceNotReached.");
+  build.def("thicken", [](const py::object& patch, const py::object& start, const py::object& end, const py::object& tolerance,
+                          const py::object& cancel) {
+              const auto given = any_patch(patch, "patch");
+              const double from = real(start, "start");
+              const double to = real(end, "end");
+              const std::optional<double> within = tolerance_of(tolerance);
+              return wrap(unlocked([&] { return splinecore::thickened(given, from, to, within); }, cancel));
+            }, py::arg("patch"), py::arg("start"), py::arg("end"), py::kw_only(), py::arg("tolerance") = py::none(),
+            py::arg("cancel") = py::none(),
+            "The closed set of the offsets of a patch by two distances, 0 being the patch itself, and the ruled surfaces between\n"
+            "their sides: (value, error), a list of NurbsPatch with normals outwards, and the larger error of both offsets.\n\n"
+            "Patches next to each other have the same control points along their common side. Sides that are points, or meet\n"
+            "another, have no surface between. Row S20. InvalidShape if both distances are equal, and as offset_patch().");
+}
+
+void bind_extend_patch(py::module_& build) {
+  build.def("extend_patch", [](const py::object& patch, const py::object& side, const py::object& length, const py::object& how) {
+              const auto given = any_patch(patch, "patch");
+              const splinecore::Border at = border_of(side, "side");
+              const double by = real(length, "length");
+              const auto as = chosen<Extension>(how, "how", {{"natural", Extension::natural}, {"straight", Extension::straight}});
+              return unlocked([&] { return splinecore::extended(given, at, by, as); });
+            }, py::arg("patch"), py::arg("side"), py::arg("length"), py::arg("how") = "natural",
+            "The patch made longer at a side by a length, on average along it: a NurbsPatch that keeps its parameters, the domain\n"
+            "grows. how is 'natural': each line goes on by the polynomials of its last span (row S20); 'straight': along its\n"
+            "tangent.\n"
+            "InvalidShape if the length is not above 0, the direction is periodic, lines stand still at the side, or run to\n"
+            "infinity before that length.");
+}
+
+void bind_match(py::module_& build) {
+  build.def("match_patch", [](const py::object& patch, const py::object& side, const py::object& onto, const py::object& onto_side,
+                              const py::object& continuity, const py::object& rows, const py::object& strength,
+                              const py::object& reversed, const py::object& cancel) {
+              const auto moved = any_patch(patch, "patch");
+              const splinecore::Border at = border_of(side, "side");
+              const auto other = any_patch(onto, "onto");
+              const splinecore::Border at_other = border_of(onto_side, "onto_side");
+              MatchOptions options;
+              options.continuity = chosen<int>(continuity, "continuity", {{"G0", 0}, {"G1", 1}, {"G2", 2}, {"G3", 3}});
+              if (!rows.is_none()) options.rows = integer(rows, "rows");
+              options.strength = real(strength, "strength");
+              options.is_reversed = optional_boolean(reversed, "reversed");
+              return wrap(unlocked([&] { return splinecore::matched(moved, at, other, at_other, options); }, cancel));
+            }, py::arg("patch"), py::arg("side"), py::arg("onto"), py::arg("onto_side"), py::arg("continuity") = "G1", py::kw_only(),
+            py::arg("rows") = py::none(), py::arg("strength") = 1.0, py::arg("reversed") = py::none(),
+            py::arg("cancel") = py::none(),
+            "The patch whose side is that of another one, and which goes on from there as that does, 'G0' to 'G3': (value, error),\n"
+            "a NurbsPatch over the same domain, and the largest distance by which a point moved (Farin 2002; row S21).\n\n"
+            "The first rows of control points beside the side follow from the other patch's derivatives, at the patch's own speed\n"
+            "times the strength; of `rows` that may move the others go with them evenly, and the rest stay where they are. Without\n"
+            "`reversed` the nearer ends say which way the sides run.\n"
+            "InvalidShape if rows are too few, a patch stands still across its side, or that is the seam of a periodic direction.");
+}
+
+}  // namespace
+
+void bind_surface_verbs(py::module_& module) {
+  py::module_ build = module.attr("build");
+  bind_offset_patch(build);
+  bind_extend_patch(build);
+  bind_match(build);
+}
+
+}  // namespace bindings

@@ -1,0 +1,122 @@
+#include "splinecore/surface/extend_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "build/with_end.hpp"
+#include "meet/near_space.hpp"
+#include "patch/lines.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/measure/length.hpp"
+#include "splinecore/patch/ends.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr int kLines = 9;
+
+/// A clamped curve that goes on along its tangent up to a parameter, as a straight homogeneous line.
+NurbsCurve with_straight_end(const NurbsCurve& curve, double end) {
+  const int degree = curve.degree();
+  const auto knots = curve.knot_vector().knots();
+  const double last = curve.domain().end;
+  const auto old = curve.homogeneous_points();
+  const double width = last - knots[knots.size() - static_cast<std::size_t>(degree) - 2];
+  const glm::dvec4 step = (end - last) / width * (old.back() - old[old.size() - 2]);
+  const int copies = std::max(1, degree - 1);
+  std::vector<glm::dvec4> points(old.begin(), old.end() - (degree > 1 ? 1 : 0));
+  for (int k = 1; k <= degree; ++k) points.push_back(old.back() + static_cast<double>(k) * step);
+  std::vector<double> further(knots.begin(), knots.end() - degree - 1);
+  further.insert(further.end(), static_cast<std::size_t>(copies), last);
+  further.insert(further.end(), static_cast<std::size_t>(degree) + 1, end);
+  return NurbsCurve::from_homogeneous(KnotVector::make(degree, std::move(further)), points);
+}
+
+/// A patch clamped in the direction that is made longer, at its end.
+class Longer {
+ public:
+  Longer(const NurbsPatch& patch, Axis axis, Extension how)
+      : patch_(patch), axis_(axis), how_(how), domain_(patch.knot_vector(axis).domain()) {}
+
+  NurbsPatch until(double end) const {
+    return along(patch_, axis_, [&](const NurbsCurve& line) {
+      return how_ == Extension::natural ? with_end(line, end) : with_straight_end(line, end);
+    });
+  }
+
+  /// How long what was added is, on average. @throws InvalidShape where it runs to infinity.
+  double length(double end) const {
+    const NurbsPatch added = split(until(end), axis_, domain_.end).second;
+    const auto points = added.points();
+    const bool is_finite = std::ranges::all_of(points, [&](const glm::dvec4& p) { return p.w * points.front().w > 0.0; });
+    if (!is_finite) throw InvalidShape("the surface runs to infinity before it is so much longer");
+    const Interval others = added.knot_vector(across(axis_)).domain();
+    double sum = 0.0;
+    for (int k = 0; k < kLines; ++k) {
+      const double at = k + 1 < kLines ? others.start + others.length() * k / (kLines - 1) : others.end;
+      sum += splinecore::length(isocurve(added, across(axis_), at)).value / kLines;
+    }
+    return sum;
+  }
+
+  /// The parameter up to which it is so much longer.
+  double end_for(double wanted) const {
+    constexpr int kDoublings = 48;
+    constexpr int kHalvings = 60;
+    const KnotVector& knots = patch_.knot_vector(axis_);
+    double low = 0.0;
+    double step = 0.25 * knots.span_interval(static_cast<int>(knots.spans().size()) - 1).length();
+    double reached = length(domain_.end + step);
+    while (reached > wanted) reached = length(domain_.end + (step *= 0.25));
+    for (int i = 0; reached < wanted; ++i) {
+      if (i == kDoublings || !(reached > 0.0)) throw InvalidShape("the surface stands still at its side: nothing goes on from there");
+      low = step;
+      const double next = std::min(2.0, 1.5 * wanted / reached);
+      step *= std::max(next, 1.01);
+      reached = length(domain_.end + step);
+    }
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = low + 0.5 * (step - low);
+      if (!(middle > low && middle < step)) break;
+      (length(domain_.end + middle) < wanted ? low : step) = middle;
+    }
+    return domain_.end + step;
+  }
+
+ private:
+  NurbsPatch patch_;
+  Axis axis_;
+  Extension how_;
+  Interval domain_;
+};
+
+NurbsPatch turned(const NurbsPatch& patch, Axis axis, const Interval& domain) {
+  return with_domain(reversed(patch, axis), axis, domain);
+}
+
+}  // namespace
+
+NurbsPatch extended(const NurbsPatch& patch, Border side, double length, Extension how) {
+  const Axis axis = axis_of(side);
+  if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the length is not above 0");
+  if (how == Extension::arc) throw InvalidShape("a surface goes on naturally or straight, not by arcs");
+  if (patch.knot_vector(axis).periodic()) throw InvalidShape("the surface is closed in this direction: it has no side to go on from");
+  const Interval domain = patch.knot_vector(axis).domain();
+  if (!is_at_end(side)) {
+    const NurbsPatch back = extended(turned(patch, axis, domain), axis == Axis::u ? Border::u_end : Border::v_end, length, how);
+    const double added = back.knot_vector(axis).domain().end - domain.end;
+    return turned(back, axis, {domain.start - added, domain.end});
+  }
+  const NurbsPatch whole = clamped(patch, axis);
+  const NearSpace space(whole.points());
+  const Longer longer(whole.with_points(space.enter(whole.points())), axis, how);
+  const double end = longer.end_for(length / space.length(1.0));
+  return Longer(whole, axis, how).until(end);
+}
+
+}  // namespace splinecore

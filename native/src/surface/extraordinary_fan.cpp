@@ -1,0 +1,162 @@
+#include "extraordinary_fan.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "greville.hpp"
+#include "regular_net.hpp"
+#include "rows_beside.hpp"
+#include "splinecore/patch/evaluate.hpp"
+#include "star.hpp"
+#include "star_claims.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr int kDegree = 7;
+constexpr int kOrders = 3;
+
+/// Half of a side of a face: a regular face of the finer mesh, u along the side or v.
+struct HalfSide {
+  NurbsPatch patch;
+  Axis along;
+};
+
+/// A side of a face of the mesh, in two halves, and derivatives across it.
+class OuterSide {
+ public:
+  OuterSide(HalfSide first, HalfSide second) : halves_{std::move(first), std::move(second)} {}
+
+  /// For orders 0 to 2 of derivatives across, at places from 0 to 1 along the side.
+  std::vector<std::vector<glm::dvec3>> across(const std::vector<double>& places) const {
+    std::vector<std::vector<glm::dvec3>> found(kOrders);
+    for (const double s : places) {
+      const bool is_second = s > 0.5;
+      const auto values = across_half(halves_[is_second], 2.0 * s - (is_second ? 1.0 : 0.0));
+      double scale = 1.0;
+      for (std::size_t k = 0; k < kOrders; ++k, scale *= 2.0) found[k].push_back(scale * values[k]);
+    }
+    return found;
+  }
+
+ private:
+  static std::array<glm::dvec3, kOrders> across_half(const HalfSide& half, double s) {
+    const bool is_along_u = half.along == Axis::u;
+    const double u[] = {is_along_u ? s : 0.0};
+    const double v[] = {is_along_u ? 0.0 : s};
+    std::array<glm::dvec3, kOrders * kOrders> values;
+    derivatives(half.patch, u, v, kOrders - 1, std::span(&values.front().x, 3 * values.size()));
+    const std::size_t step = is_along_u ? 1 : kOrders;
+    return {values[0], values[step], values[2 * step]};
+  }
+
+  std::array<HalfSide, 2> halves_;
+};
+
+class Fan {
+ public:
+  Fan(const ControlMesh& mesh, const MeshTopology& topology, const ControlMesh& finer, const MeshTopology& finer_topology, int point)
+      : mesh_(mesh), topology_(topology), finer_(finer), finer_topology_(finer_topology), point_(point),
+        star_{KnotVector::bezier(kDegree), topology.fan(point).size(), topology.is_on_border(point), kOrders} {}
+
+  std::vector<NurbsPatch> patches() const {
+    StarClaims claims(star_);
+    for (std::size_t k = 0; k < star_.count; ++k) claim_sides(claims, k);
+    if (star_.is_open) claim_borders(claims);
+    claims.add(0, kDegree, kDegree, limit(), 0);
+    const std::vector<glm::dvec3> points = solved_star(star_, claims.points());
+    std::vector<NurbsPatch> made;
+    for (std::size_t k = 0; k < star_.count; ++k) {
+      std::vector<glm::dvec4> net;
+      for (std::size_t i = 0; i <= kDegree; ++i) {
+        for (std::size_t j = 0; j <= kDegree; ++j) net.emplace_back(points[star_.at(k, i, j)], 1.0);
+      }
+      made.push_back(NurbsPatch::make(star_.knots, star_.knots, std::move(net)));
+    }
+    return made;
+  }
+
+ private:
+  int spoke(std::size_t k) const { return topology_.fan(point_)[k]; }
+  const glm::dvec3& at(int i) const { return mesh_.points[static_cast<std::size_t>(i)]; }
+
+  /// The part of a face at its corner where a side begins, from the `turn`-th of its own corners on.
+  HalfSide part(int side, int turn, Axis along) const {
+    return {regular_patch(finer_, finer_topology_, finer_topology_.first_side(side) + turn), along};
+  }
+
+  void claim_sides(StarClaims& claims, std::size_t k) const {
+    const int across = topology_.next(topology_.next(spoke(k)));  // begins at the corner across from the point
+    const OuterSide first(part(across, 0, Axis::u), part(topology_.next(across), 3, Axis::u));
+    const OuterSide second(part(across, 0, Axis::v), part(topology_.before(across), 1, Axis::v));
+    const std::vector<double> places = greville_places(star_.knots);
+    const auto along_u = rows_beside(star_.knots, first.across(places));
+    const auto along_v = rows_beside(star_.knots, second.across(places));
+    for (std::size_t r = 0; r < kOrders; ++r) {
+      for (std::size_t i = 0; i <= kDegree; ++i) {
+        claims.add(k, i, r, along_u[r][i], static_cast<int>(r));
+        claims.add(k, r, i, along_v[r][i], static_cast<int>(r));
+      }
+    }
+  }
+
+  /// The point before one on the border, or behind it; reflected at a corner.
+  glm::dvec3 further(int border, bool is_before) const {
+    const auto& fan = topology_.fan(border);
+    if (fan.size() == 1) return 2.0 * at(border) - at(point_);
+    return at(is_before ? topology_.side(topology_.before(fan.back())).from : topology_.to(fan.front()));
+  }
+
+  /// The border from a point beside the extraordinary one up to that.
+  std::vector<glm::dvec3> border(int beside, int behind, bool is_before) const {
+    const std::array<glm::dvec3, 4> p{further(beside, is_before), at(beside), at(point_), at(behind)};
+    std::vector<glm::dvec3> points;
+    for (const double s : greville_places(star_.knots)) {
+      const double t = 1.0 - s;
+      points.push_back((t * t * t * p[0] + (3.0 * s * s * s - 6.0 * s * s + 4.0) * p[1] +
+                        (3.0 * t * t * t - 6.0 * t * t + 4.0) * p[2] + s * s * s * p[3]) / 6.0);
+    }
+    return rows_beside(star_.knots, {points})[0];
+  }
+
+  int first_beside() const { return topology_.to(topology_.fan(point_).front()); }
+  int last_beside() const { return topology_.side(topology_.before(topology_.fan(point_).back())).from; }
+
+  void claim_borders(StarClaims& claims) const {
+    const auto first = border(first_beside(), last_beside(), false);
+    const auto last = border(last_beside(), first_beside(), true);
+    for (std::size_t i = 0; i <= kDegree; ++i) {
+      claims.add(0, i, kDegree, first[i], 0);
+      claims.add(star_.count - 1, kDegree, i, last[i], 0);
+    }
+  }
+
+  /// Where the point converges to.
+  glm::dvec3 limit() const {
+    if (star_.is_open) return (at(first_beside()) + 4.0 * at(point_) + at(last_beside())) / 6.0;
+    const auto n = static_cast<double>(star_.count);
+    glm::dvec3 sum = n / (n + 5.0) * at(point_);
+    for (const int side : topology_.fan(point_)) {
+      const int across = topology_.next(topology_.next(side));
+      sum += (4.0 * at(topology_.to(side)) + at(topology_.side(across).from)) / (n * (n + 5.0));
+    }
+    return sum;
+  }
+
+  const ControlMesh& mesh_;
+  const MeshTopology& topology_;
+  const ControlMesh& finer_;
+  const MeshTopology& finer_topology_;
+  int point_;
+  Star star_;
+};
+
+}  // namespace
+
+std::vector<NurbsPatch> extraordinary_fan(const ControlMesh& mesh, const MeshTopology& topology, const ControlMesh& finer,
+                                          const MeshTopology& finer_topology, int point) {
+  return Fan(mesh, topology, finer, finer_topology, point).patches();
+}
+
+}  // namespace splinecore

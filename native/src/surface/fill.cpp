@@ -1,0 +1,216 @@
+#include "splinecore/surface/fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "base/length.hpp"
+#include "border_loop.hpp"
+#include "build/fit_options.hpp"
+#include "greville.hpp"
+#include "hole.hpp"
+#include "meet/near_space.hpp"
+#include "rows_beside.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/measure/seam.hpp"
+#include "star.hpp"
+#include "star_claims.hpp"
+
+namespace splinecore {
+
+namespace {
+
+const NurbsPatch* patch_of(const FillSide& side) {
+  const auto* neighbour = std::get_if<LoftNeighbour>(&side);
+  return neighbour ? &neighbour->patch : nullptr;
+}
+
+std::vector<glm::dvec4> points_of(std::span<const FillSide> sides) {
+  std::vector<glm::dvec4> all;
+  for (const FillSide& side : sides) {
+    const auto* curve = std::get_if<NurbsCurve>(&side);
+    const auto points = curve ? curve->points() : patch_of(side)->points();
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  return all;
+}
+
+void require_sides(std::span<const FillSide> sides, const FillOptions& options) {
+  constexpr std::size_t kLeast = 3;
+  constexpr std::size_t kMost = 8;
+  if (sides.size() < kLeast || sides.size() > kMost) {
+    throw InvalidShape("a hole of " + std::to_string(sides.size()) + " sides: 3 to 8 are expected");
+  }
+  for (const FillSide& side : sides) {
+    const auto* neighbour = std::get_if<LoftNeighbour>(&side);
+    if (neighbour && (neighbour->continuity < 0 || neighbour->continuity > 2)) {
+      throw InvalidShape("continuity " + std::to_string(neighbour->continuity) + " of a filling: 0 to 2 is expected");
+    }
+    if (neighbour && neighbour->patch.knot_vector(axis_of(neighbour->side)).periodic()) {
+      throw InvalidShape("the side of a neighbour is the seam of a periodic direction: it is no edge");
+    }
+  }
+  if (options.tolerance) require_tolerance(*options.tolerance);
+  if (!(options.angle > 0.0)) throw InvalidShape("the angle " + text_of(options.angle) + " is not above 0");
+}
+
+FillSide entered(const FillSide& side, const NearSpace& space) {
+  if (const auto* curve = std::get_if<NurbsCurve>(&side)) return curve->with_points(space.enter(curve->points()));
+  LoftNeighbour neighbour = std::get<LoftNeighbour>(side);
+  neighbour.patch = neighbour.patch.with_points(space.enter(neighbour.patch.points()));
+  return neighbour;
+}
+
+NurbsCurve curve_of(const FillSide& side) {
+  if (const auto* curve = std::get_if<NurbsCurve>(&side)) return *curve;
+  const auto& neighbour = std::get<LoftNeighbour>(side);
+  return boundary(neighbour.patch, neighbour.side);
+}
+
+/// Which part of a side is one of a patch of the filling: u or v of it runs from one place of the side to the other.
+struct PartOfSide {
+  std::size_t side;
+  double from;
+  double to;
+  std::size_t patch;
+  Border border;
+};
+
+std::vector<PartOfSide> parts_of(const Hole& hole) {
+  if (hole.share == 1.0) {
+    return {{0, 0.0, 1.0, 0, Border::v_start}, {1, 0.0, 1.0, 0, Border::u_end}, {2, 1.0, 0.0, 0, Border::v_end}, {3, 1.0, 0.0, 0, Border::u_start}};
+  }
+  std::vector<PartOfSide> parts;
+  for (std::size_t k = 0; k < hole.sides.size(); ++k) {
+    parts.push_back({k, 0.0, hole.share, k, Border::v_start});
+    parts.push_back({hole.before(k), 1.0, hole.share, k, Border::u_start});
+  }
+  return parts;
+}
+
+/// Rows of control points of a patch along its part of a side, one more than the side's continuity.
+std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const PartOfSide& part, const KnotVector& knots) {
+  std::vector<double> s;
+  for (const double place : greville_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
+  std::vector<std::vector<glm::dvec3>> across(1);
+  for (const SidePlace& here : side.places(s)) across[0].push_back(here.point);
+  for (int order = 1; order <= side.continuity(); ++order) across.push_back(side.across(s, order));
+  return rows_beside(knots, across);
+}
+
+std::vector<NurbsPatch> patches_with(const Hole& hole, const std::vector<PartOfSide>& parts, const KnotVector& knots) {
+  const bool is_one = hole.share == 1.0;
+  const Star star{knots, is_one ? 1 : hole.sides.size(), is_one, hole.continuity() + 1};
+  const std::size_t last = star.width() - 1;
+  StarClaims claims(star);
+  for (const PartOfSide& part : parts) {
+    const auto rows = rows_along(hole.sides[part.side], part, knots);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::size_t across = is_at_end(part.border) ? last - r : r;
+      for (std::size_t j = 0; j <= last; ++j) {
+        const bool is_along_u = axis_of(part.border) == Axis::v;
+        claims.add(part.patch, is_along_u ? j : across, is_along_u ? across : j, rows[r][j], static_cast<int>(r));
+      }
+    }
+  }
+  const std::vector<glm::dvec3> points = solved_star(star, claims.points());
+  std::vector<NurbsPatch> patches;
+  for (std::size_t k = 0; k < star.count; ++k) {
+    std::vector<glm::dvec4> net;
+    for (std::size_t i = 0; i <= last; ++i) {
+      for (std::size_t j = 0; j <= last; ++j) net.emplace_back(points[star.at(k, i, j)], 1.0);
+    }
+    patches.push_back(NurbsPatch::make(knots, knots, std::move(net)));
+  }
+  return patches;
+}
+
+double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {
+  constexpr int kPlaces = 129;
+  std::vector<double> at;
+  std::vector<double> s;
+  for (int k = 0; k < kPlaces; ++k) {
+    at.push_back(static_cast<double>(k) / (kPlaces - 1));
+    s.push_back(part.from + (part.to - part.from) * at.back());
+  }
+  const NurbsCurve border = boundary(patch, part.border);
+  std::vector<glm::dvec3> points(kPlaces);
+  evaluate(border, at, std::span(&points.front().x, 3 * points.size()));
+  const std::vector<SidePlace> wanted = side.places(s);
+  double largest = 0.0;
+  for (int k = 0; k < kPlaces; ++k) largest = std::max(largest, distance_of(points[k], wanted[k].point));
+  return largest;
+}
+
+Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::vector<NurbsPatch> patches) {
+  Filling filling{std::move(patches)};
+  for (const PartOfSide& part : parts) {
+    const HoleSide& side = hole.sides[part.side];
+    const NurbsPatch& patch = filling.patches[part.patch];
+    filling.gap = std::max(filling.gap, gap_along(side, part, patch));
+    if (side.continuity() == 0) continue;
+    const auto [low, high] = std::minmax(part.from, part.to);
+    const SeamContinuity seam = seam_continuity(patch, part.border, *side.neighbour_part(low, high), Border::v_end,
+                                                kContinuityTolerance, {}, part.from > part.to);
+    filling.angle = std::max(filling.angle, seam.angle);
+    if (side.continuity() == 2) filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
+  }
+  const std::size_t count = filling.patches.size();
+  for (std::size_t k = 0; k < count && count > 1; ++k) {
+    const SeamContinuity seam = seam_continuity(filling.patches[k], Border::u_end, filling.patches[(k + 1) % count], Border::v_end,
+                                                kContinuityTolerance, {}, false);
+    filling.inner_angle = std::max(filling.inner_angle, seam.angle);
+  }
+  return filling;
+}
+
+KnotVector knots_with(int degree, int spans) {
+  std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
+  for (int k = 1; k < spans; ++k) knots.push_back(static_cast<double>(k) / spans);
+  knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, 1.0);
+  return KnotVector::make(degree, std::move(knots));
+}
+
+Filling filled(const Hole& hole, double tolerance, double angle) {
+  constexpr int kMostSpans = 8;
+  const int degree = hole.continuity() == 2 ? 7 : 5;
+  const std::vector<PartOfSide> parts = parts_of(hole);
+  for (int spans = 1;; spans *= 2) {
+    Filling filling = measured(hole, parts, patches_with(hole, parts, knots_with(degree, spans)));
+    if (filling.gap <= tolerance && filling.angle <= angle && filling.inner_angle <= angle) return filling;
+    if (spans < kMostSpans) continue;
+    if (filling.gap <= tolerance) return filling;
+    throw ToleranceNotReached("the filling cannot reach its sides with " + std::to_string(spans) + " spans", tolerance, filling.gap);
+  }
+}
+
+}  // namespace
+
+Filling fill(std::span<const FillSide> sides, const FillOptions& options) {
+  require_sides(sides, options);
+  const NearSpace space(points_of(sides));
+  const double unit = space.length(1.0);
+  std::vector<FillSide> near;
+  std::vector<NurbsCurve> curves;
+  for (const FillSide& side : sides) {
+    near.push_back(entered(side, space));
+    curves.push_back(curve_of(near.back()));
+  }
+  const double tolerance = options.tolerance ? *options.tolerance / unit : 0x1p-20;
+  const Approximation<std::vector<NurbsCurve>> loop = border_loop(curves, tolerance);
+  Hole hole{{}, sides.size() == 4 ? 1.0 : 0.5};
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const auto* neighbour = std::get_if<LoftNeighbour>(&near[i]);
+    hole.sides.emplace_back(loop.value[i], neighbour ? std::optional(*neighbour) : std::nullopt);
+  }
+  agree_at_corners(hole);
+  Filling filling = filled(hole, tolerance, options.angle);
+  for (NurbsPatch& patch : filling.patches) patch = patch.with_points(space.leave(patch.points()));
+  filling.gap = space.length(std::max(filling.gap, loop.error));
+  filling.curvature_difference /= unit;
+  return filling;
+}
+
+}  // namespace splinecore

@@ -1,0 +1,245 @@
+#include "fitted_patch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/length.hpp"
+#include "build/fit_options.hpp"
+#include "fit/row_spline.hpp"
+#include "greville.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/basis/samples.hpp"
+#include "splinecore/patch/degree.hpp"
+#include "splinecore/patch/ends.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr std::array<Axis, 2> kBoth{Axis::u, Axis::v};
+
+void require_no_gap(const KnotVector& knots, Axis axis) {
+  const Interval domain = knots.domain();
+  for (const double knot : knots.knots()) {
+    const bool is_inside = knot > domain.start && knot < domain.end;
+    if ((is_inside || knots.periodic()) && multiplicity(knots, knot) > knots.degree()) {
+      throw InvalidShape(std::string("the patch falls apart at ") + (axis == Axis::u ? "u = " : "v = ") + text_of(knot));
+    }
+  }
+}
+
+NurbsPatch ready(const NurbsPatch& model) {
+  NurbsPatch made = model;
+  for (const Axis axis : kBoth) {
+    if (!made.knot_vector(axis).periodic()) made = clamped(made, axis);
+    require_no_gap(made.knot_vector(axis), axis);
+  }
+  return made;
+}
+
+/// Homogeneous points on a grid of both directions' samples, v fastest.
+std::vector<glm::dvec4> homogeneous_grid(const NurbsPatch& patch, const Samples& u, const Samples& v) {
+  const auto net = patch.homogeneous_points();
+  const auto width = static_cast<std::size_t>(patch.knot_vector(Axis::v).unrolled_count());
+  std::vector<glm::dvec4> points;
+  points.reserve(u.size() * v.size());
+  std::vector<glm::dvec4> row(width);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    std::ranges::fill(row, glm::dvec4(0.0));
+    auto line = static_cast<std::size_t>(u.first(i));
+    for (const double weight : u.weights(i)) {
+      for (std::size_t j = 0; j < width; ++j) row[j] += weight * net[line * width + j];
+      ++line;
+    }
+    for (std::size_t j = 0; j < v.size(); ++j) points.push_back(weighted_sum(v.weights(j), &row[static_cast<std::size_t>(v.first(j))]));
+  }
+  return points;
+}
+
+/// Control points of a direction from rows of numbers at its Greville places.
+std::vector<double> solved(const KnotVector& knots, const std::vector<double>& places, std::vector<std::vector<double>> rows) {
+  RowConditions given{places, std::move(rows), {}, {}};
+  if (knots.periodic()) given.parameters.push_back(places.front() + knots.domain().length());
+  const Closing closing = knots.periodic() ? Closing::closed : Closing::open;
+  return spline_through(given, knots.degree(), closing, {knots.knots().begin(), knots.knots().end()}).controls;
+}
+
+class PatchFit {
+ public:
+  PatchFit(const NurbsPatch& model, const SurfaceFunction& surface) : model_(ready(model)), surface_(surface) { meet(); }
+
+  Approximation<NurbsPatch> within(double tolerance) {
+    constexpr std::size_t kMost = 1 << 18;
+    for (;;) {
+      const Missed missed = missed_places(kAccepted * tolerance);
+      if (missed.u.empty() && missed.v.empty()) return {*made_, missed.error};
+      if (made_->points().size() > kMost) {
+        throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made_->points().size()) + " control points",
+                                  tolerance, missed.error);
+      }
+      if (!raised()) {
+        if (!missed.u.empty()) model_ = refine(model_, Axis::u, missed.u);
+        if (!missed.v.empty()) model_ = refine(model_, Axis::v, missed.v);
+      }
+      meet();
+    }
+  }
+
+ private:
+  /// Middles of spans in which the surface was missed.
+  struct Missed {
+    std::vector<double> u;
+    std::vector<double> v;
+    double error = 0.0;
+  };
+
+  bool raised() {
+    constexpr int kLeast = 3;
+    bool is_raised = false;
+    for (const Axis axis : kBoth) {
+      const int degree = model_.knot_vector(axis).degree();
+      if (degree >= kLeast) continue;
+      model_ = elevated(model_, axis, kLeast - degree);
+      is_raised = true;
+    }
+    return is_raised;
+  }
+
+  /// The patch that meets the surface at all pairs of Greville places.
+  void meet() {
+    const KnotVector& knots_u = model_.knot_vector(Axis::u);
+    const KnotVector& knots_v = model_.knot_vector(Axis::v);
+    places_u_ = greville_places(knots_u);
+    places_v_ = greville_places(knots_v);
+    const std::vector<glm::dvec4> wanted = on_surface(places_u_, places_v_);
+    const std::size_t count_u = places_u_.size();
+    const std::size_t count_v = places_v_.size();
+    std::vector<std::vector<double>> rows(count_u);
+    for (std::size_t i = 0; i < count_u; ++i) {
+      for (std::size_t j = 0; j < count_v; ++j) {
+        const glm::dvec4& p = wanted[i * count_v + j];
+        rows[i].insert(rows[i].end(), {p.x, p.y, p.z});
+      }
+    }
+    const std::vector<double> along_u = solved(knots_u, places_u_, std::move(rows));
+    std::vector<std::vector<double>> columns(count_v);
+    for (std::size_t j = 0; j < count_v; ++j) {
+      for (std::size_t i = 0; i < count_u; ++i) {
+        const double* const p = &along_u[3 * (i * count_v + j)];
+        columns[j].insert(columns[j].end(), p, p + 3);
+      }
+    }
+    const std::vector<double> controls = solved(knots_v, places_v_, std::move(columns));
+    write(controls);
+  }
+
+  void write(const std::vector<double>& controls) {
+    const std::size_t count_u = places_u_.size();
+    const std::size_t count_v = places_v_.size();
+    const auto weights = model_.homogeneous_points();
+    const auto width = static_cast<std::size_t>(model_.knot_vector(Axis::v).unrolled_count());
+    std::vector<glm::dvec4> net(count_u * count_v);
+    for (std::size_t i = 0; i < count_u; ++i) {
+      for (std::size_t j = 0; j < count_v; ++j) {
+        const double* const p = &controls[3 * (j * count_u + i)];
+        net[i * count_v + j] = {p[0], p[1], p[2], weights[i * width + j].w};
+      }
+    }
+    made_ = NurbsPatch::from_homogeneous(model_.knot_vector(Axis::u), model_.knot_vector(Axis::v), net);
+  }
+
+  Samples samples(Axis axis, std::span<const double> places) const {
+    return Samples::make(model_.knot_vector(axis), places, 0, Side::right, axis == Axis::u ? "u" : "v");
+  }
+
+  /// The surface's points, times the weights there.
+  std::vector<glm::dvec4> on_surface(const std::vector<double>& u, const std::vector<double>& v) const {
+    std::vector<glm::dvec3> points(u.size() * v.size());
+    surface_(u, v, points);
+    std::vector<glm::dvec4> found = homogeneous_grid(model_, samples(Axis::u, u), samples(Axis::v, v));
+    for (std::size_t i = 0; i < points.size(); ++i) found[i] = glm::dvec4(found[i].w * points[i], found[i].w);
+    return found;
+  }
+
+  std::vector<double> distances(const std::vector<double>& u, const std::vector<double>& v) const {
+    const std::vector<glm::dvec4> wanted = on_surface(u, v);
+    const std::vector<glm::dvec4> found = homogeneous_grid(*made_, samples(Axis::u, u), samples(Axis::v, v));
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const double weight = wanted[i].w;
+      distances.push_back(weight == 0.0 ? 0.0 : length_of(glm::dvec3(wanted[i]) - glm::dvec3(found[i])) / std::abs(weight));
+    }
+    return distances;
+  }
+
+  std::vector<double> middles(Axis axis) const {
+    const KnotVector& knots = model_.knot_vector(axis);
+    std::vector<double> found;
+    for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+      const Interval span = knots.span_interval(i);
+      found.push_back(span.start + 0.5 * span.length());
+    }
+    return found;
+  }
+
+  /// Three places of each span.
+  std::vector<double> inner_places(Axis axis) const {
+    const KnotVector& knots = model_.knot_vector(axis);
+    std::vector<double> found;
+    for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+      const Interval span = knots.span_interval(i);
+      for (const double t : {0.2, 0.5, 0.8}) found.push_back(span.start + t * span.length());
+    }
+    return found;
+  }
+
+  /// By one direction at the Greville places of the other, where that is met; and by both between them.
+  Missed missed_places(double tolerance) const {
+    const std::vector<double> inside_u = inner_places(Axis::u);
+    const std::vector<double> inside_v = inner_places(Axis::v);
+    std::vector<char> misses_u(inside_u.size() / 3, 0);
+    std::vector<char> misses_v(inside_v.size() / 3, 0);
+    Missed missed;
+    const auto look = [&](const std::vector<double>& u, const std::vector<double>& v, bool by_u, bool by_v) {
+      const std::vector<double> off = distances(u, v);
+      for (std::size_t k = 0; k < off.size(); ++k) {
+        missed.error = std::max(missed.error, off[k]);
+        if (off[k] <= tolerance) continue;
+        if (by_u) misses_u[k / v.size() / 3] = 1;
+        if (by_v) misses_v[k % v.size() / 3] = 1;
+      }
+    };
+    look(inside_u, places_v_, true, false);
+    look(places_u_, inside_v, false, true);
+    const bool misses_a_line = std::ranges::count(misses_u, 1) + std::ranges::count(misses_v, 1) > 0;
+    if (!misses_a_line) look(inside_u, inside_v, true, true);
+    const std::vector<double> middles_u = middles(Axis::u);
+    const std::vector<double> middles_v = middles(Axis::v);
+    for (std::size_t i = 0; i < misses_u.size(); ++i) {
+      if (misses_u[i]) missed.u.push_back(middles_u[i]);
+    }
+    for (std::size_t j = 0; j < misses_v.size(); ++j) {
+      if (misses_v[j]) missed.v.push_back(middles_v[j]);
+    }
+    return missed;
+  }
+
+  NurbsPatch model_;
+  const SurfaceFunction& surface_;
+  std::vector<double> places_u_;
+  std::vector<double> places_v_;
+  std::optional<NurbsPatch> made_;
+};
+
+}  // namespace
+
+Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance) {
+  return PatchFit(model, surface).within(tolerance);
+}
+
+}  // namespace splinecore

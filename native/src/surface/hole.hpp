@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "hole_side.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A hole, whose sides know how to leave them. Of a part that begins at a corner, both parts of its sides are `share` of them.
+struct Hole {
+  std::vector<HoleSide> sides;
+  double share;
+
+  std::size_t before(std::size_t i) const { return (i + sides.size() - 1) % sides.size(); }
+  /// The highest one of a side, at least 1.
+  int continuity() const {
+    int most = 1;
+    for (const HoleSide& side : sides) most = std::max(most, side.continuity());
+    return most;
+  }
+
+  std::size_t after(std::size_t i) const { return (i + 1) % sides.size(); }
+};
+
+/// Sets how sides leave: at a corner along the next side, and so that both of a corner agree on mixed derivatives there, as
+/// nearly as their neighbours let them.
+void agree_at_corners(Hole& hole);
+
+}  // namespace splinecore
+#pragma GCC visibility pop

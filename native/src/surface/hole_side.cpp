@@ -1,0 +1,171 @@
+#include "hole_side.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "base/length.hpp"
+#include "patch/lines.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/patch/ends.hpp"
+#include "splinecore/patch/evaluate.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// With the side v_end, u along it as the curve runs, over [0, 1].
+NurbsPatch turned_to(const LoftNeighbour& neighbour, const NurbsCurve& curve) {
+  NurbsPatch patch = axis_of(neighbour.side) == Axis::u ? swapped(neighbour.patch) : neighbour.patch;
+  if (!is_at_end(neighbour.side)) patch = reversed(patch, Axis::v);
+  patch = with_domain(clamped(clamped(patch, Axis::u), Axis::v), Axis::u, {0.0, 1.0});
+  const NurbsCurve side = boundary(patch, Border::v_end);
+  const glm::dvec3 start(curve.points().front());
+  const bool is_backwards =
+      distance_of(start, glm::dvec3(side.points().back())) < distance_of(start, glm::dvec3(side.points().front()));
+  return is_backwards ? reversed(patch, Axis::u) : patch;
+}
+
+/// x, y for which x a + y b is nearest to a vector.
+std::pair<double, double> parts_of(const glm::dvec3& vector, const glm::dvec3& a, const glm::dvec3& b) {
+  constexpr double kParallel = 1e-6;
+  const glm::dvec3 normal = glm::cross(a, b);
+  const double square = glm::dot(normal, normal);
+  if (!(square > kParallel * kParallel * glm::dot(a, a) * glm::dot(b, b))) {
+    throw InvalidShape("a neighbour stands still across its side at a corner: nothing goes on from there");
+  }
+  return {glm::dot(glm::cross(vector, b), normal) / square, glm::dot(glm::cross(a, vector), normal) / square};
+}
+
+/// A function's derivatives of orders 0 to 2.
+template <class Value>
+using Series = std::array<Value, 3>;
+
+template <class Value>
+Series<Value> product(const Series<double>& a, const Series<Value>& b) {
+  return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2.0 * a[1] * b[1] + a[0] * b[2]};
+}
+
+Series<glm::dvec3> sum(const Series<glm::dvec3>& a, const Series<glm::dvec3>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// Hermite's functions of degree 5 with the first and the second derivative 1 at 0, and no others.
+double slope_function(double s) { return s * (1.0 + s * s * (-6.0 + s * (8.0 - 3.0 * s))); }
+double second_function(double s) { return 0.5 * s * s * (1.0 - s) * (1.0 - s) * (1.0 - s); }
+
+}  // namespace
+
+double HoleSide::Factor::at(double s) const {
+  const double t = 1.0 - s;
+  return t * values[0] + s * values[1] + slopes[0] * slope_function(s) - slopes[1] * slope_function(t) +
+         seconds[0] * second_function(s) + seconds[1] * second_function(t);
+}
+
+std::array<double, 3> HoleSide::Factor::derivatives(bool is_end) const {
+  return {values[is_end], values[1] - values[0] + slopes[is_end], seconds[is_end]};
+}
+
+HoleSide::HoleSide(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour)
+    : curve_(with_domain(curve, {0.0, 1.0})), neighbour_(neighbour) {
+  if (!neighbour_) return;
+  neighbour_->patch = turned_to(*neighbour, curve_);
+  const NurbsCurve side = boundary(neighbour_->patch, Border::v_end);
+  moved_ = {glm::dvec3(curve_.points().front()) - glm::dvec3(side.points().front()),
+            glm::dvec3(curve_.points().back()) - glm::dvec3(side.points().back())};
+}
+
+std::vector<SidePlace> HoleSide::places(std::span<const double> s) const {
+  std::vector<SidePlace> found(s.size());
+  if (!neighbour_) {
+    std::vector<glm::dvec3> values(3 * s.size());
+    derivatives(curve_, s, 2, std::span(&values.front().x, 3 * values.size()));
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      found[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2], glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0)};
+    }
+    return found;
+  }
+  const std::vector<double> end(s.size(), neighbour_->patch.knot_vector(Axis::v).domain().end);
+  std::vector<glm::dvec3> values(9 * s.size());
+  derivatives(neighbour_->patch, s, end, 2, std::span(&values.front().x, 3 * values.size()));
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const glm::dvec3* const d = &values[9 * i];  // by u and v: [k][l]
+    const glm::dvec3 moved = (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];
+    found[i] = {d[0] + moved, d[3] + moved_[1] - moved_[0], d[6], d[1], d[4], d[2]};
+  }
+  return found;
+}
+
+void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {
+  if (continuity() == 0) return;
+  const SidePlace here = place(is_end ? 1.0 : 0.0);
+  const auto [a, b] = parts_of(across, here.out, here.along);
+  if (!(a > 0.0)) throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
+  a_.values[is_end] = a;
+  b_.values[is_end] = b;
+  const glm::dvec3 rest = across_2 - a * a * here.out_2 - 2.0 * a * b * here.out_along - b * b * here.along_2;
+  const auto [c, d] = parts_of(rest, here.out, here.along);
+  c_.values[is_end] = c;
+  d_.values[is_end] = d;
+}
+
+AcrossJet HoleSide::jet(bool is_end) const {
+  constexpr int kOrder = 4;
+  constexpr int kWidth = kOrder + 1;
+  const double s = is_end ? 1.0 : 0.0;
+  const double t = neighbour_->patch.knot_vector(Axis::v).domain().end;
+  std::vector<glm::dvec3> values(kWidth * kWidth);
+  derivatives(neighbour_->patch, std::span(&s, 1), std::span(&t, 1), kOrder, std::span(&values.front().x, 3 * values.size()));
+  const auto along = [&](int order, int out) {
+    return Series<glm::dvec3>{values[order * kWidth + out], values[(order + 1) * kWidth + out], values[(order + 2) * kWidth + out]};
+  };
+  const Series<double> a = a_.derivatives(is_end);
+  const Series<double> b = b_.derivatives(is_end);
+  const Series<double> ab = product(a, b);
+  const Series<double> twice{2.0 * ab[0], 2.0 * ab[1], 2.0 * ab[2]};
+  return {sum(product(a, along(0, 1)), product(b, along(1, 0))),
+          sum(sum(sum(product(product(a, a), along(0, 2)), product(twice, along(1, 1))), product(product(b, b), along(2, 0))),
+              sum(product(c_.derivatives(is_end), along(0, 1)), product(d_.derivatives(is_end), along(1, 0))))};
+}
+
+std::array<glm::dvec3, 2> HoleSide::directions(bool is_end) const {
+  const SidePlace here = place(is_end ? 1.0 : 0.0);
+  return {here.out, here.along};
+}
+
+void HoleSide::bend_first(bool is_end, double a, double b) {
+  a_.slopes[is_end] += a;
+  b_.slopes[is_end] += b;
+}
+
+void HoleSide::bend_second(bool is_end, int order, double c, double d) {
+  (order == 1 ? c_.slopes : c_.seconds)[is_end] += c;
+  (order == 1 ? d_.slopes : d_.seconds)[is_end] += d;
+}
+
+std::optional<NurbsPatch> HoleSide::neighbour_part(double from, double to) const {
+  if (!neighbour_) return {};
+  NurbsPatch part = neighbour_->patch;
+  if (to < 1.0) part = split(part, Axis::u, to).first;
+  if (from > 0.0) part = split(part, Axis::u, from).second;
+  return part;
+}
+
+std::vector<glm::dvec3> HoleSide::across(std::span<const double> s, int order) const {
+  const std::vector<SidePlace> here = places(s);
+  std::vector<glm::dvec3> found;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const double a = a_.at(s[i]);
+    const double b = b_.at(s[i]);
+    const SidePlace& p = here[i];
+    found.push_back(order == 1 ? a * p.out + b * p.along
+                               : a * a * p.out_2 + 2.0 * a * b * p.out_along + b * b * p.along_2 + c_.at(s[i]) * p.out + d_.at(s[i]) * p.along);
+  }
+  return found;
+}
+
+}  // namespace splinecore

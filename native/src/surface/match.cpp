@@ -1,0 +1,227 @@
+#include "splinecore/surface/match.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "going_on.hpp"
+#include "meet/near_space.hpp"
+#include "patch/lines.hpp"
+#include "ribbon.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/basis/samples.hpp"
+#include "splinecore/curve/compatible.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/patch/degree.hpp"
+#include "splinecore/patch/distance.hpp"
+#include "splinecore/patch/ends.hpp"
+#include "splinecore/patch/join.hpp"
+
+namespace splinecore {
+
+namespace {
+
+void require_options(const MatchOptions& options) {
+  if (options.continuity < 0 || options.continuity > 3) {
+    throw InvalidShape("continuity " + std::to_string(options.continuity) + ": 0 to 3 is expected");
+  }
+  if (options.rows != 0 && options.rows <= options.continuity) {
+    throw InvalidShape(std::to_string(options.rows) + " rows may move: continuity " + std::to_string(options.continuity) +
+                       " takes " + std::to_string(options.continuity + 1));
+  }
+  if (!(options.strength > 0.0 && std::isfinite(options.strength))) {
+    throw InvalidShape("strength = " + text_of(options.strength) + ": above 0 is expected");
+  }
+}
+
+/// A patch turned so that its side is v_start, and back.
+NurbsPatch with_side_first(const NurbsPatch& patch, Border side) {
+  const NurbsPatch upright = axis_of(side) == Axis::u ? swapped(patch) : patch;
+  return is_at_end(side) ? reversed(upright, Axis::v) : upright;
+}
+
+NurbsPatch turned_back(const NurbsPatch& patch, Border side) {
+  const NurbsPatch upright = is_at_end(side) ? reversed(patch, Axis::v) : patch;
+  return axis_of(side) == Axis::u ? swapped(upright) : upright;
+}
+
+/// Rows of control points, homogeneous, row 0 along the side; all on the same knots.
+struct MovingRows {
+  KnotVector along;
+  KnotVector across;
+  std::vector<std::vector<glm::dvec4>> rows;
+};
+
+MovingRows rows_of(const NurbsPatch& patch) {
+  MovingRows made{patch.knot_vector(Axis::u), patch.knot_vector(Axis::v), {}};
+  const std::vector<glm::dvec4> net = homogeneous(patch.points());
+  const auto count_u = static_cast<std::size_t>(patch.count(Axis::u));
+  const auto count_v = static_cast<std::size_t>(patch.count(Axis::v));
+  for (std::size_t j = 0; j < count_v; ++j) {
+    std::vector<glm::dvec4> row;
+    for (std::size_t i = 0; i < count_u; ++i) row.push_back(net[i * count_v + j]);
+    made.rows.push_back(std::move(row));
+  }
+  return made;
+}
+
+NurbsPatch patch_of(const MovingRows& moved) {
+  const std::size_t count_v = moved.rows.size();
+  const std::size_t count_u = moved.rows.front().size();
+  std::vector<glm::dvec4> net(count_u * count_v);
+  for (std::size_t j = 0; j < count_v; ++j) {
+    for (std::size_t i = 0; i < count_u; ++i) net[i * count_v + j] = moved.rows[j][i];
+  }
+  return NurbsPatch::from_homogeneous(moved.along, moved.across, net);
+}
+
+/// The rows of the other patch from its side on, and the patch, with one degree and the same knots along the side.
+void make_compatible(NurbsPatch& patch, Ribbon& onto) {
+  const KnotVector& own = patch.knot_vector(Axis::u);
+  const NurbsCurve side = NurbsCurve::make(own, std::vector<glm::dvec4>(static_cast<std::size_t>(own.count()), glm::dvec4(0.0, 0.0, 0.0, 1.0)));
+  std::vector<NurbsCurve> all{side};
+  all.insert(all.end(), onto.rows.begin(), onto.rows.end());
+  const std::vector<NurbsCurve> made = compatible(all);
+  onto.rows.assign(made.begin() + 1, made.end());
+  patch = along(patch, Axis::u, [&](const NurbsCurve& line) {
+    const NurbsCurve two[] = {line, side, onto.rows.front()};
+    return compatible(two).front();
+  });
+}
+
+/// Those beside the side that have these derivatives there.
+void write_rows(MovingRows& moved, const std::vector<std::vector<glm::dvec4>>& derivatives) {
+  const double start[] = {moved.across.domain().start};
+  const int order = static_cast<int>(derivatives.size()) - 1;
+  const Samples at_start = Samples::make(moved.across, start, order);
+  for (int k = 0; k <= order; ++k) {
+    const auto weights = at_start.weights(0, k);
+    std::vector<glm::dvec4> row = derivatives[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      for (int j = 0; j < k; ++j) row[i] -= weights[j] * moved.rows[j][i];
+      row[i] /= weights[k];
+    }
+    moved.rows[k] = std::move(row);
+  }
+}
+
+/// Rows that may move go with those that must, so that second differences of the ways are least in the sum of squares.
+void fade(MovingRows& moved, const std::vector<std::vector<glm::dvec4>>& before, std::size_t first, std::size_t end) {
+  if (end <= first) return;
+  const auto count = static_cast<Eigen::Index>(end - first);
+  const std::size_t width = moved.rows.front().size();
+  const auto way = [&](std::ptrdiff_t j) {
+    std::vector<glm::dvec4> d(width);
+    for (std::size_t i = 0; i < width; ++i) d[i] = moved.rows[j][i] - before[j][i];
+    return d;
+  };
+  Eigen::MatrixXd left = Eigen::MatrixXd::Zero(count + 2, count);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count + 2, static_cast<Eigen::Index>(4 * width));
+  for (Eigen::Index r = first < 2 ? 1 : 0; r < count + 2; ++r) {
+    for (int k = 0; k < 3; ++k) {
+      const double factor = k == 1 ? -2.0 : 1.0;
+      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(first) + r - 2 + k;
+      const Eigen::Index column = j - static_cast<std::ptrdiff_t>(first);
+      if (column >= 0 && column < count) left(r, column) += factor;
+      if (column >= 0) continue;
+      const std::vector<glm::dvec4> known = way(j);
+      for (std::size_t i = 0; i < width; ++i) {
+        for (int c = 0; c < 4; ++c) right(r, static_cast<Eigen::Index>(4 * i) + c) -= factor * known[i][c];
+      }
+    }
+  }
+  const Eigen::MatrixXd ways = left.colPivHouseholderQr().solve(right);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    for (std::size_t i = 0; i < width; ++i) {
+      for (int c = 0; c < 4; ++c) moved.rows[first + static_cast<std::size_t>(j)][i][c] += ways(j, static_cast<Eigen::Index>(4 * i) + c);
+    }
+  }
+}
+
+/// By what the weights of the patch are multiplied so that on average they are those of the other one along the side.
+double weight_factor(const std::vector<glm::dvec4>& own, const std::vector<glm::dvec4>& other) {
+  double sum = 0.0;
+  double of_other = 0.0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    sum += own[i].w;
+    of_other += other[i].w;
+  }
+  return sum != 0.0 && of_other != 0.0 ? of_other / sum : 1.0;
+}
+
+/// The rows of a patch that go on from the other one's, `pace` times as fast.
+MovingRows moved_onto(const MovingRows& before, const std::vector<glm::dvec4>& edge, const LeavingRows& out, double pace,
+                      std::size_t must, std::size_t may) {
+  MovingRows moved = before;
+  std::vector<std::vector<glm::dvec4>> derivatives{edge};
+  if (!out.empty()) {
+    for (auto& row : going_on(edge, out, pace)) derivatives.push_back(std::move(row));
+  }
+  write_rows(moved, derivatives);
+  fade(moved, before.rows, must, may);
+  return moved;
+}
+
+bool have_positive_weights(const MovingRows& moved) {
+  return std::ranges::all_of(moved.rows, [](const std::vector<glm::dvec4>& row) {
+    return std::ranges::all_of(row, [](const glm::dvec4& p) { return p.w > 0.0; });
+  });
+}
+
+/// How fast the patch leaves its side, by how fast the other one does.
+double own_pace(const MovingRows& before, const std::vector<glm::dvec4>& edge, const LeavingRows& out) {
+  const double start[] = {before.across.domain().start};
+  const Samples at_start = Samples::make(before.across, start, 1);
+  std::vector<glm::dvec4> own(edge.size());
+  for (std::size_t i = 0; i < own.size(); ++i) own[i] = at_start.weights(0, 1)[1] * (before.rows[1][i] - before.rows[0][i]);
+  const double speed = speed_of(before.rows.front(), own);
+  const double given = speed_of(edge, out.front());
+  if (!(given > 0.0 && speed > 0.0)) throw InvalidShape("a patch stands still across its side: nothing goes on from there");
+  return speed / given;
+}
+
+NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options) {
+  constexpr int kHalvings = 30;
+  const auto must = static_cast<std::size_t>(options.continuity) + 1;
+  const std::size_t may = std::max(must, static_cast<std::size_t>(options.rows));
+  const int more = static_cast<int>(may) + 1 - patch.count(Axis::v);
+  const int raise = std::max(more, options.continuity - patch.knot_vector(Axis::v).degree());
+  if (raise > 0) patch = elevated(patch, Axis::v, raise);
+  make_compatible(patch, onto);
+  MovingRows before = rows_of(patch);
+  const std::vector<glm::dvec4> edge = homogeneous(onto.rows.front().points());
+  const double factor = weight_factor(before.rows.front(), edge);
+  for (auto& row : before.rows) row = scaled(factor, std::move(row));
+  LeavingRows out;
+  for (int k = 1; k <= options.continuity; ++k) out.push_back(derivative_out(onto, k));
+  double pace = out.empty() ? 1.0 : options.strength * own_pace(before, edge, out);
+  MovingRows moved = moved_onto(before, edge, out, pace, must, may);
+  const bool were_positive = have_positive_weights(before);
+  for (int i = 0; i < kHalvings && were_positive && !have_positive_weights(moved); ++i) {
+    pace *= 0.5;
+    moved = moved_onto(before, edge, out, pace, must, may);
+  }
+  return patch_of(moved);
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> matched(const NurbsPatch& patch, Border side, const NurbsPatch& onto, Border onto_side,
+                                  const MatchOptions& options) {
+  require_options(options);
+  if (patch.knot_vector(axis_of(side)).periodic()) throw InvalidShape("the side is the seam of a periodic direction: it is no edge");
+  const bool is_reversed = options.is_reversed.value_or(run_against(onto, onto_side, patch, side));
+  const NearSpace space(together(patch.points(), onto.points()));
+  const NurbsPatch near = clamped(patch.with_points(space.enter(patch.points())), axis_of(side));
+  Ribbon ribbon = ribbon_of(onto.with_points(space.enter(onto.points())), onto_side);
+  if (is_reversed) {
+    for (NurbsCurve& row : ribbon.rows) row = reversed(row);
+  }
+  const NurbsPatch made = turned_back(moved_onto(with_side_first(near, side), std::move(ribbon), options), side);
+  return {made.with_points(space.leave(made.points())), space.length(largest_distance(near, made))};
+}
+
+}  // namespace splinecore

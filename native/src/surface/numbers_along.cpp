@@ -1,0 +1,83 @@
+#include "numbers_along.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "splinecore/base/errors.hpp"
+
+namespace splinecore {
+
+namespace {
+
+void require_numbers(std::span<const RailNumber> numbers, const Interval& domain, bool is_closed, const std::string& name) {
+  if (numbers.empty()) throw InvalidShape("there is no " + name);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto& [at, value] = numbers[i];
+    if (!(value > 0.0 && std::isfinite(value))) {
+      throw InvalidShape("a " + name + " of " + text_of(value) + ": above 0 is expected");
+    }
+    if (!(at >= domain.start && at <= domain.end)) {
+      throw InvalidShape("the " + name + " at " + text_of(at) + " is off the rail, which runs from " + text_of(domain.start) +
+                         " to " + text_of(domain.end));
+    }
+    if (i > 0 && !(at > numbers[i - 1].at)) throw InvalidShape("parameters of " + name + "s do not increase");
+  }
+  if (is_closed && numbers.back().at - numbers.front().at >= domain.length()) {
+    throw InvalidShape("a closed rail ends where it starts: there is one " + name + " too many");
+  }
+}
+
+double secant(const RailNumber& a, const RailNumber& b) { return (b.value - a.value) / (b.at - a.at); }
+
+double harmonic(double a, double b) { return (a > 0.0) == (b > 0.0) && a != 0.0 ? 2.0 * (a / (a + b)) * b : 0.0; }
+
+/// Two periods round those given, so that each number of a period has its neighbours.
+std::vector<RailNumber> repeated(std::span<const RailNumber> numbers, double period) {
+  constexpr int kBeyond = 2;
+  const int count = static_cast<int>(numbers.size());
+  std::vector<RailNumber> all;
+  for (int i = -kBeyond; i < count + kBeyond; ++i) {
+    const int turn = (i + kBeyond * count) / count - kBeyond;
+    const RailNumber& number = numbers[static_cast<std::size_t>(i - turn * count)];
+    all.push_back({number.at + turn * period, number.value});
+  }
+  return all;
+}
+
+}  // namespace
+
+NumbersAlong::NumbersAlong(std::span<const RailNumber> numbers, const Interval& domain, bool is_closed, const char* name) {
+  require_numbers(numbers, domain, is_closed, name);
+  numbers_ = is_closed ? repeated(numbers, domain.length()) : std::vector<RailNumber>(numbers.begin(), numbers.end());
+  slopes_.assign(numbers_.size(), 0.0);
+  for (std::size_t i = 1; i + 1 < numbers_.size(); ++i) {
+    slopes_[i] = harmonic(secant(numbers_[i - 1], numbers_[i]), secant(numbers_[i], numbers_[i + 1]));
+  }
+  if (numbers_.size() < 2 || is_closed) return;
+  slopes_.front() = secant(numbers_[0], numbers_[1]);
+  slopes_.back() = secant(numbers_[numbers_.size() - 2], numbers_.back());
+}
+
+bool NumbersAlong::is_one() const {
+  return std::ranges::all_of(numbers_, [&](const RailNumber& number) { return number.value == numbers_.front().value; });
+}
+
+double NumbersAlong::at(double parameter) const {
+  if (parameter <= numbers_.front().at) return numbers_.front().value;
+  if (parameter >= numbers_.back().at) return numbers_.back().value;
+  const auto next = std::ranges::upper_bound(numbers_, parameter, {}, &RailNumber::at);
+  const auto i = static_cast<std::size_t>(next - numbers_.begin()) - 1;
+  const RailNumber& a = numbers_[i];
+  const RailNumber& b = numbers_[i + 1];
+  const double length = b.at - a.at;
+  const double t = (parameter - a.at) / length;
+  const double s = 1.0 - t;
+  const double value = a.value * s * s * (1.0 + 2.0 * t) + slopes_[i] * length * t * s * s +
+                       b.value * t * t * (3.0 - 2.0 * t) - slopes_[i + 1] * length * s * t * t;
+  const auto [low, high] = std::minmax(a.value, b.value);
+  return std::clamp(value, low, high);
+}
+
+}  // namespace splinecore

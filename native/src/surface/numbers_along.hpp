@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "splinecore/surface/sweep.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A number that changes along a rail: a smooth function that lies between those given beside it (Fritsch and Butland
+/// 1984), before the first and behind the last constant.
+class NumbersAlong {
+ public:
+  /// @param is_closed  behind the last comes the first again, at the end of the domain
+  /// @throws InvalidShape unless there is a number, all are finite and above 0, and their parameters increase inside the domain
+  NumbersAlong(std::span<const RailNumber> numbers, const Interval& domain, bool is_closed, const char* name);
+
+  double at(double parameter) const;
+  bool is_one() const;
+
+ private:
+  std::vector<RailNumber> numbers_;
+  std::vector<double> slopes_;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,179 @@
+#include "splinecore/surface/offset_patch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "base/length.hpp"
+#include "base/quotient.hpp"
+#include "build/fit_options.hpp"
+#include "fitted_patch.hpp"
+#include "meet/near_space.hpp"
+#include "patch/compatible_patches.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/build/sweeps.hpp"
+#include "splinecore/measure/patch_curvature.hpp"
+#include "splinecore/patch/evaluate.hpp"
+#include "splinecore/patch/isocurve.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr std::array<Axis, 2> kBoth{Axis::u, Axis::v};
+
+std::string place_text(double u, double v) { return "u = " + text_of(u) + ", v = " + text_of(v); }
+
+/// Even places in every span.
+std::vector<double> places_in_spans(const KnotVector& knots) {
+  constexpr int kInSpan = 5;
+  std::vector<double> places;
+  for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+    const Interval span = knots.span_interval(i);
+    for (int k = 0; k < kInSpan; ++k) places.push_back(span.start + span.length() * (k + 0.5) / kInSpan);
+  }
+  return places;
+}
+
+std::vector<glm::dvec3> normals_along(const NurbsPatch& patch, Axis axis, double at, Side side) {
+  const double knot[] = {at};
+  const std::vector<double> others = places_in_spans(patch.knot_vector(axis == Axis::u ? Axis::v : Axis::u));
+  std::vector<double> points(3 * others.size());
+  std::vector<glm::dvec3> normals(others.size());
+  const std::span<double> out(&normals.front().x, points.size());
+  PatchOptions options{.at_infinity = AtInfinity::nan};
+  (axis == Axis::u ? options.side_u : options.side_v) = side;
+  if (axis == Axis::u) {
+    evaluate_grid_with_normals(patch, knot, others, points, out, options);
+  } else {
+    evaluate_grid_with_normals(patch, others, knot, points, out, options);
+  }
+  return normals;
+}
+
+/// Inner knots, and the seam of a periodic direction, at which there may be a crease.
+std::vector<double> doubtful_knots(const KnotVector& knots) {
+  const Interval domain = knots.domain();
+  std::vector<double> found;
+  for (const double knot : knots.knots()) {
+    const bool is_joint = knots.periodic() ? knot < domain.end : knot > domain.start && knot < domain.end;
+    if (is_joint && multiplicity(knots, knot) >= knots.degree() && (found.empty() || found.back() != knot)) found.push_back(knot);
+  }
+  return found;
+}
+
+void require_smooth(const NurbsPatch& patch) {
+  constexpr double kCrease = 1e-7;
+  for (const Axis axis : kBoth) {
+    const KnotVector& knots = patch.knot_vector(axis);
+    for (const double knot : doubtful_knots(knots)) {
+      const double before = knots.periodic() && knot == knots.domain().start ? knots.domain().end : knot;
+      const auto left = normals_along(patch, axis, before, Side::left);
+      const auto right = normals_along(patch, axis, knot, Side::right);
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        if (!(length_of(left[i] - right[i]) > kCrease)) continue;
+        throw InvalidShape(std::string("the patch has a crease at ") + (axis == Axis::u ? "u = " : "v = ") + text_of(knot) +
+                           ": split it there first");
+      }
+    }
+  }
+}
+
+/// @throws InvalidShape where the patch bends towards the offset with a radius that is not longer than the distance.
+void require_room(const NurbsPatch& patch, double distance, double unit) {
+  std::vector<double> u;
+  std::vector<double> v;
+  for (const double a : places_in_spans(patch.knot_vector(Axis::u))) {
+    for (const double b : places_in_spans(patch.knot_vector(Axis::v))) {
+      u.push_back(a);
+      v.push_back(b);
+    }
+  }
+  std::vector<SurfaceCurvature> bends(u.size());
+  curvatures(patch, u, v, bends, {.at_infinity = AtInfinity::nan});
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    for (const double curvature : bends[i].principal) {
+      if (!(curvature * distance >= 1.0)) continue;
+      throw InvalidShape("the patch bends with a radius of " + text_of(unit / std::abs(curvature)) + " at " + place_text(u[i], v[i]) +
+                         ": its offset would fold there");
+    }
+  }
+}
+
+NurbsPatch offset_within(const NurbsPatch& near, double distance, double tolerance, double& error) {
+  const auto surface = [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
+    std::vector<glm::dvec3> normals(points.size());
+    evaluate_grid_with_normals(near, u, v, std::span(&points.front().x, 3 * points.size()),
+                               std::span(&normals.front().x, 3 * normals.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!is_finite(normals[i])) {
+        throw InvalidShape("the patch has no normal at " + place_text(u[i / v.size()], v[i % v.size()]) + ": it cannot be offset");
+      }
+      points[i] += distance * normals[i];
+    }
+  };
+  const Approximation<NurbsPatch> made = fitted_patch(near, surface, tolerance);
+  error = made.error;
+  return made.value;
+}
+
+bool is_point(const NurbsCurve& side) {
+  constexpr double kRounding = 0x1p-44;
+  const auto points = side.points();
+  return std::ranges::all_of(points, [&](const glm::dvec4& p) {
+    return length_of(glm::dvec3(p) - glm::dvec3(points.front())) <= kRounding * extent(points) || p == points.front();
+  });
+}
+
+/// Whether both sides of a direction are one curve.
+bool closes(const NurbsPatch& patch, Axis axis) {
+  constexpr double kRounding = 0x1p-40;
+  const NurbsCurve a = boundary(patch, axis == Axis::u ? Border::u_start : Border::v_start);
+  const NurbsCurve b = boundary(patch, axis == Axis::u ? Border::u_end : Border::v_end);
+  const double size = extent(patch.points());
+  for (std::size_t i = 0; i < a.points().size(); ++i) {
+    if (!(length_of(glm::dvec3(a.points()[i]) - glm::dvec3(b.points()[i])) <= kRounding * size)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> offset(const NurbsPatch& patch, double distance, std::optional<double> tolerance) {
+  if (tolerance) require_tolerance(*tolerance);
+  if (!std::isfinite(distance)) throw InvalidShape("the distance is not finite");
+  if (distance == 0.0) return {patch, 0.0};
+  const NearSpace space(patch.points());
+  const NurbsPatch near = patch.with_points(space.enter(patch.points()));
+  const double unit = space.length(1.0);
+  require_smooth(near);
+  require_room(near, distance / unit, unit);
+  double error = 0.0;
+  const NurbsPatch made = offset_within(near, distance / unit, tolerance ? *tolerance / unit : 0x1p-20, error);
+  return {made.with_points(space.leave(made.points())), space.length(error)};
+}
+
+Approximation<std::vector<NurbsPatch>> thickened(const NurbsPatch& patch, double from, double to, std::optional<double> tolerance) {
+  if (from == to) throw InvalidShape("both distances are " + text_of(from) + ": there is no thickness between");
+  const auto [low, high] = std::minmax(from, to);
+  const Approximation<NurbsPatch> inner = offset(patch, low, tolerance);
+  const Approximation<NurbsPatch> outer = offset(patch, high, tolerance);
+  const std::array<NurbsPatch, 2> both{inner.value, outer.value};
+  const std::vector<NurbsPatch> large = compatible(both);
+  std::vector<NurbsPatch> made{large[1], reversed(large[0], Axis::u)};
+  for (const Border side : {Border::v_start, Border::u_end, Border::v_end, Border::u_start}) {
+    const Axis axis = axis_of(side);
+    if (patch.knot_vector(axis).periodic() || closes(large[0], axis)) continue;
+    const NurbsCurve below = boundary(large[0], side);
+    if (is_point(below)) continue;
+    const bool is_backwards = side == Border::v_end || side == Border::u_start;
+    const NurbsPatch wall = ruled(below, boundary(large[1], side));
+    made.push_back(is_backwards ? reversed(wall, Axis::u) : wall);
+  }
+  return {std::move(made), std::max(inner.error, outer.error)};
+}
+
+}  // namespace splinecore

@@ -1,0 +1,225 @@
+#include "star.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "basis/gauss_legendre.hpp"
+#include "splinecore/basis/samples.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Index = Eigen::Index;
+
+/// Integrals of products of two functions' derivatives of one order, for orders 0 to 3.
+struct Products {
+  std::array<Eigen::MatrixXd, 4> of_order;
+};
+
+Products products_of(const KnotVector& knots) {
+  const Index width = knots.count();
+  Products made;
+  for (auto& matrix : made.of_order) matrix = Eigen::MatrixXd::Zero(width, width);
+  const GaussRule rule = gauss_legendre(knots.degree() + 1);
+  for (int s = 0; s < static_cast<int>(knots.spans().size()); ++s) {
+    const Interval span = knots.span_interval(s);
+    std::vector<double> at;
+    for (const double node : rule.nodes) at.push_back(span.start + node * span.length());
+    const Samples samples = Samples::make(knots, at, 3);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const double weight = span.length() * rule.weights[k];
+      for (int order = 0; order < 4; ++order) {
+        const auto row = samples.weights(k, order);
+        const Index first = samples.first(k);
+        for (std::size_t a = 0; a < row.size(); ++a) {
+          for (std::size_t b = 0; b < row.size(); ++b) {
+            made.of_order[order](first + static_cast<Index>(a), first + static_cast<Index>(b)) += weight * row[a] * row[b];
+          }
+        }
+      }
+    }
+  }
+  return made;
+}
+
+/// Which points are sought, by number: their places among the unknowns, or -1.
+std::vector<Index> unknowns_of(const Star& star, const std::vector<std::optional<glm::dvec3>>& given, Index& count) {
+  std::vector<Index> places(star.size(), -1);
+  count = 0;
+  for (std::size_t k = 0; k < star.count; ++k) {
+    for (std::size_t i = 0; i < star.width(); ++i) {
+      for (std::size_t j = 0; j < star.width(); ++j) {
+        const std::size_t number = star.at(k, i, j);
+        if (!given[number] && places[number] < 0) places[number] = count++;
+      }
+    }
+  }
+  return places;
+}
+
+/// A quadratic form in the unknowns, and what it takes of those given.
+class Form {
+ public:
+  Form(const std::vector<std::optional<glm::dvec3>>& given, std::vector<Index> places, Index count)
+      : left(Eigen::MatrixXd::Zero(count, count)), right(Eigen::MatrixXd::Zero(count, 3)), given_(given), places_(std::move(places)) {}
+
+  void add(std::size_t a, std::size_t b, double value) {
+    const Index row = places_[a];
+    if (row < 0) return;
+    if (places_[b] >= 0) {
+      left(row, places_[b]) += value;
+    } else {
+      for (int c = 0; c < 3; ++c) right(row, c) -= value * (*given_[b])[c];
+    }
+  }
+
+  Index place(std::size_t number) const { return places_[number]; }
+  const glm::dvec3& value(std::size_t number) const { return *given_[number]; }
+
+  Eigen::MatrixXd left;
+  Eigen::MatrixXd right;
+
+ private:
+  const std::vector<std::optional<glm::dvec3>>& given_;
+  std::vector<Index> places_;
+};
+
+void add_energy(const Star& star, Form& form) {
+  const auto& [of_order] = products_of(star.knots);
+  const auto degree = static_cast<std::size_t>(star.knots.degree());
+  const std::size_t width = star.width();
+  const auto near = [&](std::size_t a, std::size_t b) { return a <= b + degree && b <= a + degree; };
+  for (std::size_t k = 0; k < star.count; ++k) {
+    for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t j = 0; j < width; ++j) {
+        for (std::size_t m = 0; m < width; ++m) {
+          for (std::size_t n = 0; n < width && near(i, m); ++n) {
+            if (!near(j, n)) continue;
+            const auto product = [&](int u, int v) {
+              return of_order[u](static_cast<Index>(i), static_cast<Index>(m)) * of_order[v](static_cast<Index>(j), static_cast<Index>(n));
+            };
+            form.add(star.at(k, i, j), star.at(k, m, n), product(3, 0) + 3.0 * product(2, 1) + 3.0 * product(1, 2) + product(0, 3));
+          }
+        }
+      }
+    }
+  }
+}
+
+/// One condition at a place of a spoke: a sum of points that is to be 0.
+struct Condition {
+  Eigen::RowVectorXd left;
+  Eigen::RowVector3d right = Eigen::RowVector3d::Zero();
+};
+
+void add_to(Condition& condition, const Form& form, std::size_t number, double factor) {
+  if (form.place(number) >= 0) {
+    condition.left(form.place(number)) += factor;
+    return;
+  }
+  for (int c = 0; c < 3; ++c) condition.right(c) -= factor * form.value(number)[c];
+}
+
+double spoke_factor(const Star& star) {
+  const double angle = (star.is_open ? 1.0 : 2.0) * std::numbers::pi / static_cast<double>(star.count);
+  return 2.0 * std::cos(angle);
+}
+
+/// Along spoke k, at places of it.
+void add_conditions(const Star& star, std::size_t k, const Form& form, const Samples& samples, std::vector<Condition>& all) {
+  const std::size_t last = star.width() - 1;
+  const std::size_t next = (k + 1) % star.count;
+  const auto knots = star.knots.knots();
+  const double slope = star.knots.degree() / (knots.back() - knots[last]);
+  const double factor = spoke_factor(star);
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    Condition condition{Eigen::RowVectorXd::Zero(form.left.rows())};
+    const double part = factor * std::pow(samples.parameter(s), star.power);
+    auto j = static_cast<std::size_t>(samples.first(s));
+    for (std::size_t m = 0; m < samples.weights(s).size(); ++m, ++j) {
+      const double value = samples.weights(s)[m];
+      add_to(condition, form, star.at(k, last, j), 2.0 * slope * value - part * samples.weights(s, 1)[m]);
+      add_to(condition, form, star.at(k, last - 1, j), -slope * value);
+      add_to(condition, form, star.at(next, j, last - 1), -slope * value);
+    }
+    all.push_back(std::move(condition));
+  }
+}
+
+std::vector<Condition> conditions_of(const Star& star, const Form& form) {
+  constexpr int kInSpan = 8;
+  std::vector<double> at;
+  for (int s = 0; s < static_cast<int>(star.knots.spans().size()); ++s) {
+    const Interval span = star.knots.span_interval(s);
+    for (int k = 0; k <= kInSpan; ++k) {
+      at.push_back(span.start + span.length() * 0.5 * (1.0 - std::cos(std::numbers::pi * k / kInSpan)));
+    }
+    at.back() = span.end;
+  }
+  const Samples samples = Samples::make(star.knots, at, 1);
+  std::vector<Condition> all;
+  for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) add_conditions(star, k, form, samples, all);
+  return all;
+}
+
+/// The least of a form under conditions, as nearly as these agree: multipliers (Hestenes 1969, Powell 1969).
+Eigen::MatrixXd least(const Form& form, const std::vector<Condition>& conditions) {
+  constexpr int kRounds = 12;
+  constexpr double kFirm = 1e7;
+  const Index count = form.left.rows();
+  if (count == 0) return Eigen::MatrixXd(0, 3);
+  Eigen::MatrixXd left(static_cast<Index>(conditions.size()), count);
+  Eigen::MatrixXd right(static_cast<Index>(conditions.size()), 3);
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    left.row(static_cast<Index>(i)) = conditions[i].left;
+    right.row(static_cast<Index>(i)) = conditions[i].right;
+  }
+  const double firm = kFirm * form.left.diagonal().mean() / std::max(left.squaredNorm() / static_cast<double>(count), 1e-300);
+  const Eigen::LDLT<Eigen::MatrixXd> solver(form.left + firm * left.transpose() * left);
+  Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(right.rows(), 3);
+  Eigen::MatrixXd points;
+  for (int round = 0; round < kRounds; ++round) {
+    points = solver.solve(form.right + left.transpose() * (firm * right - multipliers));
+    multipliers += firm * (left * points - right);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::size_t Star::at(std::size_t patch, std::size_t i, std::size_t j) const {
+  const std::size_t last = width() - 1;
+  if (i == last && j == last) return (last * width() + last);  // the middle is that of the first patch
+  const bool has_before = patch > 0 || !is_open;
+  if (j == last && has_before) {  // the spoke at which u of the patch before ends
+    j = i;
+    i = last;
+    patch = (patch + count - 1) % count;
+  }
+  return (patch * width() + i) * width() + j;
+}
+
+std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given) {
+  Index count = 0;
+  std::vector<Index> places = unknowns_of(star, given, count);
+  Form form(given, places, count);
+  add_energy(star, form);
+  const Eigen::MatrixXd found = least(form, conditions_of(star, form));
+  std::vector<glm::dvec3> points(star.size(), glm::dvec3(0.0));
+  for (std::size_t number = 0; number < star.size(); ++number) {
+    const Index place = places[number];
+    if (given[number]) {
+      points[number] = *given[number];
+    } else if (place >= 0) {
+      points[number] = {found(place, 0), found(place, 1), found(place, 2)};
+    }
+  }
+  return points;
+}
+
+}  // namespace splinecore

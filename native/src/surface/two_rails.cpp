@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "base/length.hpp"
+#include "base/quotient.hpp"
+#include "build/fit_options.hpp"
+#include "fitted_rows.hpp"
+#include "fitted_together.hpp"
+#include "meet/near_space.hpp"
+#include "rail_frames.hpp"
+#include "rail_sections.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/measure/arc_length.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/measure/curve_frame.hpp"
+#include "splinecore/surface/sweep.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Both rails over one domain, about 1 large.
+struct Rails {
+  NurbsCurve first;
+  NurbsCurve second;
+};
+
+/// A place between the rails: x of the frame goes from one to the other.
+struct PlaceBetween {
+  RailPlace place;
+  double width;
+};
+
+glm::dvec3 unit(const glm::dvec3& v) { return v / length_of(v); }
+
+std::vector<glm::dvec3> points_of(const NurbsCurve& rail, std::span<const double> at, Side side) {
+  std::vector<glm::dvec3> points(at.size());
+  if (!at.empty()) evaluate(rail, at, std::span(&points.front().x, 3 * points.size()), {.side = side});
+  return points;
+}
+
+std::vector<glm::dvec3> directions_of(const NurbsCurve& rail, std::span<const double> at, Side side) {
+  std::vector<MovingFrame> frames(at.size());
+  frenet_frames(rail, at, frames, side);
+  std::vector<glm::dvec3> found;
+  for (const MovingFrame& frame : frames) found.push_back(frame.tangent);
+  return found;
+}
+
+/// At right angles to x, towards an upright direction or one that the rails run at right angles to.
+glm::dvec3 height_of(const glm::dvec3& x, const glm::dvec3& towards, double at) {
+  constexpr double kAlong = 1e-7;
+  const glm::dvec3 high = towards - glm::dot(towards, x) * x;
+  if (length_of(high) > kAlong * length_of(towards)) return unit(high);
+  throw InvalidShape("at " + text_of(at) + " the way from one rail to the other lies along the upright direction or the rails");
+}
+
+std::vector<PlaceBetween> places_between(const Rails& rails, std::span<const double> at, Side side, const TwoRailOptions& options) {
+  const std::vector<glm::dvec3> from = points_of(rails.first, at, side);
+  const std::vector<glm::dvec3> to = points_of(rails.second, at, side);
+  std::vector<glm::dvec3> along;
+  if (!options.up) {
+    along = directions_of(rails.first, at, side);
+    const std::vector<glm::dvec3> other = directions_of(rails.second, at, side);
+    for (std::size_t i = 0; i < along.size(); ++i) along[i] += other[i];
+  }
+  std::vector<PlaceBetween> places;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    constexpr double kMeet = 0x1p-40;
+    const double width = length_of(to[i] - from[i]);
+    if (!(width > kMeet)) throw InvalidShape("the rails meet at " + text_of(at[i]) + ": there is no room for a section");
+    const glm::dvec3 x = (to[i] - from[i]) / width;
+    const glm::dvec3 y = height_of(x, options.up ? *options.up : glm::cross(along[i], x), at[i]);
+    places.push_back({{from[i], {glm::cross(x, y), x, y}}, width});
+  }
+  return places;
+}
+
+/// Those at the end of a stretch from before it.
+std::vector<PlaceBetween> places_between(const Rails& rails, std::span<const double> at, const Interval& stretch,
+                                         const TwoRailOptions& options) {
+  std::vector<PlaceBetween> places;
+  while (places.size() < at.size()) {
+    const auto rest = at.subspan(places.size());
+    const bool is_end = rest.front() == stretch.end;
+    const auto other = std::ranges::find_if(rest, [&](double v) { return (v == stretch.end) != is_end; });
+    const auto part = rest.first(static_cast<std::size_t>(other - rest.begin()));
+    const std::vector<PlaceBetween> found = places_between(rails, part, is_end ? Side::left : Side::right, options);
+    places.insert(places.end(), found.begin(), found.end());
+  }
+  return places;
+}
+
+/// Sections of which x is 1 at the second rail.
+std::vector<RailSection> of_width_one(const Rails& rails, std::span<const RailSection> sections, double unit_length,
+                                      const TwoRailOptions& options) {
+  std::vector<RailSection> made;
+  for (const RailSection& section : sections) {
+    const double at = std::clamp(section.at, rails.first.domain().start, rails.first.domain().end);
+    const double width = places_between(rails, std::span(&at, 1), rails.first.domain(), options)[0].width;
+    std::vector<glm::dvec4> points(section.curve.points().begin(), section.curve.points().end());
+    for (glm::dvec4& p : points) {
+      const glm::dvec3 near = glm::dvec3(p) / unit_length;
+      p = options.is_height_scaled ? glm::dvec4(near / width, p.w) : glm::dvec4(near.x / width, near.y, near.z, p.w);
+    }
+    made.push_back({section.curve.with_points(std::move(points)), section.at});
+  }
+  return made;
+}
+
+NurbsCurve closed_smoothly(const NurbsCurve& rail) {
+  if (rail.periodic() || !is_closed(rail)) return rail;
+  try {
+    return made_periodic(rail).value;
+  } catch (const InvalidShape&) {
+    return rail;
+  }
+}
+
+Rails prepared(const NurbsCurve& first, const NurbsCurve& second, const NearSpace& space) {
+  NurbsCurve a = closed_smoothly(first);
+  NurbsCurve b = with_domain(closed_smoothly(second), a.domain());
+  if (!a.periodic() || !b.periodic()) {
+    a = clamped(a);
+    b = clamped(b);
+  }
+  return {a.with_points(space.enter(a.points())), b.with_points(space.enter(b.points()))};
+}
+
+std::vector<double> breaks_of(const Rails& rails, bool has_up) {
+  const NurbsCurve both[] = {rails.first, rails.second};
+  const Interval domain = rails.first.domain();
+  std::vector<double> breaks{domain.start};
+  for (const double corner : corners_of(both)) {
+    const bool is_end = corner == domain.start || corner == domain.end;
+    if (!has_up && (!is_end || rails.first.periodic())) {
+      throw InvalidShape("a rail has a corner at " + text_of(corner) + ": round it first, or give an upright direction");
+    }
+    if (!is_end) breaks.push_back(corner);
+  }
+  breaks.push_back(domain.end);
+  return breaks;
+}
+
+void require_options(const TwoRailOptions& options) {
+  if (options.tolerance) require_tolerance(*options.tolerance);
+  if (options.up && !(is_finite(*options.up) && length_of(*options.up) > 0.0)) {
+    throw InvalidShape("the upright direction is zero or not finite");
+  }
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second, std::span<const RailSection> sections,
+                                const TwoRailOptions& options) {
+  require_options(options);
+  const NearSpace space(together(rail.points(), second.points()));
+  const Rails rails = prepared(rail, second, space);
+  const RailSections along(of_width_one(rails, sections, space.length(1.0), options), rails.first, 1.0);
+  const auto rows_at = [&](std::span<const double> at, const Interval& stretch) {
+    const std::vector<PlaceBetween> places = places_between(rails, at, stretch, options);
+    std::vector<glm::dvec4> rows = along.at(at);
+    const std::size_t width = rows.size() / at.size();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto& [place, apart] = places[i / width];
+      const double high = options.is_height_scaled ? apart : 1.0;
+      const glm::dvec3 out = in_frame(place.frame, glm::dvec3(rows[i]) * glm::dvec3(apart, high, high));
+      rows[i] = glm::dvec4(out + rows[i].w * place.point, rows[i].w);
+    }
+    return rows;
+  };
+  const std::vector<double> breaks = breaks_of(rails, options.up.has_value());
+  const bool goes_round = rails.first.periodic() && breaks.size() == 2;
+  const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
+  const FittedRows rows = fitted_rows(rows_at, breaks, goes_round ? Closing::closed : Closing::open, within);
+  const NurbsPatch near = patch_of(along.knots(), rows);
+  return {near.with_points(space.leave(near.points())), space.length(rows.error)};
+}
+
+}  // namespace splinecore
