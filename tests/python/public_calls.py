@@ -322,6 +322,8 @@ METHODS = {
     "SeamContinuity": COPIES,
     "Curvatures": COPIES,
     "JoinedPatches": COPIES,
+    "Filling": COPIES,
+    "SubdivisionPatches": COPIES,
     "Nearest": COPIES,
     "Intersections": COPIES,
     "PatchIntersections": COPIES,

@@ -63,6 +63,22 @@ FUNCTIONS = {
         [sc.BezierCurve([xyz(at, 0, y), xyz(at, 1, y)]) for y in (0, 1)],
         [sc.BezierCurve([xyz(at, x, 0), xyz(at, x, 1)]) for x in (0, 1)]),
     "build.sweep": lambda at: build.sweep(sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), at.bezier, tolerance=1e-2 * at.size),
+    "build.sweep_two_rails": lambda at: build.sweep_two_rails(
+        sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), sc.BezierCurve([xyz(at, 0, 0, 2), xyz(at, 1, 1, 2), xyz(at, 2, 0, 2)]),
+        at.bezier, tolerance=1e-2 * at.size),
+    "build.pipe": lambda at: build.pipe(sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), 0.1 * at.size, caps="round",
+                                        tolerance=1e-2 * at.size),
+    "build.offset_patch": lambda at: build.offset_patch(build.sphere(xyz(at, 1), at.size), at.size),
+    "build.thicken": lambda at: build.thicken(build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size), 0, 0.5 * at.size),
+    "build.extend_patch": lambda at: [build.extend_patch(build.extrude(at.bezier, xyz(at, 0, 0, 1)), "v_end", at.size, how)
+                                      for how in ("natural", "straight")],
+    "build.match_patch": lambda at: build.match_patch(
+        build.extrude(at.bezier, xyz(at, 0, 0, 1)), "v_end", build.extrude(at.bezier, xyz(at, 0, 1, 1)), "v_start", "G1"),
+    "build.fill": lambda at: build.fill([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
+        ((0, 0), (1, 0)), ((1, 0), (1, 1, 1)), ((1, 1, 1), (0, 0)))]),
+    "build.catmull_clark": lambda at: build.catmull_clark(
+        [xyz(at, *p) for p in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))],
+        [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (0, 4, 7, 3), (1, 2, 6, 5)]),
     "build.plane": lambda at: build.plane(xyz(at, 1), xyz(at, 1), xyz(at, 0, 1)),
     "build.cylinder": lambda at: build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size),
     "build.cone": lambda at: build.cone(xyz(at, 1), (0, 0, 1), at.size, at.size),

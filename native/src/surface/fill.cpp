@@ -166,10 +166,45 @@ Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::ve
   return filling;
 }
 
-KnotVector knots_with(int degree, int spans) {
+/// A place of the parameters of patches at which a side is less smooth, and how often its knot is needed for that.
+struct Joint {
+  double at;
+  int copies;
+};
+
+/// The inner knots of all sides, as patches of a degree have them along their parts of these.
+std::vector<Joint> joints_of(const Hole& hole, const std::vector<PartOfSide>& parts, int degree) {
+  constexpr double kSame = 1e-7;
+  std::vector<Joint> all;
+  for (const PartOfSide& part : parts) {
+    const KnotVector& knots = hole.sides[part.side].knots();
+    for (const double knot : knots.knots()) {
+      const double at = (knot - part.from) / (part.to - part.from);
+      const int smooth = std::max(1, knots.degree() - multiplicity(knots, knot));
+      if (at > kSame && at < 1.0 - kSame && smooth < degree) all.push_back({at, degree - smooth});
+    }
+  }
+  std::ranges::sort(all, {}, &Joint::at);
+  std::vector<Joint> found;
+  for (const Joint& joint : all) {
+    if (!found.empty() && joint.at - found.back().at <= kSame) {
+      found.back().copies = std::max(found.back().copies, joint.copies);
+    } else {
+      found.push_back(joint);
+    }
+  }
+  return found;
+}
+
+/// Each stretch between joints in so many spans.
+KnotVector knots_with(int degree, int spans, std::vector<Joint> joints) {
+  joints.push_back({1.0, degree + 1});
   std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
-  for (int k = 1; k < spans; ++k) knots.push_back(static_cast<double>(k) / spans);
-  knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, 1.0);
+  for (const Joint& joint : joints) {
+    const double start = knots.back();
+    for (int k = 1; k < spans; ++k) knots.push_back(start + (joint.at - start) * k / spans);
+    knots.insert(knots.end(), static_cast<std::size_t>(joint.copies), joint.at);
+  }
   return KnotVector::make(degree, std::move(knots));
 }
 
@@ -177,10 +212,13 @@ Filling filled(const Hole& hole, double tolerance, double angle) {
   constexpr int kMostSpans = 8;
   const int degree = hole.continuity() == 2 ? 7 : 5;
   const std::vector<PartOfSide> parts = parts_of(hole);
+  std::vector<Joint> joints = joints_of(hole, parts, degree);
+  constexpr std::size_t kMostJoints = 5;
+  if (joints.size() > kMostJoints) joints.clear();
   for (int spans = 1;; spans *= 2) {
-    Filling filling = measured(hole, parts, patches_with(hole, parts, knots_with(degree, spans)));
+    Filling filling = measured(hole, parts, patches_with(hole, parts, knots_with(degree, spans, joints)));
     if (filling.gap <= tolerance && filling.angle <= angle && filling.inner_angle <= angle) return filling;
-    if (spans < kMostSpans) continue;
+    if (spans * (static_cast<int>(joints.size()) + 1) < kMostSpans) continue;
     if (filling.gap <= tolerance) return filling;
     throw ToleranceNotReached("the filling cannot reach its sides with " + std::to_string(spans) + " spans", tolerance, filling.gap);
   }

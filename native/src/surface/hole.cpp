@@ -30,27 +30,33 @@ std::array<double, 4> least_parts(const glm::dvec3& vector, const std::array<glm
   return {parts[0], parts[1], parts[2], parts[3]};
 }
 
-/// Both sides of a corner want the same mixed derivatives there, as nearly as the least change allows: with u along a, s of
-/// which begins there, and v back along b,
-///   S_uv: a.D' = -b.D'    S_uvv: a.D2' = h b.D''    S_uuv: b.D2' = -h a.D''    S_uuvv: a.D2'' = b.D2''
-void agree_at_corner(HoleSide& a, HoleSide& b, double h) {
-  if (a.continuity() == 0 || b.continuity() == 0) return;
-  const std::array<glm::dvec3, 2> of_a = a.directions(false);
-  const std::array<glm::dvec3, 2> of_b = b.directions(true);
-  const std::array<glm::dvec3, 2> none{glm::dvec3(0.0), glm::dvec3(0.0)};
-  const auto twists = least_parts(-(a.jet(false).first[1] + b.jet(true).first[1]), of_a, of_b);
-  a.bend_first(false, twists[0], twists[1]);
-  b.bend_first(true, twists[2], twists[3]);
+// Both sides of a corner want the same mixed derivatives there, as nearly as the least change allows: with u along a, s of
+// which begins there, and v back along b,
+//   S_uv: a.D' = -b.D'    S_uvv: a.D2' = h b.D''    S_uuv: b.D2' = -h a.D''    S_uuvv: a.D2'' = b.D2''
+// As far as they may, those of the surface round about agree by themselves.
+
+void agree_on_twist(HoleSide& a, HoleSide& b) {
+  const auto parts = least_parts(-(a.jet(false).first[1] + b.jet(true).first[1]), a.directions(false), b.directions(true));
+  a.bend_first(false, parts[0], parts[1]);
+  b.bend_first(true, parts[2], parts[3]);
+}
+
+void agree_on_thirds(HoleSide& a, HoleSide& b, double h) {
+  constexpr std::array<glm::dvec3, 2> kNone{glm::dvec3(0.0), glm::dvec3(0.0)};
   if (a.continuity() == 2) {
-    const auto parts = least_parts(h * b.jet(true).first[2] - a.jet(false).second[1], of_a, none);
+    const auto parts = least_parts(h * b.jet(true).first[2] - a.jet(false).second[1], a.directions(false), kNone);
     a.bend_second(false, 1, parts[0], parts[1]);
   }
   if (b.continuity() == 2) {
-    const auto parts = least_parts(-h * a.jet(false).first[2] - b.jet(true).second[1], none, of_b);
+    const auto parts = least_parts(-h * a.jet(false).first[2] - b.jet(true).second[1], kNone, b.directions(true));
     b.bend_second(true, 1, parts[2], parts[3]);
   }
+}
+
+void agree_on_fourths(HoleSide& a, HoleSide& b) {
   if (a.continuity() < 2 || b.continuity() < 2) return;
-  const auto parts = least_parts(b.jet(true).second[2] - a.jet(false).second[2], of_a, {-of_b[0], -of_b[1]});
+  const std::array<glm::dvec3, 2> of_b = b.directions(true);
+  const auto parts = least_parts(b.jet(true).second[2] - a.jet(false).second[2], a.directions(false), {-of_b[0], -of_b[1]});
   a.bend_second(false, 2, parts[0], parts[1]);
   b.bend_second(true, 2, parts[2], parts[3]);
 }
@@ -59,7 +65,16 @@ void agree_at_corner(HoleSide& a, HoleSide& b, double h) {
 
 void agree_at_corners(Hole& hole) {
   set_ends(hole);
-  for (std::size_t i = 0; i < hole.sides.size(); ++i) agree_at_corner(hole.sides[i], hole.sides[hole.before(i)], hole.share);
+  const auto at_corners = [&](const auto& agree) {
+    for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+      HoleSide& side = hole.sides[i];
+      HoleSide& before = hole.sides[hole.before(i)];
+      if (side.continuity() > 0 && before.continuity() > 0) agree(side, before);
+    }
+  };
+  at_corners(agree_on_twist);
+  at_corners([&](HoleSide& a, HoleSide& b) { agree_on_thirds(a, b, hole.share); });
+  at_corners(agree_on_fourths);
 }
 
 }  // namespace splinecore

@@ -54,8 +54,10 @@ Series<glm::dvec3> sum(const Series<glm::dvec3>& a, const Series<glm::dvec3>& b)
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// Hermite's functions of degree 5 with the first and the second derivative 1 at 0, and no others.
-double slope_function(double s) { return s * (1.0 + s * s * (-6.0 + s * (8.0 - 3.0 * s))); }
+/// 0 at both ends, with the derivative 1 at 0 and 0 at 1.
+double slope_function(double s) { return s * (1.0 - s) * (1.0 - s); }
+
+/// The same of the second derivative, first derivatives being 0.
 double second_function(double s) { return 0.5 * s * s * (1.0 - s) * (1.0 - s) * (1.0 - s); }
 
 }  // namespace
@@ -67,7 +69,8 @@ double HoleSide::Factor::at(double s) const {
 }
 
 std::array<double, 3> HoleSide::Factor::derivatives(bool is_end) const {
-  return {values[is_end], values[1] - values[0] + slopes[is_end], seconds[is_end]};
+  const double of_slopes = is_end ? 2.0 * slopes[0] + 4.0 * slopes[1] : -4.0 * slopes[0] - 2.0 * slopes[1];
+  return {values[is_end], values[1] - values[0] + slopes[is_end], of_slopes + seconds[is_end]};
 }
 
 HoleSide::HoleSide(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour)

@@ -39,6 +39,11 @@ class HoleSide {
   /// 0 without a neighbour
   int continuity() const noexcept { return neighbour_ ? neighbour_->continuity : 0; }
 
+  /// Those along it, over [0, 1].
+  const KnotVector& knots() const noexcept {
+    return neighbour_ ? neighbour_->patch.knot_vector(Axis::u) : curve_.knot_vector();
+  }
+
   std::vector<SidePlace> places(std::span<const double> s) const;
   SidePlace place(double s) const { return places(std::span(&s, 1)).front(); }
 
@@ -63,7 +68,7 @@ class HoleSide {
   std::vector<glm::dvec3> across(std::span<const double> s, int order) const;
 
  private:
-  /// A function of s by its values, and first and second derivatives, at both ends: a line, and what is added.
+  /// A function of s: a line by its values at both ends, and what is added to its derivatives there: to the first ones by cubics.
   struct Factor {
     std::array<double, 2> values{};
     std::array<double, 2> slopes{};   ///< added

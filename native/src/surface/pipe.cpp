@@ -63,7 +63,10 @@ NurbsPatch round_cap(const NurbsCurve& rim, const AxisEnd& end, double radius) {
 NurbsPatch cap_of(const NurbsPatch& mantle, const NurbsCurve& axis, bool is_start, PipeCaps caps) {
   const NurbsCurve rim = boundary(mantle, is_start ? Border::v_start : Border::v_end);
   const AxisEnd end = axis_end(axis, is_start);
-  const double radius = length_of(glm::dvec3(rim.points().front()) - end.point);
+  const double start = rim.domain().start;
+  glm::dvec3 on_rim;
+  evaluate(rim, std::span(&start, 1), std::span(&on_rim.x, 3));
+  const double radius = length_of(on_rim - end.point);
   const NurbsPatch cap = caps == PipeCaps::flat ? flat_cap(rim, end) : round_cap(rim, end, radius);
   return is_start ? reversed(cap, Axis::u) : cap;
 }

@@ -1,0 +1,167 @@
+"""Holes of three to eight sides: quadrics come back, planes and curvatures go on, what cannot be filled is refused."""
+
+import math
+
+import numpy as np
+import pytest
+
+import splinecore as sc
+from shapes import circle
+from splinecore import build
+
+QUADRIC = (0.3, 0.2, -0.4)
+
+
+def height(x, y):
+    a, b, c = QUADRIC
+    return a * x * x + b * x * y + c * y * y
+
+
+def quadric_over(corners, degree=4):
+    """The part of z = height(x, y) over a quadrilateral, as a Bezier patch by interpolation."""
+    corners = np.array(corners, float)
+    t = np.linspace(0, 1, degree + 1)
+    u, v = np.meshgrid(t, t, indexing="ij")
+    shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], -1)
+    x, y = np.moveaxis(shares @ corners, -1, 0)
+    basis = np.array([[math.comb(degree, k) * s ** k * (1 - s) ** (degree - k) for k in range(degree + 1)] for s in t])
+    inverse = np.linalg.inv(basis)
+    return sc.BezierPatch(np.einsum("ia,jb,abk->ijk", inverse, inverse, np.stack([x, y, height(x, y)], -1)))
+
+
+def polygon_hole(count, word, turn=0.0, stretch=1.0):
+    """A hole in the quadric with so many sides, and patches beyond each."""
+    angles = 2 * np.pi * np.arange(count) / count + turn
+    inner = np.c_[np.cos(angles) * stretch, np.sin(angles)]
+    outer = 2 * inner
+    return [(quadric_over([inner[i], inner[(i + 1) % count], outer[(i + 1) % count], outer[i]]), "v_start", word)
+            for i in range(count)]
+
+
+def grid(patch, count=33):
+    return patch.evaluate_grid(*(np.linspace(*domain, count) for domain in patch.domain)).reshape(-1, 3)
+
+
+def off_quadric(filling):
+    points = np.concatenate([grid(patch) for patch in filling.patches])
+    return np.abs(points[:, 2] - height(points[:, 0], points[:, 1])).max()
+
+
+@pytest.mark.parametrize("word", ["G0", "G1", "G2"])
+@pytest.mark.parametrize("count", range(3, 9))
+def test_a_hole_in_a_quadric_is_filled(count, word):
+    """Planes at every side to 1e-4, curvatures nearly, and tangent planes of the filling itself."""
+    filling = build.fill(polygon_hole(count, word, turn=0.3, stretch=1.2))
+    assert len(filling.patches) == (1 if count == 4 else count)
+    assert filling.gap <= 1e-9 and filling.angle <= 1e-4 and filling.inner_angle <= 1e-4
+    if word == "G2":
+        assert filling.curvature_difference <= 5e-3
+    assert off_quadric(filling) <= 0.1
+
+
+@pytest.mark.parametrize("word", ["G0", "G1", "G2"])
+def test_four_sides_of_a_quadric_give_it_back(word):
+    """It has no third derivatives: nothing bends less."""
+    filling = build.fill(polygon_hole(4, word))
+    assert off_quadric(filling) <= 1e-12
+
+
+def test_what_it_says_is_what_is_measured():
+    around = polygon_hole(5, "G1")
+    filling = build.fill(around)
+    angles = []
+    for i, (neighbour, side, _) in enumerate(around):
+        before, behind = neighbour.split("u", 0.5)
+        angles.append(sc.seam_continuity(filling.patches[i], "v_start", before, side).angle)
+        angles.append(sc.seam_continuity(filling.patches[(i + 1) % 5], "u_start", behind, side).angle)
+    assert max(angles) == pytest.approx(filling.angle, abs=1e-12)
+    inner = max(sc.seam_continuity(filling.patches[i], "u_end", filling.patches[(i + 1) % 5], "v_end").angle for i in range(5))
+    assert inner == pytest.approx(filling.inner_angle, abs=1e-12)
+
+
+def test_patches_share_their_control_points():
+    filling = build.fill(polygon_hole(6, "G1"))
+    for i, patch in enumerate(filling.patches):
+        other = filling.patches[(i + 1) % 6]
+        assert np.array_equal(patch.points[-1], other.points[:, -1])
+
+
+def test_normals_lie_on_one_side():
+    filling = build.fill(polygon_hole(7, "G1"))
+    signs = set()
+    for patch in filling.patches:
+        normals = patch.evaluate_grid_with_normals(np.linspace(0.05, 0.95, 7), np.linspace(0.05, 0.95, 7))[1]
+        signs.update(np.sign(normals[..., 2]).ravel())
+    assert len(signs) == 1
+
+
+@pytest.mark.parametrize("size", [1e-150, 1e-6, 1e6, 1e150])
+def test_any_size_and_place(size):
+    matrix = np.c_[np.eye(3) * size, np.array([3.0, -2.0, 1.0]) * size]
+    around = [(patch.transformed(matrix), side, word) for patch, side, word in polygon_hole(5, "G1")]
+    there, here = build.fill(around), build.fill(polygon_hole(5, "G1"))
+    for a, b in zip(there.patches, here.patches):
+        want = b.transformed(matrix).points
+        assert np.abs(np.asarray(a.points) - want).max() <= 1e-6 * size
+    assert there.angle <= 1e-4
+
+
+def test_directions_of_sides_are_of_no_matter():
+    sides = [sc.BezierCurve(p) for p in ([(0, 0, 0), (1, 0, .5), (2, 0, 0)], [(2, 0, 0), (2, 1, .5), (1, 2, 0)], [(1, 2, 0), (0, 1, -.5), (0, 0, 0)])]
+    one = build.fill(sides)
+    other = build.fill([sides[0], sides[1].reversed(), sides[2].reversed()])
+    for a, b in zip(one.patches, other.patches):
+        assert np.abs(np.asarray(a.points) - b.points).max() <= 1e-12
+
+
+def test_rational_sides_are_reached_within_the_tolerance():
+    arc = circle()
+    places = np.linspace(*arc.domain, 4)
+    filling = build.fill([arc.part(*ends) for ends in zip(places[:-1], places[1:])], tolerance=1e-5)
+    assert filling.gap <= 1e-5
+    points = np.concatenate([grid(p) for p in filling.patches])
+    assert np.abs(points[:, 2]).max() <= 1e-12 and np.hypot(points[:, 0], points[:, 1]).max() <= 1 + 1e-5
+
+
+def test_random_neighbours_are_followed_or_refused():
+    rng = np.random.default_rng(7)
+    followed = 0
+    for _ in range(60):
+        count = int(rng.integers(3, 9))
+        around = polygon_hole(count, str(rng.choice(["G0", "G1", "G2"])), rng.uniform(0, 6), rng.uniform(0.5, 2))
+        bent = []
+        for patch, side, word in around:
+            points = np.array(patch.points)
+            points[1:-1, 1:] += rng.normal(0, 0.05, points[1:-1, 1:].shape)
+            bent.append((sc.BezierPatch(points), side, word))
+        try:
+            filling = build.fill(bent, tolerance=1e-3)
+        except (sc.InvalidShape, sc.ToleranceNotReached):
+            continue
+        followed += 1
+        assert filling.gap <= 1e-3 and filling.inner_angle <= 0.05
+        assert all(np.isfinite(patch.points).all() for patch in filling.patches)
+    assert followed >= 55
+
+
+LINES = [sc.BezierCurve(p) for p in ([(0, 0, 0), (1, 0, 0)], [(1, 0, 0), (0, 1, 0)], [(0, 1, 0), (0, 0, 0)])]
+
+
+@pytest.mark.parametrize("sides, more, words", [
+    (LINES[:2], {}, "3 to 8"),
+    (LINES * 3, {}, "3 to 8"),
+    (LINES[:2] + [sc.BezierCurve([(0, 1, 1), (0, 0, 0)])], {}, "gap"),
+    (LINES, {"angle": 0.0}, "angle"),
+    (LINES[:2] + [(build.plane((0, 0, 0), (0, 1, 0), (1, 0, 0)), "v_start", "G1")], {}, "turns back|fold"),
+    (LINES[:2] + [(build.plane((0, 0, 0), (0, 1, 0), (-1, 0, 0)), "v_start", "G3")], {}, "continuity 3"),
+    (LINES[:2] + [(build.cylinder((0, 0, 0), (0, 0, 1), 1, 1), "u_start", "G1")], {}, "seam"),
+])
+def test_what_cannot_be_filled_is_refused(sides, more, words):
+    with pytest.raises((sc.InvalidShape, sc.ToleranceNotReached), match=words):
+        build.fill(sides, **more)
+
+
+@pytest.mark.parametrize("sides", [3, LINES[0], [(1, 2), LINES[0], LINES[1]]])
+def test_what_is_no_side_is_a_type_error(sides):
+    with pytest.raises(TypeError):
+        build.fill(sides)
