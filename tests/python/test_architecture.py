@@ -25,7 +25,7 @@ NATIVE_ARROWS = {
     'meet': {'base', 'basis', 'curve', 'patch', 'conic', 'kernels'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula', 'kernels', 'measure', 'meet'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
-    'surface': {'base', 'basis', 'curve', 'patch', 'measure', 'meet', 'build', 'fit', 'kernels'},
+    'surface': {'base', 'basis', 'conic', 'curve', 'patch', 'measure', 'meet', 'build', 'fit', 'kernels'},
     'exchange': {'base', 'basis', 'curve', 'patch'},
 }
 # A room of the add-on may import itself and these.

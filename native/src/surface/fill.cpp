@@ -167,15 +167,15 @@ Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::ve
 }
 
 /// A place of the parameters of patches at which a side is less smooth, and how often its knot is needed for that.
-struct Joint {
+struct SideKnot {
   double at;
   int copies;
 };
 
 /// The inner knots of all sides, as patches of a degree have them along their parts of these.
-std::vector<Joint> joints_of(const Hole& hole, const std::vector<PartOfSide>& parts, int degree) {
+std::vector<SideKnot> side_knots(const Hole& hole, const std::vector<PartOfSide>& parts, int degree) {
   constexpr double kSame = 1e-7;
-  std::vector<Joint> all;
+  std::vector<SideKnot> all;
   for (const PartOfSide& part : parts) {
     const KnotVector& knots = hole.sides[part.side].knots();
     for (const double knot : knots.knots()) {
@@ -184,26 +184,26 @@ std::vector<Joint> joints_of(const Hole& hole, const std::vector<PartOfSide>& pa
       if (at > kSame && at < 1.0 - kSame && smooth < degree) all.push_back({at, degree - smooth});
     }
   }
-  std::ranges::sort(all, {}, &Joint::at);
-  std::vector<Joint> found;
-  for (const Joint& joint : all) {
-    if (!found.empty() && joint.at - found.back().at <= kSame) {
-      found.back().copies = std::max(found.back().copies, joint.copies);
+  std::ranges::sort(all, {}, &SideKnot::at);
+  std::vector<SideKnot> found;
+  for (const SideKnot& one : all) {
+    if (!found.empty() && one.at - found.back().at <= kSame) {
+      found.back().copies = std::max(found.back().copies, one.copies);
     } else {
-      found.push_back(joint);
+      found.push_back(one);
     }
   }
   return found;
 }
 
-/// Each stretch between joints in so many spans.
-KnotVector knots_with(int degree, int spans, std::vector<Joint> joints) {
-  joints.push_back({1.0, degree + 1});
+/// Each stretch between inner knots of sides in so many spans.
+KnotVector knots_with(int degree, int spans, std::vector<SideKnot> inner) {
+  inner.push_back({1.0, degree + 1});
   std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
-  for (const Joint& joint : joints) {
+  for (const SideKnot& one : inner) {
     const double start = knots.back();
-    for (int k = 1; k < spans; ++k) knots.push_back(start + (joint.at - start) * k / spans);
-    knots.insert(knots.end(), static_cast<std::size_t>(joint.copies), joint.at);
+    for (int k = 1; k < spans; ++k) knots.push_back(start + (one.at - start) * k / spans);
+    knots.insert(knots.end(), static_cast<std::size_t>(one.copies), one.at);
   }
   return KnotVector::make(degree, std::move(knots));
 }
@@ -212,13 +212,13 @@ Filling filled(const Hole& hole, double tolerance, double angle) {
   constexpr int kMostSpans = 8;
   const int degree = hole.continuity() == 2 ? 7 : 5;
   const std::vector<PartOfSide> parts = parts_of(hole);
-  std::vector<Joint> joints = joints_of(hole, parts, degree);
-  constexpr std::size_t kMostJoints = 5;
-  if (joints.size() > kMostJoints) joints.clear();
+  std::vector<SideKnot> inner = side_knots(hole, parts, degree);
+  constexpr std::size_t kMostSideKnots = 5;
+  if (inner.size() > kMostSideKnots) inner.clear();
   for (int spans = 1;; spans *= 2) {
-    Filling filling = measured(hole, parts, patches_with(hole, parts, knots_with(degree, spans, joints)));
+    Filling filling = measured(hole, parts, patches_with(hole, parts, knots_with(degree, spans, inner)));
     if (filling.gap <= tolerance && filling.angle <= angle && filling.inner_angle <= angle) return filling;
-    if (spans * (static_cast<int>(joints.size()) + 1) < kMostSpans) continue;
+    if (spans * (static_cast<int>(inner.size()) + 1) < kMostSpans) continue;
     if (filling.gap <= tolerance) return filling;
     throw ToleranceNotReached("the filling cannot reach its sides with " + std::to_string(spans) + " spans", tolerance, filling.gap);
   }

@@ -69,9 +69,9 @@ std::vector<double> solved(const KnotVector& knots, const std::vector<double>& p
   return spline_through(given, knots.degree(), closing, {knots.knots().begin(), knots.knots().end()}).controls;
 }
 
-class PatchFit {
+class SurfaceFit {
  public:
-  PatchFit(const NurbsPatch& model, const SurfaceFunction& surface) : model_(ready(model)), surface_(surface) { meet(); }
+  SurfaceFit(const NurbsPatch& model, const SurfaceFunction& surface) : model_(ready(model)), surface_(surface) { meet(); }
 
   Approximation<NurbsPatch> within(double tolerance) {
     constexpr std::size_t kMost = 1 << 18;
@@ -239,7 +239,7 @@ class PatchFit {
 }  // namespace
 
 Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance) {
-  return PatchFit(model, surface).within(tolerance);
+  return SurfaceFit(model, surface).within(tolerance);
 }
 
 }  // namespace splinecore
