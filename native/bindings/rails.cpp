@@ -8,6 +8,7 @@
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
+#include "rail_numbers.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/pipe.hpp"
 #include "splinecore/surface/sweep.hpp"
@@ -47,24 +48,6 @@ std::vector<RailSection> sections_of(const py::object& value, const py::object& 
   return sections;
 }
 
-/// (at, value) each
-std::vector<RailNumber> numbers_along(const py::object& value, const char* name) {
-  if (value.is_none()) return {};
-  const Doubles pairs = real_array(value, name);
-  if (pairs.ndim() != 2 || pairs.shape(1) != 2) throw InvalidShape(std::string(name) + " must have the shape (n, 2): parameters and numbers");
-  std::vector<RailNumber> found;
-  for (py::ssize_t i = 0; i < pairs.shape(0); ++i) found.push_back({pairs.data()[2 * i], pairs.data()[2 * i + 1]});
-  return found;
-}
-
-/// One for the whole curve, or (at, radius) each.
-std::vector<RailNumber> radii_of(const py::object& value, const NurbsCurve& axis) {
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) {
-    return {{axis.domain().start, real(value, "radius")}};
-  }
-  return numbers_along(value, "radius");
-}
-
 void bind_two_rails(py::module_& build) {
   build.def("sweep_two_rails", [](const py::object& rail, const py::object& second, const py::object& sections, const py::object& at,
                                   const py::object& height, const py::object& up, const py::object& tolerance,
@@ -94,7 +77,7 @@ void bind_pipe(py::module_& build) {
   build.def("pipe", [](const py::object& axis, const py::object& radius, const py::object& caps, const py::object& tolerance,
                        const py::object& cancel) {
               const NurbsCurve& about = any_curve(axis, "axis");
-              const std::vector<RailNumber> radii = radii_of(radius, about);
+              const std::vector<RailNumber> radii = radii_of(radius, "radius", about.domain());
               const auto ends = chosen<PipeCaps>(caps, "caps", {{"none", PipeCaps::none}, {"flat", PipeCaps::flat}, {"round", PipeCaps::round}});
               const std::optional<double> within = tolerance_of(tolerance);
               return wrap(unlocked([&] { return splinecore::pipe(about, radii, ends, within); }, cancel));

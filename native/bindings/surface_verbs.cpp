@@ -7,15 +7,19 @@
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
+#include "rail_numbers.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/extend_patch.hpp"
+#include "splinecore/surface/fillet_patches.hpp"
 #include "splinecore/surface/match.hpp"
 #include "splinecore/surface/offset_patch.hpp"
+#include "values.hpp"
 
 namespace bindings {
 
 using splinecore::Extension;
 using splinecore::MatchOptions;
+using splinecore::RoundedEdge;
 
 namespace {
 
@@ -89,6 +93,41 @@ void bind_match(py::module_& build) {
             "InvalidShape if rows are too few, a patch stands still across its side, or that is the seam of a periodic direction.");
 }
 
+void bind_rounded_edge(py::module_& module) {
+  py::class_<RoundedEdge> cls(module, "RoundedEdge", py::module_local(),
+                              "What rounds the edge of two patches: first and second, NurbsPatch, are what is left of them, fillet the NurbsPatch\n"
+                              "between, and error, a length, is how far one of these was found to be from where it should be.");
+  seal(cls);
+  cls.def_readonly("first", &RoundedEdge::first);
+  cls.def_readonly("fillet", &RoundedEdge::fillet);
+  cls.def_readonly("second", &RoundedEdge::second);
+  cls.def_readonly("error", &RoundedEdge::error);
+  cls.def("__repr__", [](const RoundedEdge& self) { return "RoundedEdge(error=" + splinecore::text_of(self.error) + ")"; });
+}
+
+void bind_fillet_patches(py::module_& build) {
+  build.def("fillet_patches", [](const py::object& first, const py::object& first_side, const py::object& second,
+                                 const py::object& second_side, const py::object& radius, const py::object& tolerance,
+                                 const py::object& cancel) {
+              const auto a = any_patch(first, "first");
+              const splinecore::Border on_a = border_of(first_side, "first_side");
+              const auto b = any_patch(second, "second");
+              const splinecore::Border on_b = border_of(second_side, "second_side");
+              const auto along = splinecore::axis_of(on_a) == splinecore::Axis::u ? splinecore::Axis::v : splinecore::Axis::u;
+              const auto radii = radii_of(radius, "radius", a.knot_vector(along).domain());
+              const std::optional<double> within = tolerance_of(tolerance);
+              return unlocked([&] { return splinecore::fillet(a, on_a, b, on_b, radii, within); }, cancel);
+            }, py::arg("first"), py::arg("first_side"), py::arg("second"), py::arg("second_side"), py::arg("radius"), py::kw_only(),
+            py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
+            "The RoundedEdge of two patches that have a side in common, by a ball that rolls along it and touches both (Rossignac\n"
+            "and Requicha 1984; row S21).\n\n"
+            "radius is a number, or (n, 2): parameters of the first patch along the edge and radii there, between which it goes\n"
+            "without overshoot. Cross sections of the fillet are arcs of circles. tolerance, a length: by default 2^-20 of the size.\n"
+            "Where sides beside the edge are not at right angles to it, the second patch ends a little before it or behind it.\n"
+            "InvalidShape if the sides are not one edge, their tangent planes agree, a radius is not above 0 or too large;\n"
+            "ToleranceNotReached.");
+}
+
 }  // namespace
 
 void bind_surface_verbs(py::module_& module) {
@@ -96,6 +135,8 @@ void bind_surface_verbs(py::module_& module) {
   bind_offset_patch(build);
   bind_extend_patch(build);
   bind_match(build);
+  bind_rounded_edge(module);
+  bind_fillet_patches(build);
 }
 
 }  // namespace bindings

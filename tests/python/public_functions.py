@@ -74,6 +74,9 @@ FUNCTIONS = {
                                       for how in ("natural", "straight")],
     "build.match_patch": lambda at: build.match_patch(
         build.extrude(at.bezier, xyz(at, 0, 0, 1)), "v_end", build.extrude(at.bezier, xyz(at, 0, 1, 1)), "v_start", "G1"),
+    "build.fillet_patches": lambda at: build.fillet_patches(
+        build.plane(xyz(at, 0), xyz(at, 1), xyz(at, 0, 1)), "u_end", build.plane(xyz(at, 1), xyz(at, 0, 1), xyz(at, 0, 0, 1)), "v_start",
+        0.1 * at.size),
     "build.fill": lambda at: build.fill([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
         ((0, 0), (1, 0)), ((1, 0), (1, 1, 1)), ((1, 1, 1), (0, 0)))]),
     "build.catmull_clark": lambda at: build.catmull_clark(

@@ -31,6 +31,7 @@ __all__ = [
     "PatchSet",
     "PointAtInfinity",
     "PowerCurve",
+    "RoundedEdge",
     "SeamContinuity",
     "Sections",
     "StationaryPoints",
@@ -141,6 +142,21 @@ class SubdivisionPatches:
     def angle(self) -> float: ...
     def __copy__(self) -> SubdivisionPatches: ...
     def __deepcopy__(self, memo: object, /) -> SubdivisionPatches: ...
+
+@final
+class RoundedEdge:
+    """What rounds the edge of two patches: what is left of them, and the fillet between; error is a length."""
+
+    @property
+    def first(self) -> NurbsPatch: ...
+    @property
+    def fillet(self) -> NurbsPatch: ...
+    @property
+    def second(self) -> NurbsPatch: ...
+    @property
+    def error(self) -> float: ...
+    def __copy__(self) -> RoundedEdge: ...
+    def __deepcopy__(self, memo: object, /) -> RoundedEdge: ...
 
 @final
 class SeamContinuity:

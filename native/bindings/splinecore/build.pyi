@@ -18,6 +18,7 @@ from . import (
     NurbsCurve,
     NurbsPatch,
     PowerCurve,
+    RoundedEdge,
     SubdivisionPatches,
 )
 
@@ -39,6 +40,7 @@ __all__ = [
     "extend_patch",
     "extrude",
     "fill",
+    "fillet_patches",
     "filleted",
     "fillets",
     "helix",
@@ -339,6 +341,16 @@ def fill(
     angle: float = 1e-4,
     cancel: Callable[[], object] | None = None,
 ) -> Filling: ...
+def fillet_patches(
+    first: _Patch,
+    first_side: _Border,
+    second: _Patch,
+    second_side: _Border,
+    radius: float | ArrayLike,
+    *,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> RoundedEdge: ...
 def catmull_clark(
     points: ArrayLike, faces: Sequence[Sequence[SupportsIndex]], *, cancel: Callable[[], object] | None = None
 ) -> SubdivisionPatches: ...

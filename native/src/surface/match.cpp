@@ -10,6 +10,7 @@
 #include "meet/near_space.hpp"
 #include "patch/lines.hpp"
 #include "ribbon.hpp"
+#include "side_first.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -35,17 +36,6 @@ void require_options(const MatchOptions& options) {
   if (!(options.strength > 0.0 && std::isfinite(options.strength))) {
     throw InvalidShape("strength = " + text_of(options.strength) + ": above 0 is expected");
   }
-}
-
-/// A patch turned so that its side is v_start, and back.
-NurbsPatch with_side_first(const NurbsPatch& patch, Border side) {
-  const NurbsPatch upright = axis_of(side) == Axis::u ? swapped(patch) : patch;
-  return is_at_end(side) ? reversed(upright, Axis::v) : upright;
-}
-
-NurbsPatch turned_back(const NurbsPatch& patch, Border side) {
-  const NurbsPatch upright = is_at_end(side) ? reversed(patch, Axis::v) : patch;
-  return axis_of(side) == Axis::u ? swapped(upright) : upright;
 }
 
 /// Rows of control points, homogeneous, row 0 along the side; all on the same knots.
@@ -220,7 +210,7 @@ Approximation<NurbsPatch> matched(const NurbsPatch& patch, Border side, const Nu
   if (is_reversed) {
     for (NurbsCurve& row : ribbon.rows) row = reversed(row);
   }
-  const NurbsPatch made = turned_back(moved_onto(with_side_first(near, side), std::move(ribbon), options), side);
+  const NurbsPatch made = with_side_back(moved_onto(with_side_first(near, side), std::move(ribbon), options), side);
   return {made.with_points(space.leave(made.points())), space.length(largest_distance(near, made))};
 }
 

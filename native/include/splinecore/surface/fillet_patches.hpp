@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "splinecore/patch/isocurve.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+#include "splinecore/surface/sweep.hpp"
+
+namespace splinecore {
+
+/// What rounds the edge of two patches.
+struct RoundedEdge {
+  NurbsPatch first;    ///< what is left of the patches, up to where the ball touches them
+  NurbsPatch fillet;   ///< u along the edge, v from the first patch to the second one, by arcs
+  NurbsPatch second;
+  double error = 0.0;  ///< how far one of the three was found to be from where it should be
+};
+
+/// A ball rolls along the edge that two patches have in common, on the side where they are nearer to each other, and touches
+/// both: the surface between (Rossignac and Requicha 1984; row S21).
+///
+/// At each parameter of the first patch along the edge a cross section is the arc of a circle about the centre of the ball.
+/// The fillet ends where the first patch does; where sides beside the edge are not at right angles to it, the second one
+/// ends a little before it or behind it. Patches whose contact is a line of parameters are cut exactly.
+/// @param radii  at parameters of the first patch along the edge, between which they go without overshoot
+/// @param tolerance  none: 2^-20 of the size of the patches
+/// @throws InvalidShape if the sides are not one edge, their tangent planes agree, a radius is not above 0 or too large for
+///         a patch, so that the ball does not touch it, or a side is a seam; ToleranceNotReached.
+RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch& second, Border second_side,
+                   std::span<const RailNumber> radii, std::optional<double> tolerance = {});
+
+}  // namespace splinecore

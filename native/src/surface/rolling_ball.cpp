@@ -1,0 +1,140 @@
+#include "rolling_ball.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+
+#include "base/length.hpp"
+#include "base/quotient.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/patch/ends.hpp"
+#include "splinecore/patch/evaluate.hpp"
+#include "splinecore/surface/extend_patch.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Sides that cross the edge are moved out, for balls that touch a patch a little beyond them; where that cannot be, not.
+NurbsPatch widened(const NurbsPatch& patch, double length) {
+  NurbsPatch wide = patch;
+  if (patch.knot_vector(Axis::u).periodic()) return wide;
+  for (const Border side : {Border::u_start, Border::u_end}) {
+    try {
+      wide = extended(wide, side, length);
+    } catch (const InvalidShape&) {
+      continue;
+    }
+  }
+  return wide;
+}
+
+/// A place of a patch with its unit normal, and how both change.
+struct TouchedPlace {
+  glm::dvec3 point;
+  glm::dvec3 along_u;
+  glm::dvec3 along_v;
+  glm::dvec3 normal;
+  glm::dvec3 normal_u;
+  glm::dvec3 normal_v;
+};
+
+TouchedPlace touched(const NurbsPatch& patch, const glm::dvec2& at) {
+  std::array<glm::dvec3, 9> d;
+  derivatives(patch, std::span(&at.x, 1), std::span(&at.y, 1), 2, std::span(&d.front().x, 27));
+  const glm::dvec3 cross = glm::cross(d[3], d[1]);
+  const double length = length_of(cross);
+  const glm::dvec3 normal = cross / length;
+  const auto change = [&](const glm::dvec3& by) { return (by - glm::dot(by, normal) * normal) / length; };
+  return {d[0], d[3], d[1], normal, change(glm::cross(d[6], d[1]) + glm::cross(d[3], d[4])),
+          change(glm::cross(d[4], d[1]) + glm::cross(d[3], d[2]))};
+}
+
+/// At right angles to the edge, into the patch.
+glm::dvec3 inwards(const TouchedPlace& place) {
+  const glm::dvec3 in = place.along_v - glm::dot(place.along_v, place.along_u) / glm::dot(place.along_u, place.along_u) * place.along_u;
+  return in / length_of(in);
+}
+
+glm::dvec2 inside(const NurbsPatch& patch, glm::dvec2 at) {
+  const Interval u = patch.knot_vector(Axis::u).domain();
+  const Interval v = patch.knot_vector(Axis::v).domain();
+  if (!patch.knot_vector(Axis::u).periodic()) at.x = std::clamp(at.x, u.start, u.end);
+  at.y = std::clamp(at.y, v.start, v.end);
+  return at;
+}
+
+}  // namespace
+
+RollingBall::RollingBall(const NurbsPatch& first, const NurbsPatch& second, const NumbersAlong& radii)
+    : first_(widened(first, radii.at(0.0))), second_(widened(second, radii.at(0.0))), radii_(radii) {
+  constexpr double kFlat = 1e-6;
+  const TouchedPlace a = touched(first_, {0.5, first_.knot_vector(Axis::v).domain().start});
+  const TouchedPlace b = touched(second_, {0.5, second_.knot_vector(Axis::v).domain().start});
+  const double toward_b = glm::dot(a.normal, inwards(b));
+  const double toward_a = glm::dot(b.normal, inwards(a));
+  if (!(std::abs(toward_b) > kFlat && std::abs(toward_a) > kFlat)) {
+    throw InvalidShape("the patches have one tangent plane along their edge: there is nothing to round");
+  }
+  side_of_first_ = toward_b > 0.0 ? 1.0 : -1.0;
+  side_of_second_ = toward_a > 0.0 ? 1.0 : -1.0;
+}
+
+/// As if both were planes.
+Contact RollingBall::start(double u) const {
+  const double start_a = first_.knot_vector(Axis::v).domain().start;
+  const double start_b = second_.knot_vector(Axis::v).domain().start;
+  const TouchedPlace a = touched(first_, inside(first_, {u, start_a}));
+  const TouchedPlace b = touched(second_, inside(second_, {u, start_b}));
+  const double radius = radii_.at(std::clamp(u, 0.0, 1.0));
+  const double half = 0.5 * std::acos(std::clamp(glm::dot(inwards(a), inwards(b)), -1.0, 1.0));
+  const double away = radius / std::tan(half);
+  Contact contact{};
+  contact.on_first = inside(first_, {u, start_a + away / length_of(a.along_v)});
+  contact.on_second = inside(second_, {u, start_b + away / length_of(b.along_v)});
+  return contact;
+}
+
+Contact RollingBall::at(double u, bool is_of_first) const {
+  constexpr int kRounds = 50;
+  constexpr double kReached = 1e-14;
+  Contact contact = start(u);
+  const NurbsPatch& fixed = is_of_first ? first_ : second_;
+  const NurbsPatch& other = is_of_first ? second_ : first_;
+  glm::dvec2 on_fixed = is_of_first ? contact.on_first : contact.on_second;
+  glm::dvec2 on_other = is_of_first ? contact.on_second : contact.on_first;
+  const double side_fixed = is_of_first ? side_of_first_ : side_of_second_;
+  const double side_other = is_of_first ? side_of_second_ : side_of_first_;
+  double left = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    contact.radius = radii_.at(std::clamp(is_of_first ? u : on_other.x, 0.0, 1.0));
+    const TouchedPlace a = touched(fixed, on_fixed);
+    const TouchedPlace b = touched(other, on_other);
+    const double ra = side_fixed * contact.radius;
+    const double rb = side_other * contact.radius;
+    const glm::dvec3 centre = a.point + ra * a.normal;
+    const glm::dvec3 off = centre - (b.point + rb * b.normal);
+    left = length_of(off);
+    (is_of_first ? contact.first : contact.second) = a.point;
+    (is_of_first ? contact.second : contact.first) = b.point;
+    contact.centre = centre - 0.5 * off;
+    (is_of_first ? contact.on_first : contact.on_second) = on_fixed;
+    (is_of_first ? contact.on_second : contact.on_first) = on_other;
+    if (left <= kReached) return contact;
+    const glm::dmat3 jacobian(a.along_v + ra * a.normal_v, -(b.along_u + rb * b.normal_u), -(b.along_v + rb * b.normal_v));
+    const double determinant = glm::determinant(jacobian);
+    if (determinant == 0.0 || !std::isfinite(determinant)) break;
+    const glm::dvec3 step = glm::inverse(jacobian) * off;
+    on_fixed = inside(fixed, {on_fixed.x, on_fixed.y - step.x});
+    on_other = inside(other, {on_other.x - step.y, on_other.y - step.z});
+  }
+  constexpr double kNear = 1e-11;
+  if (left <= kNear) return contact;
+  throw InvalidShape("a ball of the radius does not touch both patches at " + text_of(u) + " of the edge: it is too large, or they end before");
+}
+
+}  // namespace splinecore
