@@ -43,14 +43,14 @@ std::pair<double, double> parts_of(const glm::dvec3& vector, const glm::dvec3& a
 
 /// A function's derivatives of orders 0 to 2.
 template <class Value>
-using Series = std::array<Value, 3>;
+using ThreeOrders = std::array<Value, 3>;
 
 template <class Value>
-Series<Value> product(const Series<double>& a, const Series<Value>& b) {
+ThreeOrders<Value> product(const ThreeOrders<double>& a, const ThreeOrders<Value>& b) {
   return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2.0 * a[1] * b[1] + a[0] * b[2]};
 }
 
-Series<glm::dvec3> sum(const Series<glm::dvec3>& a, const Series<glm::dvec3>& b) {
+ThreeOrders<glm::dvec3> sum(const ThreeOrders<glm::dvec3>& a, const ThreeOrders<glm::dvec3>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
@@ -124,12 +124,12 @@ AcrossJet HoleSide::jet(bool is_end) const {
   std::vector<glm::dvec3> values(kWidth * kWidth);
   derivatives(neighbour_->patch, std::span(&s, 1), std::span(&t, 1), kOrder, std::span(&values.front().x, 3 * values.size()));
   const auto along = [&](int order, int out) {
-    return Series<glm::dvec3>{values[order * kWidth + out], values[(order + 1) * kWidth + out], values[(order + 2) * kWidth + out]};
+    return ThreeOrders<glm::dvec3>{values[order * kWidth + out], values[(order + 1) * kWidth + out], values[(order + 2) * kWidth + out]};
   };
-  const Series<double> a = a_.derivatives(is_end);
-  const Series<double> b = b_.derivatives(is_end);
-  const Series<double> ab = product(a, b);
-  const Series<double> twice{2.0 * ab[0], 2.0 * ab[1], 2.0 * ab[2]};
+  const ThreeOrders<double> a = a_.derivatives(is_end);
+  const ThreeOrders<double> b = b_.derivatives(is_end);
+  const ThreeOrders<double> ab = product(a, b);
+  const ThreeOrders<double> twice{2.0 * ab[0], 2.0 * ab[1], 2.0 * ab[2]};
   return {sum(product(a, along(0, 1)), product(b, along(1, 0))),
           sum(sum(sum(product(product(a, a), along(0, 2)), product(twice, along(1, 1))), product(product(b, b), along(2, 0))),
               sum(product(c_.derivatives(is_end), along(0, 1)), product(d_.derivatives(is_end), along(1, 0))))};
