@@ -95,7 +95,7 @@ std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const Part
   std::vector<double> s;
   for (const double place : greville_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
   std::vector<std::vector<glm::dvec3>> across(1);
-  for (const SidePlace& here : side.places(s)) across[0].push_back(here.point);
+  for (const HolePlace& here : side.places(s)) across[0].push_back(here.point);
   for (int order = 1; order <= side.continuity(); ++order) across.push_back(side.across(s, order));
   return rows_beside(knots, across);
 }
@@ -138,7 +138,7 @@ double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch&
   const NurbsCurve border = boundary(patch, part.border);
   std::vector<glm::dvec3> points(kPlaces);
   evaluate(border, at, std::span(&points.front().x, 3 * points.size()));
-  const std::vector<SidePlace> wanted = side.places(s);
+  const std::vector<HolePlace> wanted = side.places(s);
   double largest = 0.0;
   for (int k = 0; k < kPlaces; ++k) largest = std::max(largest, distance_of(points[k], wanted[k].point));
   return largest;

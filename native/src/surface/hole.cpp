@@ -11,8 +11,8 @@ namespace {
 void set_ends(Hole& hole) {
   const double h = hole.share;
   for (std::size_t i = 0; i < hole.sides.size(); ++i) {
-    const SidePlace end = hole.sides[hole.before(i)].place(1.0);
-    const SidePlace start = hole.sides[hole.after(i)].place(0.0);
+    const HolePlace end = hole.sides[hole.before(i)].place(1.0);
+    const HolePlace start = hole.sides[hole.after(i)].place(0.0);
     hole.sides[i].set_end(false, -h * end.along, h * h * end.along_2);
     hole.sides[i].set_end(true, h * start.along, h * h * start.along_2);
   }

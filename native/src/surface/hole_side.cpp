@@ -82,8 +82,8 @@ HoleSide::HoleSide(const NurbsCurve& curve, const std::optional<LoftNeighbour>& 
             glm::dvec3(curve_.points().back()) - glm::dvec3(side.points().back())};
 }
 
-std::vector<SidePlace> HoleSide::places(std::span<const double> s) const {
-  std::vector<SidePlace> found(s.size());
+std::vector<HolePlace> HoleSide::places(std::span<const double> s) const {
+  std::vector<HolePlace> found(s.size());
   if (!neighbour_) {
     std::vector<glm::dvec3> values(3 * s.size());
     derivatives(curve_, s, 2, std::span(&values.front().x, 3 * values.size()));
@@ -105,7 +105,7 @@ std::vector<SidePlace> HoleSide::places(std::span<const double> s) const {
 
 void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {
   if (continuity() == 0) return;
-  const SidePlace here = place(is_end ? 1.0 : 0.0);
+  const HolePlace here = place(is_end ? 1.0 : 0.0);
   const auto [a, b] = parts_of(across, here.out, here.along);
   if (!(a > 0.0)) throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
   a_.values[is_end] = a;
@@ -136,7 +136,7 @@ AcrossJet HoleSide::jet(bool is_end) const {
 }
 
 std::array<glm::dvec3, 2> HoleSide::directions(bool is_end) const {
-  const SidePlace here = place(is_end ? 1.0 : 0.0);
+  const HolePlace here = place(is_end ? 1.0 : 0.0);
   return {here.out, here.along};
 }
 
@@ -159,12 +159,12 @@ std::optional<NurbsPatch> HoleSide::neighbour_part(double from, double to) const
 }
 
 std::vector<glm::dvec3> HoleSide::across(std::span<const double> s, int order) const {
-  const std::vector<SidePlace> here = places(s);
+  const std::vector<HolePlace> here = places(s);
   std::vector<glm::dvec3> found;
   for (std::size_t i = 0; i < s.size(); ++i) {
     const double a = a_.at(s[i]);
     const double b = b_.at(s[i]);
-    const SidePlace& p = here[i];
+    const HolePlace& p = here[i];
     found.push_back(order == 1 ? a * p.out + b * p.along
                                : a * a * p.out_2 + 2.0 * a * b * p.out_along + b * b * p.along_2 + c_.at(s[i]) * p.out + d_.at(s[i]) * p.along);
   }

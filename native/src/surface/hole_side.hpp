@@ -12,7 +12,7 @@
 namespace splinecore {
 
 /// A side of a hole at a place, by s from 0 to 1 along it; and the patch beyond it, by t out of that.
-struct SidePlace {
+struct HolePlace {
   glm::dvec3 point;
   glm::dvec3 along;      ///< derivatives by s
   glm::dvec3 along_2;
@@ -44,8 +44,8 @@ class HoleSide {
     return neighbour_ ? neighbour_->patch.knot_vector(Axis::u) : curve_.knot_vector();
   }
 
-  std::vector<SidePlace> places(std::span<const double> s) const;
-  SidePlace place(double s) const { return places(std::span(&s, 1)).front(); }
+  std::vector<HolePlace> places(std::span<const double> s) const;
+  HolePlace place(double s) const { return places(std::span(&s, 1)).front(); }
 
   /// Sets D and D2 at an end as nearly as the neighbour's plane allows, and lets a, b, c, d be linear.
   void set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2);
