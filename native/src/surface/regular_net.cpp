@@ -8,7 +8,7 @@ namespace splinecore {
 namespace {
 
 /// The 4 x 4 control points of a bicubic span.
-class Net {
+class RegularNet {
  public:
   glm::dvec3& at(int i, int j) { return points_[static_cast<std::size_t>(4 * i + j)]; }
   const glm::dvec3& at(int i, int j) const { return points_[static_cast<std::size_t>(4 * i + j)]; }
@@ -17,17 +17,17 @@ class Net {
   std::array<glm::dvec3, 16> points_{};
 };
 
-struct Place {
+struct NetPlace {
   int i;
   int j;
 };
 
-Place operator+(const Place& a, const Place& b) { return {a.i + b.i, a.j + b.j}; }
-Place operator-(const Place& a) { return {-a.i, -a.j}; }
+NetPlace operator+(const NetPlace& a, const NetPlace& b) { return {a.i + b.i, a.j + b.j}; }
+NetPlace operator-(const NetPlace& a) { return {-a.i, -a.j}; }
 
 /// Corners of the face, and the way out across the side that begins there.
-constexpr std::array<Place, 4> kCorners{{{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
-constexpr std::array<Place, 4> kOut{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+constexpr std::array<NetPlace, 4> kCorners{{{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
+constexpr std::array<NetPlace, 4> kOut{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
 class RegularFace {
  public:
@@ -38,21 +38,21 @@ class RegularFace {
     for (int k = 0; k < 4; ++k) write_corner(k);
   }
 
-  const Net& net() const { return net_; }
+  const RegularNet& net() const { return net_; }
 
  private:
-  glm::dvec3& at(const Place& place) { return net_.at(place.i, place.j); }
+  glm::dvec3& at(const NetPlace& place) { return net_.at(place.i, place.j); }
   int side_of(int k) const { return sides_[static_cast<std::size_t>(k % 4)]; }
   int twin_of(int k) const { return topology_.side(side_of(k)).twin; }
   const glm::dvec3& point(int i) const { return mesh_.points[static_cast<std::size_t>(i)]; }
 
-  void reflect(const Place& place, const Place& in) { at(place) = 2.0 * at(place + in) - at(place + in + in); }
+  void reflect(const NetPlace& place, const NetPlace& in) { at(place) = 2.0 * at(place + in) - at(place + in + in); }
 
   /// The two points beyond a side.
   void write_across(int k) {
-    const Place out = kOut[static_cast<std::size_t>(k)];
-    const Place first = kCorners[static_cast<std::size_t>(k)] + out;
-    const Place second = kCorners[static_cast<std::size_t>((k + 1) % 4)] + out;
+    const NetPlace out = kOut[static_cast<std::size_t>(k)];
+    const NetPlace first = kCorners[static_cast<std::size_t>(k)] + out;
+    const NetPlace second = kCorners[static_cast<std::size_t>((k + 1) % 4)] + out;
     const int twin = twin_of(k);
     if (twin < 0) {
       reflect(first, -out);
@@ -65,9 +65,9 @@ class RegularFace {
 
   /// The point beyond a corner, across both of its sides.
   void write_corner(int k) {
-    const Place out = kOut[static_cast<std::size_t>(k)];
-    const Place other = kOut[static_cast<std::size_t>((k + 3) % 4)];
-    const Place place = kCorners[static_cast<std::size_t>(k)] + out + other;
+    const NetPlace out = kOut[static_cast<std::size_t>(k)];
+    const NetPlace other = kOut[static_cast<std::size_t>((k + 3) % 4)];
+    const NetPlace place = kCorners[static_cast<std::size_t>(k)] + out + other;
     if (twin_of(k) < 0) {
       reflect(place, -out);
     } else if (twin_of(k + 3) < 0) {
@@ -81,7 +81,7 @@ class RegularFace {
   const ControlMesh& mesh_;
   const MeshTopology& topology_;
   std::array<int, 4> sides_{};
-  Net net_;
+  RegularNet net_;
 };
 
 /// Bezier points of a uniform cubic span from its four points.
@@ -94,7 +94,7 @@ std::array<glm::dvec3, 4> bezier_points(const std::array<glm::dvec3, 4>& p) {
 }  // namespace
 
 NurbsPatch regular_patch(const ControlMesh& mesh, const MeshTopology& topology, int side) {
-  Net net = RegularFace(mesh, topology, side).net();
+  RegularNet net = RegularFace(mesh, topology, side).net();
   for (int i = 0; i < 4; ++i) {
     const auto line = bezier_points({net.at(i, 0), net.at(i, 1), net.at(i, 2), net.at(i, 3)});
     for (int j = 0; j < 4; ++j) net.at(i, j) = line[static_cast<std::size_t>(j)];

@@ -112,12 +112,12 @@ void add_energy(const Star& star, Form& form) {
 }
 
 /// One condition at a place of a spoke: a sum of points that is to be 0.
-struct Condition {
+struct SpokeCondition {
   Eigen::RowVectorXd left;
   Eigen::RowVector3d right = Eigen::RowVector3d::Zero();
 };
 
-void add_to(Condition& condition, const Form& form, std::size_t number, double factor) {
+void add_to(SpokeCondition& condition, const Form& form, std::size_t number, double factor) {
   if (form.place(number) >= 0) {
     condition.left(form.place(number)) += factor;
     return;
@@ -131,14 +131,14 @@ double spoke_factor(const Star& star) {
 }
 
 /// Along spoke k, at places of it.
-void add_conditions(const Star& star, std::size_t k, const Form& form, const Samples& samples, std::vector<Condition>& all) {
+void add_conditions(const Star& star, std::size_t k, const Form& form, const Samples& samples, std::vector<SpokeCondition>& all) {
   const std::size_t last = star.width() - 1;
   const std::size_t next = (k + 1) % star.count;
   const auto knots = star.knots.knots();
   const double slope = star.knots.degree() / (knots.back() - knots[last]);
   const double factor = spoke_factor(star);
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    Condition condition{Eigen::RowVectorXd::Zero(form.left.rows())};
+    SpokeCondition condition{Eigen::RowVectorXd::Zero(form.left.rows())};
     const double part = factor * std::pow(samples.parameter(s), star.power);
     auto j = static_cast<std::size_t>(samples.first(s));
     for (std::size_t m = 0; m < samples.weights(s).size(); ++m, ++j) {
@@ -151,7 +151,7 @@ void add_conditions(const Star& star, std::size_t k, const Form& form, const Sam
   }
 }
 
-std::vector<Condition> conditions_of(const Star& star, const Form& form) {
+std::vector<SpokeCondition> conditions_of(const Star& star, const Form& form) {
   constexpr int kInSpan = 8;
   std::vector<double> at;
   for (int s = 0; s < static_cast<int>(star.knots.spans().size()); ++s) {
@@ -162,13 +162,13 @@ std::vector<Condition> conditions_of(const Star& star, const Form& form) {
     at.back() = span.end;
   }
   const Samples samples = Samples::make(star.knots, at, 1);
-  std::vector<Condition> all;
+  std::vector<SpokeCondition> all;
   for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) add_conditions(star, k, form, samples, all);
   return all;
 }
 
 /// The least of a form under conditions, as nearly as these agree: multipliers (Hestenes 1969, Powell 1969).
-Eigen::MatrixXd least(const Form& form, const std::vector<Condition>& conditions) {
+Eigen::MatrixXd least(const Form& form, const std::vector<SpokeCondition>& conditions) {
   constexpr int kRounds = 12;
   constexpr double kFirm = 1e7;
   const Index count = form.left.rows();
