@@ -3,6 +3,7 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "neighbours.hpp"
@@ -36,7 +37,7 @@ std::vector<FillSide> sides_of(const py::object& value) {
 }
 
 void bind_filling(py::module_& module) {
-  py::class_<Filling> cls(module, "Filling", py::module_local(),
+  Class<Filling> cls(module, "Filling", py::module_local(),
                           "What fills a hole: patches, a tuple of NurbsPatch, and how well it goes on (lecture row S21).\n\n"
                           "gap, a length, is the largest distance from a side; angle, in radians, the largest between tangent planes along\n"
                           "neighbours with 'G1' and 'G2'; curvature_difference, in 1 / length, that of normal curvatures across those with\n"

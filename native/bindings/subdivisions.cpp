@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
 #include "rooms.hpp"
@@ -45,7 +46,7 @@ ControlMesh mesh_of(const py::object& points, const py::object& faces) {
 }
 
 void bind_patches_of_subdivision(py::module_& module) {
-  py::class_<SubdivisionPatches> cls(module, "SubdivisionPatches", py::module_local(),
+  Class<SubdivisionPatches> cls(module, "SubdivisionPatches", py::module_local(),
                                      "Patches of the surface to which a mesh converges: patches, a tuple of NurbsPatch, one for each face of the mesh\n"
                                      "that was subdivided `rounds` times, in its order.\n\n"
                                      "irregular patches, beside extraordinary points, are not the surface itself; angle, in radians, is the largest\n"

@@ -4,6 +4,7 @@
 #include "approximation.hpp"
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
@@ -94,7 +95,7 @@ void bind_match(py::module_& build) {
 }
 
 void bind_rounded_edge(py::module_& module) {
-  py::class_<RoundedEdge> cls(module, "RoundedEdge", py::module_local(),
+  Class<RoundedEdge> cls(module, "RoundedEdge", py::module_local(),
                               "What rounds the edge of two patches: first and second, NurbsPatch, are what is left of them, fillet the NurbsPatch\n"
                               "between, and error, a length, is how far one of these was found to be from where it should be.");
   seal(cls);

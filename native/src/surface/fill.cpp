@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/length.hpp"
+#include "base/sort_by.hpp"
 #include "border_loop.hpp"
 #include "build/fit_options.hpp"
 #include "greville.hpp"
@@ -184,7 +185,7 @@ std::vector<SideKnot> side_knots(const Hole& hole, const std::vector<PartOfSide>
       if (at > kSame && at < 1.0 - kSame && smooth < degree) all.push_back({at, degree - smooth});
     }
   }
-  std::ranges::sort(all, {}, &SideKnot::at);
+  sort_by(all, [](const SideKnot& knot) { return knot.at; });
   std::vector<SideKnot> found;
   for (const SideKnot& one : all) {
     if (!found.empty() && one.at - found.back().at <= kSame) {

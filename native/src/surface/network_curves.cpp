@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "base/sort_by.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/build/part.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -72,7 +73,7 @@ NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<con
 std::vector<std::size_t> order_of(const std::vector<double>& parameters) {
   std::vector<std::size_t> order(parameters.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return parameters[i]; });
+  sort_by(order, [&](std::size_t i) { return parameters[i]; });
   return order;
 }
 
