@@ -89,7 +89,9 @@ void points_interpolated(int count) {
     points.emplace_back(std::cos(0.3 * i), std::sin(0.3 * i), 0.01 * i);
     parameters.push_back(i);
   }
-  counted_work([&] { interpolate(points, parameters, splinecore::InterpolationOptions{.degree = 5}); });
+  splinecore::InterpolationOptions options;
+  options.degree = 5;
+  counted_work([&] { interpolate(points, parameters, options); });
 }
 
 std::vector<splinecore::AnyPatch> row_of_patches(int count) {

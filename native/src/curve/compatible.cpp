@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "splinecore/base/errors.hpp"
@@ -40,6 +42,13 @@ const CommonKnot* nearest(const std::vector<CommonKnot>& common, double at, doub
   return best;
 }
 
+/// How often a place is among the last of places, which no earlier one may be further behind than a reach.
+std::ptrdiff_t times_at_end(const std::vector<double>& places, double at, double reach) {
+  auto first = places.end();
+  while (first != places.begin() && *(first - 1) >= at - reach) --first;
+  return std::count(first, places.end(), at);
+}
+
 /// The knots moved onto common ones; those that would become a gap, or be one with the end of the domain, stay.
 std::vector<double> moved(const KnotVector& knots, const std::vector<CommonKnot>& common, double slack) {
   std::vector<double> places;
@@ -47,7 +56,7 @@ std::vector<double> moved(const KnotVector& knots, const std::vector<CommonKnot>
   for (const CommonKnot& own : distinct(knots.knots())) {
     const CommonKnot* const other = nearest(common, own.at, slack);
     double at = other ? other->at : own.at;
-    const auto before = std::ranges::count(places, at);
+    const auto before = times_at_end(places, at, 2.0 * slack);
     const bool is_end = at == domain.start || at == domain.end;
     if (before > 0 && (is_end || before + own.times > knots.degree())) at = own.at;
     places.insert(places.end(), own.times, at);
@@ -64,12 +73,14 @@ NurbsCurve on_common_places(const NurbsCurve& curve, const std::vector<CommonKno
 }
 
 void add(std::vector<CommonKnot>& common, const KnotVector& knots) {
-  for (const CommonKnot& own : distinct(knots.knots())) {
-    const auto place = std::ranges::lower_bound(common, own.at, {}, &CommonKnot::at);
-    if (place == common.end() || place->at != own.at) {
-      common.insert(place, own);
+  std::vector<CommonKnot> all;
+  std::ranges::merge(common, distinct(knots.knots()), std::back_inserter(all), {}, &CommonKnot::at, &CommonKnot::at);
+  common.clear();
+  for (const CommonKnot& knot : all) {
+    if (!common.empty() && common.back().at == knot.at) {
+      common.back().times = std::max(common.back().times, knot.times);
     } else {
-      place->times = std::max(place->times, own.times);
+      common.push_back(knot);
     }
   }
 }
