@@ -44,6 +44,16 @@ std::vector<LoftSection> sections_of(const py::object& value) {
   return sections;
 }
 
+std::vector<bool> turned_of(const py::object& value) {
+  std::vector<bool> turned;
+  if (value.is_none()) return turned;
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) {
+    throw py::type_error("turned must be a list of truths, not " + type_name(value));
+  }
+  for (const py::handle& item : value) turned.push_back(boolean(py::reinterpret_borrow<py::object>(item), "turned"));
+  return turned;
+}
+
 std::optional<glm::dvec3> optional_vector(const py::object& value, const char* name) {
   if (value.is_none()) return {};
   return vector_of(value, name);
@@ -57,8 +67,8 @@ LoftStyle style_of(const py::object& word) {
 
 void bind_loft(py::module_& build) {
   build.def("loft", [](const py::object& sections, const py::object& style, const py::object& closed,
-                       const py::object& degree, const py::object& align, const py::object& weights,
-                       const py::object& tolerance, const py::object& knot_distance, const py::object& parameters,
+                       const py::object& degree, const py::object& align, const py::object& turned,
+                       const py::object& weights, const py::object& tolerance, const py::object& knot_distance, const py::object& parameters,
                        const py::object& knots, const py::object& start_tangent, const py::object& end_tangent,
                        const py::object& start_flat, const py::object& end_flat, const py::object& start_neighbour,
                        const py::object& end_neighbour, const py::object& cancel) {
@@ -68,6 +78,7 @@ void bind_loft(py::module_& build) {
               options.closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
               options.degree = integer(degree, "degree");
               options.is_aligned = boolean(align, "align");
+              options.turned = turned_of(turned);
               options.weights = chosen<SectionWeights>(
                   weights, "weights", {{"scaled", SectionWeights::scaled}, {"kept", SectionWeights::kept}});
               options.tolerance = tolerance_of(tolerance);
@@ -80,8 +91,8 @@ void bind_loft(py::module_& build) {
                              neighbour_of(end_neighbour, "end_neighbour")};
               return wrap(unlocked([&] { return splinecore::loft(through, options); }, cancel));
             }, py::arg("sections"), py::kw_only(), py::arg("style") = "normal", py::arg("closed") = false,
-            py::arg("degree") = 3, py::arg("align") = true, py::arg("weights") = "scaled", py::arg("tolerance") = py::none(),
-            py::arg("knot_distance") = 0.0, py::arg("parameters") = py::none(), py::arg("knots") = py::none(),
+            py::arg("degree") = 3, py::arg("align") = true, py::arg("turned") = py::none(),
+            py::arg("weights") = "scaled", py::arg("tolerance") = py::none(), py::arg("knot_distance") = 0.0, py::arg("parameters") = py::none(), py::arg("knots") = py::none(),
             py::arg("start_tangent") = py::none(), py::arg("end_tangent") = py::none(), py::arg("start_flat") = py::none(),
             py::arg("end_flat") = py::none(), py::arg("start_neighbour") = py::none(),
             py::arg("end_neighbour") = py::none(), py::arg("cancel") = py::none(),
@@ -90,9 +101,9 @@ void bind_loft(py::module_& build) {
             "moved. Skinning (The NURBS Book, 10.3; lecture row S20).\n\n"
             "style: 'normal' by distances, 'tight' by their roots, 'uniform', 'loose' where sections are rows of control\n"
             "points, 'straight' by segments. degree is that along v. align: directions and seams of sections are those of\n"
-            "the section before; closed sections make the surface periodic. weights, which each curve may have multiplied by\n"
-            "any factor: 'scaled', divided by their mean, or 'kept'. With a tolerance, a length, sections may be moved so far\n"
-            "for few knots; knots nearer than knot_distance, a part of the domain, are taken for one. parameters and knots\n"
+            "the section before; closed sections make the surface periodic. turned (n,): sections that run the other way than\n"
+            "that. weights, which each curve may have multiplied by any factor: 'scaled', divided by their mean, or 'kept'. With\n"
+            "a tolerance, a length, sections may be moved so far for few knots; knots nearer than knot_distance, a part of the domain, are taken for one. parameters and knots\n"
             "are those along v.\n\n"
             "At each end one of: tangent (3,), of length 1 as fast as elsewhere; flat (3,), the normal of the tangent plane in\n"
             "a point; neighbour (patch, side, 'G0' to 'G3'[, strength]), whose side becomes one more section.\n"

@@ -52,6 +52,17 @@ def test_seams_and_directions_do_not_matter(turned):
     assert np.abs(np.hypot(twisted[:, 0], twisted[:, 1]) - 1).max() > 1e-2
 
 
+def test_a_section_can_be_turned_against_the_others():
+    sections = [moved(cubic(), z) for z in (0.0, 1.0, 2.0)]
+    made = build.loft(sections, turned=[False, True, False]).value
+    by_hand = build.loft([sections[0], sections[1].reversed(), sections[2]], align=False).value
+    assert made == by_hand != build.loft(sections).value
+    with pytest.raises(sc.InvalidShape, match="turned has 2 values for 3 sections"):
+        build.loft(sections, turned=[True, False])
+    with pytest.raises(TypeError, match="turned must be a list"):
+        build.loft(sections, turned=True)
+
+
 def test_the_sections_of_a_torus_on_its_own_knots_give_it_back():
     torus = build.torus((0, 0, 0), (0, 0, 1), 3.0, 1.0)
     knots = torus.knots[0]

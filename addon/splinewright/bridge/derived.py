@@ -9,20 +9,25 @@ from . import shape, store
 from .native import read_native
 
 
-def result(recipe, values, sources, owner, depsgraph, frames=()):
-    """What a recipe makes from objects, in the space of the object `owner`, or of the world where it is None; frames as of
-    recipes.Stored. Raises Refusal or an error of the library."""
-    return work(recipe, values, sources, owner, depsgraph, frames)(None)
+def result(recipe, values, sources, owner, depsgraph, frames=(), turned=()):
+    """What a recipe makes from objects, in the space of the object `owner`, or of the world where it is None; frames and
+    turned as of recipes.Stored. Raises Refusal or an error of the library."""
+    return work(recipe, values, sources, owner, depsgraph, frames, turned)(None)
 
 
-def work(recipe, values, sources, owner, depsgraph, frames=()):
+def work(recipe, values, sources, owner, depsgraph, frames=(), turned=()):
     """A function that gives result() for a `cancel` as the library takes it, and reads nothing of Blender's any more. Raises
     Refusal."""
     if recipe.has_places:
         return recipe.work(np.array([matrix_in(frame, owner, depsgraph)[:3, 3] for frame in frames]), values)
     inputs = inputs_of(recipe, sources, owner, depsgraph)
-    placed = {'frame': matrix_in(frame, owner, depsgraph) for frame in frames}
-    make = recipe.work(inputs, {**values, **placed})
+    more = {'frame': matrix_in(frame, owner, depsgraph) for frame in frames}
+    if recipe.has_turns:
+        more['turned'] = [*turned, *[False] * (len(sources) - len(turned))]
+    if recipe.takes_spaces:
+        space = None if recipe.is_measured else owner
+        more['spaces'] = [matrix_in(source, space, depsgraph) for source in sources]
+    make = recipe.work(inputs, {**values, **more})
     if not recipe.is_measured:
         return make
     back = matrix_in(None, owner, depsgraph)

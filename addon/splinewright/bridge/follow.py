@@ -78,7 +78,7 @@ def attach(ob, source, depsgraph):
 def set_parameters(data, changes, depsgraph):
     """Change parameters of what is made from objects, by name. Raises, and changes nothing, where nothing comes of it."""
     stored = recipes.read(data)
-    _make_anew(data, stored, changes, stored.frames, depsgraph)
+    _make_anew(data, stored._replace(values={**stored.values, **changes}), depsgraph)
 
 
 def set_frame(data, frame, depsgraph, changes=()):
@@ -89,18 +89,31 @@ def set_frame(data, frame, depsgraph, changes=()):
         raise Refusal(f"{data.name} has no axis that an object could give")
     if frame is not None:
         require_no_cycle(data, frame)
-    _make_anew(data, stored, dict(changes), (frame,) if frame is not None else (), depsgraph)
+    frames = (frame,) if frame is not None else ()
+    _make_anew(data, stored._replace(values={**stored.values, **dict(changes)}, frames=frames), depsgraph)
 
 
-def _make_anew(data, stored, changes, frames, depsgraph):
+def set_inputs(data, sources, turned, depsgraph):
+    """Make a shape from other objects than now, or in another order, each turned or not. Raises as set_parameters()."""
+    stored = recipes.read(data)
+    if not stored or not stored.recipe.has_more:
+        raise Refusal(f"{data.name} is not made from any number of objects")
+    if not stored.recipe.takes(len(sources)):
+        raise Refusal(f"it is made from {stored.recipe.wanted}")
+    for source in sources:
+        if source is not None:
+            require_no_cycle(data, source)
+    _make_anew(data, stored._replace(sources=tuple(sources), turned=tuple(turned)), depsgraph)
+
+
+def _make_anew(data, wanted, depsgraph):
     state.owners.pop(key(data), None)
-    owner, sources = _owner_of(data, _Turn(depsgraph)), list(stored.sources)
-    if owner is None or None in (*sources, *frames):
+    owner = _owner_of(data, _Turn(depsgraph))
+    if owner is None or None in (*wanted.sources, *wanted.frames):
         raise Refusal("an object it is made from was deleted: it stays as it was last")
-    recipe, values = stored.recipe, {**stored.values, **changes}
-    result = derived.result(recipe, values, sources, owner, depsgraph, frames)
+    result = derived.result(wanted.recipe, wanted.values, wanted.sources, owner, depsgraph, wanted.frames, wanted.turned)
     shape.set_definition(data, result.definition)
-    recipes.write_derived(data, recipe, values, sources, result.error, frames)
+    recipes.write_derived(data, wanted.recipe, wanted.values, wanted.sources, result.error, wanted.frames, wanted.turned)
     problems.tell(data, problems.FOLLOWING, "")
 
 
@@ -228,7 +241,8 @@ def _update(data, turn):
         for source, was_shape in zip(stored.sources, stored.were_shapes):
             if was_shape and not shape.has_shape(source):
                 raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        result = derived.result(stored.recipe, stored.values, stored.sources, owner, turn.depsgraph, stored.frames)
+        result = derived.result(stored.recipe, stored.values, stored.sources, owner, turn.depsgraph, stored.frames,
+                                stored.turned)
         definition = result.definition
         problems.tell(data, problems.FOLLOWING, "")
         if _same(store.read(data), definition) and not shape.is_touched(data):

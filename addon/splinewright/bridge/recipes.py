@@ -21,8 +21,9 @@ from . import store, watching
 #: No registered property has this name: before Blender 5.0 reading it would put an empty group in place of ours.
 KEY = "splinewright_recipe"
 VERSION = 2
-#: Keys of the pointers to the objects that a shape is made from, and of whether each was a shape then.
-_INPUTS = (('input', 'shape'), ('input_2', 'shape_2'))
+#: Keys of the pointers to the objects that a shape is made from, of whether each was a shape then, and of whether it is
+#: turned; the second ones end in _2, and so on.
+_INPUT, _WAS_SHAPE, _TURNED = 'input', 'shape', 'turned'
 #: Key of the pointer to an object of which the place and axes alone count; of several the keys are numbered from 1.
 _FRAME, _NUMBERED = 'frame', 'frame_'
 #: The property that a driver is on which reads the inputs, and its data path.
@@ -38,6 +39,7 @@ class Stored(NamedTuple):
     points: np.ndarray                  # (n, 3) float64; none where it has inputs
     sources: tuple                      # objects that it is made from, None for one that was deleted
     were_shapes: tuple                  # of each: whether it was a shape when it was chosen
+    turned: tuple                       # of each: whether it runs the other way
     frames: tuple                       # objects of which the place and axes alone count, None for a deleted one
     error: float                        # how far what it made may lie from what it should be
 
@@ -52,17 +54,26 @@ def has(data):
 
 def follows(data):
     """Whether the shape is made from other objects, as far as can be told without reading the recipe."""
-    return has(data) and store.is_group(data[KEY]) and not {_INPUTS[0][0], _numbered(0)}.isdisjoint(data[KEY].keys())
+    return has(data) and store.is_group(data[KEY]) and not {_INPUT, _numbered(0)}.isdisjoint(data[KEY].keys())
 
 
 def pointers(data):
     """The objects that a shape is made from, as far as can be told without reading the recipe; those deleted are missing."""
-    return _pointed(data, [pointer for pointer, _ in _INPUTS])
+    return _pointed(data, _input_keys(data[KEY])) if store.is_group(data[KEY]) else []
 
 
 def frames(data):
     """The objects whose place and axes alone count, as pointers()."""
     return _pointed(data, _frame_keys(data[KEY])) if store.is_group(data[KEY]) else []
+
+
+def _of(name, index):
+    return name if index == 0 else f"{name}_{index + 1}"
+
+
+def _input_keys(group):
+    """Of the objects that a shape is made from, in their order."""
+    return [key for key in (_of(_INPUT, i) for i in range(len(group.keys()))) if key in group.keys()]
 
 
 def _numbered(index):
@@ -94,9 +105,9 @@ def read(data):
         raise _damaged(data, "it is no group of properties")
     recipe = _recipe(data, group)
     try:
-        sources, were_shapes = _sources(group, recipe)
-        return Stored(recipe, _values(group, recipe), _points(group, recipe), sources, were_shapes,
-                      _frames(group, recipe), _number(group.get('error', 0.0)))
+        sources = _sources(group, recipe)
+        return Stored(recipe, _values(group, recipe), _points(group, recipe), sources, _flags(group, _WAS_SHAPE, sources),
+                      _flags(group, _TURNED, sources), _frames(group, recipe), _number(group.get('error', 0.0)))
     except (TypeError, ValueError, AttributeError, OverflowError) as error:
         raise _damaged(data, error) from error
 
@@ -159,12 +170,17 @@ def _points(group, recipe):
 
 
 def _sources(group, recipe):
-    if bool(recipe.inputs) != (_INPUTS[0][0] in group.keys()) or recipe.has_places and _numbered(0) not in group.keys():
+    if bool(recipe.inputs) != (_INPUT in group.keys()) or recipe.has_places and _numbered(0) not in group.keys():
         raise ValueError("it has other inputs than its kind")
-    sources = tuple(group.get(pointer) for pointer, _ in _INPUTS[:len(recipe.inputs)])
+    count = max(len(recipe.inputs), len(_input_keys(group)) if recipe.has_more else 0)
+    sources = tuple(group.get(_of(_INPUT, i)) for i in range(count))
     if not all(source is None or isinstance(source, bpy.types.Object) for source in sources):
         raise ValueError("what it is made from is no object")
-    return sources, tuple(bool(group.get(flag, False)) for _, flag in _INPUTS[:len(recipe.inputs)])
+    return sources
+
+
+def _flags(group, name, sources):
+    return tuple(bool(group.get(_of(name, i), False)) for i in range(len(sources)))
 
 
 def _frames(group, recipe):
@@ -232,11 +248,12 @@ def error(data):
     return read(data).error
 
 
-def write_derived(data, recipe, values, sources, error, frames=()):
+def write_derived(data, recipe, values, sources, error, frames=(), turned=()):
     """Make a shape from objects from now on, as of Stored."""
     group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error)}
-    for (pointer, flag), source in zip(_INPUTS, sources):
-        group.update({pointer: source, flag: store.has_definition(source.data)})
+    for i, (source, is_turned) in enumerate(itertools.zip_longest(sources, turned[:len(sources)], fillvalue=False)):
+        group.update({_of(_INPUT, i): source, _of(_WAS_SHAPE, i): store.has_definition(source.data)})
+        group.update({_of(_TURNED, i): True} if is_turned else {})
     group.update(zip(map(_numbered, itertools.count()) if recipe.has_places else (_FRAME,), frames))
     store.assign(data, KEY, group)
     _show(data, recipe, values, frames)

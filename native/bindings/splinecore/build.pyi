@@ -238,6 +238,7 @@ def loft(
     closed: bool = False,
     degree: int = 3,
     align: bool = True,
+    turned: Sequence[bool] | None = None,
     weights: Literal["scaled", "kept"] = "scaled",
     tolerance: float | None = None,
     knot_distance: float = 0.0,

@@ -23,6 +23,7 @@ namespace {
 struct Bundle {
   std::vector<NurbsCurve> rows;
   double width = 0.0;  ///< of the ribbon; 0 of a section
+  bool is_turned = false;  ///< it is to run the other way
 };
 
 bool is_pole(const LoftSection& section) { return std::holds_alternative<glm::dvec3>(section); }
@@ -45,11 +46,15 @@ Bundle bundle_of(const LoftNeighbour& neighbour) {
 }
 
 std::vector<Bundle> bundles_of(std::span<const LoftSection> sections, const LoftOptions& options) {
+  if (!options.turned.empty() && options.turned.size() != sections.size()) {
+    throw InvalidShape("turned has " + std::to_string(options.turned.size()) + " values for " +
+                       std::to_string(sections.size()) + " sections");
+  }
   std::vector<Bundle> bundles;
   if (options.start.neighbour) bundles.push_back(bundle_of(*options.start.neighbour));
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (!is_pole(sections[i])) {
-      bundles.push_back({{std::get<NurbsCurve>(sections[i])}});
+      bundles.push_back({{std::get<NurbsCurve>(sections[i])}, 0.0, !options.turned.empty() && options.turned[i]});
       continue;
     }
     const bool is_outer = (i == 0 && !options.start.neighbour) || (i + 1 == sections.size() && !options.end.neighbour);
@@ -82,6 +87,14 @@ void align(std::vector<Bundle>& bundles, const NearSpace& space) {
   const std::vector<SectionTurn> turns = turns_of(near);
   for (std::size_t i = 0; i < bundles.size(); ++i) {
     for (NurbsCurve& row : bundles[i].rows) row = turned(row, turns[i]);
+  }
+}
+
+void turn(std::vector<Bundle>& bundles) {
+  for (Bundle& bundle : bundles) {
+    for (NurbsCurve& row : bundle.rows) {
+      if (bundle.is_turned) row = reversed(row);
+    }
   }
 }
 
@@ -170,6 +183,7 @@ LoftSections loft_sections(std::span<const LoftSection> sections, const LoftOpti
   for (Bundle& bundle : bundles) bundle = closed_up(std::move(bundle));
   const NearSpace space = space_of(bundles, sections);
   if (options.is_aligned) align(bundles, space);
+  turn(bundles);
   double error = options.tolerance ? rebuild(bundles, *options.tolerance) : 0.0;
   error += make_compatible(bundles, options.knot_distance);
   for (Bundle& bundle : bundles) {

@@ -50,6 +50,10 @@ class Recipe:
     is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points: "one curve"; make() takes a list of their Definitions
+    has_more: bool = False              # it takes any number of what the last of `inputs` says, in an order that can be changed
+    has_turns: bool = False             # each can be turned: make() takes a list of truths as `turned`
+    takes_spaces: bool = False          # make() takes the matrices (4, 4) of the inputs, where those lie, as `spaces`
+    arranged: Callable | None = None    # (inputs) -> their order, as numbers from 0, in which they are taken at first
     own_spaces: tuple = ()              # which of them enter in their own space, counted from 0: others where they lie
     is_beside: bool = False             # what it makes is put beside its first input, not over it
     frame: str = ""                     # what an object is called that may be chosen for its place and axes alone:
@@ -59,6 +63,19 @@ class Recipe:
     has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
     takes_cancel: bool = False          # it may take long: make() takes a `cancel` as the library does
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one
+
+    @property
+    def wanted(self):
+        """What is to be selected."""
+        return ' and '.join(self.inputs)
+
+    def takes(self, count):
+        """Whether it can be made from so many objects."""
+        return count >= len(self.inputs) if self.has_more else count == len(self.inputs)
+
+    def wanted_at(self, index):
+        """What the input of an index is to be."""
+        return self.inputs[min(index, len(self.inputs) - 1)]
 
     @property
     def defaults(self):

@@ -42,9 +42,9 @@ class _FromObjects(LongWork, Repeatable):
     @classmethod
     def _lacking(cls, sources):
         """What is to be selected in place of these objects, or ""."""
-        wanted = cls.recipe.inputs
-        fits = len(sources) == len(wanted) and all(map(_is_wanted, sources, wanted))
-        return "" if fits else f"Select {' and '.join(wanted)}"
+        recipe = cls.recipe
+        fits = recipe.takes(len(sources)) and all(_is_wanted(ob, recipe.wanted_at(i)) for i, ob in enumerate(sources))
+        return "" if fits else f"Select {recipe.wanted}"
 
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
@@ -124,7 +124,7 @@ def _sources(context, recipe):
 
 def _is_wanted(ob, what):
     """Whether an object is what a recipe names: a curve or a surface."""
-    return (ob.type == 'CURVE') == what.endswith("curve")
+    return (ob.type == 'CURVE') == ("curve" in what)
 
 
 def _beside(context):

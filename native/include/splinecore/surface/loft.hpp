@@ -52,6 +52,7 @@ struct LoftOptions {
   Closing closing = Closing::open;
   int degree = 3;           ///< along v, less where the sections are too few
   bool is_aligned = true;   ///< directions and seams of sections are those of the section before
+  std::vector<bool> turned;  ///< for each section, whether it runs the other way than that; empty: none does
   SectionWeights weights = SectionWeights::scaled;
   double knot_distance = 0.0;       ///< knots of sections that are nearer, as a part of the domain, are taken for one
   std::optional<double> tolerance;  ///< sections may be moved so far, for as few knots as that allows

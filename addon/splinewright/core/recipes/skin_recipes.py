@@ -1,0 +1,147 @@
+"""Surfaces that curves span: lofts, sweeps, pipes, networks and fillings, live (lecture rows S20, S21)."""
+
+import math
+
+import numpy as np
+
+from .. import rails, sections, verbs
+from ..failures import Refusal
+from ..library import sc
+from .recipe import Parameter, Recipe, Result
+
+_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
+                       unit='LENGTH')
+_PLACED = Parameter("placed", "Sections", "Where the sections are taken from", "upright", choices=(
+    ("upright", "Set Upright", "From the plane of each section's own x and y, with its origin on the rail"),
+    ("there", "Where They Lie", "From where each section lies at the rail, which it moves along as it is")))
+_STYLES = (
+    ("normal", "Normal", "Through the sections, paced by their distances"),
+    ("tight", "Tight", "Through the sections, paced by the roots of their distances: it swings out less"),
+    ("uniform", "Uniform", "Through the sections, paced evenly"),
+    ("loose", "Loose", "Near the sections, as a curve is near its control points"),
+    ("straight", "Straight", "By segments from section to section"))
+_CAPS = (("none", "None", "Open ends"), ("flat", "Flat", "Discs"), ("round", "Round", "Half spheres"))
+_FRAMES = (("minimal", "Minimal", "It turns about the rail no more than it must"),
+           ("upright", "Upright", "Its y stays as near to Z as it can"),
+           ("parallel", "Parallel", "It keeps its direction"))
+_HEIGHTS = (("scaled", "Scaled", "Sections are as much higher as they are wider"), ("kept", "Kept", "Sections stay as high"))
+
+
+def _one_curve(definition):
+    """The curve of an input, joined where it consists of several. Raises Refusal."""
+    curves = verbs.curves_of(definition)
+    if len(curves) == 1:
+        return curves[0]
+    joined = sc.build.join_curves(curves, 1e-6 * sections.size_of(curves))
+    if len(joined) > 1:
+        raise Refusal("it consists of curves apart from each other: each section is one")
+    return joined[0]
+
+
+def _within(approximation):
+    return Result(approximation.value, approximation.error)
+
+
+def _patches_within(approximation):
+    patches = approximation.value
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), approximation.error)
+
+
+def _loft(inputs, style, closed, align, tolerance, simple, turned, cancel=None):
+    curves = [_one_curve(definition) for definition in inputs]
+    return _within(sc.build.loft(curves, style=style, closed=closed, align=align, turned=turned,
+                                 tolerance=tolerance if simple else None, cancel=cancel))
+
+
+def _sweep(inputs, placed, frame, end_scale, twist, tolerance, spaces, turned, cancel=None):
+    rail, *profiles = (_one_curve(definition) for definition in inputs)
+    rail = rail.reversed() if turned[0] else rail
+    profiles = [curve.reversed() if is_turned else curve for curve, is_turned in zip(profiles, turned[1:])]
+    if placed == 'upright':
+        profiles, at = rails.upright(profiles, spaces[1:]), None
+    else:
+        profiles, at = rails.along(rail, profiles, frame)
+    return _within(sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, tolerance=tolerance,
+                                  cancel=cancel))
+
+
+def _two_rails(inputs, height, tolerance, turned, cancel=None):
+    first, second, *profiles = (curve.reversed() if is_turned else curve
+                                for curve, is_turned in zip(map(_one_curve, inputs), turned))
+    second = rails.running_with(first, second)
+    profiles, at = rails.between(first, second, profiles)
+    return _within(sc.build.sweep_two_rails(first, second, profiles, at=at, height=height, tolerance=tolerance, cancel=cancel))
+
+
+def _pipe(inputs, radius, end_radius, caps, tolerance, cancel=None):
+    axis = _one_curve(inputs[0])
+    start, end = axis.domain
+    radii = radius if radius == end_radius else [(start, radius), (end, end_radius)]
+    return _patches_within(sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, cancel=cancel))
+
+
+def _first_radii(inputs):
+    radius = float(f"{0.05 * sections.size_of(verbs.curves_of(inputs[0])):.1g}")
+    return {'radius': radius, 'end_radius': radius}
+
+
+def _network(inputs, tolerance, cancel=None):
+    curves = [_one_curve(definition) for definition in inputs]
+    along_u, along_v = sections.families(curves, tolerance)
+    return _within(sc.build.network(along_u, along_v, tolerance=tolerance, cancel=cancel))
+
+
+def _filling(inputs, tolerance, cancel=None):
+    sides = sections.loop([_one_curve(definition) for definition in inputs])
+    found = sc.build.fill(sides, tolerance=tolerance, cancel=cancel)
+    patches = list(found.patches)
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), found.error)
+
+
+def _in_a_row(inputs):
+    return sections.in_a_row([_one_curve(definition) for definition in inputs])
+
+
+def _along_the_rail(inputs):
+    rail, *profiles = (_one_curve(definition) for definition in inputs)
+    return [0, *(1 + i for i in rails.order_along(rail, profiles))]
+
+
+def _rails_first(inputs):
+    return rails.rails_first([_one_curve(definition) for definition in inputs])
+
+
+RECIPES = (
+    Recipe("loft", "Loft", "The surface through sections, curves in any order and direction; it follows them",
+           (Parameter("style", "Style", "How it runs from section to section", "normal", choices=_STYLES),
+            Parameter("closed", "Closed", "Go on from the last section to the first", False),
+            Parameter("align", "Align", "Find out how each section runs, and where a closed one begins", True),
+            Parameter("simple", "Few Points", "Let sections give way within the tolerance, for as few points as that allows", False),
+            _TOLERANCE), _loft, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True,
+           has_turns=True, is_measured=True, takes_cancel=True, arranged=_in_a_row),
+    Recipe("sweep", "Sweep", "The surface of sections that move along a rail, the active curve; it follows them",
+           (_PLACED, Parameter("frame", "Frame", "How it turns with the rail", "minimal", choices=_FRAMES),
+            Parameter("end_scale", "End Scale", "Size at the end of the rail by that at its start", 1.0, 1e-3, 1e3),
+            Parameter("twist", "Twist", "Turn about the rail from its start to its end", 0.0, -200 * math.pi, 200 * math.pi,
+                      unit='ROTATION'), _TOLERANCE),
+           _sweep, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, has_turns=True,
+           takes_spaces=True, is_measured=True, takes_cancel=True, arranged=_along_the_rail),
+    Recipe("two_rails", "Sweep on Two Rails",
+           "The surface of sections that run from one rail, the active curve, to a second one; it follows them",
+           (Parameter("height", "Height", "Of sections where the rails come nearer or part", "scaled", choices=_HEIGHTS),
+            _TOLERANCE), _two_rails, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more curves"),
+           has_more=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_rails_first),
+    Recipe("pipe", "Pipe", "A pipe about a curve, which it follows",
+           (Parameter("radius", "Radius", "At the start of the curve", 0.1, 1e-6, unit='LENGTH'),
+            Parameter("end_radius", "End Radius", "At its end", 0.1, 1e-6, unit='LENGTH'),
+            Parameter("caps", "Caps", "What closes its ends", "none", choices=_CAPS), _TOLERANCE),
+           _pipe, is_surface=True, resolution=8, inputs=("one curve",), is_measured=True, takes_cancel=True,
+           first_values=_first_radii),
+    Recipe("network", "Surface of a Network",
+           "The surface on which curves lie that run across each other, in any order; it follows them", (_TOLERANCE,),
+           _network, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, is_measured=True,
+           takes_cancel=True),
+    Recipe("filling", "Fill", "The surface between three to eight curves that go round, in any order; it follows them",
+           (_TOLERANCE,), _filling, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True,
+           is_measured=True, takes_cancel=True),
+)
