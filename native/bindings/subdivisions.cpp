@@ -77,6 +77,7 @@ void bind_subdivisions(py::module_& module) {
             "The mesh is subdivided until all its faces have four sides and at most one extraordinary point, about which not four\n"
             "faces meet. A face without one is a bicubic patch, exactly that of the surface. Those about an extraordinary point are\n"
             "patches of degree 7 through its limit that continue the curvatures round about, and meet in common tangent planes.\n"
+            "Of a point inside with two faces, where the scheme has no tangent plane, these become one after a round.\n"
             "Edges that have one face converge to cubic splines, and corners of one face stay.\n"
             "InvalidShape if there is no face, one has fewer than three corners or one twice, an edge has more than two faces, faces\n"
             "beside each other are turned differently, or parts meet in a point alone.");

@@ -52,12 +52,17 @@ def cube():
     return bpy.context.object
 
 
-@pytest.mark.parametrize('make', (cube, lambda: bpy.ops.object.text_add(), lambda: bpy.ops.object.empty_add(),
+@pytest.mark.parametrize('make', (lambda: bpy.ops.object.text_add(), lambda: bpy.ops.object.empty_add(),
                                   lambda: bpy.ops.object.camera_add()))
 def test_what_is_not_ours_to_change_has_no_entries(make):
     make()
     assert bpy.context.selected_objects
     assert [drawn(menu) for menu in (CONTEXT, APPLY, CONVERT)] == [[], [], []]
+
+
+def test_a_mesh_can_become_patches():
+    cube()
+    assert [drawn(menu) for menu in (CONTEXT, APPLY, CONVERT)] == [[], [], ["add_of_mesh"]]
 
 
 def test_nothing_selected_has_no_entries():

@@ -12,8 +12,8 @@ from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
 VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Bring', 'Chamfer', 'Change', 'Clamp', 'Clear', 'Convert', 'Detach', 'Divide', 'Draw', 'Edit', 'Export', 'Extend', 'Extract',
-         'Extrude', 'Fair', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lower', 'Make', 'Mark', 'Measure', 'Move', 'Pick', 'Project', 'Pull', 'Raise',
-         'Rebuild', 'Release', 'Remove', 'Renew', 'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Take', 'Trim', 'Unclamp',
+         'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Measure', 'Move', 'Pick', 'Project', 'Pull', 'Raise',
+         'Rebuild', 'Release', 'Remove', 'Renew', 'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Send', 'Set', 'Split', 'Swap', 'Sweep', 'Take', 'Trim', 'Turn', 'Unclamp',
          'Write'}
 
 

@@ -34,17 +34,17 @@ def cube():
 STATES = {
     'nothing': ((), set()),
     'a cube': ((cube,), set()),
-    'a curve of Blender': ((native_curve,), {'make_exact', 'follow_object', 'add_revolve', 'add_extrude'}),
+    'a curve of Blender': ((native_curve,), {'make_exact', 'follow_object', 'add_revolve', 'add_extrude', 'add_pipe'}),
     'a surface of Blender': ((surface,), {'make_exact', 'follow_object'}),
-    'two curves of Blender': ((native_curve, native_curve), {'make_exact', 'follow_object', 'add_ruled'}),
-    'a curve': ((curve,), {'add_revolve', 'add_extrude', 'follow_object'}),
-    'a patch': ((patch,), {'follow_object'}),
-    'two curves': ((curve, curve), {'join_ends', 'join', 'add_ruled'}),
-    'two patches': ((patch, patch), {'join_patches', 'join'}),
-    'three curves': ((curve, curve, curve), {'join'}),
+    'two curves of Blender': ((native_curve, native_curve), {'make_exact', 'follow_object', 'add_ruled', 'add_loft', 'add_sweep'}),
+    'a curve': ((curve,), {'add_revolve', 'add_extrude', 'add_pipe', 'follow_object'}),
+    'a patch': ((patch,), {'follow_object', 'add_offset_surface', 'add_thickened'}),
+    'two curves': ((curve, curve), {'join_ends', 'join', 'add_ruled', 'add_loft', 'add_sweep'}),
+    'two patches': ((patch, patch), {'join_patches', 'join', 'add_surface_blend', 'add_matched'}),
+    'three curves': ((curve, curve, curve), {'join', 'add_loft', 'add_sweep'}),
     'a curve and a patch': ((patch, curve), set()),
-    'a curve and one of Blender': ((native_curve, curve), {'make_exact', 'follow_object', 'add_ruled'}),
-    'a curve and a cube': ((cube, curve), {'add_revolve', 'add_extrude'}),
+    'a curve and one of Blender': ((native_curve, curve), {'make_exact', 'follow_object', 'add_ruled', 'add_loft', 'add_sweep'}),
+    'a curve and a cube': ((cube, curve), {'add_revolve', 'add_extrude', 'add_pipe'}),
 }
 OFFERED = [(state, name) for state, (_, names) in STATES.items() for name in sorted(names)]
 

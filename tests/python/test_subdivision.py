@@ -142,6 +142,29 @@ def test_the_cube_becomes_a_closed_surface():
     assert sc.PatchSet.from_patches(made.patches).volume() == pytest.approx(2.6, rel=0.1)
 
 
+def with_fold(points, faces, at=0):
+    """A face parted along its diagonal by two edges through a new point, which has two faces."""
+    points = [tuple(p) for p in points]
+    a, b, c, d = faces[at]
+    middle = tuple(np.mean([points[i] for i in (a, b, c, d)], axis=0))
+    split = [(a, b, c, len(points)), (a, len(points), c, d)]
+    return [*points, middle], [*faces[:at], *split, *faces[at + 1:]]
+
+
+@pytest.mark.parametrize("mesh", [with_fold(*CUBE), with_fold(*with_fold(*CUBE), at=4), with_fold(*sheet(5), at=5),
+                                  ([(0, 0, 0), (1, 0, 0.1), (1, 1, 0), (0, 1, 0.1)], [(0, 1, 2, 3), (3, 2, 1, 0)])])
+def test_points_inside_with_two_faces_leave_no_fold(mesh):
+    """As Suzanne has some: the surface is closed round about, and has common tangent planes."""
+    made = build.catmull_clark(*mesh)
+    seams = sc.PatchSet.from_patches(list(made.patches))
+    assert made.angle < 1e-10
+    points = np.concatenate([patch.evaluate_grid(*(np.linspace(*domain, 5) for domain in patch.domain)).reshape(-1, 3)
+                             for patch in made.patches])
+    assert np.isfinite(points).all() and (np.abs(points) <= np.abs(np.array(mesh[0])).max(axis=0) + 1e-12).all()
+    if len(mesh[0]) < 12:
+        assert seams.edge_counts()['border'] == 0
+
+
 @pytest.mark.parametrize("size", [1e-150, 1e-3, 1e150])
 def test_any_size(size):
     one = build.catmull_clark(*CUBE)

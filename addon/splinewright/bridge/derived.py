@@ -5,7 +5,7 @@ import numpy as np
 from ..core import definition as definitions
 from ..core import transform
 from ..core.failures import Refusal
-from . import shape, store
+from . import read_polygons, shape, store
 from .native import read_native
 
 
@@ -40,6 +40,8 @@ def work(recipe, values, sources, owner, depsgraph, frames=(), turned=()):
 
 def inputs_of(recipe, sources, owner, depsgraph):
     """The definitions of objects as a recipe takes them. Raises Refusal."""
+    if recipe.is_from_mesh:
+        return [read_polygons.polygons_of(source, matrix_in(source, owner, depsgraph)) for source in sources]
     inputs = [definition_of(source, depsgraph) for source in sources]
     if recipe.is_beside:
         return inputs
@@ -75,6 +77,11 @@ def _are_one(space, source_space):
 def is_possible(ob):
     """Whether a shape can be made from an object."""
     return ob is not None and (ob.type in ('CURVE', 'SURFACE') or shape.has_shape(ob))
+
+
+def can_make(recipe, ob):
+    """Whether a recipe makes shapes from such an object."""
+    return read_polygons.is_mesh(ob) if recipe.is_from_mesh else is_possible(ob)
 
 
 def not_followed(source):

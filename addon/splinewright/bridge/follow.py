@@ -53,7 +53,7 @@ def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result
     ob = bpy.data.objects.new(data.name, data)
     if first:
         ob.matrix_world = first.matrix_world
-    _write(data, recipe, values, sources, result.error, frames)
+    _write(data, recipe, values, sources, result, frames)
     return ob
 
 
@@ -72,7 +72,7 @@ def attach(ob, source, depsgraph):
     shape.set_definition(ob.data, result.definition)
     held.write(ob.data, ())
     handles.write(ob.data, ())
-    _write(ob.data, FOLLOW, {}, [source], result.error)
+    _write(ob.data, FOLLOW, {}, [source], result)
 
 
 def set_parameters(data, changes, depsgraph):
@@ -113,12 +113,12 @@ def _make_anew(data, wanted, depsgraph):
         raise Refusal("an object it is made from was deleted: it stays as it was last")
     result = derived.result(wanted.recipe, wanted.values, wanted.sources, owner, depsgraph, wanted.frames, wanted.turned)
     shape.set_definition(data, result.definition)
-    recipes.write_derived(data, wanted.recipe, wanted.values, wanted.sources, result.error, wanted.frames, wanted.turned)
+    recipes.write_derived(data, wanted.recipe, wanted.values, wanted.sources, result, wanted.frames, wanted.turned)
     problems.tell(data, problems.FOLLOWING, "")
 
 
-def _write(data, recipe, values, sources, error, frames=()):
-    recipes.write_derived(data, recipe, values, sources, error, frames)
+def _write(data, recipe, values, sources, result, frames=()):
+    recipes.write_derived(data, recipe, values, sources, result, frames)
     state.followers.add(key(data))
 
 
@@ -248,7 +248,7 @@ def _update(data, turn):
         if _same(store.read(data), definition) and not shape.is_touched(data):
             return False
         shape.set_definition(data, definition)
-        recipes.write_error(data, result.error)
+        recipes.write_achieved(data, result)
         return True
     except Exception as error:
         problems.tell(data, problems.FOLLOWING, told(error))

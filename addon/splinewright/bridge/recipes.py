@@ -42,6 +42,7 @@ class Stored(NamedTuple):
     turned: tuple                       # of each: whether it runs the other way
     frames: tuple                       # objects of which the place and axes alone count, None for a deleted one
     error: float                        # how far what it made may lie from what it should be
+    said: str                           # what was achieved beside that, in words
 
 
 def has(data):
@@ -107,7 +108,8 @@ def read(data):
     try:
         sources = _sources(group, recipe)
         return Stored(recipe, _values(group, recipe), _points(group, recipe), sources, _flags(group, _WAS_SHAPE, sources),
-                      _flags(group, _TURNED, sources), _frames(group, recipe), _number(group.get('error', 0.0)))
+                      _flags(group, _TURNED, sources), _frames(group, recipe), _number(group.get('error', 0.0)),
+                      str(group.get('said', "")))
     except (TypeError, ValueError, AttributeError, OverflowError) as error:
         raise _damaged(data, error) from error
 
@@ -248,9 +250,9 @@ def error(data):
     return read(data).error
 
 
-def write_derived(data, recipe, values, sources, error, frames=(), turned=()):
-    """Make a shape from objects from now on, as of Stored."""
-    group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error)}
+def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
+    """Make a shape from objects from now on, as of Stored. result: the core.recipes.recipe.Result that it shows."""
+    group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), **_achieved(result)}
     for i, (source, is_turned) in enumerate(itertools.zip_longest(sources, turned[:len(sources)], fillvalue=False)):
         group.update({_of(_INPUT, i): source, _of(_WAS_SHAPE, i): store.has_definition(source.data)})
         group.update({_of(_TURNED, i): True} if is_turned else {})
@@ -267,9 +269,14 @@ def watch(data):
     watching.start(data, WATCHED, pointers(data), frames(data))
 
 
-def write_error(data, error):
-    """Keep how far what a recipe made may lie from what it should be."""
-    data[KEY]['error'] = float(error)
+def write_achieved(data, result):
+    """Keep what a recipe achieved: a core.recipes.recipe.Result."""
+    for name, value in _achieved(result).items():
+        data[KEY][name] = value
+
+
+def _achieved(result):
+    return {'error': float(result.error), 'said': result.said}
 
 
 def write_made(data, recipe, values, rows, error):

@@ -58,6 +58,16 @@ def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parte
                   sc.seam_continuity(found.first, side_a, found.second, side_b), max(before - now, 0))
 
 
+def nearest_sides(first, second, first_choice=Choice(), second_choice=Choice()):
+    """((number, side), (number, side)), counted from 0: the sides of two lists of patches that lie nearest to each other, of
+    those that the Choices leave. Raises Refusal if there are none."""
+    patches = [*first, *second]
+    rows = _sides(patches, 0, len(first), first_choice, np.eye(3))
+    columns = _sides(patches, len(first), len(patches), second_choice, np.eye(3))
+    (a, side_a), (b, side_b) = _nearest(rows, columns)
+    return (a, side_a), (b - len(first), side_b)
+
+
 class _Side(NamedTuple):
     patch: int
     side: str

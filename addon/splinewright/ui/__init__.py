@@ -15,10 +15,10 @@ def _rooms():
                             contour_through, curve_corners, curve_here, curve_join, curve_meeting, curve_through,
                             curve_verbs, divide, draw_contour, draw_curve, edit, edit_source, exchange, extract,
                             fineness, fit_curve, fit_patch, follow, formulas, from_objects, hold_joint, hold_seam,
-                            infinity, insert_here, intersections, join, key_points, life, measure_here, measure_whole,
+                            infinity, inputs, insert_here, intersections, join, key_points, life, measure_here, measure_whole,
                             move_knot, native, patch_join, patch_verbs, pick_piece, project_points, pull_here,
                             self_test, set_knots, strip_keys, touching_circle, weight_here)
-    operators = (add_curve, add_recipe, add_patch, exchange, edit, edit_source, set_knots, infinity, life, join, follow,
+    operators = (add_curve, add_recipe, add_patch, exchange, edit, edit_source, inputs, set_knots, infinity, life, join, follow,
                  bake, from_objects, curve_through, contour_through, fit_curve, draw_curve, draw_contour, fit_patch,
                  divide, project_points, axis_from_edge, native, curve_verbs, curve_join, curve_corners, curve_meeting,
                  patch_verbs, patch_join, hold_joint, hold_seam, extract, fineness, formulas, pick_piece, insert_here,

@@ -3,7 +3,7 @@
 import bpy
 
 from . import (aim_overlay, axis_overlay, contour_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
-               seams_overlay, sights_overlay, weight_overlay)
+               seams_overlay, sections_overlay, sights_overlay, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (
@@ -17,7 +17,7 @@ _DRAWS = (
     (pull_overlay.draw, 'POST_VIEW'),
     (pen_overlay.draw, 'POST_VIEW'),
     (contour_overlay.draw, 'POST_VIEW'),
-    (axis_overlay.draw, 'POST_VIEW'),
+    (axis_overlay.draw, 'POST_VIEW'), (sections_overlay.draw, 'POST_VIEW'), (sections_overlay.draw_numbers, 'POST_PIXEL'),
     (measure_overlay.draw, 'POST_VIEW'),
     (knot_strip_overlay.draw, 'POST_PIXEL'),
     (weight_overlay.draw, 'POST_PIXEL'), (measure_overlay.draw_words, 'POST_PIXEL'),

@@ -2,7 +2,8 @@
 
 import bpy
 
-from ..core.recipes.table import DERIVED, FOLLOW, FROM_CURVES, MEETING, STARTING
+from ..bridge import read_polygons
+from ..core.recipes.table import DERIVED, FOLLOW, FROM_CURVES, FROM_SURFACES, MEETING, RECIPES, STARTING
 from . import curve_tools, editing, kinds, patch_tools, tools
 
 #: What stands above all others, as most is begun with it.
@@ -14,7 +15,11 @@ _ICONS = {'ellipse': 'MESH_CIRCLE', 'formula': 'FILE_TEXT',
           'helix': 'FORCE_VORTEX', 'parabola': 'SMOOTHCURVE', 'plane': 'MESH_PLANE', 'cylinder': 'MESH_CYLINDER',
           'cone': 'MESH_CONE', 'sphere': 'MESH_UVSPHERE', 'torus': 'MESH_TORUS', 'surface_formula': 'FILE_TEXT'}
 #: They need selected curves, and are grey without them.
-_FROM_CURVES_ICONS = {'revolve': 'MOD_SCREW', 'extrude': 'MOD_SOLIDIFY', 'ruled': 'MOD_LATTICE'}
+_ICONS_OF_MADE = {'revolve': 'MOD_SCREW', 'extrude': 'MOD_SOLIDIFY', 'ruled': 'MOD_LATTICE', 'loft': 'MOD_ARRAY',
+                  'sweep': 'CURVE_PATH', 'two_rails': 'CURVE_PATH', 'pipe': 'META_CAPSULE', 'network': 'MOD_LATTICE',
+                  'filling': 'MESH_GRID', 'surface_blend': 'MOD_SMOOTH', 'matched': 'SNAP_EDGE', 'rounded_edge': 'MOD_BEVEL',
+                  'offset_surface': 'MOD_OFFSET', 'thickened': 'MOD_SOLIDIFY', 'extended_surface': 'MOD_EDGESPLIT',
+                  'of_mesh': 'MOD_SUBSURF'}
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):
@@ -61,8 +66,9 @@ class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
             icon = _ICONS.get(recipe.kind, 'SURFACE_DATA')
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
         layout.separator()
-        for recipe in FROM_CURVES:
-            layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_FROM_CURVES_ICONS[recipe.kind])
+        _draw_from_curves(layout)
+        layout.separator()
+        _draw_from_surfaces(layout)
         layout.separator()
         layout.operator("splinewright.add_teapot", text="Newell's Teapot", icon='MESH_UVSPHERE')
 
@@ -114,6 +120,8 @@ def _draw_convert(self, context):
         self.layout.separator()
     if 'native' in found:
         self.layout.operator("splinewright.make_exact", text="Splinewright: Make Exact")
+    if any(map(read_polygons.is_mesh, context.selected_objects)):
+        self.layout.operator("splinewright.add_of_mesh", text="Splinewright: NURBS of Mesh")
     if found & kinds.SHAPES:
         self.layout.operator("splinewright.to_native", text="Splinewright: To Blender's Own")
 
@@ -137,6 +145,34 @@ class SPLINEWRIGHT_MT_meeting(bpy.types.Menu):
                 layout.operator(f"splinewright.{name}", text=tools.text_of(name))
 
 
+class SPLINEWRIGHT_MT_from_curves(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_from_curves"
+    bl_label = "Surface from Curves"
+
+    def draw(self, context):
+        self.layout.operator_context = 'INVOKE_REGION_WIN'
+        _draw_from_curves(self.layout)
+
+
+def _draw_from_curves(layout):
+    for recipe in FROM_CURVES:
+        layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS_OF_MADE[recipe.kind])
+
+
+class SPLINEWRIGHT_MT_from_surfaces(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_from_surfaces"
+    bl_label = "Surface from Surfaces"
+
+    def draw(self, context):
+        self.layout.operator_context = 'INVOKE_REGION_WIN'
+        _draw_from_surfaces(self.layout)
+
+
+def _draw_from_surfaces(layout):
+    for recipe in (*FROM_SURFACES, RECIPES['filling']):
+        layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS_OF_MADE[recipe.kind])
+
+
 #: Names of operators and menus, with what they concern, in groups.
 _ENTRIES = (
     (('edit_net', kinds.SHAPES), ('insert_here', kinds.SHAPES), ('pull_here', kinds.SHAPES), ('split_here', kinds.SHAPES),
@@ -146,11 +182,12 @@ _ENTRIES = (
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
-    ((SPLINEWRIGHT_MT_meeting, kinds.FOLLOWED), ('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
-     *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW and recipe not in MEETING)),
+    ((SPLINEWRIGHT_MT_from_curves, {'curve', 'native'}), (SPLINEWRIGHT_MT_from_surfaces, {'patch', 'native'}), (SPLINEWRIGHT_MT_meeting, kinds.FOLLOWED), ('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
+     *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW and recipe not in (*MEETING, *FROM_CURVES, *FROM_SURFACES))),
     (('join', kinds.SHAPES), ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
     (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))
-_ENTRY_ICONS = {SPLINEWRIGHT_MT_meeting: 'SNAP_MIDPOINT', 'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_piece': 'EYEDROPPER',
+_ENTRY_ICONS = {SPLINEWRIGHT_MT_from_curves: 'MOD_LATTICE', SPLINEWRIGHT_MT_from_surfaces: 'MOD_SOLIDIFY',
+                SPLINEWRIGHT_MT_meeting: 'SNAP_MIDPOINT', 'edit_net': 'EDITMODE_HLT', 'follow_object': 'LINKED', 'pick_piece': 'EYEDROPPER',
                 curve_tools.SPLINEWRIGHT_MT_curve: 'CURVE_DATA', patch_tools.SPLINEWRIGHT_MT_patch: 'SURFACE_DATA'}
 
 
@@ -245,7 +282,8 @@ def _draw_net_header(self, context):
         self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname)
 
 
-CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_meeting, SPLINEWRIGHT_MT_object,
+CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_from_curves, SPLINEWRIGHT_MT_from_surfaces,
+           SPLINEWRIGHT_MT_meeting, SPLINEWRIGHT_MT_object,
            SPLINEWRIGHT_MT_object_context, SPLINEWRIGHT_MT_net)
 
 #: Blender's menus that ours are added to, at the end or before all else.

@@ -9,7 +9,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, Po
 from ..bridge import follow, keyed, parameters, problems, recipes, settings
 from ..core.failures import FAILURES, sentence
 from ..core.recipes.table import RECIPES
-from . import texts
+from . import inputs_list, texts
 
 #: Characters of a label for which a third of the width is enough.
 _SHORT = 7
@@ -85,7 +85,8 @@ def draw(layout, data, is_net_out=False):
 
     While its net is out only what the net shows can be changed: Edit Mode's undo would not bring the rest back.
     """
-    recipe = recipes.of(data)
+    stored = recipes.read(data)
+    recipe = stored.recipe
     if not recipe.parameters:
         return
     texts.draw_note(layout, recipe.label, icon='PROPERTIES')
@@ -103,9 +104,12 @@ def draw(layout, data, is_net_out=False):
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
-    error = recipes.error(data)
-    if error:
-        texts.draw_note(layout, f"Within {error:.1e} of what is asked for")
+    if recipe.has_more:
+        inputs_list.draw(layout, stored)
+    if stored.error:
+        texts.draw_note(layout, f"Within {stored.error:.1e} of what is asked for")
+    if stored.said:
+        texts.draw_note(layout, stored.said)
 
 
 CLASSES = (SplinewrightRecipe,)

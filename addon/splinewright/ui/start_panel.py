@@ -6,8 +6,11 @@ from . import editing, kinds, menus, texts, tools
 
 #: Labels and operators by what is selected.
 _NATIVE = ("Exact", ('make_exact', 'follow_object'))
-_FROM_ONE = ("Surface", ('add_revolve', 'add_extrude'))
-_FROM_TWO = ("Surface", ('add_ruled',))
+_FROM_ONE = ("Surface", ('add_revolve', 'add_extrude', 'add_pipe'))
+_FROM_TWO = ("Surface", ('add_ruled', 'add_loft', 'add_sweep'))
+_FROM_MANY = ("Surface", ('add_loft', 'add_sweep'))
+_FROM_PATCH = ("Surface", ('add_offset_surface', 'add_thickened'))
+_FROM_PATCHES = ("Surface", ('add_surface_blend', 'add_matched'))
 _FOLLOW = ("Copy", ('follow_object',))
 _JOIN = {'curve': ("Join", ('join_ends', 'join')), 'patch': ("Join", ('join_patches', 'join'))}
 _JOIN_MANY = ("Join", ('join',))
@@ -28,6 +31,10 @@ def groups(obs, active):
         made.append(_FROM_ONE)
     if curves == 2 and not others:
         made.append(_FROM_TWO)
+    if curves > 2 and not others:
+        made.append(_FROM_MANY)
+    if others == count['patch'] == len(obs) > 0 and len(obs) <= 2:
+        made.append(_FROM_PATCH if len(obs) == 1 else _FROM_PATCHES)
     if len(obs) == 1 and count['curve'] + count['patch'] == 1 and active in obs:
         made.append(_FOLLOW)
     return made

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "extraordinary_fan.hpp"
+#include "folds.hpp"
 #include "meet/near_space.hpp"
 #include "mesh_topology.hpp"
 #include "regular_net.hpp"
@@ -102,8 +103,11 @@ SubdivisionPatches catmull_clark(const ControlMesh& mesh) {
   const NearSpace space(finite_points(mesh));
   ControlMesh near = entered(mesh, space);
   int rounds = 0;
-  for (; !can_be_patches(near, topology); ++rounds) {
+  for (; has_folds(topology) || !can_be_patches(near, topology); ++rounds) {
     near = subdivided(near);
+    topology = MeshTopology(near);
+    if (!has_folds(topology)) continue;
+    near = without_folds(near, topology);
     topology = MeshTopology(near);
   }
   SubdivisionPatches made = FacePatches(near).made();

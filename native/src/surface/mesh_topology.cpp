@@ -91,8 +91,8 @@ void MeshTopology::find_fans(const ControlMesh& mesh) {
     if (static_cast<int>(fans_[point].size()) != faces[point]) {
       throw InvalidShape("parts of the mesh meet in " + name + " alone");
     }
-    if (!is_on_border_[point] && faces[point] > 0 && faces[point] < 3) {
-      throw InvalidShape(name + " has " + std::to_string(faces[point]) + " faces: a point inside has three at least");
+    if (!is_on_border_[point] && faces[point] == 1) {
+      throw InvalidShape(name + " has one face all round: a point inside has two at least");
     }
   }
 }

@@ -27,6 +27,7 @@ class Result(NamedTuple):
 
     value: object                       # a splinecore value or a Definition
     error: float = 0.0
+    said: str = ""                      # what was achieved beside that, in words
 
     @property
     def definition(self):
@@ -51,6 +52,7 @@ class Recipe:
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points: "one curve"; make() takes a list of their Definitions
     has_more: bool = False              # it takes any number of what the last of `inputs` says, in an order that can be changed
+    is_from_mesh: bool = False          # its input is a mesh that shows no shape: make() takes core.polygons.Polygons
     has_turns: bool = False             # each can be turned: make() takes a list of truths as `turned`
     takes_spaces: bool = False          # make() takes the matrices (4, 4) of the inputs, where those lie, as `spaces`
     arranged: Callable | None = None    # (inputs) -> their order, as numbers from 0, in which they are taken at first

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from .. import rails, sections, verbs
+from .. import decimals, holes, rails, sections, verbs
 from ..failures import Refusal
 from ..library import sc
 from .recipe import Parameter, Recipe, Result
@@ -91,11 +91,21 @@ def _network(inputs, tolerance, cancel=None):
     return _within(sc.build.network(along_u, along_v, tolerance=tolerance, cancel=cancel))
 
 
-def _filling(inputs, tolerance, cancel=None):
-    sides = sections.loop([_one_curve(definition) for definition in inputs])
-    found = sc.build.fill(sides, tolerance=tolerance, cancel=cancel)
+def _filling(inputs, continuity, tolerance, cancel=None):
+    shapes = [[_one_curve(definition)] if definition.has_curves else verbs.pieces_of(definition) for definition in inputs]
+    sides = holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance)
+    found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), found.error)
+    said = f"{len(sides)} sides, {_gone_on(found)}"
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), found.gap, said)
+
+
+def _gone_on(filling):
+    """How it goes on from its sides, and its patches from each other, in words."""
+    angle, inner = (decimals.text_of(math.degrees(number), 2) if number > 1e-9 else "0"
+                    for number in (filling.angle, filling.inner_angle))
+    bend = decimals.text_of(filling.curvature_difference, 2) if filling.curvature_difference > 1e-9 else "0"
+    return f"angle {angle}° to them, {inner}° inside, curvatures differ by {bend}"
 
 
 def _in_a_row(inputs):
@@ -141,7 +151,10 @@ RECIPES = (
            "The surface on which curves lie that run across each other, in any order; it follows them", (_TOLERANCE,),
            _network, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, is_measured=True,
            takes_cancel=True),
-    Recipe("filling", "Fill", "The surface between three to eight curves that go round, in any order; it follows them",
-           (_TOLERANCE,), _filling, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True,
-           is_measured=True, takes_cancel=True),
+    Recipe("filling", "Fill",
+           "The surface in a hole of three to eight sides, curves and surfaces in any order, that goes on from these; it follows them",
+           (Parameter("continuity", "Continuity", "What it shares with surfaces along their sides", "G1", choices=(
+               ("G0", "G0", "The points"), ("G1", "G1", "The tangent planes, too"), ("G2", "G2", "The curvatures, too"))),
+            _TOLERANCE), _filling, is_surface=True, resolution=8, inputs=("one curve or surface", "more"),
+           has_more=True, is_measured=True, takes_cancel=True),
 )

@@ -17,7 +17,8 @@ from .long_work import LongWork
 from .pick_piece import draw_number
 
 #: Kinds of recipes that are called by what they do.
-_VERBS = ('revolve', 'extrude', 'projected')
+_VERBS = ('revolve', 'extrude', 'projected', 'loft', 'sweep', 'two_rails', 'filling', 'surface_blend', 'matched', 'rounded_edge', 'offset_surface', 'thickened',
+          'extended_surface', 'of_mesh')
 #: Of parameters that mean something for one object only.
 _MORE = {'piece': {'options': {'SKIP_SAVE'}}}
 
@@ -43,7 +44,7 @@ class _FromObjects(LongWork, Repeatable):
     def _lacking(cls, sources):
         """What is to be selected in place of these objects, or ""."""
         recipe = cls.recipe
-        fits = recipe.takes(len(sources)) and all(_is_wanted(ob, recipe.wanted_at(i)) for i, ob in enumerate(sources))
+        fits = recipe.takes(len(sources)) and all(is_wanted(ob, recipe.wanted_at(i)) for i, ob in enumerate(sources))
         return "" if fits else f"Select {recipe.wanted}"
 
     def invoke(self, context, event):
@@ -55,11 +56,18 @@ class _FromObjects(LongWork, Repeatable):
         sources = _sources(context, self.recipe)
         if self._lacking(sources):
             raise Refusal(self._lacking(sources))
-        return {'result': self._task(context, sources)}
+        return {'result': self._task(context, self._arranged(context, sources))}
 
     def _task(self, context, sources):
         return derived.work(self.recipe, recipe_props.typed(self.recipe, self), sources, sources[0],
                             context.evaluated_depsgraph_get(), self._frames(context))
+
+    def _arranged(self, context, sources):
+        """The objects in the order in which the recipe takes them at first. Raises Refusal."""
+        if not self.recipe.arranged:
+            return sources
+        inputs = derived.inputs_of(self.recipe, sources, sources[0], context.evaluated_depsgraph_get())
+        return [sources[i] for i in self.recipe.arranged(inputs)]
 
     def execute(self, context):
         sources, recipe = _sources(context, self.recipe), self.recipe
@@ -75,6 +83,7 @@ class _FromObjects(LongWork, Repeatable):
             self._suggest(sources, context)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
+            sources = self._arranged(context, sources)
             result = self.result_of('result', self._task(context, sources))
             ob = follow.new_object(recipe, values, sources, resolution, context.evaluated_depsgraph_get(),
                                    self._frames(context), result)
@@ -84,7 +93,7 @@ class _FromObjects(LongWork, Repeatable):
             ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
         add_in_front(context, ob, sources)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
-        return self.finished(context, reports.Said(said))
+        return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said)))))
 
     def _frames(self, context):
         """The object of which the place and axes count, if there is to be one, in a tuple. Raises Refusal."""
@@ -118,13 +127,14 @@ class _FromObjects(LongWork, Repeatable):
 
 def _sources(context, recipe):
     """The selected objects that a shape can be made from: what the recipe wants first, and the active one, come first."""
-    chosen = [ob for ob in context.selected_objects if derived.is_possible(ob)]
-    return sorted(chosen, key=lambda ob: (not _is_wanted(ob, recipe.inputs[0]), ob != context.object))
+    chosen = [ob for ob in context.selected_objects if derived.can_make(recipe, ob)]
+    return sorted(chosen, key=lambda ob: (not is_wanted(ob, recipe.inputs[0]), ob != context.object))
 
 
-def _is_wanted(ob, what):
-    """Whether an object is what a recipe names: a curve or a surface."""
-    return (ob.type == 'CURVE') == ("curve" in what)
+def is_wanted(ob, what):
+    """Whether an object from which its shape can be made is what a recipe names: a curve, a surface, or either."""
+    kind = "curve" if ob.type == 'CURVE' else "surface"
+    return kind in what or not ("curve" in what or "surface" in what)
 
 
 def _beside(context):

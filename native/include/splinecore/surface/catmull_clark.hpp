@@ -16,7 +16,7 @@ struct ControlMesh {
 
 /// Patches of the surface to which a mesh converges.
 struct SubdivisionPatches {
-  std::vector<NurbsPatch> patches;  ///< one for each face of the mesh that was subdivided `rounds` times, in its order
+  std::vector<NurbsPatch> patches;  ///< one for each face of the mesh that was subdivided `rounds` times, in its order, but for points inside with two faces
   int rounds = 0;
   std::size_t irregular = 0;        ///< patches that are not the surface itself: beside an extraordinary point
   double angle = 0.0;               ///< the largest between tangent planes across a side of one of these
@@ -29,10 +29,11 @@ ControlMesh subdivided(const ControlMesh& mesh);
 /// The surface of Catmull and Clark's scheme. A mesh is subdivided until all its faces have four sides and at most one
 /// extraordinary point. A face without one is a bicubic Bezier patch: exactly that of the surface (Catmull and Clark 1978).
 /// Those about an extraordinary point are patches of degree 7 that pass through its limit, continue the curvatures round about
-/// and meet each other in common tangent planes, with least third derivatives: near the surface, but not on it.
+/// and meet each other in common tangent planes, with least third derivatives: near the surface, but not on it. A point
+/// inside with two faces, where the scheme has no tangent plane, is left out after the first round; its faces become one.
 /// @throws InvalidShape, naming faces or points, if there is no face, a face has fewer than three corners or one twice, a
 ///         corner is no point, an edge has more than two faces, faces beside each other are turned differently, parts of
-///         the mesh meet in a point alone, or a point inside has fewer than three faces.
+///         the mesh meet in a point alone, or a point inside has one face alone.
 SubdivisionPatches catmull_clark(const ControlMesh& mesh);
 
 }  // namespace splinecore

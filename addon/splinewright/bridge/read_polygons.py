@@ -1,0 +1,26 @@
+"""What the mesh of an object is, before modifiers, for surfaces that are made of it."""
+
+import numpy as np
+
+from ..core.polygons import Polygons, require_faces
+from . import shape
+
+
+def is_mesh(ob):
+    """Whether an object is a mesh that shows no shape."""
+    return ob is not None and ob.type == 'MESH' and not shape.has_shape(ob)
+
+
+def polygons_of(ob, matrix):
+    """The Polygons of an object, with points under a matrix (4, 4). Raises Refusal."""
+    mesh = ob.data
+    require_faces(len(mesh.polygons))
+    points = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get('co', points)
+    starts = np.empty(len(mesh.polygons) + 1, np.int32)
+    mesh.polygons.foreach_get('loop_start', starts[:-1])
+    starts[-1] = len(mesh.loops)
+    corners = np.empty(len(mesh.loops), np.int32)
+    mesh.loops.foreach_get('vertex_index', corners)
+    points = points.reshape(-1, 3).astype(np.float64)
+    return Polygons(points @ matrix[:3, :3].T + matrix[:3, 3], starts, corners)

@@ -1,0 +1,154 @@
+"""Surfaces that are made of other surfaces: beside them, between them, rounded and made longer, live (lecture rows S20, S21)."""
+
+import math
+
+from .. import decimals, patch_joints, verbs
+from ..failures import Refusal
+from ..library import sc
+from .recipe import Parameter, Recipe, Result
+
+_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
+                       unit='LENGTH')
+_CONTINUITIES = (("G0", "G0", "The points"), ("G1", "G1", "The tangent planes, too"), ("G2", "G2", "The curvatures, too"),
+                 ("G3", "G3", "How these change, too"))
+_SIDES = (("nearest", "Nearest", "The side that lies nearest to the other surface"), ("u_start", "u Start", "Where u starts"),
+          ("u_end", "u End", "Where u ends"), ("v_start", "v Start", "Where v starts"), ("v_end", "v End", "Where v ends"))
+
+
+def _side(name, label, whose):
+    return Parameter(name, label, f"Which side of the {whose} surface", "nearest", choices=_SIDES)
+
+
+def _continuity(text):
+    return Parameter("continuity", "Continuity", text, "G2", choices=_CONTINUITIES)
+
+
+def _patches_of(definition):
+    if definition.has_curves:
+        raise Refusal("it is made of curves: a surface is needed")
+    return verbs.pieces_of(definition)
+
+
+def _as_result(patches, error=0.0, said=""):
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), error, said)
+
+
+def _sides(inputs, first_side, second_side):
+    """(patch, side, patch, side): of two surfaces."""
+    first, second = map(_patches_of, inputs)
+    choices = [patch_joints.Choice(0, None if side == 'nearest' else side) for side in (first_side, second_side)]
+    (a, side_a), (b, side_b) = patch_joints.nearest_sides(first, second, *choices)
+    return first[a], side_a, second[b], side_b
+
+
+def _measured(first, first_side, second, second_side):
+    """What two patches achieve along an edge, in words."""
+    found = sc.seam_continuity(first, first_side, second, second_side)
+    short = map(_short, (found.gap, math.degrees(found.angle), found.curvature_difference))
+    return "gap {}, angle {}°, curvatures differ by {}".format(*short)
+
+
+def _short(number):
+    """Rounding is nothing to tell."""
+    return decimals.text_of(number, 2) if number > 1e-9 else "0"
+
+
+def _blend(inputs, continuity, first_side, second_side, first_strength, second_strength):
+    a, side_a, b, side_b = _sides(inputs, first_side, second_side)
+    made = sc.build.blend_patches(a, side_a, b, side_b, continuity, (first_strength, second_strength))
+    said = " and ".join(_measured(*edge) for edge in ((a, side_a, made, 'v_start'), (b, side_b, made, 'v_end')))
+    return Result(made, 0.0, said)
+
+
+def _matched(inputs, continuity, first_side, second_side, rows, strength, cancel=None):
+    a, side_a, b, side_b = _sides(inputs, first_side, second_side)
+    found = sc.build.match_patch(a, side_a, b, side_b, continuity, rows=rows or None, strength=strength, cancel=cancel)
+    moved = f"points moved by up to {decimals.text_of(found.error, 2)}"
+    return Result(found.value, 0.0, f"{_measured(found.value, side_a, b, side_b)}; {moved}")
+
+
+def _rounded(inputs, radius, end_radius, first_side, second_side, tolerance, cancel=None):
+    a, side_a, b, side_b = _sides(inputs, first_side, second_side)
+    start, end = a.domain[1 if side_a.startswith('u') else 0]
+    radii = radius if radius == end_radius else [(start, radius), (end, end_radius)]
+    found = sc.build.fillet_patches(a, side_a, b, side_b, radii, tolerance=tolerance, cancel=cancel)
+    return _as_result([found.first, found.fillet, found.second], found.error)
+
+
+def _offset(inputs, distance, tolerance, cancel=None):
+    made = [sc.build.offset_patch(patch, distance, tolerance=tolerance, cancel=cancel) for patch in _patches_of(inputs[0])]
+    return _as_result([one.value for one in made], max(one.error for one in made))
+
+
+def _thickened(inputs, distance, middle, tolerance, cancel=None):
+    patches = _patches_of(inputs[0])
+    if len(patches) > 1:
+        raise Refusal(f"it has {len(patches)} patches: a surface of one patch can be thickened")
+    start = -0.5 * distance if middle else 0.0
+    found = sc.build.thicken(patches[0], start, start + distance, tolerance=tolerance, cancel=cancel)
+    return _as_result(list(found.value), found.error)
+
+
+def _extended(inputs, side, length, how):
+    patches = _patches_of(inputs[0])
+    if len(patches) > 1:
+        raise Refusal(f"it has {len(patches)} patches: a surface of one patch can be extended")
+    return Result(sc.build.extend_patch(patches[0], side, length, how))
+
+
+def _of_mesh(inputs, cancel=None):
+    polygons, = inputs
+    found = sc.build.catmull_clark(polygons.points, polygons.faces, cancel=cancel)
+    irregular = found.irregular
+    said = f"{len(found.patches)} patches"
+    if irregular:
+        said += f", {irregular} of them about extraordinary points, angle {_short(math.degrees(found.angle))}° between them"
+    return _as_result(list(found.patches), 0.0, said)
+
+
+def _distance(label, text):
+    return Parameter("distance", label, text, 0.1, unit='LENGTH')
+
+
+def _radius(name, label, text):
+    return Parameter(name, label, text, 0.1, 1e-6, unit='LENGTH')
+
+
+RECIPES = (
+    Recipe("surface_blend", "Blend Surfaces",
+           "The surface from a side of one surface to a side of another one that goes on as they do; it follows both",
+           (_continuity("What it shares with the surfaces along their sides"), _side("first_side", "First Side", "first"),
+            _side("second_side", "Second Side", "second"),
+            Parameter("first_strength", "First Strength", "How far it follows the first surface", 1.0, 1e-3, 100.0),
+            Parameter("second_strength", "Second Strength", "How far it follows the second surface", 1.0, 1e-3, 100.0)),
+           _blend, is_surface=True, resolution=12, inputs=("one surface", "another surface")),
+    Recipe("matched", "Match Surface",
+           "The active surface with a side moved onto that of another one, from where it goes on as that does; it follows both",
+           (_continuity("What it shares with the other surface"), _side("first_side", "Its Side", "active"),
+            _side("second_side", "Other Side", "other"),
+            Parameter("rows", "Rows", "Of its control points that may move, from the side on; 0 for as few as it takes", 0, 0, 1000),
+            Parameter("strength", "Strength", "How far it follows the other surface", 1.0, 1e-3, 100.0)),
+           _matched, is_surface=True, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
+    Recipe("rounded_edge", "Round Edge",
+           "Two surfaces that meet in an edge, with a surface in its place that a rolling ball touches; it follows both",
+           (_radius("radius", "Radius", "Of the ball, where the edge starts"), _radius("end_radius", "End Radius", "Where it ends"),
+            _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"), _TOLERANCE),
+           _rounded, is_surface=True, resolution=8, inputs=("one surface", "another surface"), is_measured=True,
+           takes_cancel=True),
+    Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it follows it",
+           (_distance("Distance", "Along the normals; below 0 to the other side"), _TOLERANCE), _offset, is_surface=True,
+           resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True),
+    Recipe("thickened", "Thicken", "The closed body between a surface and one at a distance from it; it follows it",
+           (_distance("Thickness", "Along the normals; below 0 to the other side"),
+            Parameter("middle", "To Both Sides", "Half of it to each side", False), _TOLERANCE),
+           _thickened, is_surface=True, resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True),
+    Recipe("extended_surface", "Extend Surface", "The surface made longer at a side; it follows it",
+           (Parameter("side", "Side", "Where it is made longer", "u_end", choices=_SIDES[1:]),
+            Parameter("length", "Length", "On average along the side", 0.5, 1e-6, unit='LENGTH'),
+            Parameter("how", "How", "How it goes on", "natural", choices=(
+                ("natural", "Natural", "By the polynomials of its last span"), ("straight", "Straight", "Along its tangents")))),
+           _extended, is_surface=True, resolution=8, inputs=("one surface",)),
+    Recipe("of_mesh", "Make NURBS of Mesh",
+           "The surface to which a mesh converges that is subdivided (Catmull and Clark), as exact patches; it follows the mesh",
+           (), _of_mesh, is_surface=True, resolution=3, inputs=("one mesh",), is_from_mesh=True, takes_cancel=True),
+)

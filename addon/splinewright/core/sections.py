@@ -1,0 +1,90 @@
+"""Curves that a surface is made through: their order, and which of them run across others."""
+
+import numpy as np
+
+from .failures import Refusal
+
+#: Parts of a curve's domain at which it is looked at.
+_PARTS = np.linspace(0.0, 1.0, 33)
+#: Curves nearer than this part of the size of them all meet.
+_MEET = 1e-6
+
+
+def size_of(curves):
+    """The diagonal of the box of the control points."""
+    points = np.concatenate([curve.to_nurbs().points for curve in curves])
+    return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def samples(curve):
+    """(33, 3): evenly by the parameter."""
+    start, end = curve.domain
+    return curve.evaluate(start + (end - start) * _PARTS)
+
+
+def ends(curve):
+    """(2, 3): where it starts and ends."""
+    return curve.evaluate(np.array(curve.domain))
+
+
+def in_a_row(curves):
+    """The order in which curves lie one behind the other, as numbers from 0: from one of the two that are farthest apart, the
+    first curve if it is one of them, always to the nearest."""
+    marks = np.array([_mark(curve) for curve in curves])
+    apart = np.linalg.norm(marks[:, None] - marks[None], axis=-1)
+    first = min(np.unravel_index(apart.argmax(), apart.shape)) if len(curves) > 1 else 0
+    order, left = [int(first)], set(range(len(curves))) - {int(first)}
+    while left:
+        nearest = min(sorted(left), key=lambda i: apart[order[-1], i])
+        order.append(nearest)
+        left.remove(nearest)
+    return order
+
+
+def _mark(curve):
+    """(4,): the middle of a curve, and how far it lies about that: two circles about one point are two places."""
+    points = samples(curve)
+    middle = points.mean(axis=0)
+    return [*middle, np.linalg.norm(points - middle, axis=1).mean()]
+
+
+def loop(curves, tolerance):
+    """Curves in the order in which they go round, from the first on to the one whose end is nearest to where it ends. Raises
+    Refusal where they leave a gap that is wider than a tolerance."""
+    left, order = list(curves[1:]), [curves[0]]
+    start, at = ends(curves[0])
+    widest = 0.0
+    while left:
+        gaps = [np.linalg.norm(ends(curve) - at, axis=1) for curve in left]
+        nearest = min(range(len(left)), key=lambda i: gaps[i].min())
+        widest = max(widest, gaps[nearest].min())
+        at = ends(left[nearest])[1 - gaps[nearest].argmin()]
+        order.append(left.pop(nearest))
+    widest = max(widest, np.linalg.norm(at - start))
+    if widest > tolerance:
+        raise Refusal(f"the curves do not close: ends that should meet lie up to {widest:.3g} apart")
+    return order
+
+
+def families(curves, tolerance):
+    """(curves, curves): those of a network, each of which meets all of the other family and none of its own. Raises Refusal."""
+    reach = max(tolerance, _MEET * size_of(curves))
+    meets = [[_meet(a, b, reach) if a is not b else False for b in curves] for a in curves]
+    family = {0: 0}
+    waiting = [0]
+    while waiting:
+        i = waiting.pop()
+        for j in range(len(curves)):
+            if meets[i][j] and j not in family:
+                family[j] = 1 - family[i]
+                waiting.append(j)
+    alone = [i for i in range(len(curves)) if i not in family]
+    if alone:
+        raise Refusal(f"curve {alone[0] + 1} of {len(curves)} meets none of the others within {reach:.2g}")
+    if any(meets[i][j] and family[i] == family[j] for i in family for j in family):
+        raise Refusal("the curves are not two families that run across each other: three of them meet one another")
+    return tuple([curves[i] for i in range(len(curves)) if family[i] == wanted] for wanted in (0, 1))
+
+
+def _meet(a, b, reach):
+    return len(a.intersections(b, tolerance=reach).distances) > 0

@@ -1,0 +1,109 @@
+"""What a surface is made from, where that is any number of curves: their order, their directions, more and fewer of them."""
+
+import bpy
+from bpy.props import EnumProperty, IntProperty
+
+from ...bridge import derived, follow, recipes, shape, store
+from ...core.failures import FAILURES, Refusal
+from . import polls, reports
+from .from_objects import is_wanted
+
+
+def takes_more(ob):
+    """Whether an object is a shape that is made from any number of others."""
+    if ob is None or not shape.has_shape(ob) or not recipes.follows(ob.data):
+        return False
+    try:
+        return recipes.of(ob.data).has_more
+    except store.UnreadableDefinition:
+        return False
+
+
+class _OnInputs:
+    """Changes the list of what the active shape is made from."""
+
+    bl_options = {'REGISTER', 'UNDO'}
+
+    index: IntProperty(name="Number", description="Which of those that it is made from, counted from 0", min=0,
+                       options={'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        if not polls.in_object_mode(cls, context):
+            return False
+        if not takes_more(context.object):
+            cls.poll_message_set("Select a surface that is made from any number of curves")
+            return False
+        return True
+
+    def execute(self, context):
+        data = context.object.data
+        try:
+            stored = recipes.read(data)
+            inputs = self.changed(context, list(zip(stored.sources, stored.turned)))
+            follow.set_inputs(data, *zip(*inputs), context.evaluated_depsgraph_get())
+        except FAILURES as error:
+            return reports.failed(self, error, context.object.name)
+        return reports.finished(self, reports.Said())
+
+    def require(self, inputs):
+        if self.index >= len(inputs):
+            raise Refusal(f"it is made from {len(inputs)} objects, there is none of number {self.index + 1}")
+
+
+class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):
+    bl_idname = "splinewright.move_input"
+    bl_label = "Move in Order"
+    bl_description = "Take it before the one above it, or after the one below it"
+
+    way: EnumProperty(name="Way", items=[('UP', "Up", "Before the one above it"), ('DOWN', "Down", "After the one below it")],
+                      options={'SKIP_SAVE'})
+
+    def changed(self, context, inputs):
+        self.require(inputs)
+        to = self.index + (-1 if self.way == 'UP' else 1)
+        if not 0 <= to < len(inputs):
+            raise Refusal("it is the first one" if to < 0 else "it is the last one")
+        inputs.insert(to, inputs.pop(self.index))
+        return inputs
+
+
+class SPLINEWRIGHT_OT_turn_input(_OnInputs, bpy.types.Operator):
+    bl_idname = "splinewright.turn_input"
+    bl_label = "Turn Round"
+    bl_description = "Let it run the other way"
+
+    def changed(self, context, inputs):
+        self.require(inputs)
+        source, is_turned = inputs[self.index]
+        inputs[self.index] = source, not is_turned
+        return inputs
+
+
+class SPLINEWRIGHT_OT_remove_input(_OnInputs, bpy.types.Operator):
+    bl_idname = "splinewright.remove_input"
+    bl_label = "Leave Out"
+    bl_description = "Make the surface without it; the curve itself stays"
+
+    def changed(self, context, inputs):
+        self.require(inputs)
+        del inputs[self.index]
+        return inputs
+
+
+class SPLINEWRIGHT_OT_add_inputs(_OnInputs, bpy.types.Operator):
+    bl_idname = "splinewright.add_inputs"
+    bl_label = "Take In Selected"
+    bl_description = "Make the surface from the other selected objects, too, after those in the list"
+
+    def changed(self, context, inputs):
+        known = {source for source, _ in inputs}
+        wanted = recipes.of(context.object.data).wanted_at(len(inputs))
+        new = [ob for ob in context.selected_objects
+               if ob != context.object and ob not in known and derived.is_possible(ob) and is_wanted(ob, wanted)]
+        if not new:
+            raise Refusal("select others beside it that are not in the list")
+        return inputs + [(ob, False) for ob in new]
+
+
+CLASSES = (SPLINEWRIGHT_OT_move_input, SPLINEWRIGHT_OT_turn_input, SPLINEWRIGHT_OT_remove_input, SPLINEWRIGHT_OT_add_inputs)

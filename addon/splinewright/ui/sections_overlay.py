@@ -1,0 +1,76 @@
+"""The numbers of the curves that the active surface is made from, and which way they run, in the 3D views."""
+
+from typing import NamedTuple
+
+import blf
+import bpy
+import gpu
+import numpy as np
+
+from ..bridge import recipes, shape, store
+from ..core import sections, verbs
+from ..core.failures import FAILURES
+from . import picking, strokes
+
+_COLOR = (1.0, 0.62, 0.1, 0.95)
+_SIZE = 15.0
+#: Longer lists show no numbers.
+_MOST = 200
+
+
+class Section(NamedTuple):
+    """Where a curve is seen."""
+
+    number: int
+    foot: np.ndarray                    # (3,) in the world: where it starts
+    head: np.ndarray                    # (3,): a part of it further
+
+
+def shown(ob):
+    """The Sections of what an object is made from, where that is any number of shapes that are seen."""
+    if ob is None or ob.mode != 'OBJECT' or not ob.visible_get() or not shape.has_shape(ob) or not recipes.follows(ob.data):
+        return []
+    try:
+        stored = recipes.read(ob.data)
+        if not stored.recipe.has_more or len(stored.sources) > _MOST:
+            return []
+        return [_section(i + 1, source, is_turned) for i, (source, is_turned) in enumerate(zip(stored.sources, stored.turned))
+                if source is not None and source.visible_get() and shape.has_shape(source)]
+    except FAILURES:
+        return []
+
+
+def _section(number, source, is_turned):
+    curve = verbs.curves_of(store.read(source.data))[0]
+    points = sections.samples(curve)[::-1 if is_turned else 1][[0, 3]]
+    matrix = np.array(source.matrix_world, dtype=np.float64)
+    return Section(number, *(points @ matrix[:3, :3].T + matrix[:3, 3]))
+
+
+def _of_context():
+    return shown(bpy.context.object) if bpy.context.space_data.overlay.show_overlays else []
+
+
+def draw():
+    """Called by Blender for each 3D view: where curves start, and which way they run."""
+    found = _of_context()
+    if found:
+        gpu.state.blend_set('ALPHA')
+        strokes.draw([strokes.arrows([(one.foot, one.head) for one in found], lambda: _COLOR)])
+        gpu.state.blend_set('NONE')
+
+
+def draw_numbers():
+    """Called by Blender for each 3D view, in pixels."""
+    found, context = _of_context(), bpy.context
+    if not found:
+        return
+    pixels = picking.on_screen(context.region, context.region_data, np.eye(4), np.array([one.foot for one in found]))
+    blf.enable(0, blf.SHADOW)
+    blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
+    blf.size(0, _SIZE * context.preferences.system.ui_scale)
+    blf.color(0, *_COLOR)
+    for one, (x, y) in zip(found, pixels):
+        blf.position(0, x + 6, y + 6, 0)
+        blf.draw(0, str(one.number))
+    blf.disable(0, blf.SHADOW)

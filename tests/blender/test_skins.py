@@ -1,0 +1,230 @@
+"""Surfaces that curves span, live: lofts, sweeps, pipes, networks, fillings; any number of curves, their order and direction."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Matrix
+
+from shapes import activate, add, op, require_exact
+from support import part, splinecore as sc
+
+follow, recipes, sections_overlay = (part(name) for name in ('bridge.follow', 'bridge.recipes', 'ui.sections_overlay'))
+CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
+
+
+def line(*points):
+    """Through points: of the degree that takes them all."""
+    return sc.build.polynomial_through(points)
+
+
+def make(kind, *curves, **settings):
+    """The surface of selected objects, of which the first is active."""
+    activate(*curves)
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}"), **settings) == {'FINISHED'}
+    bpy.ops.ed.undo_push(message="add")
+    return bpy.context.object
+
+
+def circles():
+    """Of a cylinder, made in no order."""
+    found = []
+    for name, height in (("middle", 2.0), ("low", 0.0), ("high", 5.0), ("next", 1.0)):
+        found.append(add(CIRCLE, name))
+        found[-1].location.z = height
+    bpy.context.view_layer.update()
+    return found
+
+
+def names(ob):
+    return [source.name for source in recipes.read(ob.data).sources]
+
+
+def radii(ob):
+    points = np.array([vertex.co for vertex in ob.data.vertices])
+    return np.hypot(points[:, 0], points[:, 1])
+
+
+FRAME = {'left': line((0, 0, 0), (0, 1, 0.5), (0, 2, 0)), 'right': line((3, 0, 0), (3, 1, -0.5), (3, 2, 0)),
+         'front': line((0, 0, 0), (1.5, -0.2, 0.4), (3, 0, 0)), 'back': line((0, 2, 0), (1.5, 2.3, 0.3), (3, 2, 0))}
+
+
+def frame():
+    return [add(curve, name) for name, curve in FRAME.items()]
+
+
+MADE = {
+    'loft': lambda: make('loft', *circles()),
+    'sweep': lambda: make('sweep', add(FRAME['front'], "rail"), add(CIRCLE, "section")),
+    'two_rails': lambda: make('two_rails', *(add(FRAME[name], name) for name in ('left', 'right', 'front', 'back'))),
+    'pipe': lambda: make('pipe', add(FRAME['front'], "rail"), caps='round'),
+    'network': lambda: make('network', *frame()),
+    'filling': lambda: make('filling', *frame()),
+}
+
+
+@pytest.mark.parametrize('kind', MADE)
+def test_it_is_exact_follows_its_curves_and_stays_so_in_a_file(kind, tmp_path):
+    ob = MADE[kind]()
+    name, value = ob.name, ob.data.splinewright.value
+    assert ob.type == 'MESH' and recipes.read(ob.data).recipe.kind == kind
+    require_exact(ob)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "skin.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "skin.blend"))
+    ob = bpy.data.objects[name]
+    assert ob.data.splinewright.value == value
+    for source in recipes.read(ob.data).sources:
+        source.location.z += 0.25
+    bpy.context.view_layer.update()
+    assert ob.data.splinewright.value != value and not follow.problem(ob.data)
+
+
+def test_circles_in_any_order_are_a_cylinder_and_undo_brings_it_back():
+    ob = MADE['loft']()
+    assert names(ob) in (["low", "next", "middle", "high"], ["high", "middle", "next", "low"])
+    assert np.abs(radii(ob) - 1.0).max() < 1e-6
+    name, value = ob.name, ob.data.splinewright.value
+    ob.data.splinewright_parameters.loft_style = 'straight'
+    bpy.ops.ed.undo_push(message="style")
+    assert ob.data.splinewright.value != value
+    bpy.ops.ed.undo()
+    assert bpy.data.objects[name].data.splinewright.value == value
+
+
+def test_the_order_is_changed_one_is_left_out_and_taken_in_again():
+    ob = MADE['loft']()
+    before, order = ob.data.splinewright.value, names(ob)
+    assert op(bpy.ops.splinewright.move_input, index=1, way='UP') == {'FINISHED'}
+    assert names(ob) == [order[1], order[0], *order[2:]] and ob.data.splinewright.value != before
+    assert op(bpy.ops.splinewright.move_input, index=0, way='DOWN') == {'FINISHED'}
+    assert ob.data.splinewright.value == before
+    assert op(bpy.ops.splinewright.remove_input, index=3) == {'FINISHED'}
+    assert names(ob) == order[:3]
+    bpy.data.objects[order[3]].select_set(True)
+    assert op(bpy.ops.splinewright.add_inputs) == {'FINISHED'}
+    assert names(ob) == order and ob.data.splinewright.value == before
+
+
+def test_a_section_that_is_turned_twists_the_surface():
+    ob = make('loft', *(add(line((0, 0, z), (1, 0, z), (2, 1, z)), f"{z}") for z in (0.0, 1.0, 2.0)))
+    before = ob.data.splinewright.value
+    assert op(bpy.ops.splinewright.turn_input, index=1) == {'FINISHED'}
+    assert recipes.read(ob.data).turned == (False, True, False) and ob.data.splinewright.value != before
+    seen = sections_overlay.shown(ob)
+    assert [one.number for one in seen] == [1, 2, 3]
+    assert np.allclose(seen[1].foot, (2, 1, 1)) and np.allclose(seen[0].foot[:2], (0, 0))
+    assert op(bpy.ops.splinewright.turn_input, index=1) == {'FINISHED'}
+    assert ob.data.splinewright.value == before
+
+
+@pytest.mark.parametrize('name, settings, message', (
+    ('move_input', {'index': 0, 'way': 'UP'}, "first one"), ('move_input', {'index': 3, 'way': 'DOWN'}, "last one"),
+    ('turn_input', {'index': 4}, "none of number 5"), ('remove_input', {'index': 9}, "none of number 10"),
+    ('add_inputs', {}, "select others beside it")))
+def test_what_the_list_cannot_do_is_said_and_changes_nothing(name, settings, message):
+    ob = MADE['loft']()
+    activate(ob)
+    before = names(ob), ob.data.splinewright.value
+    with pytest.raises(RuntimeError, match=message):
+        op(getattr(bpy.ops.splinewright, name), **settings)
+    assert (names(ob), ob.data.splinewright.value) == before
+
+
+def test_a_surface_needs_the_curves_that_it_is_left_with():
+    ob = make('loft', *(circles()[:2]))
+    with pytest.raises(RuntimeError, match="one curve and more curves"):
+        op(bpy.ops.splinewright.remove_input, index=0)
+    assert len(names(ob)) == 2
+
+
+def test_a_profile_far_away_in_any_plane_is_set_upright_on_the_rail():
+    """Its own x and y become the rail's: a circle becomes a tube of its radius, wherever and in whichever plane it was drawn."""
+    rail = add(line((0, 0, 0), (4, 0, 0)), "rail")
+    for turn in (Matrix.Identity(4), Matrix.Rotation(1.1, 4, 'Y') @ Matrix.Rotation(-0.4, 4, 'X')):
+        for axis in ((0, 0, 1), (0, 1, 0), (1, 0, 0)):
+            profile = add(sc.conics.circle((0, 0, 0), 0.5, axis), "profile")
+            profile.matrix_world = Matrix.Translation((7, -3, 2)) @ turn @ Matrix.Scale(2.0, 4)
+            bpy.context.view_layer.update()
+            ob = make('sweep', rail, profile)
+            points = np.array([ob.matrix_world @ vertex.co for vertex in ob.data.vertices])
+            assert np.abs(np.hypot(points[:, 1], points[:, 2]) - 1.0).max() < 1e-5
+            assert abs(points[:, 0].min()) < 1e-6 and abs(points[:, 0].max() - 4.0) < 1e-6
+
+
+@pytest.mark.parametrize('turn', ('minimal', 'upright'))
+def test_sections_that_lie_at_the_rail_are_on_the_surface(turn):
+    rail = add(line((0, 0, 0), (2, 0.5, 0), (4, 0, 0)), "rail")
+    value = rail.data.splinewright.value.to_nurbs()
+    sections = []
+    for u in value.domain[0] + np.array([0.9, 0.1]) * np.diff(value.domain):
+        tangent, normal, binormal = value.frames(u)
+        matrix = np.eye(4)
+        matrix[:3, :3], matrix[:3, 3] = np.stack([normal, binormal, tangent], 1) * 0.3, value.evaluate(u)
+        sections.append(add(CIRCLE, "section"))
+        sections[-1].matrix_world = Matrix(matrix)
+    bpy.context.view_layer.update()
+    ob = make('sweep', rail, *sections, placed='there', frame=turn, tolerance=1e-6)
+    patch = ob.data.splinewright.value
+    for section in sections:
+        matrix = np.array(ob.matrix_world.inverted() @ section.matrix_world)
+        points = CIRCLE.evaluate(np.linspace(*CIRCLE.domain, 9)) @ matrix[:3, :3].T + matrix[:3, 3]
+        assert patch.nearest(points).distances.max() < 1e-5
+
+
+def test_rails_are_found_among_the_curves_and_the_surface_ends_on_them():
+    ob = MADE['two_rails']()
+    assert names(ob)[:2] == ["left", "right"]
+    patch = ob.data.splinewright.value
+    for name in ("left", "right", "front", "back"):
+        points = FRAME[name].evaluate(np.linspace(*FRAME[name].domain, 17))
+        assert patch.nearest(points).distances.max() < 1e-3
+
+
+@pytest.mark.parametrize('kind', ('network', 'filling'))
+def test_the_surface_has_the_curves_for_borders(kind):
+    patch = MADE[kind]().data.splinewright.value
+    for curve in FRAME.values():
+        points = curve.evaluate(np.linspace(*curve.domain, 17))
+        assert patch.nearest(points).distances.max() < 1e-3
+
+
+def test_a_curve_of_a_network_that_misses_the_others_is_named():
+    curves = [*frame(), add(line((0, 0, 9), (1, 0, 9)), "astray")]
+    activate(*curves)
+    with pytest.raises(RuntimeError, match="curve 5 of 5 meets none of the others"):
+        op(bpy.ops.splinewright.add_network)
+    assert len(bpy.data.objects) == 5
+
+
+def test_borders_that_do_not_close_are_refused_with_the_gap():
+    curves = frame()
+    curves[0].location.x = -0.5
+    bpy.context.view_layer.update()
+    activate(*curves)
+    with pytest.raises(RuntimeError, match="do not close: .* 0.5 apart"):
+        op(bpy.ops.splinewright.add_filling)
+
+
+@pytest.mark.parametrize('kind', ('loft', 'sweep', 'network', 'filling'))
+def test_one_curve_is_too_few(kind):
+    activate(add(FRAME['left'], "only"))
+    assert not getattr(bpy.ops.splinewright, f"add_{kind}").poll()
+
+
+def test_the_distance_of_a_pipe_from_its_axis_is_its_radius():
+    ob = make('pipe', add(FRAME['front'], "rail"), radius=0.25, end_radius=0.25, tolerance=1e-6)
+    points = np.array([vertex.co for vertex in ob.data.vertices])
+    assert np.abs(FRAME['front'].nearest(points).distances - 0.25).max() < 1e-5
+
+
+def test_curves_of_blender_are_sections_too_and_a_deleted_one_leaves_the_surface_as_it_was():
+    found = []
+    for height in (0.0, 1.0):
+        bpy.ops.curve.primitive_nurbs_circle_add(location=(0, 0, height))
+        found.append(bpy.context.object)
+    ob = make('loft', *found)
+    before = ob.data.splinewright.value
+    bpy.data.objects.remove(found[1])
+    bpy.context.view_layer.update()
+    assert ob.data.splinewright.value == before and "deleted" in follow.problem(ob.data)

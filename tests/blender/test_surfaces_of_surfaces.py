@@ -1,0 +1,132 @@
+"""Surfaces made of surfaces, live: blends, matches, rounded edges, offsets, thick ones, longer ones, fillings of holes."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import activate, add, op, require_exact
+from support import part, splinecore as sc
+
+follow, recipes = (part(name) for name in ('bridge.follow', 'bridge.recipes'))
+ARCH = sc.build.extrude(sc.build.polynomial_through([(0, 0, 0), (0, 0.5, 1), (0, 1, 1.2)]), (2, 0, 0))
+FAR = sc.build.extrude(sc.build.polynomial_through([(0, 2, 1), (0, 2.5, 0.4), (0, 3, 0.2)]), (2, 0, 0))
+FLOOR = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+WALL = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 0, 1))
+
+
+def make(kind, *obs, **settings):
+    activate(*obs)
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}"), **settings) == {'FINISHED'}
+    bpy.ops.ed.undo_push(message="add")
+    return bpy.context.object
+
+
+MADE = {
+    'surface_blend': lambda: make('surface_blend', add(ARCH, "arch"), add(FAR, "far")),
+    'matched': lambda: make('matched', add(ARCH, "arch"), add(FAR, "far"), continuity='G1'),
+    'rounded_edge': lambda: make('rounded_edge', add(FLOOR, "floor"), add(WALL, "wall"), radius=0.25, end_radius=0.25),
+    'offset_surface': lambda: make('offset_surface', add(ARCH, "arch"), distance=0.1),
+    'thickened': lambda: make('thickened', add(ARCH, "arch"), distance=0.1),
+    'extended_surface': lambda: make('extended_surface', add(ARCH, "arch"), length=0.5),
+}
+
+
+@pytest.mark.parametrize('kind', MADE)
+def test_it_is_exact_follows_its_surfaces_and_stays_so_in_a_file(kind, tmp_path):
+    ob = MADE[kind]()
+    name, value = ob.name, ob.data.splinewright.value
+    assert ob.type == 'MESH' and recipes.read(ob.data).recipe.kind == kind
+    require_exact(ob)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "made.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "made.blend"))
+    ob = bpy.data.objects[name]
+    assert ob.data.splinewright.value == value
+    for source in recipes.read(ob.data).sources:
+        source.data.splinewright.value = source.data.splinewright.value.transformed(np.diag([1.5, 1.5, 1.5, 1.0]))
+    bpy.context.view_layer.update()
+    assert ob.data.splinewright.value != value and not follow.problem(ob.data)
+
+
+@pytest.mark.parametrize('continuity, angle, bend', (('G1', 1e-9, math.inf), ('G2', 1e-9, 1e-7), ('G3', 1e-9, 1e-7)))
+def test_a_blend_goes_on_from_both_sides_which_are_said(continuity, angle, bend):
+    ob = make('surface_blend', add(ARCH, "arch"), add(FAR, "far"), continuity=continuity)
+    made = ob.data.splinewright.value
+    for patch, side, own in ((ARCH, 'u_end', 'v_start'), (FAR, 'u_start', 'v_end')):
+        found = sc.seam_continuity(patch, side, made, own)
+        assert found.gap < 1e-12 and found.angle < angle and found.curvature_difference < bend
+    assert "angle 0°" in recipes.read(ob.data).said
+
+
+def test_a_rounded_edge_is_of_three_patches_and_its_radius_that_of_the_ball():
+    ob = MADE['rounded_edge']()
+    fillet = ob.data.splinewright.value[1]
+    points = np.array([fillet.evaluate(u, v) for u in np.linspace(*fillet.domain[0], 7) for v in np.linspace(*fillet.domain[1], 7)])
+    assert np.abs(np.hypot(points[:, 1] - 0.25, points[:, 2] - 0.25) - 0.25).max() < 1e-4
+
+
+def test_a_thick_surface_is_closed():
+    ob = MADE['thickened']()
+    assert ob.data.splinewright.value.volume() > 0
+
+
+def test_a_hole_between_surfaces_is_filled_and_goes_on_from_them():
+    """A plane in four pieces about a square hole: the filling is the plane."""
+    obs = [add(sc.build.plane((x, y, 0), (wide, 0, 0), (0, high, 0)), f"{x}, {y}") for (x, y), (wide, high) in
+           (((0, -1), (1, 1)), ((0, 1), (1, 1)), ((-1, 0), (1, 1)), ((1, 0), (1, 1)))]
+    ob = make('filling', *obs)
+    patch = ob.data.splinewright.value
+    points = patch.evaluate_grid(np.linspace(*patch.domain[0], 9), np.linspace(*patch.domain[1], 9)).reshape(-1, 3)
+    assert np.abs(points[:, 2]).max() < 1e-9 and np.abs(patch.area() - 1.0) < 1e-9
+    assert "4 sides" in recipes.read(ob.data).said
+
+
+@pytest.mark.parametrize('kind, make_obs, settings, message', (
+    ('offset_surface', lambda: (add(sc.build.sphere((0, 0, 0), 1.0)),), {'distance': -1.0}, "radius"),
+    ('rounded_edge', lambda: (add(FLOOR), add(FAR)), {}, "edge"),
+    ('thickened', lambda: (add(ARCH),), {'distance': 0.0}, "no thickness"),
+    ('filling', lambda: (add(FLOOR), add(FAR)), {}, "no hole"),
+))
+def test_what_cannot_be_made_is_said_and_nothing_is_left(kind, make_obs, settings, message):
+    obs = make_obs()
+    activate(*obs)
+    with pytest.raises(RuntimeError, match=message):
+        op(getattr(bpy.ops.splinewright, f"add_{kind}"), **settings)
+    assert len(bpy.data.objects) == len(obs)
+
+
+def mesh_of(primitive, **settings):
+    getattr(bpy.ops.mesh, f"primitive_{primitive}_add")(**settings)
+    return bpy.context.object
+
+
+def test_a_cube_becomes_the_surface_to_which_it_is_subdivided_and_follows_it():
+    """Blender's own Subdivision Surface modifier has the limit's points at its vertices, within single precision."""
+    cube = mesh_of('cube')
+    ob = make('of_mesh', cube)
+    value = ob.data.splinewright.value
+    modifier = cube.modifiers.new("", 'SUBSURF')
+    modifier.levels, modifier.use_limit_surface = 3, True
+    limit = cube.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
+    points = np.array([vertex.co for vertex in limit.vertices])
+    nearest = np.min([patch.nearest(points).distances for patch in value], axis=0)
+    assert len(value) == 24 and nearest.max() < 2e-3
+    for vertex in cube.data.vertices:
+        vertex.co.z += 1.0
+    cube.data.update()
+    bpy.context.view_layer.update()
+    assert ob.data.splinewright.value != value and not follow.problem(ob.data)
+    require_exact(ob)
+
+
+def test_a_grid_is_one_surface_of_regular_patches_and_a_mesh_without_faces_none():
+    ob = make('of_mesh', mesh_of('grid', x_subdivisions=4, y_subdivisions=3))
+    assert recipes.read(ob.data).said == "12 patches"
+    mesh = bpy.data.meshes.new("edge")
+    mesh.from_pydata([(0, 0, 0), (1, 0, 0)], [(0, 1)], [])
+    other = bpy.data.objects.new("edge", mesh)
+    bpy.context.collection.objects.link(other)
+    activate(other)
+    with pytest.raises(RuntimeError, match="no face"):
+        op(bpy.ops.splinewright.add_of_mesh)
