@@ -3,12 +3,11 @@
 import bpy
 import pytest
 
-import patches
 from curves import value_of
 from layouts import drawn_by, panels
 from natives import native_curve
 from shapes import activate, add, enter, op
-from support import part
+from support import part, splinecore as sc
 
 start_panel = part('ui.start_panel')
 
@@ -18,7 +17,7 @@ def curve():
 
 
 def patch():
-    return add(patches.value_of('bicubic'))
+    return add(sc.build.extrude(value_of('cubic'), (0.5, 0.2, 3.0)))
 
 
 def surface():

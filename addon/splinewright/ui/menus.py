@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import read_polygons
-from ..core.recipes.table import DERIVED, FOLLOW, FROM_CURVES, FROM_SURFACES, MEETING, RECIPES, STARTING
+from ..core.recipes.table import DERIVED, FOLLOW, FROM_BOTH, FROM_CURVES, FROM_SURFACES, MEETING, STARTING
 from . import curve_tools, editing, kinds, patch_tools, tools
 
 #: What stands above all others, as most is begun with it.
@@ -66,9 +66,9 @@ class SPLINEWRIGHT_MT_surface_add(bpy.types.Menu):
             icon = _ICONS.get(recipe.kind, 'SURFACE_DATA')
             layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=icon)
         layout.separator()
-        _draw_from_curves(layout)
+        _draw_made(layout, (*FROM_CURVES, *FROM_BOTH))
         layout.separator()
-        _draw_from_surfaces(layout)
+        _draw_made(layout, FROM_SURFACES)
         layout.separator()
         layout.operator("splinewright.add_teapot", text="Newell's Teapot", icon='MESH_UVSPHERE')
 
@@ -151,12 +151,16 @@ class SPLINEWRIGHT_MT_from_curves(bpy.types.Menu):
 
     def draw(self, context):
         self.layout.operator_context = 'INVOKE_REGION_WIN'
-        _draw_from_curves(self.layout)
+        _draw_made(self.layout, FROM_CURVES, context.selected_objects)
 
 
-def _draw_from_curves(layout):
-    for recipe in FROM_CURVES:
-        layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS_OF_MADE[recipe.kind])
+def _draw_made(layout, recipes, obs=()):
+    """Operators of recipes; what would be refused for all the objects is grey."""
+    for recipe in recipes:
+        name = f"add_{recipe.kind}"
+        row = layout.row()
+        row.enabled = not tools.is_refused(name, obs)
+        row.operator(f"splinewright.{name}", text=recipe.label, icon=_ICONS_OF_MADE[recipe.kind])
 
 
 class SPLINEWRIGHT_MT_from_surfaces(bpy.types.Menu):
@@ -165,12 +169,7 @@ class SPLINEWRIGHT_MT_from_surfaces(bpy.types.Menu):
 
     def draw(self, context):
         self.layout.operator_context = 'INVOKE_REGION_WIN'
-        _draw_from_surfaces(self.layout)
-
-
-def _draw_from_surfaces(layout):
-    for recipe in (*FROM_SURFACES, RECIPES['filling']):
-        layout.operator(f"splinewright.add_{recipe.kind}", text=recipe.label, icon=_ICONS_OF_MADE[recipe.kind])
+        _draw_made(self.layout, FROM_SURFACES, context.selected_objects)
 
 
 #: Names of operators and menus, with what they concern, in groups.
@@ -182,8 +181,9 @@ _ENTRIES = (
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
     (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
-    ((SPLINEWRIGHT_MT_from_curves, {'curve', 'native'}), (SPLINEWRIGHT_MT_from_surfaces, {'patch', 'native'}), (SPLINEWRIGHT_MT_meeting, kinds.FOLLOWED), ('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
-     *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW and recipe not in (*MEETING, *FROM_CURVES, *FROM_SURFACES))),
+    ((SPLINEWRIGHT_MT_from_curves, {'curve', 'native'}), (SPLINEWRIGHT_MT_from_surfaces, {'patch', 'native'}),
+     *((f"add_{recipe.kind}", kinds.FOLLOWED) for recipe in FROM_BOTH), (SPLINEWRIGHT_MT_meeting, kinds.FOLLOWED), ('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
+     *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW and recipe not in (*MEETING, *FROM_CURVES, *FROM_BOTH, *FROM_SURFACES))),
     (('join', kinds.SHAPES), ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
     (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))
 _ENTRY_ICONS = {SPLINEWRIGHT_MT_from_curves: 'MOD_LATTICE', SPLINEWRIGHT_MT_from_surfaces: 'MOD_SOLIDIFY',

@@ -21,14 +21,14 @@ def _as_result(curves, error=0.0):
     return Result(curves[0] if len(curves) == 1 else curves, error)
 
 
-def _share_of_size(definition, share):
+def share_of_size(definition, share):
     """A length, in one digit."""
     places = definition.pool[definition.pool[:, 3] != 0.0, :3]
     return float(f"{share * np.ptp(places, axis=0).max():.1g}")
 
 
 def _first_distance(inputs):
-    return {'distance': _share_of_size(inputs[0], 0.1)}
+    return {'distance': share_of_size(inputs[0], 0.1)}
 
 
 def _offset(inputs, distance, corner, trimmed, tolerance, cancel=None):
@@ -62,7 +62,7 @@ def _first_planes(inputs):
     """One through the middle of the surface."""
     low, high = np.array([patch.bounding_box() for patch in _patches_of(inputs[0])]).transpose(1, 0, 2)
     middle = 0.5 * (low.min(axis=0) + high.max(axis=0))
-    return {'axis': 'z', 'offset': float(middle[2]), 'spacing': _share_of_size(inputs[0], 0.1)}
+    return {'axis': 'z', 'offset': float(middle[2]), 'spacing': share_of_size(inputs[0], 0.1)}
 
 
 def _patches_of(definition):
@@ -108,7 +108,7 @@ def _ends_to_blend(first, first_end, second, second_end):
 
 
 def _first_radii(inputs):
-    radius = _share_of_size(inputs[0], 0.05)
+    radius = share_of_size(inputs[0], 0.05)
     return {'radius': radius, 'end_radius': radius}
 
 

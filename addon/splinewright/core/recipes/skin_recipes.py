@@ -28,10 +28,10 @@ _HEIGHTS = (("scaled", "Scaled", "Sections are as much higher as they are wider"
 
 
 def _one_curve(definition):
-    """The curve of an input, joined where it consists of several. Raises Refusal."""
+    """The NurbsCurve of an input, joined where it consists of several. Raises Refusal."""
     curves = verbs.curves_of(definition)
     if len(curves) == 1:
-        return curves[0]
+        return curves[0].to_nurbs()
     joined = sc.build.join_curves(curves, 1e-6 * sections.size_of(curves))
     if len(joined) > 1:
         raise Refusal("it consists of curves apart from each other: each section is one")
@@ -121,7 +121,7 @@ def _rails_first(inputs):
     return rails.rails_first([_one_curve(definition) for definition in inputs])
 
 
-RECIPES = (
+FROM_CURVES = (
     Recipe("loft", "Loft", "The surface through sections, curves in any order and direction; it follows them",
            (Parameter("style", "Style", "How it runs from section to section", "normal", choices=_STYLES),
             Parameter("closed", "Closed", "Go on from the last section to the first", False),
@@ -151,6 +151,8 @@ RECIPES = (
            "The surface on which curves lie that run across each other, in any order; it follows them", (_TOLERANCE,),
            _network, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, is_measured=True,
            takes_cancel=True),
+)
+FROM_BOTH = (
     Recipe("filling", "Fill",
            "The surface in a hole of three to eight sides, curves and surfaces in any order, that goes on from these; it follows them",
            (Parameter("continuity", "Continuity", "What it shares with surfaces along their sides", "G1", choices=(
@@ -158,3 +160,4 @@ RECIPES = (
             _TOLERANCE), _filling, is_surface=True, resolution=8, inputs=("one curve or surface", "more"),
            has_more=True, is_measured=True, takes_cancel=True),
 )
+RECIPES = (*FROM_CURVES, *FROM_BOTH)

@@ -5,10 +5,12 @@ import math
 from .. import decimals, patch_joints, verbs
 from ..failures import Refusal
 from ..library import sc
+from .meeting_recipes import share_of_size
 from .recipe import Parameter, Recipe, Result
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
                        unit='LENGTH')
+_PIECE = Parameter("piece", "Piece", "Which patch of the surface, counted from 1", 1, 1)
 _CONTINUITIES = (("G0", "G0", "The points"), ("G1", "G1", "The tangent planes, too"), ("G2", "G2", "The curvatures, too"),
                  ("G3", "G3", "How these change, too"))
 _SIDES = (("nearest", "Nearest", "The side that lies nearest to the other surface"), ("u_start", "u Start", "Where u starts"),
@@ -80,20 +82,23 @@ def _offset(inputs, distance, tolerance, cancel=None):
     return _as_result([one.value for one in made], max(one.error for one in made))
 
 
-def _thickened(inputs, distance, middle, tolerance, cancel=None):
+def _first_distance(inputs):
+    return {'distance': share_of_size(inputs[0], 0.02)}
+
+
+def _thickened(inputs, distance, middle, piece, tolerance, cancel=None):
     patches = _patches_of(inputs[0])
-    if len(patches) > 1:
-        raise Refusal(f"it has {len(patches)} patches: a surface of one patch can be thickened")
+    verbs.require_piece(patches, piece)
     start = -0.5 * distance if middle else 0.0
-    found = sc.build.thicken(patches[0], start, start + distance, tolerance=tolerance, cancel=cancel)
+    found = sc.build.thicken(patches[piece - 1], start, start + distance, tolerance=tolerance, cancel=cancel)
     return _as_result(list(found.value), found.error)
 
 
-def _extended(inputs, side, length, how):
+def _extended(inputs, side, length, how, piece):
     patches = _patches_of(inputs[0])
-    if len(patches) > 1:
-        raise Refusal(f"it has {len(patches)} patches: a surface of one patch can be extended")
-    return Result(sc.build.extend_patch(patches[0], side, length, how))
+    verbs.require_piece(patches, piece)
+    patches[piece - 1] = sc.build.extend_patch(patches[piece - 1], side, length, how)
+    return _as_result(patches)
 
 
 def _of_mesh(inputs, cancel=None):
@@ -137,16 +142,17 @@ RECIPES = (
            takes_cancel=True),
     Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it follows it",
            (_distance("Distance", "Along the normals; below 0 to the other side"), _TOLERANCE), _offset, is_surface=True,
-           resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True),
+           resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True, first_values=_first_distance),
     Recipe("thickened", "Thicken", "The closed body between a surface and one at a distance from it; it follows it",
            (_distance("Thickness", "Along the normals; below 0 to the other side"),
-            Parameter("middle", "To Both Sides", "Half of it to each side", False), _TOLERANCE),
-           _thickened, is_surface=True, resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True),
+            Parameter("middle", "To Both Sides", "Half of it to each side", False), _PIECE, _TOLERANCE),
+           _thickened, is_surface=True, resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True,
+           first_values=_first_distance),
     Recipe("extended_surface", "Extend Surface", "The surface made longer at a side; it follows it",
            (Parameter("side", "Side", "Where it is made longer", "u_end", choices=_SIDES[1:]),
             Parameter("length", "Length", "On average along the side", 0.5, 1e-6, unit='LENGTH'),
             Parameter("how", "How", "How it goes on", "natural", choices=(
-                ("natural", "Natural", "By the polynomials of its last span"), ("straight", "Straight", "Along its tangents")))),
+                ("natural", "Natural", "By the polynomials of its last span"), ("straight", "Straight", "Along its tangents"))), _PIECE),
            _extended, is_surface=True, resolution=8, inputs=("one surface",)),
     Recipe("of_mesh", "Make NURBS of Mesh",
            "The surface to which a mesh converges that is subdivided (Catmull and Clark), as exact patches; it follows the mesh",

@@ -9,10 +9,11 @@ RECIPES = {recipe.kind: recipe
 STARTING = tuple(recipe for recipe in RECIPES.values() if not (recipe.inputs or recipe.has_places))
 DERIVED = tuple(recipe for recipe in RECIPES.values() if recipe.inputs)
 FOLLOW = RECIPES['follow']
-#: What is made of surfaces.
+#: What is made of surfaces, and what of curves and surfaces.
 FROM_SURFACES = surface_verb_recipes.RECIPES
+FROM_BOTH = skin_recipes.FROM_BOTH
 THROUGH_OBJECTS = curve_recipes.THROUGH_OBJECTS
 #: Surfaces that one curve or two make by moving, and those that curves span.
-FROM_CURVES = (*surface_recipes.FROM_CURVES, *skin_recipes.RECIPES)
+FROM_CURVES = (*surface_recipes.FROM_CURVES, *skin_recipes.FROM_CURVES)
 #: Curves beside curves, and where surfaces meet.
 MEETING = tuple(recipe for recipe in meeting_recipes.RECIPES if recipe.inputs)
