@@ -162,7 +162,7 @@ def test_points_inside_with_two_faces_leave_no_fold(mesh):
                              for patch in made.patches])
     assert np.isfinite(points).all() and (np.abs(points) <= np.abs(np.array(mesh[0])).max(axis=0) + 1e-12).all()
     if len(mesh[0]) < 12:
-        assert seams.edge_counts()['border'] == 0
+        assert seams.edge_counts()['free'] == 0
 
 
 @pytest.mark.parametrize("size", [1e-150, 1e-3, 1e150])
