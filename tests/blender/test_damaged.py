@@ -61,7 +61,7 @@ def definition_damages(data):
 def recipe_damages(data):
     for value in VALUES:
         yield lambda ob, value=value: put(data, recipes.KEY, value, ob)
-    for name in ('version', 'kind', 'parameters', 'points', 'error', 'input', 'shape', 'input_2', 'frame', 'frame_1', 'frame_3'):
+    for name in ('version', 'kind', 'parameters', 'points', 'error', 'input', 'shape', 'turned', 'said', 'input_2', 'turned_2', 'frame', 'frame_1', 'frame_3'):
         for value in VALUES:
             yield lambda ob, name=name, value=value: put(data[recipes.KEY], name, value, ob)
     for name in list(data[recipes.KEY]['parameters'].keys()):

@@ -11,7 +11,7 @@ from support import part, vertices
 
 follow, recipes, shape, starters, store = (part(name) for name in (
     'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.starters', 'bridge.store'))
-FOLLOW = part('core.recipes.table').FOLLOW
+FOLLOW, Result = part('core.recipes.table').FOLLOW, part('core.recipes.recipe').Result
 key, state = part('bridge.file_state').key, part('bridge.file_state').state
 
 
@@ -199,7 +199,7 @@ def test_a_cycle_is_refused_with_a_word():
 def test_a_cycle_made_by_other_means_hangs_nothing_and_is_said():
     first = linked("first", shape.new_data("first", starters.nurbs_curve(3, 6, 'CLAMPED'), (8, 8)))
     second = follow_object(first)
-    recipes.write_derived(first.data, FOLLOW, {}, [second], 0.0)
+    recipes.write_derived(first.data, FOLLOW, {}, [second], Result(None))
     follow.scan()
     first.location.x = 1
     bpy.context.view_layer.update()

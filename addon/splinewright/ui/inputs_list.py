@@ -7,7 +7,7 @@ def draw(layout, stored):
     for i, (source, is_turned) in enumerate(zip(stored.sources, stored.turned)):
         row = column.row(align=True)
         name = source.name if source else "Deleted"
-        row.label(text=f"{i + 1}  {name}", icon='CURVE_DATA' if source else 'ERROR')
+        row.label(text=f"{i + 1}  {name}", icon='NONE' if source else 'ERROR')
         if stored.recipe.has_turns:
             row.operator("splinewright.turn_input", text="", icon='UV_SYNC_SELECT', depress=is_turned).index = i
         for way, icon in (('UP', 'TRIA_UP'), ('DOWN', 'TRIA_DOWN')):

@@ -94,6 +94,13 @@ def _draw_recipe(layout, data):
     layout.operator("splinewright.make_editable")
 
 
+def _names(sources, frames):
+    """What a shape follows, in words; of many objects how many."""
+    names = [source.name for source in sources if source]
+    count = len(frames) if not sources else len(names) if len(sources) > 2 else 0
+    return f"{count} objects" if count else " and ".join(names)
+
+
 def _draw_following(layout, data):
     try:
         sources, frames = recipes.read_inputs(data), recipes.frames(data)
@@ -102,8 +109,7 @@ def _draw_following(layout, data):
         texts.draw_problem(layout, str(error))
         layout.operator("splinewright.make_editable")
         return
-    names = " and ".join(source.name for source in sources if source) or (f"{len(frames)} objects" if frames else "")
-    texts.draw_note(layout, f"Follows {names or 'nothing any more'}", icon='LINKED')
+    texts.draw_note(layout, f"Follows {_names(sources, frames) or 'nothing any more'}", icon='LINKED')
     problem = follow.problem(data)
     if problem:
         texts.draw_problem(layout, problem)

@@ -14,6 +14,8 @@ from . import picking, strokes
 
 _COLOR = (1.0, 0.62, 0.1, 0.95)
 _SIZE = 15.0
+#: How far a number stands behind where its curve starts, in pixels of an interface that is not scaled.
+_BEHIND = 14.0
 #: Longer lists show no numbers.
 _MOST = 200
 
@@ -65,12 +67,17 @@ def draw_numbers():
     found, context = _of_context(), bpy.context
     if not found:
         return
-    pixels = picking.on_screen(context.region, context.region_data, np.eye(4), np.array([one.foot for one in found]))
+    feet, heads = (picking.on_screen(context.region, context.region_data, np.eye(4), np.array(points))
+                   for points in ([one.foot for one in found], [one.head for one in found]))
+    scale = context.preferences.system.ui_scale
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
-    blf.size(0, _SIZE * context.preferences.system.ui_scale)
+    blf.size(0, _SIZE * scale)
     blf.color(0, *_COLOR)
-    for one, (x, y) in zip(found, pixels):
-        blf.position(0, x + 6, y + 6, 0)
-        blf.draw(0, str(one.number))
+    for one, foot, head in zip(found, feet, heads):
+        text = str(one.number)
+        behind = foot - _BEHIND * scale * (head - foot) / (np.linalg.norm(head - foot) or 1.0)
+        if np.isfinite(behind).all():
+            blf.position(0, *(behind - 0.5 * np.array(blf.dimensions(0, text))), 0)
+            blf.draw(0, text)
     blf.disable(0, blf.SHADOW)

@@ -1,0 +1,106 @@
+"""A loft of circles that are clicked in no order, with the sidebar closed: Add menu, G on a section, Ctrl+Z, Tab, the list in the panel."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
+
+OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
+HEIGHTS = (2.0, 0.0, 3.0, 1.0)
+LOFT = []
+
+
+def picture(name):
+    return save_picture(OUTPUT / f"skins-{name}.png")
+
+
+def value():
+    return bpy.data.objects[LOFT[-1]].data.splinewright.value
+
+
+def sources():
+    return [source.location.z for source in part('bridge.recipes').read(bpy.data.objects[LOFT[-1]].data).sources]
+
+
+def scene(view):
+    with view.override():
+        empty_file()
+        for height in HEIGHTS:
+            bpy.ops.splinewright.add_circle('EXEC_DEFAULT', True)
+            bpy.context.object.location.z = height
+            bpy.context.object.scale = (1 + 0.3 * height, 1.0, 1.0)
+        bpy.ops.object.select_all(action='DESELECT')
+        bpy.ops.view3d.view_all(center=False)
+        bpy.ops.ed.undo_push(message="circles")
+    yield from redrawn()
+
+
+def clicked(view):
+    """Each circle by a click on it in the view, with Shift from the second on."""
+    circles = sorted((ob for ob in bpy.data.objects if ob.type == 'CURVE'), key=lambda ob: HEIGHTS.index(ob.location.z))
+    for i, ob in enumerate(circles):
+        start = ob.matrix_world @ bpy.data.objects[ob.name].data.splines[0].points[0].co.xyz
+        view.move(*view.pixel_of(start))
+        view.press('LEFTMOUSE', shift=i > 0)
+        yield from until(lambda: ob.select_get() and len(bpy.context.selected_objects) == i + 1, f"circle {i + 1} is selected")
+
+
+def lofted(view):
+    with view.override():
+        bpy.ops.splinewright.add_loft('INVOKE_DEFAULT', True)
+    yield from until(lambda: bpy.context.object is not None and bpy.context.object.type == 'MESH', "the loft")
+    LOFT.append(bpy.context.object.name)
+    assert sources() in (sorted(HEIGHTS), sorted(HEIGHTS, reverse=True))
+    yield from redrawn()
+    picture("loft")
+
+
+def followed(view):
+    before = value()
+    circle = next(ob for ob in bpy.data.objects if ob.type == 'CURVE' and ob.location.z == 1.0)
+    with view.override():
+        bpy.ops.object.select_all(action='DESELECT')
+    circle.select_set(True)
+    bpy.context.view_layer.objects.active = circle
+    with view.override():
+        bpy.ops.ed.undo_push(message="select")
+    view.press('G')
+    view.press('X')
+    view.press('TWO', "2")
+    view.press('RET')
+    yield from until(lambda: value() != before, "the loft follows G")
+    yield from redrawn()
+    picture("moved")
+    view.press('Z', ctrl=True)
+    yield from until(lambda: value() == before, "Ctrl+Z takes it back")
+
+
+def listed(view):
+    loft = bpy.data.objects[LOFT[-1]]
+    with view.override():
+        bpy.ops.object.select_all(action='DESELECT')
+    loft.select_set(True)
+    bpy.context.view_layer.objects.active = loft
+    yield from redrawn()
+    plain = picture("selected")
+    view.open_sidebar()
+    yield from redrawn()
+    yield from view.show_tab("Splinewright", (1044, 538))
+    assert mean_difference(picture("list"), plain) > 0.01
+
+
+def steps():
+    view = View()
+    yield from scene(view)
+    yield from clicked(view)
+    yield from lofted(view)
+    yield from followed(view)
+    yield from listed(view)
+
+
+run(steps())
