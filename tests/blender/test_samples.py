@@ -15,7 +15,7 @@ NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.
 
 def test_there_are_samples():
     assert {'gallery', 'teapot', 'vase', 'solids', 'cups', 'conics', 'moebius', 'knots', 'points', 'runge',
-            'joins', 'railing', 'scan', 'bottle', 'contour', 'offsets'} <= set(NAMES)
+            'joins', 'railing', 'scan', 'bottle', 'contour', 'offsets', 'kettle', 'boat', 'suzanne'} <= set(NAMES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -263,3 +263,23 @@ def test_corners_of_the_contours_are_sharp_round_and_cut_off():
     corners = {name.rpartition(" ")[2]: sum(joint.g == 0 for _, joint in value.joints()) for name, value in shapes.items()
                if name.startswith("Contour")}
     assert corners == {"sharp": 7, "round": 0, "off": 14}
+
+
+def test_the_kettle_and_the_boat_follow_their_curves():
+    for name, moved, followers in (('kettle', "Section 3", {"Body"}), ('boat', "Frame 3", {"Hull"})):
+        before = opened(name)
+        bpy.data.objects[moved].location.z += 0.1
+        bpy.context.view_layer.update()
+        after = {ob.name: ob.data.splinewright.value for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)}
+        assert {changed for changed in after if after[changed] != before[changed]} == followers
+
+
+def test_suzanne_follows_her_mesh_and_is_smooth():
+    opened('suzanne')
+    ob, mesh = bpy.data.objects["Suzanne as patches"], bpy.data.objects["Suzanne"]
+    before, said = ob.data.splinewright.value, recipes.read(ob.data).said
+    assert len(before) == 7868 and "404 of them" in said
+    mesh.data.vertices[0].co.z += 0.05
+    mesh.data.update()
+    bpy.context.view_layer.update()
+    assert ob.data.splinewright.value != before
