@@ -22,6 +22,8 @@ namespace splinecore {
 namespace {
 
 constexpr std::array<Axis, 2> kBoth{Axis::u, Axis::v};
+/// How many places of each span are looked at first.
+constexpr std::size_t kFew = 4;
 
 void require_no_gap(const KnotVector& knots, Axis axis) {
   const Interval domain = knots.domain();
@@ -187,37 +189,49 @@ class SurfaceFit {
     return found;
   }
 
-  /// Three places of each span.
-  std::vector<double> inner_places(Axis axis) const {
+  /// So many places of each span, evenly from its start on: at knots, where it is less smooth, much may be missed.
+  std::vector<double> inner_places(Axis axis, std::size_t count) const {
     const KnotVector& knots = model_.knot_vector(axis);
     std::vector<double> found;
     for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
       const Interval span = knots.span_interval(i);
-      for (const double t : {0.2, 0.5, 0.8}) found.push_back(span.start + t * span.length());
+      for (std::size_t k = 0; k < count; ++k) {
+        found.push_back(span.start + static_cast<double>(k) / static_cast<double>(count) * span.length());
+      }
     }
     return found;
   }
 
+  /// How many places of a span are looked at before a fit is taken: of a long one more.
+  std::size_t many_places(Axis axis) const {
+    constexpr std::size_t kAlong = 32;
+    constexpr std::size_t kMost = 13;
+    return std::min(kMost, kFew + kAlong / model_.knot_vector(axis).spans().size());
+  }
+
   /// By one direction at the Greville places of the other, where that is met; and by both between them.
   Missed missed_places(double tolerance) const {
-    const std::vector<double> inside_u = inner_places(Axis::u);
-    const std::vector<double> inside_v = inner_places(Axis::v);
-    std::vector<char> misses_u(inside_u.size() / 3, 0);
-    std::vector<char> misses_v(inside_v.size() / 3, 0);
+    std::vector<char> misses_u(model_.knot_vector(Axis::u).spans().size(), 0);
+    std::vector<char> misses_v(model_.knot_vector(Axis::v).spans().size(), 0);
     Missed missed;
-    const auto look = [&](const std::vector<double>& u, const std::vector<double>& v, bool by_u, bool by_v) {
+    const auto look = [&](const std::vector<double>& u, const std::vector<double>& v, std::size_t each_u, std::size_t each_v) {
       const std::vector<double> off = distances(u, v);
       for (std::size_t k = 0; k < off.size(); ++k) {
         missed.error = std::max(missed.error, off[k]);
         if (off[k] <= tolerance) continue;
-        if (by_u) misses_u[k / v.size() / 3] = 1;
-        if (by_v) misses_v[k % v.size() / 3] = 1;
+        if (each_u > 0) misses_u[k / v.size() / each_u] = 1;
+        if (each_v > 0) misses_v[k % v.size() / each_v] = 1;
       }
+      return std::ranges::count(misses_u, 1) + std::ranges::count(misses_v, 1) > 0;
     };
-    look(inside_u, places_v_, true, false);
-    look(places_u_, inside_v, false, true);
-    const bool misses_a_line = std::ranges::count(misses_u, 1) + std::ranges::count(misses_v, 1) > 0;
-    if (!misses_a_line) look(inside_u, inside_v, true, true);
+    const auto is_missed_by = [&](std::size_t each_u, std::size_t each_v) {
+      const std::vector<double> inside_u = inner_places(Axis::u, each_u);
+      const std::vector<double> inside_v = inner_places(Axis::v, each_v);
+      const bool misses_along_u = look(inside_u, places_v_, each_u, 0);
+      return look(places_u_, inside_v, 0, each_v) || misses_along_u || look(inside_u, inside_v, each_u, each_v);
+    };
+    const std::array<std::size_t, 2> many{many_places(Axis::u), many_places(Axis::v)};
+    if (!is_missed_by(kFew, kFew) && many != std::array{kFew, kFew}) is_missed_by(many[0], many[1]);
     const std::vector<double> middles_u = middles(Axis::u);
     const std::vector<double> middles_v = middles(Axis::v);
     for (std::size_t i = 0; i < misses_u.size(); ++i) {
