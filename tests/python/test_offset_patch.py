@@ -65,14 +65,14 @@ def test_a_closed_patch_stays_closed():
 
 def test_random_patches_are_offset_or_refused():
     made = 0
-    for patch in random_patches(5, 300, ends="clamped"):
+    for patch in random_patches(5, 150, ends="clamped"):
         try:
             offset, error = build.offset_patch(patch, 1e-3, tolerance=1e-2)
         except (sc.InvalidShape, sc.ToleranceNotReached, sc.PointAtInfinity):
             continue
         made += 1
         assert error <= 1e-2 and np.isfinite(offset.points).all()
-    assert made > 30
+    assert made > 15
 
 
 def test_thickness_is_closed():
