@@ -36,7 +36,7 @@ def sides_of(shapes, continuity):
 def around(sides, count, tolerance):
     """The Sides of the hole, in the order in which they go round: three to eight, one at least of each of `count` shapes; of
     several such holes the one with the fewest sides, then the shortest. Raises Refusal."""
-    corners, ends = _corners(sides, tolerance)
+    ends = _corners(sides, tolerance)
     free = _without_seams(sides, ends, tolerance)
     if all(side.asked is side.curve for side in sides):
         return _loop_of_curves(sides, tolerance)
@@ -54,7 +54,7 @@ def _loop_of_curves(sides, tolerance):
 
 
 def _corners(sides, tolerance):
-    """(the places where sides end, for each side the numbers of the two where it does)."""
+    """For each side the numbers of the two places where it ends; ends that meet have one."""
     places, ends = [], []
     for side in sides:
         pair = []
@@ -65,7 +65,7 @@ def _corners(sides, tolerance):
                 places.append(point)
             pair.append(near)
         ends.append(tuple(pair))
-    return places, ends
+    return ends
 
 
 def _without_seams(sides, ends, tolerance):

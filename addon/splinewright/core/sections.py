@@ -69,19 +69,21 @@ def loop(curves, tolerance):
 def families(curves, tolerance):
     """(curves, curves): those of a network, each of which meets all of the other family and none of its own. Raises Refusal."""
     reach = max(tolerance, _MEET * size_of(curves))
-    meets = [[_meet(a, b, reach) if a is not b else False for b in curves] for a in curves]
+    meets = np.zeros((len(curves), len(curves)), bool)
+    for i, j in zip(*np.triu_indices(len(curves), 1)):
+        meets[i, j] = meets[j, i] = _meet(curves[i], curves[j], reach)
     family = {0: 0}
     waiting = [0]
     while waiting:
         i = waiting.pop()
         for j in range(len(curves)):
-            if meets[i][j] and j not in family:
+            if meets[i, j] and j not in family:
                 family[j] = 1 - family[i]
                 waiting.append(j)
     alone = [i for i in range(len(curves)) if i not in family]
     if alone:
         raise Refusal(f"curve {alone[0] + 1} of {len(curves)} meets none of the others within {reach:.2g}")
-    if any(meets[i][j] and family[i] == family[j] for i in family for j in family):
+    if any(meets[i, j] and family[i] == family[j] for i in family for j in family):
         raise Refusal("the curves are not two families that run across each other: three of them meet one another")
     return tuple([curves[i] for i in range(len(curves)) if family[i] == wanted] for wanted in (0, 1))
 

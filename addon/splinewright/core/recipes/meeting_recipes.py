@@ -40,7 +40,7 @@ def _offset(inputs, distance, corner, trimmed, tolerance, cancel=None):
 
 
 def _section(inputs, tolerance, cancel=None):
-    first, second = (_patches_of(definition) for definition in inputs)
+    first, second = (patches_of(definition) for definition in inputs)
     found = [one.sections(other, tolerance=tolerance, cancel=cancel) for one in first for other in second]
     return _as_result(_joined_sections(found, tolerance), tolerance)
 
@@ -48,7 +48,7 @@ def _section(inputs, tolerance, cancel=None):
 def _planes(inputs, axis, offset, count, spacing, tolerance, frame=None, cancel=None):
     through, direction = axis_of(axis, (0.0, 0.0, 0.0), frame)
     direction = direction / np.linalg.norm(direction)
-    patches, made = _patches_of(inputs[0]), []
+    patches, made = patches_of(inputs[0]), []
     for i in range(count):
         origin = through + (offset + i * spacing) * direction
         found = [patch.plane_sections(origin, direction, tolerance=tolerance, cancel=cancel) for patch in patches]
@@ -60,12 +60,12 @@ def _planes(inputs, axis, offset, count, spacing, tolerance, frame=None, cancel=
 
 def _first_planes(inputs):
     """One through the middle of the surface."""
-    low, high = np.array([patch.bounding_box() for patch in _patches_of(inputs[0])]).transpose(1, 0, 2)
+    low, high = np.array([patch.bounding_box() for patch in patches_of(inputs[0])]).transpose(1, 0, 2)
     middle = 0.5 * (low.min(axis=0) + high.max(axis=0))
     return {'axis': 'z', 'offset': float(middle[2]), 'spacing': share_of_size(inputs[0], 0.1)}
 
 
-def _patches_of(definition):
+def patches_of(definition):
     if definition.has_curves:
         raise Refusal("it is made of curves: a surface is needed")
     return verbs.pieces_of(definition)
@@ -120,7 +120,7 @@ def _about(inputs, radius, end_radius, turns, phase, piece, tolerance, cancel=No
 
 
 def _on_patch(inputs, distance, unit, piece, tolerance, cancel=None):
-    patches, images = _patches_of(inputs[0]), verbs.curves_of(inputs[1])
+    patches, images = patches_of(inputs[0]), verbs.curves_of(inputs[1])
     verbs.require_piece(patches, piece)
     patch = patches[piece - 1]
     if unit:

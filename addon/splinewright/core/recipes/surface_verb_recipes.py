@@ -3,9 +3,8 @@
 import math
 
 from .. import decimals, patch_joints, verbs
-from ..failures import Refusal
 from ..library import sc
-from .meeting_recipes import share_of_size
+from .meeting_recipes import patches_of, share_of_size
 from .recipe import Parameter, Recipe, Result
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
@@ -25,19 +24,13 @@ def _continuity(text):
     return Parameter("continuity", "Continuity", text, "G2", choices=_CONTINUITIES)
 
 
-def _patches_of(definition):
-    if definition.has_curves:
-        raise Refusal("it is made of curves: a surface is needed")
-    return verbs.pieces_of(definition)
-
-
 def _as_result(patches, error=0.0, said=""):
     return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), error, said)
 
 
 def _sides(inputs, first_side, second_side):
     """(patch, side, patch, side): of two surfaces."""
-    first, second = map(_patches_of, inputs)
+    first, second = map(patches_of, inputs)
     choices = [patch_joints.Choice(0, None if side == 'nearest' else side) for side in (first_side, second_side)]
     (a, side_a), (b, side_b) = patch_joints.nearest_sides(first, second, *choices)
     return first[a], side_a, second[b], side_b
@@ -78,7 +71,7 @@ def _rounded(inputs, radius, end_radius, first_side, second_side, tolerance, can
 
 
 def _offset(inputs, distance, tolerance, cancel=None):
-    made = [sc.build.offset_patch(patch, distance, tolerance=tolerance, cancel=cancel) for patch in _patches_of(inputs[0])]
+    made = [sc.build.offset_patch(patch, distance, tolerance=tolerance, cancel=cancel) for patch in patches_of(inputs[0])]
     return _as_result([one.value for one in made], max(one.error for one in made))
 
 
@@ -87,7 +80,7 @@ def _first_distance(inputs):
 
 
 def _thickened(inputs, distance, middle, piece, tolerance, cancel=None):
-    patches = _patches_of(inputs[0])
+    patches = patches_of(inputs[0])
     verbs.require_piece(patches, piece)
     start = -0.5 * distance if middle else 0.0
     found = sc.build.thicken(patches[piece - 1], start, start + distance, tolerance=tolerance, cancel=cancel)
@@ -95,7 +88,7 @@ def _thickened(inputs, distance, middle, piece, tolerance, cancel=None):
 
 
 def _extended(inputs, side, length, how, piece):
-    patches = _patches_of(inputs[0])
+    patches = patches_of(inputs[0])
     verbs.require_piece(patches, piece)
     patches[piece - 1] = sc.build.extend_patch(patches[piece - 1], side, length, how)
     return _as_result(patches)
