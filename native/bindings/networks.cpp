@@ -1,9 +1,11 @@
+#include <optional>
 #include <vector>
 
 #include "approximation.hpp"
 #include "arguments.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
+#include "neighbours.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/coons.hpp"
 #include "splinecore/surface/network.hpp"
@@ -12,28 +14,74 @@ namespace bindings {
 
 using splinecore::NurbsCurve;
 
+namespace {
+
+/// For each side a curve or None; none where there is no list at all.
+std::optional<std::vector<std::optional<NurbsCurve>>> across_of(const py::object& value) {
+  if (value.is_none()) return {};
+  const bool is_list = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+  if (!is_list) throw py::type_error("across must be a list of curves and None, not " + type_name(value));
+  std::vector<std::optional<NurbsCurve>> found;
+  for (const py::handle& item : value) {
+    const std::string name = "across" + splinecore::index_text(found.size());
+    found.emplace_back();
+    if (!item.is_none()) found.back() = any_curve(py::reinterpret_borrow<py::object>(item), name.c_str());
+  }
+  return found;
+}
+
+/// Neighbours; none for None.
+std::vector<splinecore::LoftNeighbour> neighbours_of(const py::object& value) {
+  std::vector<splinecore::LoftNeighbour> found;
+  if (value.is_none()) return found;
+  const bool is_list = py::isinstance<py::list>(value) || (py::isinstance<py::tuple>(value) && py::len(value) == 0);
+  if (!is_list) throw py::type_error("neighbours must be a list of (patch, side, 'G1'), not " + type_name(value));
+  for (const py::handle& item : value) {
+    const std::string name = "neighbours" + splinecore::index_text(found.size());
+    const auto neighbour = neighbour_of(py::reinterpret_borrow<py::object>(item), name.c_str());
+    if (!neighbour) throw py::type_error(name + " is None");
+    found.push_back(*neighbour);
+  }
+  return found;
+}
+
+}  // namespace
+
 void bind_networks(py::module_& module) {
   py::module_ build = module.attr("build");
-  build.def("coons", [](const py::object& sides, const py::object& tolerance, const py::object& cancel) {
+  build.def("coons", [](const py::object& sides, const py::object& across, const py::object& tolerance,
+                        const py::object& cancel) {
               const std::vector<NurbsCurve> around = any_curves(sides, "sides");
+              const auto leaving = across_of(across);
               const auto within = tolerance_of(tolerance);
-              return wrap(unlocked([&] { return splinecore::coons(around, within); }, cancel));
-            }, py::arg("sides"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
+              return wrap(unlocked([&] {
+                return leaving ? splinecore::bicubic_coons(around, *leaving, within) : splinecore::coons(around, within);
+              }, cancel));
+            }, py::arg("sides"), py::kw_only(), py::arg("across") = py::none(), py::arg("tolerance") = py::none(),
+            py::arg("cancel") = py::none(),
             "The patch between three or four curves of any kinds that go round it, in any directions: (value, error), a\n"
             "NurbsPatch and how far an end was moved. Both ruled surfaces between opposite curves, less the bilinear patch of\n"
             "the corners (Coons 1967; lecture row S21). Of three the last side is a point.\n\n"
             "u runs along the first curve, v from there to the third one. Weights of sides are multiplied so that they are 1 at\n"
             "both ends. Ends may lie apart by the tolerance, a length, by default 2^-30 of the size: both go to their middle.\n"
+            "With across, for each of four sides None or a curve of vectors without weights, the patch is the bicubic one (Farin\n"
+            "2002, 22.3): over [0, 1] in both directions, and its derivative across a side, into the patch, is that at the same\n"
+            "place of the side. One that is None runs smoothly between those along the neighbours, with a neighbour's twists or\n"
+            "those of the bilinear patch (Adini). Sides then keep their pace: weights are multiplied by a linear function. A\n"
+            "derivative must be, at its ends, the one along the next side, within the tolerance; of two twists in a corner the\n"
+            "mean is taken, and error is the most by which a derivative was changed.\n\n"
             "InvalidShape if there are not three or four curves, one is closed or ends at infinity, or its end weights have\n"
-            "not one sign; ToleranceNotReached says how far neighbours' ends lie apart.");
-  build.def("network", [](const py::object& along_u, const py::object& along_v, const py::object& tolerance,
-                          const py::object& cancel) {
+            "not one sign, or if a curve of vectors has weights or jumps; ToleranceNotReached says how far neighbours' ends lie\n"
+            "apart, and which derivative is not that along the next side.");
+  build.def("network", [](const py::object& along_u, const py::object& along_v, const py::object& neighbours,
+                          const py::object& tolerance, const py::object& cancel) {
               const std::vector<NurbsCurve> u = any_curves(along_u, "along_u");
               const std::vector<NurbsCurve> v = any_curves(along_v, "along_v");
+              const auto beyond = neighbours_of(neighbours);
               const auto within = tolerance_of(tolerance);
-              return wrap(unlocked([&] { return splinecore::network(u, v, within); }, cancel));
-            }, py::arg("along_u"), py::arg("along_v"), py::kw_only(), py::arg("tolerance") = py::none(),
-            py::arg("cancel") = py::none(),
+              return wrap(unlocked([&] { return splinecore::network(u, v, within, beyond); }, cancel));
+            }, py::arg("along_u"), py::arg("along_v"), py::kw_only(), py::arg("neighbours") = py::none(),
+            py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
             "The surface through a network of curves of any kinds, each of the first ones meeting each of the others once:\n"
             "(value, error), a NurbsPatch and the largest distance from a curve. The surfaces through either, less the one\n"
             "through their crossings (Gordon 1969; lecture row S21).\n\n"
@@ -41,8 +89,11 @@ void bind_networks(py::module_& module) {
             "parameters at all crossings, or their weights cannot be made one there, they are run through at another pace, as\n"
             "polynomials within half the tolerance, a length, by default 2^-20 of the size; otherwise nothing is rounded, and\n"
             "curves of a patch give it back where they are as many as its control points in one direction. If all curves of\n"
-            "a direction are closed, the surface is. InvalidShape names curves that do not meet once or in the order of the\n"
-            "others, and says how near they come; ToleranceNotReached.");
+            "a direction are closed, the surface is.\n\n"
+            "neighbours are (patch, side, 'G1'): from each the surface goes on, in its tangent planes to 1e-4 radians, over the\n"
+            "outermost curve that lies on that side; curves are polynomials then, and must leave it in these planes.\n\n"
+            "InvalidShape names curves that do not meet once or in the order of the others, and says how near they come, or a\n"
+            "neighbour that lies along none of the outermost curves; ToleranceNotReached.");
 }
 
 }  // namespace bindings

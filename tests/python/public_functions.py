@@ -57,8 +57,9 @@ FUNCTIONS = {
     "build.blend_patches": lambda at: build.blend_patches(
         build.extrude(at.bezier, xyz(at, 0, 0, 1)), "v_end", build.extrude(at.bezier, xyz(at, 0, 0, 1)).transformed(
             np.array([[1, 0, 0, 0], [0, 1, 0, 3 * at.size], [0, 0, 1, 3 * at.size]])), "v_start", "G1"),
-    "build.coons": lambda at: build.coons([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
-        ((0, 0), (1, 0)), ((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0)))]),
+    "build.coons": lambda at: [build.coons([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
+        ((0, 0), (1, 0)), ((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0)))], **across)
+        for across in ({}, {"across": [None] * 4})],
     "build.network": lambda at: build.network(
         [sc.BezierCurve([xyz(at, 0, y), xyz(at, 1, y)]) for y in (0, 1)],
         [sc.BezierCurve([xyz(at, x, 0), xyz(at, x, 1)]) for x in (0, 1)]),

@@ -263,12 +263,17 @@ def blend_patches(
     align: bool = True,
 ) -> NurbsPatch: ...
 def coons(
-    sides: Sequence[_Curve], *, tolerance: float | None = None, cancel: Callable[[], object] | None = None
+    sides: Sequence[_Curve],
+    *,
+    across: Sequence[_Curve | None] | None = None,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
 def network(
     along_u: Sequence[_Curve],
     along_v: Sequence[_Curve],
     *,
+    neighbours: Sequence[_Neighbour] | None = None,
     tolerance: float | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...

@@ -33,9 +33,14 @@ std::vector<NurbsCurve> clamped_curves(std::span<const NurbsCurve> curves) {
   return made;
 }
 
-/// Each begins where the one before it ends.
-void turn(std::vector<NurbsCurve>& loop) {
-  if (distance_to(start_of(loop[0]), loop[1]) < distance_to(end_of(loop[0]), loop[1])) loop[0] = reversed(loop[0]);
+/// Each begins where the one before it ends. @returns which were turned for that
+std::vector<bool> turn(std::vector<NurbsCurve>& loop) {
+  std::vector<bool> is_turned(loop.size());
+  const auto turn_one = [&](std::size_t i) {
+    loop[i] = reversed(loop[i]);
+    is_turned[i] = true;
+  };
+  if (distance_to(start_of(loop[0]), loop[1]) < distance_to(end_of(loop[0]), loop[1])) turn_one(0);
   for (std::size_t i = 1; i < loop.size(); ++i) {
     const glm::dvec3 from = end_of(loop[i - 1]);
     const double kept = distance_of(from, start_of(loop[i]));
@@ -44,8 +49,9 @@ void turn(std::vector<NurbsCurve>& loop) {
     const bool is_last = i + 1 == loop.size();
     const double kept_back = is_last ? distance_of(back, end_of(loop[i])) : 0.0;
     const double other_back = is_last ? distance_of(back, start_of(loop[i])) : 0.0;
-    if (other + other_back < kept + kept_back) loop[i] = reversed(loop[i]);
+    if (other + other_back < kept + kept_back) turn_one(i);
   }
+  return is_turned;
 }
 
 NurbsCurve with_ends(const NurbsCurve& curve, const glm::dvec3& start, const glm::dvec3& end) {
@@ -57,10 +63,10 @@ NurbsCurve with_ends(const NurbsCurve& curve, const glm::dvec3& start, const glm
 
 }  // namespace
 
-Approximation<std::vector<NurbsCurve>> border_loop(std::span<const NurbsCurve> curves, std::optional<double> tolerance) {
+BorderLoop border_loop(std::span<const NurbsCurve> curves, std::optional<double> tolerance) {
   constexpr double kRounding = 0x1p-30;
   std::vector<NurbsCurve> loop = clamped_curves(curves);
-  turn(loop);
+  std::vector<bool> is_turned = turn(loop);
   std::vector<glm::dvec4> all;
   for (const NurbsCurve& curve : loop) all.insert(all.end(), curve.points().begin(), curve.points().end());
   const double most = tolerance.value_or(kRounding * extent(all));
@@ -80,7 +86,7 @@ Approximation<std::vector<NurbsCurve>> border_loop(std::span<const NurbsCurve> c
     error = std::max(error, 0.5 * gap);
   }
   for (std::size_t i = 0; i < count; ++i) loop[i] = with_ends(loop[i], corners[i], corners[(i + 1) % count]);
-  return {std::move(loop), error};
+  return {std::move(loop), std::move(is_turned), most, error};
 }
 
 }  // namespace splinecore

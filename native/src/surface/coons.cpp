@@ -1,8 +1,12 @@
 #include "splinecore/surface/coons.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bicubic_sum.hpp"
 #include "boolean_sum.hpp"
 #include "border_loop.hpp"
 #include "meet/near_space.hpp"
@@ -52,27 +56,87 @@ NurbsPatch with_sides(const NurbsPatch& patch, const NurbsCurve& low, const Nurb
   return patch.with_points(std::move(points));
 }
 
+/// A derivative as vectors of the space, over [0, 1], as the side now runs.
+std::optional<NurbsCurve> entered(const std::optional<NurbsCurve>& across, std::size_t side, bool is_turned, double unit) {
+  if (!across) return {};
+  const std::string name = "across" + index_text(side);
+  if (across->rational()) throw InvalidShape(name + " has weights: it is a curve of vectors");
+  if (across->periodic()) throw InvalidShape(name + " is closed: a side is not");
+  std::vector<glm::dvec4> vectors(across->points().begin(), across->points().end());
+  for (glm::dvec4& p : vectors) p = glm::dvec4(glm::dvec3(p) / unit, 1.0);
+  const NurbsCurve near = over_unit(clamped(across->with_points(std::move(vectors))));
+  return is_turned ? reversed(near) : near;
+}
+
+NurbsCurve negative(const NurbsCurve& vectors) {
+  std::vector<glm::dvec4> points(vectors.points().begin(), vectors.points().end());
+  for (glm::dvec4& p : points) p = glm::dvec4(-glm::dvec3(p), 1.0);
+  return vectors.with_points(std::move(points));
+}
+
+/// A side that goes back along u or v, and whose derivative goes out there.
+LeftBorder opposite(const LeftBorder& border, bool is_back, bool is_out) {
+  LeftBorder made = border;
+  if (is_back) made.curve = reversed(made.curve);
+  if (is_back && made.across) made.across = reversed(*made.across);
+  if (is_out && made.across) made.across = negative(*made.across);
+  return made;
+}
+
+/// @throws ToleranceNotReached for the side that is farthest off
+void require_corners(const CornerMisfits& misfits, double tolerance, double unit) {
+  const std::array off{misfits.along_u[0], misfits.along_v[1], misfits.along_u[1], misfits.along_v[0]};
+  const auto worst = std::ranges::max_element(off);
+  if (*worst * unit <= tolerance) return;
+  throw ToleranceNotReached("the derivative across" + index_text(static_cast<std::size_t>(worst - off.begin())) +
+                                " is not, at an end, the one along the side that meets it there",
+                            tolerance, *worst * unit);
+}
+
 }  // namespace
 
 Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional<double> tolerance) {
   if (sides.size() != 3 && sides.size() != 4) {
     throw InvalidShape(std::to_string(sides.size()) + " sides: three or four are needed");
   }
-  Approximation<std::vector<NurbsCurve>> loop = border_loop(sides, tolerance);
+  BorderLoop loop = border_loop(sides, tolerance);
   std::vector<glm::dvec4> all;
-  for (NurbsCurve& side : loop.value) {
+  for (NurbsCurve& side : loop.curves) {
     side = over_unit(standard_form(side));
     all.insert(all.end(), side.points().begin(), side.points().end());
   }
-  if (loop.value.size() == 3) loop.value.push_back(standing(glm::dvec3(loop.value[2].points().back())));
+  if (loop.curves.size() == 3) loop.curves.push_back(standing(glm::dvec3(loop.curves[2].points().back())));
   const NearSpace space(all);
   std::vector<NurbsCurve> near;
-  for (const NurbsCurve& side : loop.value) near.push_back(side.with_points(space.enter(side.points())));
+  for (const NurbsCurve& side : loop.curves) near.push_back(side.with_points(space.enter(side.points())));
   const NurbsCurve high = reversed(near[2]);
   const NurbsCurve left = reversed(near[3]);
   const NurbsPatch sum = boolean_sum(ruled(near[0], high), swapped(ruled(left, near[1])), bilinear(near[0], high));
   const NurbsPatch patch = sum.with_points(space.leave(sum.points()));
-  return {with_sides(patch, loop.value[0], reversed(loop.value[2]), reversed(loop.value[3]), loop.value[1]), loop.error};
+  return {with_sides(patch, loop.curves[0], reversed(loop.curves[2]), reversed(loop.curves[3]), loop.curves[1]), loop.error};
+}
+
+Approximation<NurbsPatch> bicubic_coons(std::span<const NurbsCurve> sides, std::span<const std::optional<NurbsCurve>> across,
+                                        std::optional<double> tolerance) {
+  if (sides.size() != 4) throw InvalidShape(std::to_string(sides.size()) + " sides: four are needed");
+  if (across.size() != 4) throw InvalidShape("across has " + std::to_string(across.size()) + " values: one for each side is needed");
+  const BorderLoop loop = border_loop(sides, tolerance);
+  std::vector<glm::dvec4> all;
+  for (const NurbsCurve& side : loop.curves) all.insert(all.end(), side.points().begin(), side.points().end());
+  const NearSpace space(all);
+  const double unit = space.length(1.0);
+  std::vector<LeftBorder> near;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const NurbsCurve& side = loop.curves[i];
+    near.push_back({over_unit(side.with_points(space.enter(side.points()))), entered(across[i], i, loop.is_turned[i], unit)});
+  }
+  const BicubicSum sum = bicubic_sum({near[0], opposite(near[2], true, true)}, {opposite(near[3], true, false), opposite(near[1], false, true)});
+  require_corners(sum.misfits, loop.tolerance, unit);
+  const double off = std::max(std::ranges::max(sum.misfits.along_u), std::ranges::max(sum.misfits.along_v));
+  const auto left = [&](const NurbsCurve& curve) { return curve.with_points(space.leave(curve.points())); };
+  const NurbsPatch patch = sum.patch.with_points(space.leave(sum.patch.points()));
+  return {with_sides(patch, left(sum.along_u[0]), left(sum.along_u[1]), left(sum.along_v[0]), left(sum.along_v[1])),
+          std::max(loop.error, unit * std::max(off, sum.misfits.twist))};
 }
 
 }  // namespace splinecore

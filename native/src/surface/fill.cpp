@@ -238,11 +238,11 @@ Filling fill(std::span<const FillSide> sides, const FillOptions& options) {
     curves.push_back(curve_of(near.back()));
   }
   const double tolerance = options.tolerance ? *options.tolerance / unit : 0x1p-20;
-  const Approximation<std::vector<NurbsCurve>> loop = border_loop(curves, tolerance);
+  const BorderLoop loop = border_loop(curves, tolerance);
   Hole hole{{}, sides.size() == 4 ? 1.0 : 0.5};
   for (std::size_t i = 0; i < near.size(); ++i) {
     const auto* neighbour = std::get_if<LoftNeighbour>(&near[i]);
-    hole.sides.emplace_back(loop.value[i], neighbour ? std::optional(*neighbour) : std::nullopt);
+    hole.sides.emplace_back(loop.curves[i], neighbour ? std::optional(*neighbour) : std::nullopt);
   }
   agree_at_corners(hole);
   Filling filling = filled(hole, tolerance, options.angle);

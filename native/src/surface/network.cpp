@@ -1,155 +1,40 @@
 #include "splinecore/surface/network.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "boolean_sum.hpp"
 #include "build/fit_options.hpp"
 #include "fit/row_spline.hpp"
-#include "fitted_together.hpp"
+#include "homogeneous_places.hpp"
 #include "meet/near_space.hpp"
+#include "network_borders.hpp"
 #include "network_curves.hpp"
-#include "pacing.hpp"
+#include "paced_family.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/fit/project.hpp"
 #include "splinecore/patch/isocurve.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// A parameter so near, as a part of the domain, to another one is the same.
-constexpr double kSame = 0x1p-36;
-constexpr double kSameWeight = 0x1p-32;
-
-/// Where the curves of a family are to meet the others: means of where they do, over the domain of the first.
-std::vector<double> wanted_crossings(const NetworkFamily& family) {
-  const Interval domain = family.curves[0].domain();
-  std::vector<double> wanted(family.crossings[0].size(), 0.0);
-  for (std::size_t i = 0; i < family.curves.size(); ++i) {
-    const Interval own = family.curves[i].domain();
-    for (std::size_t j = 0; j < wanted.size(); ++j) {
-      wanted[j] += (family.crossings[i][j] - own.start) / own.length() / static_cast<double>(family.curves.size());
-    }
-  }
-  for (double& u : wanted) u = domain.start + u * domain.length();
-  wanted.front() = domain.start;
-  wanted.back() = domain.end;
-  return wanted;
-}
-
-/// A family over one domain, where it is to meet the others, and whether it does.
-struct Paced {
-  std::vector<NurbsCurve> curves;
-  std::vector<std::vector<double>> given;  ///< crossings, in that domain
-  std::vector<double> wanted;
-  bool is_closed;
-  bool is_there;  ///< all given are as wanted
-};
-
-Paced paced(const NetworkFamily& family) {
-  Paced made{{}, {}, wanted_crossings(family), family.is_closed, true};
-  const Interval domain = family.curves[0].domain();
-  for (std::size_t i = 0; i < family.curves.size(); ++i) {
-    const NurbsCurve& curve = family.curves[i];
-    const Interval own = curve.domain();
-    made.curves.push_back(own == domain ? curve : with_domain(curve, domain));
-    std::vector<double> at;
-    for (std::size_t j = 0; j < made.wanted.size(); ++j) {
-      at.push_back(domain.start + (family.crossings[i][j] - own.start) / own.length() * domain.length());
-      made.is_there = made.is_there && std::abs(at[j] - made.wanted[j]) <= kSame * domain.length();
-    }
-    at.front() = domain.start;
-    at.back() = domain.end;
-    made.given.push_back(std::move(at));
-  }
-  return made;
-}
-
-/// How many of the others a family meets.
-std::size_t count_of_others(const Paced& family) { return family.wanted.size() - (family.is_closed ? 1 : 0); }
-
-/// Homogeneous points of a curve.
-std::vector<glm::dvec4> places_on(const NurbsCurve& curve, std::span<const double> at) {
-  std::vector<glm::dvec4> found(at.size());
-  evaluate_homogeneous(curve, at, found);
-  for (glm::dvec4& p : found) p *= std::ldexp(1.0, curve.weight_exponent());
-  return found;
-}
-
-NurbsCurve with_weights_times(const NurbsCurve& curve, double factor) {
-  if (factor == 1.0) return curve;
-  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
-  for (glm::dvec4& p : points) p = p.w == 0.0 ? factor * p : glm::dvec4(glm::dvec3(p), factor * p.w);
-  return curve.with_points(std::move(points));
-}
-
-/// Multiplies the weights of curves so that they are one where curves meet. @returns whether that can be done
-bool reconcile_weights(Paced& u, Paced& v) {
-  const auto at_u = std::span(u.wanted).first(v.curves.size());
-  const auto at_v = std::span(v.wanted).first(u.curves.size());
-  std::vector<std::vector<glm::dvec4>> on_u;
-  std::vector<std::vector<glm::dvec4>> on_v;
-  for (const NurbsCurve& curve : u.curves) on_u.push_back(places_on(curve, at_u));
-  for (const NurbsCurve& curve : v.curves) on_v.push_back(places_on(curve, at_v));
-  std::vector<double> of_v;
-  for (std::size_t j = 0; j < v.curves.size(); ++j) of_v.push_back(on_u[0][j].w / on_v[j][0].w);
-  std::vector<double> of_u;
-  for (std::size_t i = 0; i < u.curves.size(); ++i) of_u.push_back(of_v[0] * on_v[0][i].w / on_u[i][0].w);
-  for (std::size_t i = 0; i < u.curves.size(); ++i) {
-    for (std::size_t j = 0; j < v.curves.size(); ++j) {
-      const double a = of_u[i] * on_u[i][j].w;
-      const double b = of_v[j] * on_v[j][i].w;
-      if (!(a != 0.0 && std::abs(a - b) <= kSameWeight * std::abs(a))) return false;
-    }
-  }
-  for (std::size_t i = 0; i < u.curves.size(); ++i) u.curves[i] = with_weights_times(u.curves[i], of_u[i]);
-  for (std::size_t j = 0; j < v.curves.size(); ++j) v.curves[j] = with_weights_times(v.curves[j], of_v[j]);
-  return true;
-}
-
-/// The curves of a family as polynomials that meet the others where they are to.
-void repace(Paced& family, double tolerance) {
-  std::vector<Pacing> pacings;
-  for (const auto& given : family.given) pacings.emplace_back(family.wanted, given, family.is_closed);
-  std::vector<double> corners;
-  for (std::size_t i = 0; i < family.curves.size(); ++i) {
-    const Pacing back(family.given[i], family.wanted, family.is_closed);
-    for (const double corner : corners_of({&family.curves[i], 1})) {
-      // Newton's method would need the derivative: the inverse pace is near, and halving finds the rest.
-      double low = family.wanted.front();
-      double high = family.wanted.back();
-      for (int round = 0; round < 60; ++round) {
-        const double middle = 0.5 * (low + high);
-        (pacings[i].at(middle) < corner ? low : high) = middle;
-      }
-      corners.push_back(0.5 * (low + high));
-    }
-  }
-  std::ranges::sort(corners);
-  const FitTogether what{family.curves.size(), 3, family.curves[0].domain(), family.is_closed, corners, tolerance};
-  family.curves = fitted_together(what, [&](std::size_t i, const KnotVector& knots) {
-    const auto function = [&](std::span<const double> at, std::span<glm::dvec3> points) {
-      std::vector<double> paces;
-      for (const double u : at) paces.push_back(pacings[i].at(u));
-      evaluate(family.curves[i], paces, {&points.front().x, 3 * points.size()});
-    };
-    return project(function, knots, true);
-  }).value;
-}
-
 std::vector<double> numbers_of(std::span<const glm::dvec4> row) {
   std::vector<double> numbers;
   for (const glm::dvec4& p : row) numbers.insert(numbers.end(), {p.x, p.y, p.z, p.w});
   return numbers;
 }
+
+using Rows = std::vector<std::vector<double>>;
 
 /// How control points of one direction follow from places along it.
 struct Across {
@@ -158,9 +43,9 @@ struct Across {
   Closing closing;
   std::vector<double> knots;  ///< or none, for averages
 
-  std::vector<glm::dvec4> rows(const std::vector<std::vector<double>>& places, KnotVector& found) const {
-    RowConditions given{parameters, places, {}, {}};
-    const RowSpline spline = spline_through(given, degree, closing, knots);
+  /// @param start, end  derivatives there: one row, or none
+  std::vector<glm::dvec4> rows(const Rows& places, const Rows& start, const Rows& end, KnotVector& found) const {
+    const RowSpline spline = spline_through({parameters, places, start, end}, degree, closing, knots);
     found = spline.knots;
     std::vector<glm::dvec4> points(spline.controls.size() / 4);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -171,13 +56,14 @@ struct Across {
   }
 };
 
-/// With the knots of the curves along it, if as many curves cross as these have control points.
-Across across_by(const Paced& along, const KnotVector& knots) {
+/// With the knots of the curves along it, if as many curves cross as these have control points, and nothing else is asked for.
+Across across_by(const PacedFamily& along, const std::array<std::optional<NurbsCurve>, 2>& leaving) {
+  const KnotVector& knots = along.curves[0].knot_vector();
   const std::size_t count = count_of_others(along);
+  const std::size_t conditions = count + leaving[0].has_value() + leaving[1].has_value();
   Across across{along.wanted, 0, along.is_closed ? Closing::closed : Closing::open, {}};
-  const int most = static_cast<int>(count) - 1;
-  across.degree = std::min(std::max(3, knots.degree()), most);
-  if (static_cast<std::size_t>(knots.count()) != count) return across;
+  across.degree = std::min(std::max(3, knots.degree()), static_cast<int>(conditions) - 1);
+  if (conditions != count || static_cast<std::size_t>(knots.count()) != count) return across;
   across.degree = knots.degree();
   across.knots.assign(knots.knots().begin(), knots.knots().end());
   return across;
@@ -194,39 +80,107 @@ NurbsPatch from_rows(const KnotVector& knots_u, const KnotVector& knots_v, const
   return NurbsPatch::from_homogeneous(knots_u, knots_v, net);
 }
 
-/// The patch through curves along u.
-NurbsPatch through(std::span<const NurbsCurve> curves, const Across& across) {
-  std::vector<std::vector<double>> rows;
-  for (const NurbsCurve& curve : curves) rows.push_back(numbers_of(homogeneous(curve.points())));
-  KnotVector knots = curves[0].knot_vector();
-  const std::vector<glm::dvec4> points = across.rows(rows, knots);
-  return from_rows(curves[0].knot_vector(), knots, points);
+void add_vector(std::vector<double>& row, const glm::dvec3& vector) {
+  row.insert(row.end(), {vector.x, vector.y, vector.z, 0.0});
 }
 
-/// The patch through the crossings alone.
-NurbsPatch through_crossings(const Paced& u, const Paced& v, const Across& along_u, const Across& along_v) {
-  std::vector<std::vector<double>> rows;
+/// The control points of vectors as a row, none without them.
+Rows row_of(const std::optional<NurbsCurve>& vectors) {
+  if (!vectors) return {};
+  std::vector<double> row;
+  for (const glm::dvec4& p : vectors->points()) add_vector(row, glm::dvec3(p));
+  return {row};
+}
+
+/// A vector at a parameter as a row, none without them.
+Rows row_at(const std::optional<NurbsCurve>& vectors, double at) {
+  if (!vectors) return {};
+  glm::dvec3 vector;
+  evaluate(*vectors, {&at, 1}, std::span(&vector.x, 3), {.side = Side::left});
+  std::vector<double> row;
+  add_vector(row, vector);
+  return {row};
+}
+
+/// The patch through curves along u.
+NurbsPatch through(const PacedFamily& family, const Across& across, const std::array<std::optional<NurbsCurve>, 2>& leaving) {
+  Rows rows;
+  for (const NurbsCurve& curve : family.curves) rows.push_back(numbers_of(homogeneous(curve.points())));
+  KnotVector knots = family.curves[0].knot_vector();
+  const std::vector<glm::dvec4> points = across.rows(rows, row_of(leaving[0]), row_of(leaving[1]), knots);
+  return from_rows(family.curves[0].knot_vector(), knots, points);
+}
+
+/// A network and what leaves its borders.
+struct GordonNet {
+  PacedFamily u;
+  PacedFamily v;
+  NetworkBorders borders;
+};
+
+/// Derivatives of the curves along v at one of their ends, and at both ends of u the twists: a row of control points along u.
+std::vector<double> leaving_row(const GordonNet& net, const Across& along_u, std::size_t end) {
+  Rows places;
+  for (const NurbsCurve& curve : net.v.curves) {
+    const Interval domain = curve.domain();
+    const double at[] = {end == 0 ? domain.start : domain.end};
+    glm::dvec3 jet[2];
+    derivatives(curve, at, 1, std::span(&jet[0].x, 6), {.side = end == 0 ? Side::right : Side::left});
+    add_vector(places.emplace_back(), jet[1]);
+  }
+  std::array<Rows, 2> twists;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (net.borders.along_v[i]) add_vector(twists[i].emplace_back(), net.borders.twists[i][end]);
+  }
+  KnotVector knots = net.u.curves[0].knot_vector();
+  return numbers_of(along_u.rows(places, twists[0], twists[1], knots));
+}
+
+/// The patch through the crossings alone, and what the derivatives of both sums have in common.
+NurbsPatch through_crossings(const GordonNet& net, const Across& along_u, const Across& along_v) {
+  const auto& [u, v, borders] = net;
+  Rows rows;
   KnotVector knots_u = u.curves[0].knot_vector();
   for (std::size_t i = 0; i < u.curves.size(); ++i) {
-    const auto on_u = places_on(u.curves[i], std::span(u.wanted).first(v.curves.size()));
-    std::vector<std::vector<double>> places;
+    const auto on_u = homogeneous_places(u.curves[i], std::span(u.wanted).first(v.curves.size()));
+    Rows places;
     for (std::size_t j = 0; j < v.curves.size(); ++j) {
-      const glm::dvec4 on_v = places_on(v.curves[j], std::span(v.wanted).subspan(i, 1))[0];
+      const glm::dvec4 on_v = homogeneous_places(v.curves[j], std::span(v.wanted).subspan(i, 1))[0];
       const glm::dvec4 middle = 0.5 * (on_u[j] + on_v);
       places.push_back({middle.x, middle.y, middle.z, middle.w});
     }
-    rows.push_back(numbers_of(along_u.rows(places, knots_u)));
+    const double at = v.wanted[i];
+    rows.push_back(numbers_of(along_u.rows(places, row_at(borders.along_v[0], at), row_at(borders.along_v[1], at), knots_u)));
+  }
+  std::array<Rows, 2> ends;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (borders.along_u[end]) ends[end].push_back(leaving_row(net, along_u, end));
   }
   KnotVector knots_v = v.curves[0].knot_vector();
-  const std::vector<glm::dvec4> points = along_v.rows(rows, knots_v);
+  const std::vector<glm::dvec4> points = along_v.rows(rows, ends[0], ends[1], knots_v);
   return from_rows(knots_u, knots_v, points);
 }
 
-NurbsPatch summed(const Paced& u, const Paced& v) {
-  const Across along_u = across_by(u, u.curves[0].knot_vector());
-  const Across along_v = across_by(v, v.curves[0].knot_vector());
-  return boolean_sum(through(u.curves, along_v), swapped(through(v.curves, along_u)),
-                     through_crossings(u, v, along_u, along_v));
+NurbsPatch summed(const GordonNet& net) {
+  const Across along_u = across_by(net.u, net.borders.along_v);
+  const Across along_v = across_by(net.v, net.borders.along_u);
+  return boolean_sum(through(net.u, along_v, net.borders.along_u), swapped(through(net.v, along_u, net.borders.along_v)),
+                     through_crossings(net, along_u, along_v));
+}
+
+/// The curves of a family, and what leaves along them, on one knot vector.
+void make_compatible(PacedFamily& family, std::array<std::optional<NurbsCurve>, 2>& leaving) {
+  std::vector<NurbsCurve> all = family.curves;
+  for (const auto& vectors : leaving) {
+    if (vectors) all.push_back(*vectors);
+  }
+  all = compatible(all);
+  auto next = all.begin() + static_cast<std::ptrdiff_t>(family.curves.size());
+  for (auto& vectors : leaving) {
+    if (vectors) vectors = *next++;
+  }
+  all.resize(family.curves.size(), all.front());
+  family.curves = std::move(all);
 }
 
 /// Of a patch of polynomials, whose weights are 1 but for rounding.
@@ -237,7 +191,7 @@ NurbsPatch with_weights_one(const NurbsPatch& patch) {
 }
 
 /// The largest distance of curves from the lines of the patch on which they are to lie.
-double distance_from(const NurbsPatch& patch, const Paced& family, std::span<const double> others, Axis axis) {
+double distance_from(const NurbsPatch& patch, const PacedFamily& family, std::span<const double> others, Axis axis) {
   constexpr int kPlaces = 129;
   const Interval domain = family.curves[0].domain();
   std::vector<double> at;
@@ -265,11 +219,34 @@ std::vector<glm::dvec4> points_of(std::span<const NurbsCurve> a, std::span<const
   return all;
 }
 
+bool is_rational(const PacedFamily& family) { return std::ranges::any_of(family.curves, &NurbsCurve::rational); }
+
+/// Lets curves meet at the same parameters with the same weights, as polynomials where that is so wanted or the only way:
+/// then so near that directions hardly change.
+void let_meet(GordonNet& net, bool as_polynomials, double tolerance) {
+  const double within = as_polynomials ? 0x1p-9 * tolerance : 0.5 * tolerance;
+  const bool are_there = net.u.is_there && net.v.is_there;
+  const bool are_polynomials = !is_rational(net.u) && !is_rational(net.v);
+  if (are_there && (are_polynomials || (!as_polynomials && reconcile_weights(net.u, net.v)))) return;
+  for (PacedFamily* family : {&net.u, &net.v}) {
+    if (is_rational(*family) || !family->is_there) repace(*family, within);
+  }
+}
+
+void require_neighbours(std::span<const LoftNeighbour> neighbours) {
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    if (neighbours[i].continuity == 1) continue;
+    throw InvalidShape("neighbours" + index_text(i) + " has continuity " + std::to_string(neighbours[i].continuity) +
+                       ": a network goes on with tangent planes, 1");
+  }
+}
+
 }  // namespace
 
 Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
-                                  std::optional<double> tolerance) {
+                                  std::optional<double> tolerance, std::span<const LoftNeighbour> neighbours) {
   if (tolerance) require_tolerance(*tolerance);
+  require_neighbours(neighbours);
   const std::vector<glm::dvec4> all = points_of(along_u, along_v);
   const NearSpace space(all);
   const auto entered = [&](std::span<const NurbsCurve> curves) {
@@ -277,23 +254,22 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
     for (const NurbsCurve& curve : curves) near.push_back(curve.with_points(space.enter(curve.points())));
     return near;
   };
+  std::vector<LoftNeighbour> beyond(neighbours.begin(), neighbours.end());
+  for (LoftNeighbour& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
   const double within = tolerance ? *tolerance / space.length(1.0) : 0x1p-20;
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within);
-  Paced u = paced(curves.u);
-  Paced v = paced(curves.v);
-  if (!(u.is_there && v.is_there && reconcile_weights(u, v))) {
-    for (Paced* family : {&u, &v}) {
-      const bool is_rational = std::ranges::any_of(family->curves, &NurbsCurve::rational);
-      if (is_rational || !family->is_there) repace(*family, 0.5 * within);
-    }
+  GordonNet net{paced(curves.u), paced(curves.v), {}};
+  let_meet(net, !beyond.empty(), within);
+  net.borders = network_borders(net.u, net.v, beyond, within);
+  make_compatible(net.u, net.borders.along_u);
+  make_compatible(net.v, net.borders.along_v);
+  NurbsPatch patch = summed(net);
+  if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
+  const double error =
+      std::max(distance_from(patch, net.u, net.v.wanted, Axis::v), distance_from(patch, net.v, net.u.wanted, Axis::u));
+  if (!beyond.empty() && error > within) {
+    throw ToleranceNotReached("a curve does not leave a neighbour in its tangent plane", space.length(within), space.length(error));
   }
-  u.curves = compatible(u.curves);
-  v.curves = compatible(v.curves);
-  NurbsPatch patch = summed(u, v);
-  if (!std::ranges::any_of(u.curves, &NurbsCurve::rational) && !std::ranges::any_of(v.curves, &NurbsCurve::rational)) {
-    patch = with_weights_one(patch);
-  }
-  const double error = std::max(distance_from(patch, u, v.wanted, Axis::v), distance_from(patch, v, u.wanted, Axis::u));
   return {patch.with_points(space.leave(patch.points())), space.length(error)};
 }
 

@@ -8,6 +8,7 @@
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
+#include "splinecore/surface/loft.hpp"
 
 namespace splinecore {
 
@@ -22,9 +23,14 @@ namespace splinecore {
 /// @param along_u    two or more; if all are closed, the surface is periodic in u
 /// @param along_v    two or more, likewise
 /// @param tolerance  how far curves may pass one another, and the surface lie from them; none: 2^-20 of their size
+/// @param neighbours  patches from whose tangent planes, to 1e-4 radians, the surface goes on, with continuity 1, over an outermost curve that
+///                    lies on their side; curves are then run through as polynomials. The strength is not used
 /// @returns the surface, and the largest distance from the curves at places of them all
-/// @throws InvalidShape naming the curves that do not meet once, or cross in another order; ToleranceNotReached.
+/// @throws InvalidShape naming the curves that do not meet once, or cross in another order, or a neighbour beside none of the
+///         outermost curves, or one over which a curve turns back; ToleranceNotReached, also where curves do not leave a
+///         neighbour in its tangent planes.
 Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
-                                  std::optional<double> tolerance = {});
+                                  std::optional<double> tolerance = {},
+                                  std::span<const LoftNeighbour> neighbours = {});
 
 }  // namespace splinecore

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+
+#include "paced_family.hpp"
+#include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/surface/loft.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// The derivatives across a network's borders that have a neighbour, in its tangent planes: vectors as points of curves.
+struct NetworkBorders {
+  std::array<std::optional<NurbsCurve>, 2> along_u;   ///< by v, along the first and the last curve of u
+  std::array<std::optional<NurbsCurve>, 2> along_v;   ///< by u, along those of v
+  std::array<std::array<glm::dvec3, 2>, 2> twists{};  ///< [end of u][end of v], where both borders have one
+};
+
+/// They end, where curves cross a border, in the parts of these curves' derivatives in the tangent plane there.
+/// @param u, v       all polynomials
+/// @param tolerance  how far a neighbour's side may be from an outermost curve
+/// @throws InvalidShape naming a neighbour that lies along no outermost curve, has no tangent plane, or over which a curve
+///         turns back
+NetworkBorders network_borders(const PacedFamily& u, const PacedFamily& v, std::span<const LoftNeighbour> neighbours,
+                               double tolerance);
+
+}  // namespace splinecore
+#pragma GCC visibility pop

@@ -1,0 +1,119 @@
+#include "paced_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "fitted_together.hpp"
+#include "homogeneous_places.hpp"
+#include "pacing.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/fit/project.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A parameter so near, as a part of the domain, to another one is the same.
+constexpr double kSame = 0x1p-36;
+constexpr double kSameWeight = 0x1p-32;
+
+/// Where the curves of a family are to meet the others: means of where they do, over the domain of the first.
+std::vector<double> wanted_crossings(const NetworkFamily& family) {
+  const Interval domain = family.curves[0].domain();
+  std::vector<double> wanted(family.crossings[0].size(), 0.0);
+  for (std::size_t i = 0; i < family.curves.size(); ++i) {
+    const Interval own = family.curves[i].domain();
+    for (std::size_t j = 0; j < wanted.size(); ++j) {
+      wanted[j] += (family.crossings[i][j] - own.start) / own.length() / static_cast<double>(family.curves.size());
+    }
+  }
+  for (double& u : wanted) u = domain.start + u * domain.length();
+  wanted.front() = domain.start;
+  wanted.back() = domain.end;
+  return wanted;
+}
+
+NurbsCurve with_weights_times(const NurbsCurve& curve, double factor) {
+  if (factor == 1.0) return curve;
+  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
+  for (glm::dvec4& p : points) p = p.w == 0.0 ? factor * p : glm::dvec4(glm::dvec3(p), factor * p.w);
+  return curve.with_points(std::move(points));
+}
+
+}  // namespace
+
+PacedFamily paced(const NetworkFamily& family) {
+  PacedFamily made{{}, {}, wanted_crossings(family), family.is_closed, true};
+  const Interval domain = family.curves[0].domain();
+  for (std::size_t i = 0; i < family.curves.size(); ++i) {
+    const NurbsCurve& curve = family.curves[i];
+    const Interval own = curve.domain();
+    made.curves.push_back(own == domain ? curve : with_domain(curve, domain));
+    std::vector<double> at;
+    for (std::size_t j = 0; j < made.wanted.size(); ++j) {
+      at.push_back(domain.start + (family.crossings[i][j] - own.start) / own.length() * domain.length());
+      made.is_there = made.is_there && std::abs(at[j] - made.wanted[j]) <= kSame * domain.length();
+    }
+    at.front() = domain.start;
+    at.back() = domain.end;
+    made.given.push_back(std::move(at));
+  }
+  return made;
+}
+
+bool reconcile_weights(PacedFamily& u, PacedFamily& v) {
+  const auto at_u = std::span(u.wanted).first(v.curves.size());
+  const auto at_v = std::span(v.wanted).first(u.curves.size());
+  std::vector<std::vector<glm::dvec4>> on_u;
+  std::vector<std::vector<glm::dvec4>> on_v;
+  for (const NurbsCurve& curve : u.curves) on_u.push_back(homogeneous_places(curve, at_u));
+  for (const NurbsCurve& curve : v.curves) on_v.push_back(homogeneous_places(curve, at_v));
+  std::vector<double> of_v;
+  for (std::size_t j = 0; j < v.curves.size(); ++j) of_v.push_back(on_u[0][j].w / on_v[j][0].w);
+  std::vector<double> of_u;
+  for (std::size_t i = 0; i < u.curves.size(); ++i) of_u.push_back(of_v[0] * on_v[0][i].w / on_u[i][0].w);
+  for (std::size_t i = 0; i < u.curves.size(); ++i) {
+    for (std::size_t j = 0; j < v.curves.size(); ++j) {
+      const double a = of_u[i] * on_u[i][j].w;
+      const double b = of_v[j] * on_v[j][i].w;
+      if (!(a != 0.0 && std::abs(a - b) <= kSameWeight * std::abs(a))) return false;
+    }
+  }
+  for (std::size_t i = 0; i < u.curves.size(); ++i) u.curves[i] = with_weights_times(u.curves[i], of_u[i]);
+  for (std::size_t j = 0; j < v.curves.size(); ++j) v.curves[j] = with_weights_times(v.curves[j], of_v[j]);
+  return true;
+}
+
+void repace(PacedFamily& family, double tolerance) {
+  std::vector<Pacing> pacings;
+  for (const auto& given : family.given) pacings.emplace_back(family.wanted, given, family.is_closed);
+  std::vector<double> corners;
+  for (std::size_t i = 0; i < family.curves.size(); ++i) {
+    const Pacing back(family.given[i], family.wanted, family.is_closed);
+    for (const double corner : corners_of({&family.curves[i], 1})) {
+      // Newton's method would need the derivative: the inverse pace is near, and halving finds the rest.
+      double low = family.wanted.front();
+      double high = family.wanted.back();
+      for (int round = 0; round < 60; ++round) {
+        const double middle = 0.5 * (low + high);
+        (pacings[i].at(middle) < corner ? low : high) = middle;
+      }
+      corners.push_back(0.5 * (low + high));
+    }
+  }
+  std::ranges::sort(corners);
+  const FitTogether what{family.curves.size(), 3, family.curves[0].domain(), family.is_closed, corners, tolerance};
+  family.curves = fitted_together(what, [&](std::size_t i, const KnotVector& knots) {
+    const auto function = [&](std::span<const double> at, std::span<glm::dvec3> points) {
+      std::vector<double> paces;
+      for (const double u : at) paces.push_back(pacings[i].at(u));
+      evaluate(family.curves[i], paces, {&points.front().x, 3 * points.size()});
+    };
+    return project(function, knots, true);
+  }).value;
+}
+
+}  // namespace splinecore
