@@ -189,6 +189,33 @@ def test_the_surface_has_the_curves_for_borders(kind):
         assert patch.nearest(points).distances.max() < 1e-3
 
 
+def beside_a_hole():
+    """A paraboloid beside a hole, and curves of the same one round the hole."""
+    def through(*places):
+        return add(line(*((x, y, 0.1 * (x * x + y * y)) for x, y in places)), "curve")
+    net = [[(x, y, 0.1 * (square_x + square_y)) for y, square_y in ((0, 0), (1, 0), (2, 4))]
+           for x, square_x in ((-1, 1), (-0.5, 0), (0, 0))]
+    return add(sc.BezierPatch(net), "beside"), [
+        *(through((x, 0), (x, 1), (x, 2)) for x in (0, 3)), *(through((0, y), (1.5, y), (3, y)) for y in (0, 2))]
+
+
+def test_a_network_goes_on_from_a_surface_and_says_how_well():
+    beside, curves = beside_a_hole()
+    ob = make('network', *curves, beside)
+    assert "angle" in recipes.read(ob.data).said and "to surfaces beside it" in recipes.read(ob.data).said
+    patch, other = ob.data.splinewright.value, beside.data.splinewright.value
+    assert part('core.neighbours').angle_to(patch, [(other, 'u_end', 'G1')], 1e-3) < 2e-4
+    apart = make('network', *curves).data.splinewright.value
+    assert part('core.neighbours').angle_to(apart, [(other, 'u_end', 'G1')], 1e-3) > 2e-3
+
+
+def test_a_surface_that_is_not_beside_a_network_is_refused():
+    curves = frame()
+    activate(*curves, add(sc.build.plane((20, 0, 0), (1, 0, 0), (0, 1, 0)), "far"))
+    with pytest.raises(RuntimeError, match="surface 1 has no side on which a curve lies"):
+        op(bpy.ops.splinewright.add_network)
+
+
 def test_a_curve_of_a_network_that_misses_the_others_is_named():
     curves = [*frame(), add(line((0, 0, 9), (1, 0, 9)), "astray")]
     activate(*curves)

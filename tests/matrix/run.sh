@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Packs one zip with a module for every Python, and runs the Blender tests with that very file: all of them on the Blender
-# of Debian 12 (this system); all but those that no version changes on that of Debian 13 and of Debian unstable; every second
-# one of these on each official build but 5.1. Each window is opened on one of Debian's three.
+# of Debian 12 (this system); those that a version may change shared by that of Debian 13 and that of Debian unstable, and
+# once more by the official builds but 5.1. Each window is opened on one of Debian's three.
 #   run.sh BUILD CACHE           CACHE keeps the roots of the other releases and the official builds
 #   run.sh BUILD CACHE full      all of it everywhere, with modules by each release's own compiler
 #   run.sh BUILD CACHE plan      only says which official builds there are
@@ -65,30 +65,33 @@ windows_of() {
 # Tests that no version changes.
 of_any_version() { sed -nE 's/^(test_\w+\.py).*/\1/p' "$here/any_version.txt" | tr '\n' ' '; }
 
-test_debian() {
-  local without= windows
-  windows=$(windows_of "$1" | tr '\n' ' ')
-  [ "$how" = full ] || [ "$1" = bookworm ] || without=$(of_any_version)
-  heading "Debian $1"
-  [ "$how" = full ] || echo "with $(wc -w <<<"$windows") of the windows, without $(wc -w <<<"$without") files: ./run matrix full has all"
-  if [ "$1" = bookworm ]; then
-    attempt "Debian $1" "$here/../blender/run.sh" "$build/$zip" "$build/blender"
-    (cd "$project" && "$here/../gui/run.sh" "$build/$zip" "$build/gui" $windows) || failed+=("Debian $1, windows")
-  else
-    attempt "Debian $1" in_root "$1" sh -c "cd /project && SHARED_WITHOUT='$without' tests/blender/run.sh $inside/$zip \
-      $inside/blender-$1"
-    attempt "Debian $1, windows" in_root "$1" sh -c "cd /project && tests/gui/run.sh $inside/$zip $inside/gui-$1 $windows"
-  fi
-}
-
-# Every second test that a version may change is left out: of the even ones or of the odd ones.
-every_second() {
+# share_of TURN COUNT: the tests that one of COUNT Blenders leaves to the others.
+share_of() {
   local i=0 name known; known=" $(of_any_version)"
   for name in "$project"/tests/blender/test_*.py; do
     name=$(basename "$name")
     if [[ $known = *" $name "* ]]; then echo "$name"; continue; fi
-    [ $((i++ % 2)) = "$1" ] || echo "$name"
+    [ $((i++ % $2)) = "$1" ] || echo "$name"
   done | tr '\n' ' '
+}
+
+said_of_share() { [ "$how" = full ] || echo "without $(wc -w <<<"$1") files, which other Blenders have: ./run matrix full has all"; }
+
+test_debian() {
+  local suite=$1 turn=$2 without= windows
+  windows=$(windows_of "$suite" | tr '\n' ' ')
+  [ "$how" = full ] || [ "$suite" = bookworm ] || without=$(share_of "$turn" ${#suites[@]})
+  heading "Debian $suite"
+  [ "$how" = full ] || echo "with $(wc -w <<<"$windows") of the windows"
+  said_of_share "$without"
+  if [ "$suite" = bookworm ]; then
+    attempt "Debian $suite" "$here/../blender/run.sh" "$build/$zip" "$build/blender"
+    (cd "$project" && "$here/../gui/run.sh" "$build/$zip" "$build/gui" $windows) || failed+=("Debian $suite, windows")
+  else
+    attempt "Debian $suite" in_root "$suite" sh -c "cd /project && SHARED_WITHOUT='$without' tests/blender/run.sh $inside/$zip \
+      $inside/blender-$suite"
+    attempt "Debian $suite, windows" in_root "$suite" sh -c "cd /project && tests/gui/run.sh $inside/$zip $inside/gui-$suite $windows"
+  fi
 }
 
 # official_build VERB VERSION RELEASE: leaves what it is, or why it is not, in $made.
@@ -107,8 +110,8 @@ test_official() {
   heading "$made"
   case $code in 0) ;; 3 | 4) return ;; *) failed+=("Blender $version"); return ;; esac
   local program=official/$version/blender without=
-  [ "$how" = full ] || without=$(every_second "$turn")
-  [ -z "$without" ] || echo "without $(wc -w <<<"$without") files, which other builds have: ./run matrix full has all"
+  [ "$how" = full ] || without=$(share_of "$turn" $((${#official[@]} - 1)))
+  said_of_share "$without"
   if [ "$release" = bookworm ]; then
     "$here/official.sh" program "$folder" "$project" "$build/$program"
     BLENDER=$build/$program SHARED_WITHOUT=$without attempt "$made" "$here/../blender/run.sh" "$build/$zip" "$build/official/$version"
@@ -154,7 +157,8 @@ rm -f "$build"/splinewright-*.zip
 zip=$(basename "$build"/splinewright-*.zip)
 echo "Packed $zip with $(ls "$build"/modules | wc -l) modules: $(ls "$build"/modules | tr "\n" " ")"
 
-for suite in bookworm "${suites[@]}"; do test_debian "$suite"; done
+test_debian bookworm 0
+for turn in "${!suites[@]}"; do test_debian "${suites[turn]}" "$turn"; done
 [ -z "$unstable" ] || { heading "Debian unstable"; echo "$unstable"; }
 turn=0
 for entry in "${official[@]}"; do
@@ -163,7 +167,7 @@ for entry in "${official[@]}"; do
     echo "./run matrix full alone tries it"
     continue
   fi
-  test_official "${entry%:*}" "${entry#*:}" $((turn++ % 2))
+  test_official "${entry%:*}" "${entry#*:}" $((turn++))
 done
 
 [ ${#failed[@]} -eq 0 ] || { printf '\nFailed:\n'; printf '  %s\n' "${failed[@]}"; exit 1; }

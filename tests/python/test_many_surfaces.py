@@ -12,19 +12,22 @@ COUNT = 1000
 REFUSED = (sc.InvalidShape, sc.ToleranceNotReached, sc.PointAtInfinity)
 
 
-def made_of(seed, make, check, least, count=COUNT):
+@pytest.fixture
+def made_of(inputs):
     """Makes so many; at least such a part of them is made, and each is checked."""
-    rng, made = np.random.default_rng(seed), 0
-    for index in range(count):
-        given = make(rng, index)
-        try:
-            found = check(*given)
-        except REFUSED as error:
-            assert len(str(error)) > 10
-            continue
-        assert found, (seed, index)
-        made += 1
-    assert made >= least * count, made
+    def make_all(seed, make, check, least, count=COUNT):
+        rng, made, count = np.random.default_rng(seed), 0, inputs(count)
+        for index in range(count):
+            given = make(rng, index)
+            try:
+                found = check(*given)
+            except REFUSED as error:
+                assert len(str(error)) > 10
+                continue
+            assert found, (seed, index)
+            made += 1
+        assert made >= least * count, made
+    return make_all
 
 
 def smooth_curve(rng, size=10.0, degree=None, closed=False, rational=None):
@@ -64,7 +67,7 @@ def grid(patch, count=5):
     return patch.evaluate_grid(*(np.linspace(*domain, count) for domain in patch.domain)).reshape(-1, 3)
 
 
-def test_lofts_go_through_their_sections():
+def test_lofts_go_through_their_sections(made_of):
     """Of any kinds: with gaps, through infinity and with weights of both signs, too."""
     def make(rng, index):
         if index % 2:
@@ -86,7 +89,7 @@ def test_lofts_go_through_their_sections():
     made_of(1, make, check, 0.5)
 
 
-def test_pipes_keep_their_distance():
+def test_pipes_keep_their_distance(made_of):
     def check(axis, radius):
         patch, = build.pipe(axis, radius, tolerance=1e-4).value
         return np.abs(axis.nearest(grid(patch, 9)).distances - radius).max() <= 1e-4
@@ -94,7 +97,7 @@ def test_pipes_keep_their_distance():
     made_of(2, lambda rng, index: (arm(rng), float(rng.uniform(0.02, 0.2))), check, 0.9)
 
 
-def test_sweeps_begin_and_end_with_their_section():
+def test_sweeps_begin_and_end_with_their_section(made_of):
     def given(rng, index):
         section = smooth_curve(rng, 0.5, closed=bool(rng.random() < 0.5))
         flat = section.points * (1, 1, 0)
@@ -112,7 +115,7 @@ def test_sweeps_begin_and_end_with_their_section():
     made_of(3, given, check, 0.9)
 
 
-def test_isocurves_of_a_patch_give_it_back_as_a_network():
+def test_isocurves_of_a_patch_give_it_back_as_a_network(made_of):
     def check(patch):
         along_u = [patch.isocurve('v', v) for v in np.linspace(*patch.domain[1], 4)]
         along_v = [patch.isocurve('u', u) for u in np.linspace(*patch.domain[0], 4)]
@@ -122,7 +125,7 @@ def test_isocurves_of_a_patch_give_it_back_as_a_network():
     made_of(4, lambda rng, index: (hill(rng),), check, 0.7, COUNT // 2)
 
 
-def test_coons_patches_have_their_sides():
+def test_coons_patches_have_their_sides(made_of):
     def check(patch):
         sides = [patch.boundary(side) for side in ('v_start', 'u_end', 'v_end', 'u_start')]
         made = build.coons(sides).value
@@ -132,7 +135,7 @@ def test_coons_patches_have_their_sides():
     made_of(5, lambda rng, index: (hill(rng),), check, 0.99)
 
 
-def test_blends_go_on_from_both():
+def test_blends_go_on_from_both(made_of):
     def check(first, second, continuity):
         far = second.transformed(np.array([[1, 0, 0, 7.0], [0, 1, 0, 0], [0, 0, 1, 1.0]]))
         made = build.blend_patches(first, 'u_end', far, 'u_start', continuity)
@@ -142,7 +145,7 @@ def test_blends_go_on_from_both():
     made_of(6, lambda rng, index: (hill(rng), hill(rng), str(rng.choice(['G0', 'G1', 'G2', 'G3']))), check, 0.9)
 
 
-def test_matched_sides_go_on():
+def test_matched_sides_go_on(made_of):
     def check(first, second, continuity):
         far = second.transformed(np.array([[1, 0, 0, 4.2], [0, 1, 0, 0], [0, 0, 1, 0.1]]))
         made = build.match_patch(first, 'u_end', far, 'u_start', continuity).value
@@ -152,7 +155,7 @@ def test_matched_sides_go_on():
     made_of(7, lambda rng, index: (hill(rng), hill(rng), str(rng.choice(['G0', 'G1', 'G2']))), check, 0.4)
 
 
-def test_longer_patches_are_the_same_where_they_were():
+def test_longer_patches_are_the_same_where_they_were(made_of):
     def check(patch, side, how):
         made = build.extend_patch(patch, side, 0.3, how)
         u, v = (np.linspace(*domain, 5) for domain in patch.domain)
@@ -162,7 +165,7 @@ def test_longer_patches_are_the_same_where_they_were():
                                    ('natural', 'straight')[index % 2]), check, 0.9)
 
 
-def test_offsets_keep_their_distance():
+def test_offsets_keep_their_distance(made_of):
     def check(patch, distance):
         made = build.offset_patch(patch, distance, tolerance=1e-3).value
         points, normals = patch.evaluate_grid_with_normals(*(np.linspace(*domain, 15) for domain in patch.domain))
@@ -172,7 +175,7 @@ def test_offsets_keep_their_distance():
     made_of(9, lambda rng, index: (hill(rng), float(rng.uniform(-0.1, 0.1))), check, 0.8)
 
 
-def test_thick_ones_are_closed():
+def test_thick_ones_are_closed(made_of):
     def check(patch, distance):
         made = build.thicken(patch, 0.0, distance, tolerance=1e-3).value
         return sc.PatchSet.from_patches(list(made)).edge_counts()['free'] == 0
@@ -180,7 +183,7 @@ def test_thick_ones_are_closed():
     made_of(10, lambda rng, index: (hill(rng), float(rng.uniform(0.01, 0.1))), check, 0.8, COUNT // 2)
 
 
-def test_rounded_edges_touch_both():
+def test_rounded_edges_touch_both(made_of):
     def check(length, opening, radius):
         floor = build.plane((0, 0, 0), (length, 0, 0), (0, 3, 0))
         wall = build.plane((0, 0, 0), (length, 0, 0), (0, 3 * np.cos(opening), 3 * np.sin(opening)))
@@ -193,7 +196,7 @@ def test_rounded_edges_touch_both():
             check, 0.95)
 
 
-def test_meshes_become_smooth_patches():
+def test_meshes_become_smooth_patches(made_of):
     def make(rng, index):
         rows, columns = rng.integers(2, 5, 2)
         points = [(i + rng.uniform(-.2, .2), j + rng.uniform(-.2, .2), rng.normal(0, 0.2)) for i in range(rows) for j in range(columns)]
@@ -210,7 +213,7 @@ def test_meshes_become_smooth_patches():
 
 
 @pytest.mark.parametrize("count", [3, 4, 5])
-def test_holes_are_filled_to_their_sides(count):
+def test_holes_are_filled_to_their_sides(made_of, count):
     def make(rng, index):
         corners = [3 * np.array([np.cos(a), np.sin(a), 0]) + rng.uniform(-0.4, 0.4, 3)
                    for a in 2 * np.pi * np.arange(count) / count]
@@ -228,7 +231,7 @@ def test_holes_are_filled_to_their_sides(count):
     made_of(13 + count, make, check, 0.9, COUNT // 10)
 
 
-def test_weights_of_any_sign_are_refused_or_right():
+def test_weights_of_any_sign_are_refused_or_right(made_of):
     """Rows that run through infinity have no size: nothing but sentences may come of them."""
     def check(curve):
         build.loft([curve, curve.transformed(np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3.0]]))])

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from .. import decimals, holes, rails, sections, verbs
+from .. import decimals, holes, neighbours, rails, sections, verbs
 from ..failures import Refusal
 from ..library import sc
 from .recipe import Parameter, Recipe, Result
@@ -86,9 +86,15 @@ def _first_radii(inputs):
 
 
 def _network(inputs, tolerance, cancel=None):
-    curves = [_one_curve(definition) for definition in inputs]
+    curves = [_one_curve(definition) for definition in inputs if definition.has_curves]
+    beside = neighbours.beside([verbs.pieces_of(definition) for definition in inputs if not definition.has_curves], curves,
+                               tolerance)
     along_u, along_v = sections.families(curves, tolerance)
-    return _within(sc.build.network(along_u, along_v, tolerance=tolerance, cancel=cancel))
+    found = sc.build.network(along_u, along_v, neighbours=beside, tolerance=tolerance, cancel=cancel)
+    if not beside:
+        return _within(found)
+    angle = neighbours.angle_to(found.value, beside, tolerance)
+    return Result(found.value, found.error, f"angle {_degrees(angle)}° to surfaces beside it")
 
 
 def _filling(inputs, continuity, tolerance, cancel=None):
@@ -100,10 +106,13 @@ def _filling(inputs, continuity, tolerance, cancel=None):
     return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), found.gap, said)
 
 
+def _degrees(angle):
+    return decimals.text_of(math.degrees(angle), 2) if angle > 1e-9 else "0"
+
+
 def _gone_on(filling):
     """How it goes on from its sides, and its patches from each other, in words."""
-    angle, inner = (decimals.text_of(math.degrees(number), 2) if number > 1e-9 else "0"
-                    for number in (filling.angle, filling.inner_angle))
+    angle, inner = map(_degrees, (filling.angle, filling.inner_angle))
     bend = decimals.text_of(filling.curvature_difference, 2) if filling.curvature_difference > 1e-9 else "0"
     return f"angle {angle}° to them, {inner}° inside, curvatures differ by {bend}"
 
@@ -147,12 +156,13 @@ FROM_CURVES = (
             Parameter("caps", "Caps", "What closes its ends", "none", choices=_CAPS), _TOLERANCE),
            _pipe, is_surface=True, resolution=8, inputs=("one curve",), is_measured=True, takes_cancel=True,
            first_values=_first_radii),
-    Recipe("network", "Surface of a Network",
-           "The surface on which curves lie that run across each other, in any order; it follows them", (_TOLERANCE,),
-           _network, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, is_measured=True,
-           takes_cancel=True),
 )
 FROM_BOTH = (
+    Recipe("network", "Surface of a Network",
+           "The surface on which curves lie that run across each other, in any order; from surfaces on whose sides its outermost "
+           "curves lie it goes on with their tangent planes; it follows them", (_TOLERANCE,),
+           _network, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more"), has_more=True,
+           is_measured=True, takes_cancel=True),
     Recipe("filling", "Fill",
            "The surface in a hole of three to eight sides, curves and surfaces in any order, that goes on from these; it follows them",
            (Parameter("continuity", "Continuity", "What it shares with surfaces along their sides", "G1", choices=(
