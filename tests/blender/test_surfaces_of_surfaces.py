@@ -2,6 +2,7 @@
 
 import math
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -118,6 +119,33 @@ def test_a_cube_becomes_the_surface_to_which_it_is_subdivided_and_follows_it():
     bpy.context.view_layer.update()
     assert ob.data.splinewright.value != value and not follow.problem(ob.data)
     require_exact(ob)
+
+
+def crease(mesh, of):
+    """The first edge or vertex of a mesh."""
+    if part('bridge.versions').marks_are_attributes:
+        mesh.attributes.new(f"crease_{of}", 'FLOAT', 'EDGE' if of == 'edge' else 'POINT').data[0].value = 1.0
+        return
+    bm = bmesh.new()
+    bm.from_mesh(mesh)
+    items = bm.edges if of == 'edge' else bm.verts
+    layer = items.layers.crease.verify()
+    items.ensure_lookup_table()
+    items[0][layer] = 1.0
+    bm.to_mesh(mesh)
+    bm.free()
+
+
+@pytest.mark.parametrize('of', ('edge', 'vert'))
+def test_creases_are_no_corners_and_that_is_said(of):
+    smooth = make('of_mesh', mesh_of('cube'))
+    assert "crease" not in recipes.read(smooth.data).said
+    cube = mesh_of('cube')
+    crease(cube.data, of)
+    creased = make('of_mesh', cube)
+    assert "creases count as smooth" in recipes.read(creased.data).said
+    assert all(np.array_equal(a.points, b.points)
+               for a, b in zip(smooth.data.splinewright.value, creased.data.splinewright.value))
 
 
 def test_a_grid_is_one_surface_of_regular_patches_and_a_mesh_without_faces_none():

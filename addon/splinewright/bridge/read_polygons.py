@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..core.polygons import Polygons, require_faces
-from . import shape
+from . import shape, versions
 
 
 def is_mesh(ob):
@@ -23,4 +23,17 @@ def polygons_of(ob, matrix):
     corners = np.empty(len(mesh.loops), np.int32)
     mesh.loops.foreach_get('vertex_index', corners)
     points = points.reshape(-1, 3).astype(np.float64)
-    return Polygons(points @ matrix[:3, :3].T + matrix[:3, 3], starts, corners)
+    return Polygons(points @ matrix[:3, :3].T + matrix[:3, 3], starts, corners, _has_creases(mesh))
+
+
+def _has_creases(mesh):
+    if versions.marks_are_attributes:
+        layers = [mesh.attributes[name].data for name in ('crease_edge', 'crease_vert') if name in mesh.attributes]
+        return any(_is_above_0(layer, 'value') for layer in layers)
+    return _is_above_0(mesh.edges, 'crease') or any(_is_above_0(layer.data, 'value') for layer in mesh.vertex_creases)
+
+
+def _is_above_0(items, name):
+    values = np.zeros(len(items), np.float32)
+    items.foreach_get(name, values)
+    return bool((values > 0.0).any())

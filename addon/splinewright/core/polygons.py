@@ -16,6 +16,7 @@ class Polygons(NamedTuple):
     points: np.ndarray                  # (n, 3) float64
     starts: np.ndarray                  # (faces + 1,) int: where the corners of each face begin in `corners`
     corners: np.ndarray                 # (m,) int: numbers of points
+    has_creases: bool = False           # of edges or points
 
     @property
     def faces(self):

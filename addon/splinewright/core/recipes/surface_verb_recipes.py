@@ -101,6 +101,8 @@ def _of_mesh(inputs, cancel=None):
     said = f"{len(found.patches)} patches"
     if irregular:
         said += f", {irregular} of them about extraordinary points, angle {_short(math.degrees(found.angle))}° between them"
+    if polygons.has_creases:
+        said += "; creases count as smooth"
     return _as_result(list(found.patches), 0.0, said)
 
 
