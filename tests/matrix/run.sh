@@ -5,6 +5,7 @@
 #   run.sh BUILD CACHE           CACHE keeps the roots of the other releases and the official builds
 #   run.sh BUILD CACHE full      all of it everywhere, with modules by each release's own compiler
 #   run.sh BUILD CACHE plan      only says which official builds there are
+#   run.sh BUILD CACHE prepare   only makes the roots and the official builds; a run that begins meanwhile waits for that
 set -euo pipefail
 here=$(cd -P "$(dirname "$0")" && pwd)
 project=$(realpath "$here/../..")
@@ -132,6 +133,8 @@ if [ "$(id -u)" -ne 0 ]; then
   exit 1
 fi
 mkdir -p "$cache" "$build/modules"
+exec 8>"$cache/.matrix"
+flock 8
 
 echo "Preparing roots of Debian trixie and unstable"
 make_root sid & sid=$!
@@ -142,6 +145,12 @@ if wait $sid; then
 else
   reason=$(grep -E '^E:' "$build/root-sid.log" | tail -n 1 || true)
   unstable="Debian unstable cannot install its Blender today: ${reason:-$(tail -n 1 "$build/root-sid.log")}"
+fi
+if [ "$how" = prepare ]; then
+  for entry in "${official[@]}"; do
+    [ "${entry%:*}" = "$only_full" ] || { official_build make "${entry%:*}" "${entry#*:}" || true; echo "$made"; }
+  done
+  exit
 fi
 
 echo "Building the module for ${suites[*]}"
