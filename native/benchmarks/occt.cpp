@@ -313,6 +313,13 @@ const benchmarks::Workloads kWorkloads = {
     {"W9 surfaces", benchmarks::cross_waves},
     {"W10", many_patches},
     {"W11", lengths},
+    {"W12 loft", benchmarks::loft},
+    {"W12 sweep", benchmarks::sweep},
+    {"W12 pipe", benchmarks::pipe},
+    {"W12 coons", benchmarks::coons},
+    {"W12 fill 4", benchmarks::fill_four},
+    {"W12 fill 5", benchmarks::fill_five},
+    {"W12 offset", benchmarks::offset},
     {"adaptive", benchmarks::mesh_teapot},
 };
 

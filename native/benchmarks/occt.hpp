@@ -11,4 +11,13 @@ void mesh_teapot(const Run& run);
 void cross_zigzags(const Run& run);
 void cross_waves(const Run& run);
 
+/// Surfaces from curves and from others.
+void loft(const Run& run);
+void sweep(const Run& run);
+void pipe(const Run& run);
+void coons(const Run& run);
+void fill_four(const Run& run);
+void fill_five(const Run& run);
+void offset(const Run& run);
+
 }  // namespace benchmarks

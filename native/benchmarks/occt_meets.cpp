@@ -2,27 +2,13 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <GeomAPI_IntSS.hxx>
 #include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
 
 #include "occt.hpp"
+#include "occt_shapes.hpp"
 
 namespace benchmarks {
 
 namespace {
-
-/// Clamped knots of a cubic: the distinct ones, and how often each occurs.
-struct CubicKnots {
-  explicit CubicKnots(const Numbers& flat)
-      : values(1, static_cast<int>(flat.size()) - 6), times(1, static_cast<int>(flat.size()) - 6) {
-    for (int i = 1; i <= values.Length(); ++i) {
-      values(i) = flat[static_cast<std::size_t>(i) + 2];
-      times(i) = i == 1 || i == values.Length() ? 4 : 1;
-    }
-  }
-
-  TColStd_Array1OfReal values;
-  TColStd_Array1OfInteger times;
-};
 
 Handle(Geom2d_BSplineCurve) zigzag(const Run& run, const std::string& name) {
   const Numbers rows = run.input(name);
@@ -35,7 +21,9 @@ Handle(Geom2d_BSplineCurve) zigzag(const Run& run, const std::string& name) {
   return new Geom2d_BSplineCurve(points, knots.values, knots.times, 3);
 }
 
-Handle(Geom_BSplineSurface) waves(const Run& run, const std::string& name) {
+}  // namespace
+
+Surface waves(const Run& run, const std::string& name) {
   const CubicKnots knots(run.input("waves.knots"));
   const Numbers rows = run.input(name);
   const auto count = static_cast<int>(run.input("waves.knots").size()) - 4;
@@ -48,8 +36,6 @@ Handle(Geom_BSplineSurface) waves(const Run& run, const std::string& name) {
   }
   return new Geom_BSplineSurface(points, knots.values, knots.values, knots.times, knots.times, 3, 3);
 }
-
-}  // namespace
 
 void cross_zigzags(const Run& run) {
   const auto a = zigzag(run, "zigzag_a");

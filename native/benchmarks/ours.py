@@ -9,6 +9,7 @@ import numpy as np
 import splinecore as sc
 from splinecore import fit
 
+import ours_surfaces
 import workloads
 from timing import Run
 
@@ -248,6 +249,7 @@ RUNS = {
     "W9 surfaces": sections,
     "W10": many_patches,
     "W11": length,
+    **ours_surfaces.RUNS,
     "adaptive": adaptive,
 }
 

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+import deviations
 import exact
 import plot
 import table
@@ -106,7 +107,8 @@ def main():
                 lines += said([*program, data, kept, workload])
         print(f"round {turn + 1} of {given.rounds}", file=sys.stderr)
     machine = machine_of(rates, given.rounds)
-    rows = table.rows_of(lines, errors_of(kept, wanted), machine, earlier_on(machine["name"]))
+    rows = table.rows_of(lines, errors_of(kept, wanted), machine, earlier_on(machine["name"]),
+                         deviations.measured(kept, wanted))
     rows = [row for row in rows if row.workload in wanted]
     (folder / "table.md").write_text(table.markdown(rows, machine))
     (folder / "brief.md").write_text(table.brief(rows, machine))

@@ -1,21 +1,22 @@
 """The table: medians of all rounds, one row a workload, as Markdown and JSON."""
 
 import json
+import re
 import statistics
 from dataclasses import asdict, dataclass, field
 
 from bounds import BOUNDS
-from workloads import WORKLOADS
+from workloads import ANGLE, TOLERANCES, WORKLOADS
 
 MARKS = {"W1 sorted": 35, "W1 random": 18, "W2": 20, "W3 points": 13, "W3 normals": 22, "W4": 12, "W5 degree 11": 39,
          "W5 degree 25": 84, "W6 refine": 2, "W6 elevate": 4, "W6 Beziers": 2,
          "W7 curve 1e3": 10, "W7 curve 1e4": 10, "W7 curve 1e5": 10, "W7 surface": 2,
          "W7 least squares": 12, "W8 curve": 60, "W8 patch": 60,
-         "W9 curves": 1, "W9 surfaces": 1, "W10": 12, "W11": 2}
+         "W9 curves": 1, "W9 surfaces": 1, "W10": 12, "W11": 2, **dict.fromkeys(TOLERANCES, 1)}
 MARKS_BY_EARLIER = {"adaptive": 10}
 FASTER_OF_BOTH = ("W6 refine", "W6 elevate", "W6 Beziers")
 AGAINST_SCIPY = ("W7 least squares",)
-AGAINST_OCCT = ("W8 curve", "W8 patch", "W11", "adaptive")
+AGAINST_OCCT = ("W8 curve", "W8 patch", "W11", *TOLERANCES, "adaptive")
 ACCURATE_LENGTH = 1e-9
 ALL_CORES = "splinecore, all cores"
 
@@ -26,6 +27,7 @@ class Row:
     calls: dict = field(default_factory=dict)  # "who, call" -> ns an item
     notes: dict = field(default_factory=dict)
     errors: dict = field(default_factory=dict)
+    angles: dict = field(default_factory=dict)  # from tangent planes
     bound_ns: float | None = None
     formula: str = ""
     ours: str | None = None
@@ -35,8 +37,8 @@ class Row:
     earlier_ratio: float | None = None
 
 
-def rows_of(lines, errors, machine, earlier=None):
-    """`lines` are what the programs said, in all rounds; errors is {workload: {"who, call": error}}."""
+def rows_of(lines, errors, machine, earlier=None, deviations=None):
+    """`lines` are what the programs said, in all rounds; errors is {workload: {"who, call": error}}, deviations those of surfaces."""
     rows = []
     for workload in WORKLOADS:
         times, row = {}, Row(workload, errors=errors.get(workload, {}), mark=MARKS.get(workload))
@@ -47,11 +49,22 @@ def rows_of(lines, errors, machine, earlier=None):
                 if line["note"]:
                     row.notes[name] = line["note"]
         row.calls = {name: statistics.median(values) for name, values in times.items()}
+        for name, deviation in (deviations or {}).get(workload, {}).items():
+            take_deviation(row, name, deviation)
         if workload in BOUNDS:
             row.bound_ns, row.formula = BOUNDS[workload].nanoseconds(machine), BOUNDS[workload].formula
         compare(row, earlier)
         rows.append(row)
     return rows
+
+
+def take_deviation(row, name, deviation):
+    row.errors[name] = deviation.largest
+    words = [row.notes.get(name, ""), f"off by {deviation.largest:.1e}", deviation.words]
+    if deviation.angle is not None:
+        row.angles[name] = deviation.angle
+        words.insert(2, f"{deviation.angle:.1e} rad from tangent planes")
+    row.notes[name] = "; ".join(filter(None, words))
 
 
 def fastest(row, names):
@@ -80,7 +93,13 @@ def rival_of(row):
         rivals = [name for name in rivals if name.startswith("SISL")]
     if row.workload == "W11":
         rivals = [name for name in rivals if row.errors.get(name, 0) <= ACCURATE_LENGTH]
+    if row.workload in TOLERANCES:
+        rivals = [name for name in rivals if is_within(row, name)] or rivals
     return fastest(row, rivals)
+
+
+def is_within(row, name):
+    return row.errors.get(name, 0) <= TOLERANCES[row.workload] and row.angles.get(name, 0) <= ANGLE
 
 
 def compare(row, earlier):
@@ -107,6 +126,12 @@ def rival_cell(row, who):
     return f"{cell(row, name)} ({name.split(', ', 1)[1]})" if name else "–"
 
 
+def ratio_cell(row):
+    if row.ratio is None:
+        return "–"
+    return f"{row.ratio:.1f}×" if row.ratio >= 1 else f"{row.ratio:.2f}×"
+
+
 def mark_cell(row):
     by_earlier = MARKS_BY_EARLIER.get(row.workload)
     return f"{row.mark}×" if row.mark else f"{by_earlier}× earlier" if by_earlier else "–"
@@ -125,7 +150,7 @@ def markdown(rows, machine):
              "| rival's | bound | of the bound | × earlier |", "| --- |" + " ---: |" * 14]
     for row in rows:
         reached = row.ratio is not None and row.mark is not None and row.ratio >= row.mark
-        ratio = f"{row.ratio:.1f}×" if row.ratio is not None else "–"
+        ratio = ratio_cell(row)
         fresh = next((name for name in row.calls if is_ours(name) and "out=" not in name), None)
         lines.append("| " + " | ".join([
             row.workload, cell(row, "splinecore, out="), cell(row, fresh), cell(row, "splinecore, float32, out="),
@@ -156,20 +181,51 @@ WHAT = {
     "W9 curves": "63 crossings of two cubics of 64 points", "W9 surfaces": "the curves of two bicubic waves within 1e-5",
     "W10": "32 patches of 64 × 64 points with normals",
     "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3",
+    "W12 loft": "a loft through 12 sections of 32 points", "W12 sweep": "a section of 8 points along a rail of 16 within 1e-4",
+    "W12 pipe": "a pipe about it within 1e-4", "W12 coons": "a Coons patch of four borders",
+    "W12 fill 4": "a hole of four sides in a sphere filled, G1 within 1e-4 and 1e-2 rad", "W12 fill 5": "of five sides",
+    "W12 offset": "the offset of a bicubic wave within 1e-5",
 }
 
 
 def brief(rows, machine):
-    """The table of the README."""
-    lines = [f"{machine['name']}, {machine['versions']}, one thread; nanoseconds an item:", "",
-             "| | splinecore | rival | ratio | error | of the bound | all cores |",
+    """The tables of the README."""
+    where = f"{machine['name']}, {machine['versions']}, one thread; nanoseconds an item"
+    of_surfaces = [row for row in rows if row.workload in TOLERANCES]
+    others = [row for row in rows if row.workload not in TOLERANCES]
+    tables = [brief_others(others, where)] * bool(others) + [brief_surfaces(of_surfaces, where)] * bool(of_surfaces)
+    return "\n\n".join("\n".join(lines) for lines in tables) + "\n"
+
+
+def brief_others(rows, where):
+    lines = [f"{where}:", "", "| | splinecore | rival | ratio | error | of the bound | all cores |",
              "| --- | ---: | ---: | ---: | ---: | ---: | ---: |"]
     for row in rows:
-        rival = f"{cell(row, row.rival)} ({row.rival.replace(',', '')})" if row.rival else "–"
-        ratio = f"{row.ratio:.1f}×" if row.ratio is not None else "–"
-        lines.append(f"| {WHAT[row.workload]} | {cell(row, row.ours)} | {rival} | {ratio} "
+        lines.append(f"| {WHAT[row.workload]} | {cell(row, row.ours)} | {brief_rival(row)} | {ratio_cell(row)} "
                      f"| {number(row.errors.get(row.ours), 2)} | {share_cell(row)} | {cell(row, ALL_CORES)} |")
-    return "\n".join(lines) + "\n"
+    return lines
+
+
+def brief_surfaces(rows, where):
+    """Each with its control points and how far it is off, and the same of the rival's."""
+    lines = [f"Surfaces; {where}:", "",
+             "| | splinecore | control points | off by | rival | control points | off by | ratio |",
+             "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"]
+    for row in rows:
+        lines.append(f"| {WHAT[row.workload]} | {cell(row, row.ours)} | {surface_cells(row, row.ours)} | {brief_rival(row)} "
+                     f"| {surface_cells(row, row.rival)} | {ratio_cell(row)} |")
+    return lines
+
+
+def brief_rival(row):
+    return f"{cell(row, row.rival)} ({row.rival.replace(',', '')})" if row.rival else "–"
+
+
+def surface_cells(row, name):
+    """How many control points a surface has, and how far it is off."""
+    count = re.match(r"(\d+) control points", row.notes.get(name, ""))
+    angle = f", {number(row.angles[name], 2)} rad" if name in row.angles else ""
+    return f"{number(int(count[1]), 4) if count else '–'} | {number(row.errors.get(name), 2)}{angle}"
 
 
 def as_json(rows, machine):

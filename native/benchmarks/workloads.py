@@ -7,7 +7,8 @@ import numpy as np
 
 WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
              "W6 refine", "W6 elevate", "W6 Beziers", "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface",
-             "W7 least squares", "W8 curve", "W8 patch", "W9 curves", "W9 surfaces", "W10", "W11", "adaptive")
+             "W7 least squares", "W8 curve", "W8 patch", "W9 curves", "W9 surfaces", "W10", "W11", "W12 loft", "W12 sweep",
+             "W12 pipe", "W12 coons", "W12 fill 4", "W12 fill 5", "W12 offset", "adaptive")
 PARAMETERS = 1_000_000
 GRID = 1000
 PATCH_GRID = 64
@@ -15,6 +16,12 @@ SAMPLE_STEP = 2503
 NEAREST_STEP = 37
 BRANCHES = 4
 BRANCH_SAMPLES = 50
+#: How far surfaces made from curves and from others may be from what they should be, and fillings from tangent planes.
+TOLERANCES = {"W12 loft": 1e-6, "W12 sweep": 1e-4, "W12 pipe": 1e-4, "W12 coons": 1e-9, "W12 fill 4": 1e-4,
+              "W12 fill 5": 1e-4, "W12 offset": 1e-5}
+ANGLE = 1e-2
+PIPE_RADIUS = 0.2
+OFFSET = 0.03
 TEAPOT = Path(__file__).parents[2] / "addon/splinewright/core/teapot.json"
 
 
@@ -98,6 +105,94 @@ def about(points, seed, count):
     return low - 0.2 * (high - low) + 1.4 * (high - low) * random(seed, 3 * count).reshape(count, 3)
 
 
+def hull(count, size):
+    """Control points of sections at uneven distances: (count, size, 3)."""
+    t = np.linspace(-1.2, 1.2, size)
+    depth = 1 + 0.3 * np.sin(0.6 * np.arange(count))[:, None]
+    x = np.cumsum(0.7 + 0.6 * random(21, count))[:, None] + 0 * t
+    noise = 0.02 * (random(22, 3 * count * size).reshape(count, size, 3) - 0.5)
+    return np.stack([x, depth * np.sin(t), -depth * np.cos(t)], -1) + noise
+
+
+def averages(parameters, degree=3):
+    """Clamped knots of a spline through points at parameters (de Boor)."""
+    inner = [parameters[i:i + degree].mean() for i in range(1, len(parameters) - degree)]
+    return np.concatenate([np.full(degree + 1, parameters[0]), inner, np.full(degree + 1, parameters[-1])])
+
+
+def across(direction):
+    """A unit vector at right angles to another, level."""
+    level = np.cross(direction, (0, 0, 1))
+    return level / np.linalg.norm(level)
+
+
+def gutter(count):
+    """Control points of a plane section about the origin: (count, 3)."""
+    t = np.linspace(-2.2, 2.2, count)
+    return 0.25 * np.stack([np.cos(t), np.sin(t) + 0.3 * np.cos(3 * t), 0 * t], 1)
+
+
+def border(start, end, count, seed):
+    """Control points from one place to another, which bulges and waves: (count, 3)."""
+    t = np.linspace(0, 1, count)[:, None]
+    start, end = np.array(start, float), np.array(end, float)
+    outwards = np.cross(end - start, (0, 0, 1))
+    noise = 0.02 * (random(seed, 3 * count).reshape(count, 3) - 0.5)
+    waves = 0.1 * np.sin(np.pi * t) * outwards + 0.15 * np.sin(3 * np.pi * t) * np.array([0, 0, 1.0])
+    return start + t * (end - start) + waves + np.where((t > 0) & (t < 1), noise, 0)
+
+
+def polygon(count, seed):
+    """Corners of an irregular convex one: (count, 2)."""
+    turns, sizes = random(seed, 2 * count).reshape(2, count)
+    angles = 2 * np.pi * (np.arange(count) + 0.3 * turns) / count
+    return (0.3 + 0.1 * sizes[:, None]) * np.stack([np.cos(angles), np.sin(angles)], 1)
+
+
+def bilinear_product(a, b):
+    """Biquadratic coefficients of the product of bilinear functions of coefficients (2, 2)."""
+    made = np.zeros((3, 3))
+    for (i, j), value in np.ndenumerate(a):
+        made[i:i + 2, j:j + 2] += value * b
+    return made / np.outer([1, 2, 1], [1, 2, 1])
+
+
+def on_sphere(corners):
+    """Rows x, y, z, w, (3, 3, 4), of the part of the unit sphere whose stereographic image is this quadrangle, (2, 2, 2)."""
+    s, t = corners[..., 0], corners[..., 1]
+    one = np.ones((2, 2))
+    square = bilinear_product(s, s) + bilinear_product(t, t)
+    weights = 1 + square
+    parts = [2 * bilinear_product(s, one), 2 * bilinear_product(t, one), 1 - square]
+    return np.stack([part / weights for part in parts] + [weights], -1)
+
+
+def around_hole(corners):
+    """Patches of the unit sphere beyond each side of a hole, v away from it: (sides, 3, 3, 4)."""
+    following = np.roll(corners, -1, 0)
+    return np.stack([on_sphere(np.array([[a, 2 * a], [b, 2 * b]])) for a, b in zip(corners, following, strict=True)])
+
+
+def of_surfaces():
+    """The inputs of surfaces from curves and from others."""
+    sections, rail = hull(12, 32), helix(16, 24)[:, :3]
+    steps = np.linalg.norm(np.diff(sections, axis=0), axis=-1).mean(1)
+    parameters = np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])
+    corners = np.array([(0, 0, 0), (1, 0, 0.1), (1, 1, -0.1), (0, 1, 0.2)])
+    sides = {k: (corners[k], corners[(k + 1) % 4], 32 if k % 2 == 0 else 24) for k in range(4)}
+    return {
+        "loft.sections": sections, "loft.knots": uneven_knots(23, 32),
+        "loft.parameters": parameters, "loft.knots_v": averages(parameters),
+        "rail.points": rail, "rail.knots": uneven_knots(25, 16), "rail.start": across(rail[1] - rail[0]),
+        "gutter.points": gutter(8), "gutter.knots": uniform_knots(8),
+        **{f"coons{k}.points": border(*side, 26 + k) for k, side in sides.items()},
+        **{f"coons{k}.knots": uneven_knots(30 + k, side[2]) for k, side in sides.items()},
+        **{f"fill {count}.neighbours": around_hole(polygon(count, 34 + count)) for count in (4, 5)},
+        "offset": np.array([OFFSET]), "pipe_radius": np.array([PIPE_RADIUS]), "angle": np.array([ANGLE]),
+        **{f"{name}.tolerance": np.array([tolerance]) for name, tolerance in TOLERANCES.items()},
+    }
+
+
 def inputs():
     """Every array by its name."""
     scattered = random(4, PARAMETERS)
@@ -118,7 +213,7 @@ def inputs():
         "waves.knots": uniform_knots(12),
         "waves_a": waves(12, lambda x, y: 0.15 * np.sin(8 * x) * np.cos(6 * y)),
         "waves_b": waves(12, lambda x, y: 0.1 * np.sin(5 * y + 1) * np.cos(7 * x) + 0.02),
-        "teapot": teapot(), "patch_grid": np.linspace(0, 1, PATCH_GRID),
+        "teapot": teapot(), "patch_grid": np.linspace(0, 1, PATCH_GRID), **of_surfaces(),
     }
 
 

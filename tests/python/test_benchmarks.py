@@ -15,8 +15,10 @@ BENCHMARKS = Path(__file__).resolve().parents[2] / "native/benchmarks"
 sys.path.insert(0, str(BENCHMARKS))
 
 import bounds  # noqa: E402
+import deviations  # noqa: E402
 import exact  # noqa: E402
 import ours  # noqa: E402
+import ours_surfaces  # noqa: E402
 import table  # noqa: E402
 import workloads  # noqa: E402
 
@@ -40,7 +42,10 @@ def test_splitmix64_gives_its_published_numbers():
 @pytest.mark.parametrize("workload", workloads.WORKLOADS)
 def test_every_workload_has_what_it_needs(workload):
     assert workload in ours.RUNS
-    if workload != "adaptive":
+    assert workload in table.WHAT
+    if workload in workloads.TOLERANCES:
+        assert workload in table.MARKS and workload in deviations.MEASURES
+    elif workload != "adaptive":
         assert workload in table.MARKS and workload in bounds.BOUNDS and workload in exact.references()
     rivals = "".join((BENCHMARKS / name).read_text() for name in ("sisl.cpp", "occt.cpp", "scipy_splines.py"))
     assert f'{{"{workload}", ' in rivals or f'"{workload}": ' in rivals
@@ -125,6 +130,64 @@ def test_a_length_that_is_wrong_is_no_rival():
              line("W11", "OCCT", "Length to 1e-9", 90)]
     errors = {"W11": {"OCCT, Length": 1e-6, "OCCT, Length to 1e-9": 1e-10}}
     assert row_of(lines, errors).rival == "OCCT, Length to 1e-9"
+
+
+def test_a_surface_that_is_off_is_no_rival():
+    lines = [line("W12 sweep", "splinecore", "sweep", 10, note="96 control points, degrees 3 and 3"),
+             line("W12 sweep", "OCCT", "near", 90, note="1200 control points"), line("W12 sweep", "OCCT", "off", 30)]
+    found = {"splinecore, sweep": deviations.Deviation(5e-5), "OCCT, near": deviations.Deviation(9e-5, 0.004),
+             "OCCT, off": deviations.Deviation(2e-4, words="a word")}
+    row = next(row for row in table.rows_of(lines, {}, MACHINE, deviations={"W12 sweep": found}) if row.calls)
+    assert row.rival == "OCCT, near" and row.ratio == pytest.approx(9)
+    assert "| 10 | 96 | 5e-05 | 90 (OCCT near) | 1,200 | 9e-05, 0.004 rad | 9.0× |" in table.brief([row], MACHINE)
+    assert "off by 2.0e-04; a word" in table.markdown([row], MACHINE)
+
+
+class Kept:
+    """Stands for a run: has the inputs, times nothing, keeps in memory."""
+
+    def __init__(self):
+        self.data = workloads.inputs()
+
+    def input(self, name, *shape):
+        return self.data[name].reshape(shape or (-1,))
+
+    def time(self, call, items, work, note=""):
+        assert "control points" in note
+
+    def keep(self, call, rows, step):
+        self.rows = np.asarray(rows, float)
+
+
+@pytest.mark.parametrize("workload", workloads.TOLERANCES)
+def test_our_surfaces_are_as_near_as_they_are_asked_to_be(workload):
+    kept = Kept()
+    ours_surfaces.RUNS[workload](kept)
+    deviation = deviations.MEASURES[workload](deviations.read(kept.rows), kept.data)
+    assert 0 <= deviation.largest <= workloads.TOLERANCES[workload]
+    assert deviation.angle is None or deviation.angle <= workloads.ANGLE
+
+
+def test_a_surface_that_was_moved_is_off_by_so_much():
+    kept = Kept()
+    ours_surfaces.RUNS["W12 coons"](kept)
+    surface, = deviations.read(kept.rows)
+    surface.points[..., 2] += 1e-3
+    found = deviations.MEASURES["W12 coons"]([surface], kept.data)
+    assert 1e-4 < found.largest <= 1e-3 + 1e-12 and found.words.startswith("1.0e-03 from the bilinear")
+
+
+def test_jets_of_a_kept_surface_are_those_of_the_patch():
+    kept = Kept()
+    ours_surfaces.RUNS["W12 pipe"](kept)
+    surface, = deviations.read(kept.rows)
+    patch, = ours_surfaces.build.pipe(ours_surfaces.cubic(kept, "rail"), workloads.PIPE_RADIUS,
+                                      tolerance=workloads.TOLERANCES["W12 pipe"]).value
+    low, high = patch.domain[0]
+    u, v = low + (high - low) * workloads.random(1, 20), workloads.random(2, 20)
+    made = patch.first_derivatives(u, v)
+    for k, rows in enumerate(surface.jets(u, v)):
+        assert np.allclose(rows, made[:, k], rtol=1e-11, atol=1e-11)
 
 
 def test_the_bound_is_the_slowest_of_three():
