@@ -164,3 +164,19 @@ def test_what_cannot_be_filled_is_refused(sides, more, words):
 def test_what_is_no_side_is_a_type_error(sides):
     with pytest.raises(TypeError):
         build.fill(sides)
+
+
+@pytest.mark.parametrize("word", ["G1", "G2"])
+@pytest.mark.parametrize("knot", [0.5, 0.3, 0.1])
+def test_knots_that_are_not_even_are_as_good_on_either_side(knot, word):
+    """Two like neighbours, mirrored, with a knot that is not in the middle."""
+    knots = [0, 0, 0, 0, knot, 1, 1, 1, 1]
+    side = sc.NurbsCurve(3, knots, [(0, 0, 0), (0.1, 0.2, 0.3), (0, 0.5, 0.5), (0.1, 0.8, 0.2), (0, 1, 0)])
+    behind = side.with_points([(-0.5, 0, 0), (-0.5, 0.2, 0), (-0.6, 0.5, 0.2), (-0.5, 0.8, 0.1), (-0.5, 1, 0)])
+    first = build.loft([behind.with_points(behind.points - (0.5, 0, 0)), behind, side]).value
+    other = first.transformed(np.array([[-1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]], float))
+    low, high = (build.blend(first.boundary(end), other.boundary(end).reversed(), 2) for end in ("u_start", "u_end"))
+    filling = build.fill([(first, "v_end", word), high, (other, "v_end", word), low])
+    angles = [sc.seam_continuity(neighbour, "v_end", filling.patches[0], end).angle
+              for neighbour, end in ((first, "v_start"), (other, "v_end"))]
+    assert max(angles) <= 1.01e-4 and filling.angle <= 1.01e-4

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "carried_frames.hpp"
 #include "finite_weights.hpp"
 #include "near_curve.hpp"
 #include "splinecore/base/approximation.hpp"
@@ -59,6 +60,12 @@ struct CurvePlace {
   Vector tangent;
 };
 
+/// Where a step begins, and the normal there.
+struct CarriedStep {
+  CurvePlace from;
+  Vector normal;
+};
+
 /// A normal that is carried along one span after the other.
 class Carrier {
  public:
@@ -72,26 +79,31 @@ class Carrier {
     normal_ = start ? given_normal(*start) : own_normal();
   }
 
-  /// Carries the normal along a span; parameters of it, in order, are handed on with their frames.
-  template <class Take>
-  void pass(int span, std::span<const double> parameters, Take take) {
-    const Interval range = curve_.knot_vector().span_interval(span);
-    CurvePlace from = place_at(range.start, span);
+  /// Carries the normal along the next span. @returns the steps it took
+  std::vector<CarriedStep> pass() {
+    const Interval range = curve_.knot_vector().span_interval(span_);
+    CurvePlace from = place_at(range.start, span_, tangent_);
     normal_ = bent(normal_, tangent_, from.tangent);
     tangent_ = from.tangent;
-    std::size_t next = 0;
     halvings_ = 0;
+    std::vector<CarriedStep> steps;
     for (Steps at = 0; at < kAllSteps;) {
-      const CurvePlace to = take_step(from, at, range, span);
-      // The end of the span is its own, as that of a corner is.
-      for (; next < parameters.size() && (parameters[next] < to.u || to.u == range.end); ++next) {
-        const CurvePlace place = place_at(parameters[next], span);
-        take(next, frame_of(place.tangent, carried(normal_, from, place, span).first));
-      }
-      normal_ = carried(normal_, from, to, span).first;
+      steps.push_back({from, normal_});
+      const CurvePlace to = take_step(from, at, range, span_);
+      normal_ = carried(normal_, from, to, span_).first;
       tangent_ = to.tangent;
       from = to;
     }
+    ++span_;
+    return steps;
+  }
+
+  /// The frame at a parameter of a span that was passed.
+  MovingFrame frame_at(double u, int span, const std::vector<CarriedStep>& steps) const {
+    const auto next = std::ranges::upper_bound(steps, u, {}, [](const CarriedStep& step) { return step.from.u; });
+    const CarriedStep& step = *(next == steps.begin() ? next : next - 1);
+    const CurvePlace place = place_at(u, span, step.from.tangent);
+    return frame_of(place.tangent, carried(step.normal, step.from, place, span).first);
   }
 
   MovingFrame frame() const { return frame_of(tangent_, normal_); }
@@ -124,11 +136,11 @@ class Carrier {
     return limit.tangent;
   }
 
-  /// Where the curve stands still the tangent is that of the way in.
-  CurvePlace place_at(double u, int span) const {
+  /// @param way_in  the tangent where the curve stands still
+  CurvePlace place_at(double u, int span, const Vector& way_in) const {
     CurvePlace place{u, Vector(0.0), Vector(0.0)};
     place.tangent = tangent_at(u, side_in(u, span), span, &place.point);
-    if (!is_number(place.tangent)) place.tangent = tangent_;
+    if (!is_number(place.tangent)) place.tangent = way_in;
     return place;
   }
 
@@ -174,7 +186,7 @@ class Carrier {
     constexpr double kUnknown = 4.0;
     const double u = from.u + 0.5 * (to.u - from.u);
     if (!(u > from.u && u < to.u)) return {step(normal, from, to), 0.0};
-    const CurvePlace middle = place_at(u, span);
+    const CurvePlace middle = place_at(u, span, from.tangent);
     const Vector whole = step(normal, from, to);
     const Vector halves = step(step(normal, from, middle), middle, to);
     const double change = angle_from(whole, halves, to.tangent);
@@ -195,7 +207,7 @@ class Carrier {
     for (int size = std::min(most, kDeepest - least_depth());; --size) {
       const Steps end = at + (Steps{1} << size);
       const double part = static_cast<double>(end) / static_cast<double>(kAllSteps);
-      const CurvePlace to = place_at(std::lerp(range.start, range.end, part), span);
+      const CurvePlace to = place_at(std::lerp(range.start, range.end, part), span, from.tangent);
       const double change = size > 0 ? carried(normal_, from, to, span).second : 0.0;
       if (change > kEnough) {
         if (++halvings_ < kMostHalvings) continue;
@@ -210,7 +222,8 @@ class Carrier {
 
   const NurbsCurve& curve_;
   double short_;  ///< a speed by the span below which derivatives of higher order tell the direction
-  int halvings_ = 0;  ///< of steps on the span
+  int span_ = 0;      ///< the next one
+  int halvings_ = 0;  ///< of steps on it
   double step_;   ///< a chord that is no longer has no direction
   Vector tangent_{std::numeric_limits<double>::quiet_NaN()};
   Vector normal_{0.0};
@@ -256,28 +269,54 @@ void close_frames(const NurbsCurve& curve, std::span<const double> parameters, S
 
 }  // namespace
 
+class CarriedFrames::Carried {
+ public:
+  Carried(const NurbsCurve& curve, const CarriedFrame& how)
+      : curve_(curve), how_(how), near_(near_of(curve)), carrier_(near_.curve, how.start), first_(carrier_.frame()) {}
+
+  void write(std::span<const double> parameters, std::span<MovingFrame> out, Side side) {
+    const std::vector<Query> queries = queries_of(near_, curve_.knot_vector(), parameters, side);
+    const int all = static_cast<int>(near_.curve.knot_vector().spans().size());
+    carry(how_.is_closed ? all : queries.empty() ? 0 : queries.back().span + 1);
+    for (const Query& query : queries) {
+      out[query.index] = carrier_.frame_at(query.u, query.span, steps_[static_cast<std::size_t>(query.span)]);
+    }
+    if (!how_.is_closed) return;
+    const MovingFrame last = carrier_.frame();
+    require_smooth_end(curve_, first_, last);
+    close_frames(curve_, parameters, side, angle_from(last.normal, first_.normal, first_.tangent), out);
+  }
+
+ private:
+  static NearCurve near_of(const NurbsCurve& curve) {
+    require_finite_points(curve, curve.domain());
+    return near_origin(curve);
+  }
+
+  void carry(int spans) {
+    while (static_cast<int>(steps_.size()) < spans) steps_.push_back(carrier_.pass());
+  }
+
+  NurbsCurve curve_;
+  CarriedFrame how_;
+  NearCurve near_;
+  Carrier carrier_;
+  MovingFrame first_;
+  std::vector<std::vector<CarriedStep>> steps_;  ///< of the spans that were passed
+};
+
+CarriedFrames::CarriedFrames(const NurbsCurve& curve, const CarriedFrame& how)
+    : carried_(std::make_unique<Carried>(curve, how)) {}
+
+CarriedFrames::~CarriedFrames() = default;
+
+void CarriedFrames::write(std::span<const double> parameters, std::span<MovingFrame> out, Side side) {
+  carried_->write(parameters, out, side);
+}
+
 void rotation_minimising_frames(const NurbsCurve& curve, std::span<const double> parameters,
                                 std::span<MovingFrame> out, const CarriedFrame& how, Side side) {
-  require_finite_points(curve, curve.domain());
-  const NearCurve near = near_origin(curve);
-  const std::vector<Query> queries = queries_of(near, curve.knot_vector(), parameters, side);
-  Carrier carrier(near.curve, how.start);
-  MovingFrame first{};
-  const int spans = static_cast<int>(near.curve.knot_vector().spans().size());
-  auto next = queries.begin();
-  std::vector<double> at;
-  for (int span = 0; span < spans && (how.is_closed || next != queries.end()); ++span) {
-    const auto end = std::find_if(next, queries.end(), [&](const Query& q) { return q.span != span; });
-    at.clear();
-    std::transform(next, end, std::back_inserter(at), [](const Query& q) { return q.u; });
-    if (span == 0) first = carrier.frame();
-    carrier.pass(span, at, [&](std::size_t i, const MovingFrame& frame) { out[next[i].index] = frame; });
-    next = end;
-  }
-  if (!how.is_closed) return;
-  const MovingFrame last = carrier.frame();
-  require_smooth_end(curve, first, last);
-  close_frames(curve, parameters, side, angle_from(last.normal, first.normal, first.tangent), out);
+  CarriedFrames(curve, how).write(parameters, out, side);
 }
 
 }  // namespace splinecore

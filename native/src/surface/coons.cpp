@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "bicubic_sum.hpp"
-#include "boolean_sum.hpp"
 #include "border_loop.hpp"
+#include "greville.hpp"
 #include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/build/sweeps.hpp"
+#include "splinecore/base/points.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/moebius.hpp"
@@ -28,9 +28,9 @@ NurbsCurve standing(const glm::dvec3& point) {
   return NurbsCurve::make(KnotVector::bezier(1), {glm::dvec4(point, 1.0), glm::dvec4(point, 1.0)});
 }
 
-NurbsPatch bilinear(const NurbsCurve& low, const NurbsCurve& high) {
-  return NurbsPatch::make(KnotVector::bezier(1), KnotVector::bezier(1),
-                          {low.points().front(), high.points().front(), low.points().back(), high.points().back()});
+/// The side on the knots of a border that it is, up to rounding.
+NurbsCurve on_knots_of(const NurbsCurve& border, const NurbsCurve& side) {
+  return side.knot_vector() == border.knot_vector() ? side : compatible(border, side).second;
 }
 
 /// The patch with sides that are these in every bit where that is so but for rounding.
@@ -41,10 +41,10 @@ NurbsPatch with_sides(const NurbsPatch& patch, const NurbsCurve& low, const Nurb
   const auto count_v = static_cast<std::size_t>(patch.count(Axis::v));
   const NurbsCurve of_u = boundary(patch, Border::v_start);
   const NurbsCurve of_v = boundary(patch, Border::u_start);
-  const auto first = compatible(of_u, low).second;
-  const auto second = compatible(of_u, high).second;
-  const auto third = compatible(of_v, left).second;
-  const auto fourth = compatible(of_v, right).second;
+  const auto first = on_knots_of(of_u, low);
+  const auto second = on_knots_of(of_u, high);
+  const auto third = on_knots_of(of_v, left);
+  const auto fourth = on_knots_of(of_v, right);
   for (std::size_t j = 0; j < count_v; ++j) {
     points[j] = third.points()[j];
     points[(count_u - 1) * count_v + j] = fourth.points()[j];
@@ -54,6 +54,37 @@ NurbsPatch with_sides(const NurbsPatch& patch, const NurbsCurve& low, const Nurb
     points[i * count_v + count_v - 1] = second.points()[i];
   }
   return patch.with_points(std::move(points));
+}
+
+/// Sides on the same knots, and as homogeneous points of a space.
+struct OppositeSides {
+  NurbsCurve start;
+  NurbsCurve end;
+  std::vector<glm::dvec4> from;
+  std::vector<glm::dvec4> to;
+
+  OppositeSides(const std::pair<NurbsCurve, NurbsCurve>& both, const NearSpace& space)
+      : start(both.first), end(both.second), from(homogeneous(space.enter(start.points()))),
+        to(homogeneous(space.enter(end.points()))) {}
+
+  glm::dvec4 between(std::size_t i, double share) const { return (1.0 - share) * from[i] + share * to[i]; }
+};
+
+/// Both ruled surfaces less the bilinear one of the corners. A linear function has its values at Greville's places for control
+/// points.
+NurbsPatch bilinear_sum(const OppositeSides& along_u, const OppositeSides& along_v, const NearSpace& space) {
+  const std::vector<double> u = greville_places(along_u.start.knot_vector());
+  const std::vector<double> v = greville_places(along_v.start.knot_vector());
+  const std::size_t last = u.size() - 1;
+  std::vector<glm::dvec4> net;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    for (std::size_t j = 0; j < v.size(); ++j) {
+      const glm::dvec4 corners = (1.0 - u[i]) * along_u.between(0, v[j]) + u[i] * along_u.between(last, v[j]);
+      net.push_back(along_u.between(i, v[j]) + (along_v.between(j, u[i]) - corners));
+    }
+  }
+  const NurbsPatch near = NurbsPatch::from_homogeneous(along_u.start.knot_vector(), along_v.start.knot_vector(), net);
+  return near.with_points(space.leave(near.points()));
 }
 
 /// A derivative as vectors of the space, over [0, 1], as the side now runs.
@@ -107,13 +138,10 @@ Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional
   }
   if (loop.curves.size() == 3) loop.curves.push_back(standing(glm::dvec3(loop.curves[2].points().back())));
   const NearSpace space(all);
-  std::vector<NurbsCurve> near;
-  for (const NurbsCurve& side : loop.curves) near.push_back(side.with_points(space.enter(side.points())));
-  const NurbsCurve high = reversed(near[2]);
-  const NurbsCurve left = reversed(near[3]);
-  const NurbsPatch sum = boolean_sum(ruled(near[0], high), swapped(ruled(left, near[1])), bilinear(near[0], high));
-  const NurbsPatch patch = sum.with_points(space.leave(sum.points()));
-  return {with_sides(patch, loop.curves[0], reversed(loop.curves[2]), reversed(loop.curves[3]), loop.curves[1]), loop.error};
+  const OppositeSides along_u(compatible(loop.curves[0], reversed(loop.curves[2])), space);
+  const OppositeSides along_v(compatible(reversed(loop.curves[3]), loop.curves[1]), space);
+  const NurbsPatch patch = bilinear_sum(along_u, along_v, space);
+  return {with_sides(patch, along_u.start, along_u.end, along_v.start, along_v.end), loop.error};
 }
 
 Approximation<NurbsPatch> bicubic_coons(std::span<const NurbsCurve> sides, std::span<const std::optional<NurbsCurve>> across,

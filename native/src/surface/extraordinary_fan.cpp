@@ -91,8 +91,8 @@ class Fan {
     const OuterSide first(part(across, 0, Axis::u), part(topology_.next(across), 3, Axis::u));
     const OuterSide second(part(across, 0, Axis::v), part(topology_.before(across), 1, Axis::v));
     const std::vector<double> places = greville_places(star_.knots);
-    const auto along_u = rows_beside(star_.knots, first.across(places));
-    const auto along_v = rows_beside(star_.knots, second.across(places));
+    const auto along_u = rows_beside(star_.knots, star_.knots, first.across(places));
+    const auto along_v = rows_beside(star_.knots, star_.knots, second.across(places));
     for (std::size_t r = 0; r < kOrders; ++r) {
       for (std::size_t i = 0; i <= kDegree; ++i) {
         claims.add(k, i, r, along_u[r][i], static_cast<int>(r));
@@ -117,7 +117,7 @@ class Fan {
       points.push_back((t * t * t * p[0] + (3.0 * s * s * s - 6.0 * s * s + 4.0) * p[1] +
                         (3.0 * t * t * t - 6.0 * t * t + 4.0) * p[2] + s * s * s * p[3]) / 6.0);
     }
-    return rows_beside(star_.knots, {points})[0];
+    return rows_beside(star_.knots, star_.knots, {points})[0];
   }
 
   int first_beside() const { return topology_.to(topology_.fan(point_).front()); }

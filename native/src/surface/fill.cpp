@@ -7,6 +7,7 @@
 
 #include "base/length.hpp"
 #include "base/sort_by.hpp"
+#include "basis/selection.hpp"
 #include "border_loop.hpp"
 #include "build/fit_options.hpp"
 #include "greville.hpp"
@@ -98,7 +99,7 @@ std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const Part
   std::vector<std::vector<glm::dvec3>> across(1);
   for (const HolePlace& here : side.places(s)) across[0].push_back(here.point);
   for (int order = 1; order <= side.continuity(); ++order) across.push_back(side.across(s, order));
-  return rows_beside(knots, across);
+  return rows_beside(knots, is_at_end(part.border) ? reversed(knots).knots : knots, across);
 }
 
 std::vector<NurbsPatch> patches_with(const Hole& hole, const std::vector<PartOfSide>& parts, const KnotVector& knots) {
@@ -145,12 +146,27 @@ double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch&
   return largest;
 }
 
-Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::vector<NurbsPatch> patches) {
+/// What a filling is to come within.
+struct FillLimits {
+  double gap;
+  double angle;
+
+  bool are_met(const Filling& filling) const {
+    return filling.gap <= gap && filling.angle <= angle && filling.inner_angle <= angle;
+  }
+};
+
+/// @param limits  where there are any, what does not meet them is not measured to the end
+Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::vector<NurbsPatch> patches,
+                 const std::optional<FillLimits>& limits) {
   Filling filling{std::move(patches)};
   for (const PartOfSide& part : parts) {
+    filling.gap = std::max(filling.gap, gap_along(hole.sides[part.side], part, filling.patches[part.patch]));
+  }
+  for (const PartOfSide& part : parts) {
+    if (limits && !limits->are_met(filling)) return filling;
     const HoleSide& side = hole.sides[part.side];
     const NurbsPatch& patch = filling.patches[part.patch];
-    filling.gap = std::max(filling.gap, gap_along(side, part, patch));
     if (side.continuity() == 0) continue;
     const auto [low, high] = std::minmax(part.from, part.to);
     const SeamContinuity seam = seam_continuity(patch, part.border, *side.neighbour_part(low, high), Border::v_end,
@@ -216,11 +232,13 @@ Filling filled(const Hole& hole, double tolerance, double angle) {
   std::vector<SideKnot> inner = side_knots(hole, parts, degree);
   constexpr std::size_t kMostSideKnots = 5;
   if (inner.size() > kMostSideKnots) inner.clear();
+  const FillLimits limits{tolerance, angle};
   for (int spans = 1;; spans *= 2) {
-    Filling filling = measured(hole, parts, patches_with(hole, parts, knots_with(degree, spans, inner)));
-    if (filling.gap <= tolerance && filling.angle <= angle && filling.inner_angle <= angle) return filling;
-    if (spans * (static_cast<int>(inner.size()) + 1) < kMostSpans) continue;
-    if (filling.gap <= tolerance) return filling;
+    const bool is_last = spans * (static_cast<int>(inner.size()) + 1) >= kMostSpans;
+    std::vector<NurbsPatch> patches = patches_with(hole, parts, knots_with(degree, spans, inner));
+    Filling filling = measured(hole, parts, std::move(patches), is_last ? std::nullopt : std::optional(limits));
+    if (limits.are_met(filling) || (is_last && filling.gap <= tolerance)) return filling;
+    if (!is_last) continue;
     throw ToleranceNotReached("the filling cannot reach its sides with " + std::to_string(spans) + " spans", tolerance, filling.gap);
   }
 }

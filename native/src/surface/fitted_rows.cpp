@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,46 +34,89 @@ double distance_of(const glm::dvec4& a, const glm::dvec4& b) {
   return length_of(glm::dvec3(a) / a.w - glm::dvec3(b) / b.w);
 }
 
-/// One stretch without corners.
+/// One stretch without corners. Places in it are counted in parts that are halved exactly.
 class RowStretch {
  public:
   RowStretch(const RowsAt& rows_at, const Interval& interval, Closing closing)
-      : rows_at_(rows_at), interval_(interval), closing_(closing) {
-    const int first = closing == Closing::closed ? 8 : kDegree;
-    std::vector<double> places;
-    for (int k = 0; k <= first; ++k) places.push_back(interval.start + interval.length() * k / first);
-    places.back() = interval.end;
-    add(places);
+      : rows_at_(rows_at), interval_(interval), closing_(closing), first_(closing == Closing::closed ? 8 : kDegree) {
+    for (Place k = 0; k <= first_; ++k) knots_.push_back(k * kStep);
+    ask(std::vector<Place>(knots_.begin(), knots_.end() - 1), kStep);
   }
 
   FittedRows within(double tolerance) {
     for (;;) {
       FittedRows made = through();
-      const std::vector<double> missed = places_missed(made, tolerance);
+      const std::vector<std::size_t> missed = steps_missed(made, tolerance);
       if (missed.empty()) return made;
-      if (at_.size() + missed.size() > kMostRows) {
-        throw ToleranceNotReached("the surface cannot be had with " + std::to_string(at_.size()) + " rows of control points",
+      if (knots_.size() + missed.size() > kMostRows || is_too_short(missed)) {
+        throw ToleranceNotReached("the surface cannot be had with " + std::to_string(knots_.size()) + " rows of control points",
                                   tolerance, made.error);
       }
-      add(missed);
+      halve(missed);
     }
   }
 
  private:
-  std::size_t width() const { return rows_.front().size() / 4; }
+  using Place = std::int64_t;
+  static constexpr Place kStep = Place{1} << 40;
+  static constexpr Place kAhead = 16;  ///< parts of a step that are asked for at once: enough to halve it twice
 
-  void add(const std::vector<double>& places) {
-    const std::vector<glm::dvec4> found = rows_at_(places, interval_);
-    const std::size_t columns = found.size() / places.size();
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto place = std::ranges::lower_bound(at_, places[i]) - at_.begin();
-      at_.insert(at_.begin() + place, places[i]);
-      rows_.insert(rows_.begin() + place, numbers_of(std::span(found).subspan(i * columns, columns)));
+  double parameter(Place place) const {
+    if (place == first_ * kStep) return interval_.end;
+    return interval_.start + interval_.length() * (static_cast<double>(place) / static_cast<double>(first_ * kStep));
+  }
+
+  /// Whether one of the steps cannot be halved twice.
+  bool is_too_short(const std::vector<std::size_t>& steps) const {
+    return std::ranges::any_of(steps, [&](std::size_t i) { return knots_[i + 1] - knots_[i] < 4 * kAhead; });
+  }
+
+  std::size_t width() const { return rows_.begin()->second.size(); }
+
+  /// Asks for all parts of steps of one length that are not known.
+  void ask(const std::vector<Place>& starts, Place length) {
+    std::vector<Place> asked;
+    for (const Place start : starts) {
+      for (Place k = 0; k <= kAhead; ++k) {
+        const Place place = start + k * (length / kAhead);
+        if (rows_.try_emplace(place).second) asked.push_back(place);
+      }
+    }
+    if (asked.empty()) return;
+    std::vector<double> at;
+    for (const Place place : asked) at.push_back(parameter(place));
+    const std::vector<glm::dvec4> found = rows_at_(at, interval_);
+    const auto columns = static_cast<std::ptrdiff_t>(found.size() / asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      const auto row = found.begin() + static_cast<std::ptrdiff_t>(i) * columns;
+      rows_[asked[i]].assign(row, row + columns);
     }
   }
 
+  /// Halves steps, and asks for what the next two looks need.
+  void halve(const std::vector<std::size_t>& missed) {
+    std::map<Place, std::vector<Place>> unknown;  // by their lengths
+    std::vector<Place> knots;
+    auto next = missed.begin();
+    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+      knots.push_back(knots_[i]);
+      if (next == missed.end() || *next != i) continue;
+      ++next;
+      const Place length = knots_[i + 1] - knots_[i];
+      knots.push_back(knots_[i] + length / 2);
+      if (!rows_.contains(knots_[i] + length / 8)) unknown[length].push_back(knots_[i]);
+    }
+    knots.push_back(knots_.back());
+    knots_ = std::move(knots);
+    for (const auto& [length, starts] : unknown) ask(starts, length);
+  }
+
   FittedRows through() const {
-    RowConditions given{at_, rows_, {}, {}};
+    RowConditions given;
+    for (const Place knot : knots_) {
+      given.parameters.push_back(parameter(knot));
+      given.rows.push_back(numbers_of(rows_.at(knot)));
+    }
     if (closing_ == Closing::closed) given.rows.pop_back();
     const RowSpline spline = spline_through(given, kDegree, closing_);
     FittedRows made{spline.knots, std::vector<glm::dvec4>(spline.controls.size() / 4), 0.0};
@@ -90,25 +135,28 @@ class RowStretch {
     return point;
   }
 
-  /// The middle of each step in which a point is too far from where it should be, at three places of it.
-  std::vector<double> places_missed(FittedRows& made, double tolerance) const {
-    constexpr double kPlaces[] = {0.25, 0.5, 0.75};
-    std::vector<double> asked;
-    for (std::size_t i = 0; i + 1 < at_.size(); ++i) {
-      for (const double t : kPlaces) asked.push_back(at_[i] + t * (at_[i + 1] - at_[i]));
+  /// The steps in which a point is too far from where it should be, at three places of each.
+  std::vector<std::size_t> steps_missed(FittedRows& made, double tolerance) const {
+    std::vector<Place> places;
+    std::vector<double> at;
+    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+      for (Place k = 1; k < 4; ++k) {
+        places.push_back(knots_[i] + k * ((knots_[i + 1] - knots_[i]) / 4));
+        at.push_back(parameter(places.back()));
+      }
     }
-    const std::vector<glm::dvec4> wanted = rows_at_(asked, interval_);
-    const Samples samples = Samples::make(made.knots, asked, 0, Side::left);
-    std::vector<double> missed;
-    for (std::size_t i = 0; i + 1 < at_.size(); ++i) {
+    const Samples samples = Samples::make(made.knots, at, 0, Side::left);
+    std::vector<std::size_t> missed;
+    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
       double largest = 0.0;
       for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
-        for (std::size_t j = 0; j < width(); ++j) {
-          largest = std::max(largest, distance_of(point_of(made, samples, k, j), wanted[k * width() + j]));
+        const std::vector<glm::dvec4>& wanted = rows_.at(places[k]);
+        for (std::size_t j = 0; j < wanted.size(); ++j) {
+          largest = std::max(largest, distance_of(point_of(made, samples, k, j), wanted[j]));
         }
       }
       made.error = std::max(made.error, largest);
-      if (!(largest <= kAccepted * tolerance)) missed.push_back(asked[3 * i + 1]);
+      if (!(largest <= kAccepted * tolerance)) missed.push_back(i);
     }
     return missed;
   }
@@ -116,8 +164,9 @@ class RowStretch {
   const RowsAt& rows_at_;
   Interval interval_;
   Closing closing_;
-  std::vector<double> at_;
-  std::vector<std::vector<double>> rows_;
+  Place first_;                                      ///< steps at the beginning
+  std::vector<Place> knots_;                         ///< where the rows go through those wanted
+  std::map<Place, std::vector<glm::dvec4>> rows_;    ///< those wanted, as far as they were asked for
 };
 
 /// Both, the second behind the first, which share a row if it is the same, up to rounding.

@@ -6,7 +6,6 @@
 #include "base/length.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/measure/moving_frame.hpp"
 
 namespace splinecore {
 
@@ -22,34 +21,30 @@ MovingFrame upright(const glm::dvec3& tangent, const glm::dvec3& up, double at) 
   return {tangent, glm::cross(binormal, tangent), binormal};
 }
 
-bool closes_smoothly(const NurbsCurve& rail) { return rail.periodic(); }
-
-void write_frames(const NurbsCurve& rail, std::span<const double> at, Side side, const SweepOptions& options,
-                  std::span<MovingFrame> out) {
-  rotation_minimising_frames(rail, at, out, {options.start, closes_smoothly(rail)}, side);
-  if (options.frame == RailFrame::upright) {
-    for (std::size_t i = 0; i < at.size(); ++i) out[i] = upright(out[i].tangent, options.up, at[i]);
-  }
-}
-
 }  // namespace
 
-std::vector<RailPlace> rail_places(const NurbsCurve& rail, std::span<const double> at, const Interval& stretch,
-                                   const SweepOptions& options) {
-  std::vector<glm::dvec3> points(at.size());
-  std::vector<MovingFrame> frames(at.size());
-  for (std::size_t begin = 0; begin < at.size();) {
-    const bool is_end = at[begin] == stretch.end;
+void RailPlaces::write_frames(std::span<const double> parameters, Side side, std::span<MovingFrame> out) {
+  frames_.write(parameters, out, side);
+  if (options_.frame != RailFrame::upright) return;
+  for (std::size_t i = 0; i < parameters.size(); ++i) out[i] = upright(out[i].tangent, options_.up, parameters[i]);
+}
+
+std::vector<RailPlace> RailPlaces::at(std::span<const double> parameters, const Interval& stretch) {
+  const std::size_t count = parameters.size();
+  std::vector<glm::dvec3> points(count);
+  std::vector<MovingFrame> frames(count);
+  for (std::size_t begin = 0; begin < count;) {
+    const bool is_end = parameters[begin] == stretch.end;
     std::size_t end = begin;
-    while (end < at.size() && (at[end] == stretch.end) == is_end) ++end;
-    const auto part = at.subspan(begin, end - begin);
+    while (end < count && (parameters[end] == stretch.end) == is_end) ++end;
+    const auto part = parameters.subspan(begin, end - begin);
     const Side side = is_end ? Side::left : Side::right;
-    evaluate(rail, part, std::span(&points[begin].x, 3 * part.size()), {.side = side});
-    write_frames(rail, part, side, options, std::span(frames).subspan(begin, part.size()));
+    evaluate(rail_, part, std::span(&points[begin].x, 3 * part.size()), {.side = side});
+    write_frames(part, side, std::span(frames).subspan(begin, part.size()));
     begin = end;
   }
   std::vector<RailPlace> places;
-  for (std::size_t i = 0; i < at.size(); ++i) places.push_back({points[i], frames[i]});
+  for (std::size_t i = 0; i < count; ++i) places.push_back({points[i], frames[i]});
   return places;
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "measure/carried_frames.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 #include "splinecore/surface/sweep.hpp"
 
@@ -15,10 +16,23 @@ struct RailPlace {
   MovingFrame frame;
 };
 
-/// The places of a rail, about 1 large, at parameters of it; those at the end of the interval are from before it.
-/// @throws InvalidShape as sweep()
-std::vector<RailPlace> rail_places(const NurbsCurve& rail, std::span<const double> at, const Interval& stretch,
-                                   const SweepOptions& options);
+/// The places of a rail, about 1 large; what it is made of must stay.
+class RailPlaces {
+ public:
+  /// @throws InvalidShape as sweep()
+  RailPlaces(const NurbsCurve& rail, const SweepOptions& options)
+      : rail_(rail), options_(options), frames_(rail, {options.start, rail.periodic()}) {}
+
+  /// At parameters; those at the end of the interval are from before it. @throws InvalidShape as sweep()
+  std::vector<RailPlace> at(std::span<const double> parameters, const Interval& stretch);
+
+ private:
+  void write_frames(std::span<const double> parameters, Side side, std::span<MovingFrame> out);
+
+  const NurbsCurve& rail_;
+  const SweepOptions& options_;
+  CarriedFrames frames_;
+};
 
 /// In the directions of a frame, from its place.
 inline glm::dvec3 in_frame(const MovingFrame& frame, const glm::dvec3& q) {

@@ -8,7 +8,8 @@
 
 namespace splinecore {
 
-std::vector<std::vector<glm::dvec3>> rows_beside(const KnotVector& knots, const std::vector<std::vector<glm::dvec3>>& across) {
+std::vector<std::vector<glm::dvec3>> rows_beside(const KnotVector& knots, const KnotVector& inwards,
+                                                 const std::vector<std::vector<glm::dvec3>>& across) {
   const std::size_t orders = across.size();
   RowConditions given{greville_places(knots), std::vector<std::vector<double>>(across.front().size()), {}, {}};
   for (const auto& values : across) {
@@ -17,8 +18,8 @@ std::vector<std::vector<glm::dvec3>> rows_beside(const KnotVector& knots, const 
     }
   }
   const RowSpline spline = spline_through(given, knots.degree(), Closing::open, {knots.knots().begin(), knots.knots().end()});
-  const double start[] = {knots.domain().start};
-  const Samples at_start = Samples::make(knots, start, static_cast<int>(orders) - 1);
+  const double start[] = {inwards.domain().start};
+  const Samples at_start = Samples::make(inwards, start, static_cast<int>(orders) - 1);
   std::vector<std::vector<glm::dvec3>> rows;
   for (std::size_t order = 0; order < orders; ++order) {
     const auto weights = at_start.weights(0, static_cast<int>(order));

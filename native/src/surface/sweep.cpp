@@ -97,14 +97,18 @@ NumbersAlong scales_of(const SweepOptions& options, const NurbsCurve& rail) {
 class Sweeping {
  public:
   Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options)
-      : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), corners_(corners_of({&rail, 1})),
-        whole_(length(rail).value) {}
+      : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), places_(rail, options), corners_(corners_of({&rail, 1})) {}
 
   bool is_level() const {
     return sections_.is_one() && options_.end_scale == 1.0 && options_.twist == 0.0 && scales_.is_one();
   }
 
-  /// That of the start.
+  /// Those of the start.
+  MovingFrame first_frame() {
+    const double start = rail_.domain().start;
+    return places_.at(std::span(&start, 1), rail_.domain())[0].frame;
+  }
+
   double scale() const { return scales_.at(rail_.domain().start); }
 
   bool goes_round() const { return rail_.periodic() && options_.end_scale == 1.0 && options_.twist == 0.0; }
@@ -118,20 +122,16 @@ class Sweeping {
     return breaks;
   }
 
-  std::vector<glm::dvec4> rows_at(std::span<const double> at, const Interval& stretch) const {
-    const std::vector<RailPlace> places = rail_places(rail_, at, stretch, options_);
-    std::vector<double> lengths = lengths_at_parameters(rail_, at);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (at[i] == rail_.domain().end) lengths[i] = whole_;  // of a periodic one it is the start, too
-    }
+  std::vector<glm::dvec4> rows_at(std::span<const double> at, const Interval& stretch) {
+    const std::vector<RailPlace> places = places_.at(at, stretch);
+    const std::vector<double> shares = shares_at(at);
     std::vector<glm::dvec4> rows = sections_.at(at);
     const std::size_t width = rows.size() / at.size();
     const Mitre mitre = mitre_of(stretch);
     for (std::size_t i = 0; i < at.size(); ++i) {
-      const double share = lengths[i] / whole_;
       for (std::size_t j = 0; j < width; ++j) {
         glm::dvec4& p = rows[i * width + j];
-        const glm::dvec3 out = in_frame(places[i].frame, scales_.at(at[i]) * turned(glm::dvec3(p), share));
+        const glm::dvec3 out = in_frame(places[i].frame, scales_.at(at[i]) * turned(glm::dvec3(p), shares[i]));
         p = glm::dvec4(out + p.w * places[i].point + slide(mitre, places[i], out, p.w) * places[i].frame.tangent, p.w);
       }
     }
@@ -146,6 +146,17 @@ class Sweeping {
     glm::dvec3 from{0.0};
     double length = 0.0;
   };
+
+  /// How much of the rail's length lies before each parameter; 0 where nothing grows or turns by that.
+  std::vector<double> shares_at(std::span<const double> at) const {
+    if (options_.end_scale == 1.0 && options_.twist == 0.0) return std::vector<double>(at.size(), 0.0);
+    std::vector<double> shares = lengths_at_parameters(rail_, at);
+    const double whole = length(rail_).value;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      shares[i] = at[i] == rail_.domain().end ? 1.0 : shares[i] / whole;  // of a periodic one it is the start, too
+    }
+    return shares;
+  }
 
   bool is_corner(double v) const {
     const Interval domain = rail_.domain();
@@ -162,13 +173,13 @@ class Sweeping {
     return {size * (c * q.x - s * q.y), size * (s * q.x + c * q.y), q.z};
   }
 
-  Mitre mitre_of(const Interval& stretch) const {
+  Mitre mitre_of(const Interval& stretch) {
     Mitre mitre;
     const bool has_start = is_corner(stretch.start);
     const bool has_end = is_corner(stretch.end);
     if (!has_start && !has_end) return mitre;
     const double ends[] = {stretch.start, stretch.end};
-    const std::vector<RailPlace> own = rail_places(rail_, ends, stretch, options_);
+    const std::vector<RailPlace> own = places_.at(ends, stretch);
     mitre.from = own[0].point;
     mitre.length = length_of(own[1].point - own[0].point);
     require_straight(stretch, own);
@@ -178,19 +189,19 @@ class Sweeping {
   }
 
   /// Between two tangents at a corner.
-  glm::dvec3 half_plane(const glm::dvec3& tangent, double at, Side other) const {
+  glm::dvec3 half_plane(const glm::dvec3& tangent, double at, Side other) {
     constexpr double kTurnsBack = 1e-3;
     const Interval beyond = other == Side::left ? Interval{rail_.domain().start, at} : Interval{at, rail_.domain().end};
-    const glm::dvec3 next = rail_places(rail_, std::span(&at, 1), beyond, options_)[0].frame.tangent;
+    const glm::dvec3 next = places_.at(std::span(&at, 1), beyond)[0].frame.tangent;
     const glm::dvec3 normal = tangent + next;
     if (!(length_of(normal) > kTurnsBack)) throw InvalidShape("the rail turns back at " + text_of(at));
     return normal / length_of(normal);
   }
 
-  void require_straight(const Interval& stretch, const std::vector<RailPlace>& ends) const {
+  void require_straight(const Interval& stretch, const std::vector<RailPlace>& ends) {
     constexpr double kRounding = 1e-9;
     const double middle = stretch.start + 0.5 * stretch.length();
-    const RailPlace between = rail_places(rail_, std::span(&middle, 1), stretch, options_)[0];
+    const RailPlace between = places_.at(std::span(&middle, 1), stretch)[0];
     const bool is_straight_there = length_of(ends[0].frame.tangent - ends[1].frame.tangent) <= kRounding &&
                                    length_of(between.frame.tangent - ends[0].frame.tangent) <= kRounding;
     if (is_straight_there) return;
@@ -212,8 +223,8 @@ class Sweeping {
   const RailSections& sections_;
   const SweepOptions& options_;
   NumbersAlong scales_;
+  RailPlaces places_;
   std::vector<double> corners_;
-  double whole_;
 };
 
 /// Places on a closed rail that begins elsewhere now.
@@ -242,11 +253,9 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
       begins_elsewhere ? placed_on(near, given) : std::vector<RailSection>(given.begin(), given.end());
   const RailSections along(sections, near, space.length(1.0));
   const auto left = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
-  const Sweeping sweeping(near, along, options);
+  Sweeping sweeping(near, along, options);
   if (sweeping.is_level() && (options.frame == RailFrame::parallel || is_straight(near))) {
-    const double start = near.domain().start;
-    const RailPlace place = rail_places(near, std::span(&start, 1), near.domain(), options)[0];
-    return {left(sum_of(near, along, place.frame, sweeping.scale())), 0.0};
+    return {left(sum_of(near, along, sweeping.first_frame(), sweeping.scale())), 0.0};
   }
   if (options.frame == RailFrame::parallel) {
     throw InvalidShape("parallel sections keep their size and turn: one section, without scale and twist");
