@@ -13,25 +13,6 @@ stage.begin()
 sc = stage.splinecore()
 
 
-def striped():
-    """Stripes by the direction in which light is reflected: a kink cuts them, a jump of curvature bends them."""
-    material = bpy.data.materials.new("stripes")
-    material.use_nodes = True
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    seen, wave = nodes.new('ShaderNodeTexCoord'), nodes.new('ShaderNodeTexWave')
-    wave.bands_direction = 'X'
-    wave.inputs["Scale"].default_value = 2.2
-    ramp = nodes.new('ShaderNodeValToRGB')
-    for element, place, value in zip(ramp.color_ramp.elements, (0.46, 0.54), (0.02, 0.9)):
-        element.position, element.color = place, (value, value, value, 1.0)
-    light = nodes.new('ShaderNodeEmission')
-    links.new(seen.outputs["Reflection"], wave.inputs["Vector"])
-    links.new(wave.outputs["Fac"], ramp.inputs["Fac"])
-    links.new(ramp.outputs["Color"], light.inputs["Color"])
-    links.new(light.outputs["Emission"], nodes["Material Output"].inputs["Surface"])
-    return material
-
-
 def fender(start, heights):
     """A bicubic patch over [start, start + 1.5] x [0, 2.4], the heights of whose points are given along x."""
     x, y = np.meshgrid(start + np.linspace(0, 1.5, 4), np.linspace(0, 2.4, 4), indexing='ij')
@@ -39,7 +20,7 @@ def fender(start, heights):
     return sc.BezierPatch(np.stack([x, y, np.array(heights)[:, None] + bow], -1))
 
 
-stripes = striped()
+stripes = stage.striped()
 for number, name in enumerate(('C0', 'G1', 'C1', 'G2')):
     place = (4.2 * (number % 2), -4.0 * (number // 2), 0)
     first, second = fender(-1.5, (0.0, 0.55, 0.85, 0.9)), fender(0.0, (0.9, 0.55, 0.5, 0.55))

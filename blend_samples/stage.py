@@ -155,6 +155,25 @@ def paint(color):
     return material
 
 
+def striped(direction='X', scale=2.2, color=(0.9, 0.9, 0.9)):
+    """Stripes by the direction in which light is reflected: a kink cuts them, a jump of curvature bends them."""
+    material = bpy.data.materials.new("stripes")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    seen, wave = nodes.new('ShaderNodeTexCoord'), nodes.new('ShaderNodeTexWave')
+    wave.bands_direction = direction
+    wave.inputs["Scale"].default_value = scale
+    ramp = nodes.new('ShaderNodeValToRGB')
+    for element, place, light in zip(ramp.color_ramp.elements, (0.46, 0.54), ((0.02, 0.02, 0.02), color)):
+        element.position, element.color = place, (*light, 1.0)
+    light = nodes.new('ShaderNodeEmission')
+    links.new(seen.outputs["Reflection"], wave.inputs["Vector"])
+    links.new(wave.outputs["Fac"], ramp.inputs["Fac"])
+    links.new(ramp.outputs["Color"], light.inputs["Color"])
+    links.new(light.outputs["Emission"], nodes["Material Output"].inputs["Surface"])
+    return material
+
+
 def ground(height=0.0, size=400.0, color='snow'):
     bpy.ops.mesh.primitive_plane_add(size=size, location=(0, 0, height))
     bpy.context.object.name = "Ground"
@@ -171,10 +190,12 @@ def camera(place, target, lens=50):
     bpy.context.scene.camera = ob
 
 
-def lamp(place, target, power, size):
-    """A square of light."""
+def lamp(place, target, power, size, height=None):
+    """A square of light, or so high a rectangle."""
     light = bpy.data.lights.new("Lamp", 'AREA')
     light.energy, light.size = power, size
+    if height:
+        light.shape, light.size_y = 'RECTANGLE', height
     ob = bpy.data.objects.new("Lamp", light)
     ob.location = place
     ob.rotation_euler = (Vector(target) - Vector(place)).to_track_quat('-Z', 'Y').to_euler()

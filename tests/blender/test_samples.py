@@ -15,7 +15,8 @@ NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.
 
 def test_there_are_samples():
     assert {'gallery', 'teapot', 'vase', 'solids', 'cups', 'conics', 'moebius', 'knots', 'points', 'runge',
-            'joins', 'railing', 'scan', 'bottle', 'contour', 'offsets', 'kettle', 'boat', 'suzanne'} <= set(NAMES)
+            'joins', 'railing', 'scan', 'bottle', 'contour', 'offsets', 'kettle', 'boat', 'flask', 'mirror',
+            'suzanne'} <= set(NAMES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -272,6 +273,68 @@ def test_the_kettle_and_the_boat_follow_their_curves():
         bpy.context.view_layer.update()
         after = {ob.name: ob.data.splinewright.value for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)}
         assert {changed for changed in after if after[changed] != before[changed]} == followers
+
+
+def kinds_in(shapes):
+    return {name: recipes.kind(bpy.data.objects[name].data) for name in shapes}
+
+
+def changed_by(change, before):
+    """The names of the shapes that are others once something was changed."""
+    change()
+    bpy.context.view_layer.update()
+    shapes = {name: bpy.data.objects[name] for name in before}
+    assert not any(part('bridge.follow').problem(ob.data) for ob in shapes.values())
+    return {name for name, ob in shapes.items() if ob.data.splinewright.value != before[name]}
+
+
+def continuity_between(names, sides=('u_start', 'u_end', 'v_start', 'v_end')):
+    """Across the two sides that come nearest to each other, of the patches of two objects in the scene."""
+    first, second = (bpy.data.objects[name] for name in names)
+    first, second = (ob.data.splinewright.value.transformed(np.array(ob.matrix_world)) for ob in (first, second))
+    return min((sc.seam_continuity(first, a, second, b) for a in sides for b in sides), key=lambda seam: seam.gap)
+
+
+def test_the_sides_of_the_flask_are_lofts_and_its_front_and_back_go_on_from_them():
+    shapes = opened('flask')
+    kinds = kinds_in(shapes)
+    assert {name for name, kind in kinds.items() if kind == 'loft'} == {"Right side", "Left side"}
+    assert {name for name, kind in kinds.items() if kind == 'filling'} == {"Front", "Back"}
+    for name in ("Front", "Back"):
+        assert recipes.read(bpy.data.objects[name].data).said.startswith("4 sides, angle 0")
+        for side in ("Right side", "Left side"):
+            seam = continuity_between((side, name))
+            assert seam.gap < 1e-9 and np.degrees(seam.angle) < 0.01 and seam.curvature_difference < 0.005
+    middle = shapes["Front"].evaluate(*(np.mean(domain) for domain in shapes["Front"].domain))
+    assert middle[1] > shapes["Front"].points[..., 1].min() + 0.1           # a dent
+
+
+def test_a_section_of_the_flask_changes_both_sides_and_what_fills_between():
+    before = opened('flask')
+    curve = bpy.data.objects["Section 4, right"].data.splinewright
+    def widen():
+        curve.value = curve.value.with_points(curve.value.points * (1.1, 1, 1))
+    assert changed_by(widen, before) == {"Section 4, right", "Section 4, left", "Right side", "Left side", "Front", "Back"}
+
+
+def test_the_parts_of_the_mirror_go_on_from_each_other_with_their_curvatures():
+    shapes = opened('mirror')
+    kinds = kinds_in(shapes)
+    assert kinds["Housing"] == 'network' and kinds["Glass"] == 'filling' and list(kinds.values()).count('surface_blend') == 3
+    for name, neighbours in (("Blend of housing and arm", ("Housing", "Arm")), ("Blend of arm and foot", ("Arm", "Foot")),
+                             ("Rim", ("Housing", "Bezel"))):
+        assert recipes.read(bpy.data.objects[name].data).said.count("angle 0°, curvatures differ by 0") == 2
+        for neighbour in neighbours:
+            seam = continuity_between((neighbour, name), ('v_start', 'v_end'))
+            assert seam.gap < 1e-9 and np.degrees(seam.angle) < 1e-6 and seam.curvature_difference < 1e-6, name
+    assert np.ptp(shapes["Glass"].points[..., 1]) < 1e-9
+
+
+def test_the_mirror_follows_its_curves():
+    before = opened('mirror')
+    def lower():
+        bpy.data.objects["Section of the foot, 2"].location.z -= 0.02
+    assert changed_by(lower, before) == {"Foot", "Blend of arm and foot"}
 
 
 def test_suzanne_follows_her_mesh_and_is_smooth():
