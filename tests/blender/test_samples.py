@@ -304,7 +304,7 @@ def test_the_sides_of_the_flask_are_lofts_and_its_front_and_back_go_on_from_them
         assert recipes.read(bpy.data.objects[name].data).said.startswith("4 sides, angle 0")
         for side in ("Right side", "Left side"):
             seam = continuity_between((side, name))
-            assert seam.gap < 1e-9 and np.degrees(seam.angle) < 0.01 and seam.curvature_difference < 0.005
+            assert seam.gap < 1e-9 and np.degrees(seam.angle) < 1e-6 and seam.curvature_difference < 1e-5
     middle = shapes["Front"].evaluate(*(np.mean(domain) for domain in shapes["Front"].domain))
     assert middle[1] > shapes["Front"].points[..., 1].min() + 0.1           # a dent
 
