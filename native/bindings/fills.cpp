@@ -69,7 +69,8 @@ void bind_fills(py::module_& module) {
             py::arg("cancel") = py::none(),
             "The Filling of a hole of three to eight sides, which are curves of any kinds or neighbours (patch, side, 'G0' to\n"
             "'G2'), one after the other in any directions: the surface that goes on from these, by least third derivatives (Sarraga\n"
-            "1987, Greiner 1994; row S21).\n\n"
+            "1987, Greiner 1994; row S21) of what lies between it and the surface that neighbours let expect: of four sides the\n"
+            "bicubic Coons patch, of others a polynomial over a plane.\n\n"
             "A hole of four sides is one patch of degree 5; others are split from the middle of each side to a point. There are as\n"
             "few spans as come within the tolerance, a length, by default 2^-20 of the size of the sides, and the angle, in\n"
             "radians; eight at most, and the Filling says what was reached. Where neighbours do not share their tangent plane at a\n"

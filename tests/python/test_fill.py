@@ -55,7 +55,7 @@ def test_a_hole_in_a_quadric_is_filled(count, word):
     assert len(filling.patches) == (1 if count == 4 else count)
     assert filling.gap <= 1e-12 and filling.angle <= 1e-11 and filling.inner_angle <= 1e-11
     assert filling.curvature_difference <= 1e-9
-    assert off_quadric(filling) <= 0.1
+    assert off_quadric(filling) <= (0.1 if word == "G0" else 4e-3)
 
 
 @pytest.mark.parametrize("word", ["G0", "G1", "G2"])
@@ -180,3 +180,25 @@ def test_knots_that_are_not_even_are_as_good_on_either_side(knot, word):
     angles = [sc.seam_continuity(neighbour, "v_end", filling.patches[0], end).angle
               for neighbour, end in ((first, "v_start"), (other, "v_end"))]
     assert max(angles) <= 1.01e-4 and filling.angle <= 1.01e-4
+
+
+def sphere_patch(corners):
+    """The bilinear patch of corners, put on the unit sphere at many places: nearly a part of it."""
+    corners = np.array(corners, float)
+    u, v = np.meshgrid(*[np.linspace(0, 1, 25)] * 2, indexing="ij")
+    shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], -1)
+    flat = shares @ corners
+    points = np.concatenate([flat, np.ones((*u.shape, 1))], -1)
+    return sc.fit.interpolate_patch(points / np.linalg.norm(points, axis=-1, keepdims=True), degrees=(5, 5)).value
+
+
+@pytest.mark.parametrize("word, count, most", [("G1", 4, 2e-3), ("G2", 4, 2e-3), ("G1", 5, 6e-3), ("G2", 5, 6e-3), ("G1", 6, 8e-3)])
+def test_a_hole_in_a_sphere_is_filled_with_a_dome(word, count, most):
+    """Half a radius wide: what is flat, as least third derivatives alone are, is farther off by ten times."""
+    angles = 2 * np.pi * np.arange(count) / count + 0.2
+    inner = 0.6 * np.c_[np.cos(angles), np.sin(angles)]
+    outer = 2 * inner
+    sides = [(sphere_patch([inner[i], inner[(i + 1) % count], outer[(i + 1) % count], outer[i]]), "v_start", word)
+             for i in range(count)]
+    filling = build.fill(sides, tolerance=1e-4)
+    assert max(np.abs(np.linalg.norm(grid(patch), axis=1) - 1).max() for patch in filling.patches) <= most

@@ -10,6 +10,7 @@
 #include "basis/selection.hpp"
 #include "border_loop.hpp"
 #include "build/fit_options.hpp"
+#include "expected_points.hpp"
 #include "greville.hpp"
 #include "hole.hpp"
 #include "meet/near_space.hpp"
@@ -102,6 +103,24 @@ std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const Part
   return rows_beside(knots, is_at_end(part.border) ? reversed(knots).knots : knots, across);
 }
 
+std::vector<NurbsPatch> patches_of(const Star& star, const std::vector<glm::dvec3>& points) {
+  std::vector<NurbsPatch> patches;
+  for (std::size_t k = 0; k < star.count; ++k) {
+    std::vector<glm::dvec4> net;
+    for (std::size_t i = 0; i < star.width(); ++i) {
+      for (std::size_t j = 0; j < star.width(); ++j) net.emplace_back(points[star.at(k, i, j)], 1.0);
+    }
+    patches.push_back(NurbsPatch::make(star.knots, star.knots, std::move(net)));
+  }
+  return patches;
+}
+
+std::vector<glm::dvec3> points_or_zero(const std::vector<std::optional<glm::dvec3>>& given) {
+  std::vector<glm::dvec3> points;
+  for (const auto& point : given) points.push_back(point.value_or(glm::dvec3(0.0)));
+  return points;
+}
+
 std::vector<NurbsPatch> patches_with(const Hole& hole, const std::vector<PartOfSide>& parts, const KnotVector& knots) {
   const bool is_one = hole.share == 1.0;
   const Star star{knots, is_one ? 1 : hole.sides.size(), is_one, hole.continuity() + 1};
@@ -117,16 +136,10 @@ std::vector<NurbsPatch> patches_with(const Hole& hole, const std::vector<PartOfS
       }
     }
   }
-  const std::vector<glm::dvec3> points = solved_star(star, claims.points());
-  std::vector<NurbsPatch> patches;
-  for (std::size_t k = 0; k < star.count; ++k) {
-    std::vector<glm::dvec4> net;
-    for (std::size_t i = 0; i <= last; ++i) {
-      for (std::size_t j = 0; j <= last; ++j) net.emplace_back(points[star.at(k, i, j)], 1.0);
-    }
-    patches.push_back(NurbsPatch::make(knots, knots, std::move(net)));
-  }
-  return patches;
+  const auto given = claims.points();
+  std::vector<NurbsPatch> patches = patches_of(star, is_one ? points_or_zero(given) : solved_star(star, given));
+  const std::vector<glm::dvec3> expected = expected_points(hole, star, patches);
+  return expected.empty() && !is_one ? patches : patches_of(star, solved_star(star, given, expected));
 }
 
 double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {

@@ -78,6 +78,11 @@ class Form {
     }
   }
 
+  void expect(std::size_t a, const glm::dvec3& value) {
+    if (places_[a] < 0) return;
+    for (int c = 0; c < 3; ++c) right(places_[a], c) += value[c];
+  }
+
   Index place(std::size_t number) const { return places_[number]; }
   const glm::dvec3& value(std::size_t number) const { return *given_[number]; }
 
@@ -89,7 +94,7 @@ class Form {
   std::vector<Index> places_;
 };
 
-void add_energy(const Star& star, Form& form) {
+void add_energy(const Star& star, const std::vector<glm::dvec3>& expected, Form& form) {
   const auto& [of_order] = products_of(star.knots);
   const auto degree = static_cast<std::size_t>(star.knots.degree());
   const std::size_t width = star.width();
@@ -103,7 +108,9 @@ void add_energy(const Star& star, Form& form) {
             const auto product = [&](int u, int v) {
               return of_order[u](static_cast<Index>(i), static_cast<Index>(m)) * of_order[v](static_cast<Index>(j), static_cast<Index>(n));
             };
-            form.add(star.at(k, i, j), star.at(k, m, n), product(3, 0) + 3.0 * product(2, 1) + 3.0 * product(1, 2) + product(0, 3));
+            const double value = product(3, 0) + 3.0 * product(2, 1) + 3.0 * product(1, 2) + product(0, 3);
+            form.add(star.at(k, i, j), star.at(k, m, n), value);
+            if (!expected.empty()) form.expect(star.at(k, i, j), value * expected[star.at(k, m, n)]);
           }
         }
       }
@@ -204,11 +211,12 @@ std::size_t Star::at(std::size_t patch, std::size_t i, std::size_t j) const {
   return (patch * width() + i) * width() + j;
 }
 
-std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given) {
+std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,
+                                    const std::vector<glm::dvec3>& expected) {
   Index count = 0;
   std::vector<Index> places = unknowns_of(star, given, count);
   Form form(given, places, count);
-  add_energy(star, form);
+  add_energy(star, expected, form);
   const Eigen::MatrixXd found = least(form, conditions_of(star, form));
   std::vector<glm::dvec3> points(star.size(), glm::dvec3(0.0));
   for (std::size_t number = 0; number < star.size(); ++number) {

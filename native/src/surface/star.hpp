@@ -30,13 +30,16 @@ struct Star {
 };
 
 /// The points of a star of which some are given: tangent planes of neighbours agree along the spokes, as exactly as the
-/// knots allow, and the sum of the squared third derivatives is least (Greiner 1994).
+/// knots allow, and the sum of the squared third derivatives of what lies between them and expected ones is least (Greiner
+/// 1994).
 ///
 /// Derivatives across a spoke, of both patches outwards, add up to f s^power times the one along it, where s goes from 0 at its
 /// outer end to 1, and f is twice the cosine of the angle between spokes that all are as far apart: lecture row S21,
 /// Chiyokura and Kimura 1983.
-/// @param given  by number; none where they are sought
-std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given);
+/// @param given     by number; none where they are sought
+/// @param expected  by number; or none at all, which is 0
+std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,
+                                    const std::vector<glm::dvec3>& expected = {});
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -27,7 +27,8 @@ struct Filling {
   double inner_angle = 0.0;            ///< the largest between tangent planes of patches of the filling
 };
 
-/// The surface in a hole of three to eight sides that goes on from its neighbours, by least third derivatives: patches of
+/// The surface in a hole of three to eight sides that goes on from its neighbours, by least third derivatives of what lies between
+/// it and the one that these let expect (of four sides the bicubic Coons patch, of others a polynomial over a plane): patches of
 /// degree 5, or 7 where curvatures are to agree, with as few knots as come within the tolerances, eight spans at most (row S21; Sarraga 1987 and Greiner 1994).
 ///
 /// A hole of four sides is one patch; others are split from the middle of each side to a point. What leaves a side does so in

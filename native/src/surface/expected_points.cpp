@@ -1,0 +1,197 @@
+#include "expected_points.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "base/length.hpp"
+#include "bicubic_sum.hpp"
+#include "fit/row_spline.hpp"
+#include "greville.hpp"
+#include "ribbon.hpp"
+#include "splinecore/patch/evaluate.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr int kDegree = 4;
+constexpr int kTerms = (kDegree + 1) * (kDegree + 2) / 2;
+using Terms = Eigen::Matrix<double, 1, kTerms>;
+
+/// Places of a side that are looked at.
+constexpr int kPlaces = 17;
+
+std::vector<HolePlace> places_along(const HoleSide& side) {
+  std::vector<double> s;
+  for (int k = 0; k < kPlaces; ++k) s.push_back(static_cast<double>(k) / (kPlaces - 1));
+  return side.places(s);
+}
+
+/// A plane that a hole lies over.
+struct HolePlane {
+  glm::dvec3 origin;
+  glm::dvec3 x;
+  glm::dvec3 y;
+  glm::dvec3 normal;
+  double size;  ///< how far points are from the origin
+
+  glm::dvec3 at(const glm::dvec3& p) const { return along(p - origin); }
+  glm::dvec3 along(const glm::dvec3& v) const { return glm::dvec3(glm::dot(v, x), glm::dot(v, y), glm::dot(v, normal)) / size; }
+};
+
+/// By the area that the sides go round.
+std::optional<HolePlane> plane_of(const std::vector<std::vector<HolePlace>>& sides) {
+  constexpr double kFlat = 1e-3;
+  std::vector<glm::dvec3> points;
+  for (const auto& side : sides) {
+    for (int k = 0; k + 1 < kPlaces; ++k) points.push_back(side[k].point);
+  }
+  HolePlane plane{glm::dvec3(0.0), {}, {}, glm::dvec3(0.0), 0.0};
+  for (const glm::dvec3& p : points) plane.origin += p / static_cast<double>(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    plane.normal += glm::cross(points[k] - plane.origin, points[(k + 1) % points.size()] - plane.origin);
+    plane.size = std::max(plane.size, length_of(points[k] - plane.origin));
+  }
+  const double area = length_of(plane.normal);
+  if (!(area > kFlat * plane.size * plane.size)) return {};
+  plane.normal /= area;
+  const glm::dvec3 way = points[0] - plane.origin - glm::dot(points[0] - plane.origin, plane.normal) * plane.normal;
+  if (!(length_of(way) > kFlat * plane.size)) return {};
+  plane.x = way / length_of(way);
+  plane.y = glm::cross(plane.normal, plane.x);
+  return plane;
+}
+
+/// The products of powers of x and y, or their derivatives along a direction.
+Terms terms_at(const glm::dvec3& p) {
+  Terms terms;
+  int next = 0;
+  for (int sum = 0; sum <= kDegree; ++sum) {
+    for (int k = 0; k <= sum; ++k) terms[next++] = std::pow(p.x, sum - k) * std::pow(p.y, k);
+  }
+  return terms;
+}
+
+Terms terms_along(const glm::dvec3& p, const glm::dvec3& way) {
+  Terms terms;
+  int next = 0;
+  for (int sum = 0; sum <= kDegree; ++sum) {
+    for (int k = 0; k <= sum; ++k) {
+      const int i = sum - k;
+      const double by_x = i > 0 ? i * std::pow(p.x, i - 1) * std::pow(p.y, k) : 0.0;
+      const double by_y = k > 0 ? k * std::pow(p.x, i) * std::pow(p.y, k - 1) : 0.0;
+      terms[next++] = way.x * by_x + way.y * by_y;
+    }
+  }
+  return terms;
+}
+
+/// The polynomial's factors; none where a neighbour stands too steeply over the plane.
+std::optional<Eigen::Matrix<double, kTerms, 1>> heights_of(const std::vector<std::vector<HolePlace>>& sides, const HolePlane& plane) {
+  constexpr double kSteep = 0.15;
+  constexpr double kDependent = 1e-4;
+  std::vector<Terms> rows;
+  std::vector<double> right;
+  for (const auto& side : sides) {
+    for (const HolePlace& place : side) {
+      const glm::dvec3 p = plane.at(place.point);
+      rows.push_back(terms_at(p));
+      right.push_back(p.z);
+      if (place.out == glm::dvec3(0.0)) continue;
+      const double length = length_of(place.out);
+      const glm::dvec3 way = plane.size / length * plane.along(place.out);
+      if (std::hypot(way.x, way.y) < kSteep) return {};
+      rows.push_back(terms_along(p, way));
+      right.push_back(way.z);
+    }
+  }
+  Eigen::Matrix<double, Eigen::Dynamic, kTerms> left(static_cast<Eigen::Index>(rows.size()), kTerms);
+  for (std::size_t i = 0; i < rows.size(); ++i) left.row(static_cast<Eigen::Index>(i)) = rows[i];
+  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, Eigen::Dynamic, kTerms>> solver;
+  solver.setThreshold(kDependent);
+  solver.compute(left);
+  return solver.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), static_cast<Eigen::Index>(right.size())));
+}
+
+/// Control points of one number from its values at Greville's places in both directions, row after row.
+std::vector<double> controls_of(const KnotVector& knots, const std::vector<double>& values) {
+  const std::vector<double> at = greville_places(knots);
+  const std::size_t width = at.size();
+  const std::vector<double> all(knots.knots().begin(), knots.knots().end());
+  std::vector<double> found = values;
+  for (int direction = 0; direction < 2; ++direction) {
+    RowConditions given{at, {}, {}, {}};
+    for (std::size_t i = 0; i < width; ++i) given.rows.emplace_back(found.begin() + i * width, found.begin() + (i + 1) * width);
+    const std::vector<double> controls = spline_through(given, knots.degree(), Closing::open, all).controls;
+    for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t j = 0; j < width; ++j) found[j * width + i] = controls[i * width + j];
+    }
+  }
+  return found;
+}
+
+std::vector<glm::dvec3> heights_over_plane(const std::vector<std::vector<HolePlace>>& sides, const Star& star,
+                                           std::span<const NurbsPatch> patches) {
+  const std::optional<HolePlane> plane = plane_of(sides);
+  if (!plane) return {};
+  const auto heights = heights_of(sides, *plane);
+  if (!heights) return {};
+  const std::vector<double> at = greville_places(star.knots);
+  std::vector<glm::dvec3> found(star.size(), glm::dvec3(0.0));
+  for (std::size_t k = 0; k < star.count; ++k) {
+    std::vector<glm::dvec3> grid(at.size() * at.size());
+    evaluate_grid(patches[k], at, at, std::span(&grid.front().x, 3 * grid.size()));
+    std::vector<double> values;
+    for (const glm::dvec3& p : grid) values.push_back(terms_at(plane->at(p)) * *heights);
+    const std::vector<double> controls = controls_of(star.knots, values);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      for (std::size_t j = 0; j < at.size(); ++j) {
+        found[star.at(k, i, j)] = plane->size * controls[i * at.size() + j] * plane->normal;
+      }
+    }
+  }
+  return found;
+}
+
+/// A border, and if a neighbour says how the patch leaves it, the derivative by the other parameter.
+LeftBorder left_border(const NurbsPatch& patch, Border border, bool has_neighbour) {
+  LeftBorder made{boundary(patch, border), {}};
+  if (!has_neighbour) return made;
+  std::vector<glm::dvec4> vectors;
+  for (const glm::dvec4& out : derivative_out(ribbon_of(patch, border), 1)) {
+    vectors.emplace_back(is_at_end(border) ? glm::dvec3(out) : -glm::dvec3(out), 1.0);
+  }
+  made.across = made.curve.with_points(std::move(vectors));
+  return made;
+}
+
+/// Sides of the hole are v_start, u_end, v_end, u_start.
+std::vector<glm::dvec3> bicubic_points(const Hole& hole, const Star& star, const NurbsPatch& patch) {
+  const auto border = [&](std::size_t side, Border name) {
+    return left_border(patch, name, hole.sides[side].continuity() > 0);
+  };
+  const BicubicSum sum = bicubic_sum({border(0, Border::v_start), border(2, Border::v_end)},
+                                     {border(3, Border::u_start), border(1, Border::u_end)});
+  if (sum.patch.points().size() != star.size()) return {};
+  std::vector<glm::dvec3> found;
+  for (const glm::dvec4& p : sum.patch.points()) found.emplace_back(p);
+  return found;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> expected_points(const Hole& hole, const Star& star, std::span<const NurbsPatch> patches) {
+  const auto has_neighbour = [](const HoleSide& side) { return side.continuity() > 0; };
+  if (std::ranges::none_of(hole.sides, has_neighbour)) return {};
+  if (star.count == 1) return bicubic_points(hole, star, patches[0]);
+  std::vector<std::vector<HolePlace>> sides;
+  for (const HoleSide& side : hole.sides) sides.push_back(places_along(side));
+  return heights_over_plane(sides, star, patches);
+}
+
+}  // namespace splinecore
