@@ -1,5 +1,6 @@
 """Every patch shape of every sample, meshed by count and adaptively: without cracks, slivers and flipped faces."""
 
+import functools
 import sys
 from pathlib import Path
 
@@ -18,8 +19,11 @@ NAMES = sorted(path.stem for path in SAMPLES.glob("*.blend"))
 COUNTS = (2, 3, 6, (4, 9), (11, 3))
 #: Tolerances in parts of the size.
 ADAPTIVE = ({'tolerance': 0.01}, {'tolerance': 0.002}, {'angle': 0.3})
+#: Of a larger set so many patches are looked at: the time of the check grows faster than they.
+MOST = 100
 
 
+@functools.cache
 def patch_sets(name):
     """{object: its patches} of a sample, each definition once."""
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLES / f"{name}.blend"))
@@ -27,7 +31,8 @@ def patch_sets(name):
     for ob in bpy.data.objects:
         if ob.type == 'MESH' and part('bridge.shape').has_shape(ob):
             value = ob.data.splinewright.value
-            found[ob.name] = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value])
+            patches = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value])
+            found[ob.name] = patches if len(patches) <= MOST else sc.PatchSet.from_patches(list(patches)[:MOST])
     return found
 
 
