@@ -51,7 +51,8 @@ def steps():
     empty = picture("empty")
 
     table = part('core.recipes.table')
-    above = 3 + sum(recipe.is_surface for recipe in table.STARTING) + len(table.FROM_CURVES)
+    above = 3 + sum(recipe.is_surface for recipe in table.STARTING) + sum(
+        len(recipes) for recipes in (table.FROM_CURVES, table.FROM_BOTH, table.FROM_SURFACES))
     yield from pick(view, "SPLINEWRIGHT_MT_surface_add", above, "menu")
     ob = bpy.context.object
     assert ob is not None and len(ob.data.splinewright.value) == 32, "the menu entry added no teapot"
