@@ -20,7 +20,8 @@ inside=/project/${build#"$project"/}
 
 in_root() { local suite=$1; shift; "$here/root.sh" run "$cache/$suite" "$project" "$@"; }
 
-make_root() { "$here/root.sh" make "$1" "$cache/$1" >"$build/root-$1.log" 2>&1; }
+# What it leaves running, if anything, does not keep the lock.
+make_root() { "$here/root.sh" make "$1" "$cache/$1" >"$build/root-$1.log" 2>&1 8>&-; }
 
 # By a release's own compiler.
 build_in_root() {
@@ -102,7 +103,7 @@ official_build() {
     bookworm) folder=$cache/official/$2 ;;
     *) folder=/opt/official/$2 root=$cache/$3 ;;
   esac
-  made=$("$here/official.sh" "$1" "$2" "$folder" "$root")
+  made=$("$here/official.sh" "$1" "$2" "$folder" "$root" 8>&-)
 }
 
 test_official() {
