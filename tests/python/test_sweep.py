@@ -85,6 +85,42 @@ def test_scale_and_twist_go_by_length():
     assert np.linalg.norm(points[0, :, :2], axis=1) == pytest.approx(1 + 2 * share, abs=1e-6)
     assert np.unwrap(np.arctan2(points[0, :, 1], points[0, :, 0])) == pytest.approx(math.pi * share, abs=1e-6)
 
+def waving_rail(count, degree=3, closed=False):
+    """Bends differently in every span."""
+    turn = np.linspace(0, 2 * math.pi, count, endpoint=not closed)
+    points = np.stack([4 * np.cos(turn), 3 * np.sin(turn), 0.5 * np.sin(5 * turn)], 1)
+    if closed:
+        return sc.NurbsCurve(degree, np.arange(count + 1.0), points, periodic=True)
+    return sc.NurbsCurve(degree, np.concatenate([np.zeros(degree), np.arange(count - degree + 1), np.full(degree, count - degree)]), points)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("degree", [3, 4, 5])
+def test_rows_are_few_and_smooth_where_the_rail_has_knots(degree, closed):
+    rail = waving_rail(16, degree, closed)
+    made, error = build.sweep(rail, line((-0.2, 0, 0), (0, 0.1, 0), (0.2, 0, 0)), tolerance=1e-4)
+    assert error <= 1e-4 and made.points.shape[1] <= (90 if closed else 80)
+    knots = made.knots[1][:-1] if closed else np.unique(made.knots[1])[1:-1]
+    before, after = (made.derivatives(np.full(len(knots), 0.3), knots, 1, side=side)[:, 0, 1] for side in ("left", "right"))
+    assert np.abs(before - after).max() <= 1e-9 * np.abs(after).max()
+
+
+def test_a_rail_that_needs_no_knots_gets_none():
+    made, _ = build.sweep(line((0, 0, 0), (1, 0, 0.2), (2, 0, 0)), ring(0.1), tolerance=1e-2)
+    assert len(set(made.knots[1])) == 2
+    knots = np.concatenate([np.zeros(3), np.arange(31), np.full(3, 30)])
+    gentle = sc.NurbsCurve(3, knots, [(x, 0.01 * x * x, 0) for x in (knots[i:i + 3].mean() / 30 for i in range(1, 34))])
+    assert build.sweep(gentle, ring(0.1), tolerance=1e-3).value.points.shape[1] <= 6
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_weights_of_the_section_stay(closed):
+    rail = waving_rail(12, closed=closed)
+    assert not build.sweep(rail, waving_rail(8).transformed(0.1 * np.eye(3)), tolerance=1e-4).value.is_rational
+    made = build.sweep(rail, ring(0.1), tolerance=1e-4).value
+    assert np.array_equal(made.weights, np.repeat(made.weights[:, :1], made.weights.shape[1], 1))
+
+
 
 def test_sections_change_along_the_rail():
     rail = sc.BezierCurve([(0, 0, 0), (0, 0, 1), (0, 1, 2), (0, 3, 3)])

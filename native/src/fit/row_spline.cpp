@@ -35,9 +35,21 @@ std::vector<Condition> conditions_of(const RowConditions& given, const Interpola
 
 }  // namespace
 
+std::vector<double> numbers_of(std::span<const glm::dvec4> row) {
+  std::vector<double> numbers;
+  for (const glm::dvec4& p : row) numbers.insert(numbers.end(), {p.x, p.y, p.z, p.w});
+  return numbers;
+}
+
 KnotVector knots_through(const RowConditions& given, int degree, Closing closing, const std::vector<double>& knots) {
   const InterpolationOptions options = options_of(given, degree, closing, knots);
   return knots_for(sites_of(conditions_of(given, options)), given.parameters, options);
+}
+
+void solve_rows(const KnotVector& knots, std::span<const double> parameters, std::span<double> rows) {
+  std::vector<Condition> conditions;
+  for (std::size_t i = 0; i < parameters.size(); ++i) conditions.push_back({parameters[i], 0, kOne, i});
+  solve(knots, system_of(knots, conditions).rows, rows, rows.size() / parameters.size());
 }
 
 RowSpline spline_through(const RowConditions& given, int degree, Closing closing, const std::vector<double>& knots) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct RowConditions {
   std::vector<std::vector<double>> end;
 };
 
+/// A homogeneous row as numbers.
+std::vector<double> numbers_of(std::span<const glm::dvec4> row);
+
 /// Rows of numbers as control points.
 struct RowSpline {
   KnotVector knots;
@@ -30,6 +34,10 @@ RowSpline spline_through(const RowConditions& given, int degree, Closing closing
 
 /// Its knots alone.
 KnotVector knots_through(const RowConditions& given, int degree, Closing closing, const std::vector<double>& knots = {});
+
+/// Rows of numbers at parameters, one for each control point, become the control points of the spline on these knots through
+/// them. @throws InvalidShape as interpolate()
+void solve_rows(const KnotVector& knots, std::span<const double> parameters, std::span<double> rows);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

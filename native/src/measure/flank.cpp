@@ -73,14 +73,14 @@ double Flank::room(const SeamPlace& place) const {
   return place.share - (end == knots_.begin() ? 0.0 : std::prev(end)->share);
 }
 
-std::vector<SeamJet> Flank::jets(std::span<const SeamPlace> places) const {
+std::vector<SeamJet> Flank::jets(std::span<const SeamPlace> places, SeamDepth depth) const {
   std::vector<SeamJet> found(places.size());
-  add(places, Side::right, found);
-  add(places, Side::left, found);
+  add(places, Side::right, depth, found);
+  add(places, Side::left, depth, found);
   return found;
 }
 
-void Flank::add(std::span<const SeamPlace> places, Side side, std::span<SeamJet> jets) const {
+void Flank::add(std::span<const SeamPlace> places, Side side, SeamDepth depth, std::span<SeamJet> jets) const {
   const bool is_u = axis_of(side_) == Axis::u;
   std::vector<double> there;
   for (const SeamPlace& place : places) {
@@ -94,28 +94,37 @@ void Flank::add(std::span<const SeamPlace> places, Side side, std::span<SeamJet>
   const std::vector<double>& v = is_u ? there : edges;
   const Side onward = (side == Side::right) == (turn_ < 0.0) ? Side::left : Side::right;
   const PatchOptions options{is_u ? inward() : onward, is_u ? onward : inward(), AtInfinity::nan};
-  std::vector<std::array<glm::dvec3, 9>> values(count);
+  if (count == 0) return;
+  const int order = depth == SeamDepth::curvatures ? 2 : 1;
+  const std::size_t width = order + 1;
+  std::vector<glm::dvec3> values(width * width * count);
   std::vector<glm::dvec3> points(count);
   std::vector<glm::dvec3> normals(count);
-  std::vector<SurfaceCurvature> bends(count);
-  if (count == 0) return;
-  derivatives(patch_, u, v, 2, std::span(&values[0][0].x, 27 * count), options);
+  derivatives(patch_, u, v, order, std::span(&values[0].x, 3 * values.size()), options);
   evaluate_with_normals(patch_, u, v, std::span(&points[0].x, 3 * count), std::span(&normals[0].x, 3 * count), options);
-  curvatures(patch_, u, v, bends, options);
-  const double sign = (is_u ? 1.0 : -1.0) * turn_ * way_;
+  std::vector<SurfaceCurvature> bends(depth == SeamDepth::curvatures ? count : 0);
+  if (!bends.empty()) curvatures(patch_, u, v, bends, options);
   for (std::size_t i = 0, next = 0; i < places.size(); ++i) {
     if (places[i].side != side) continue;
-    const auto& at = values[next];
     SeamJet& jet = jets[i];
-    jet = {at[0], turn_ * at[is_u ? 1 : 3], way_ * at[is_u ? 3 : 1], at[is_u ? 6 : 2], glm::dvec3(kNan), kNan, false,
-           0.0};
-    const double area = glm::length(glm::cross(jet.across, jet.along));
-    jet.is_regular = area > negligible_;
-    jet.rise = area / glm::length(jet.along);
-    if (is_finite(jet.point) && normals[next] != glm::dvec3(0.0)) jet.normal = sign * normals[next];
-    if (glm::length(jet.along) > 0.0) jet.curvature = sign * curvature_beside(bends[next], jet.along, jet.normal);
+    jet = jet_of(&values[width * width * next], width, normals[next]);
+    if (!bends.empty() && glm::length(jet.along) > 0.0) {
+      jet.curvature = facing() * curvature_beside(bends[next], jet.along, jet.normal);
+    }
     ++next;
   }
+}
+
+SeamJet Flank::jet_of(const glm::dvec3* values, std::size_t width, const glm::dvec3& normal) const {
+  const bool is_u = axis_of(side_) == Axis::u;
+  const std::size_t across = is_u ? width : 1;
+  SeamJet jet{values[0], turn_ * values[is_u ? 1 : width], way_ * values[across], glm::dvec3(0.0), glm::dvec3(kNan), kNan, false, 0.0};
+  if (width > 2) jet.second_across = values[2 * across];
+  const double area = glm::length(glm::cross(jet.across, jet.along));
+  jet.is_regular = area > negligible_;
+  jet.rise = area / glm::length(jet.along);
+  if (is_finite(jet.point) && normal != glm::dvec3(0.0)) jet.normal = facing() * normal;
+  return jet;
 }
 
 std::array<double, 3> Flank::rounding(double pace) const {

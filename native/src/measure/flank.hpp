@@ -20,7 +20,10 @@ struct SeamPlace {
   Side side;
 };
 
-/// What a patch is at a place of its side; NaN where it is at infinity.
+/// What of a patch is looked at.
+enum class SeamDepth { normals, curvatures };
+
+/// What a patch is at a place of its side; NaN where it is at infinity, and 0 of what lies deeper than is looked.
 struct SeamJet {
   glm::dvec3 point;
   glm::dvec3 along;
@@ -46,7 +49,7 @@ class Flank {
   /// The knots inside the side, by their parts of the way.
   std::vector<double> inner_knots() const;
 
-  std::vector<SeamJet> jets(std::span<const SeamPlace> places) const;
+  std::vector<SeamJet> jets(std::span<const SeamPlace> places, SeamDepth depth) const;
 
   /// How far it is from a place to the end of its span.
   double room(const SeamPlace& place) const;
@@ -60,9 +63,14 @@ class Flank {
   const KnotVector& across() const { return patch_.knot_vector(axis_of(side_)); }
   double edge() const { return is_at_end(side_) ? across().domain().end : across().domain().start; }
   Side inward() const { return is_at_end(side_) ? Side::left : Side::right; }
+  /// What turns the patch's normal into across times along.
+  double facing() const { return (axis_of(side_) == Axis::u ? 1.0 : -1.0) * turn_ * way_; }
   double share_of(double knot) const;
   double parameter_at(double share) const;
-  void add(std::span<const SeamPlace> places, Side side, std::span<SeamJet> jets) const;
+  void add(std::span<const SeamPlace> places, Side side, SeamDepth depth, std::span<SeamJet> jets) const;
+
+  /// All but the curvature, from derivatives by u and v, `width` of them in each direction, row by row.
+  SeamJet jet_of(const glm::dvec3* values, std::size_t width, const glm::dvec3& normal) const;
 
   /// The start of a span along, and its part of the way.
   struct SharedKnot {

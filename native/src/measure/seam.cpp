@@ -13,6 +13,7 @@
 #include "base/quotient.hpp"
 #include "flank.hpp"
 #include "patch/rescale.hpp"
+#include "seam_angle.hpp"
 #include "splinecore/patch/join.hpp"
 
 namespace splinecore {
@@ -63,9 +64,9 @@ void take_normal(const SeamJet& from, SeamJet& to) {
 
 /// Where a normal is the limit of many, as at the end of a meridian, both are those a little way on along the seam,
 /// if there are such: the limit along it, nearly.
-Jets jets_at(const Flank& a, const Flank& b, std::span<const SeamPlace> places) {
+Jets jets_at(const Flank& a, const Flank& b, std::span<const SeamPlace> places, SeamDepth depth) {
   constexpr double kWay = 1e-3;
-  Jets here{a.jets(places), b.jets(places)};
+  Jets here{a.jets(places, depth), b.jets(places, depth)};
   std::vector<std::size_t> singular;
   std::vector<SeamPlace> beside;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -74,7 +75,7 @@ Jets jets_at(const Flank& a, const Flank& b, std::span<const SeamPlace> places) 
     singular.push_back(i);
     beside.push_back({places[i].share + (places[i].side == Side::right ? way : -way), places[i].side});
   }
-  const Jets there{a.jets(beside), b.jets(beside)};
+  const Jets there{a.jets(beside, depth), b.jets(beside, depth)};
   for (std::size_t i = 0; i < singular.size(); ++i) {
     if (!there.a[i].is_regular || !there.b[i].is_regular) continue;
     take_normal(there.a[i], here.a[singular[i]]);
@@ -182,6 +183,27 @@ void bring_back(SeamContinuity& found, const Placement& placement) {
   }
 }
 
+/// Two patches brought near the origin, with one pace across, beside their seam.
+struct Seam {
+  Placement placement;
+  double size;
+  bool is_reversed;
+  Flank a;
+  Flank b;
+};
+
+Seam seam_between(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b, std::optional<bool> reversed) {
+  std::vector<glm::dvec4> all(a.points().begin(), a.points().end());
+  all.insert(all.end(), b.points().begin(), b.points().end());
+  const Placement placement = placement_of(all);
+  const auto [scales_a, scales_b] = scales_along(a, side_a, b, side_b);
+  const NurbsPatch first = divided(placed(a, placement), scales_a);
+  const NurbsPatch second = divided(placed(b, placement), scales_b);
+  const bool is_reversed = reversed ? *reversed : run_against(first, side_a, second, side_b);
+  return {placement, std::max(extent(first.points()), extent(second.points())), is_reversed,
+          Flank(first, side_a, Flank::Role::first, false), Flank(second, side_b, Flank::Role::second, is_reversed)};
+}
+
 }  // namespace
 
 SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
@@ -190,29 +212,34 @@ SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPa
   if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
   require_side(a, side_a, "first");
   require_side(b, side_b, "second");
-  std::vector<glm::dvec4> all(a.points().begin(), a.points().end());
-  all.insert(all.end(), b.points().begin(), b.points().end());
-  const Placement placement = placement_of(all);
-  const auto [scales_a, scales_b] = scales_along(a, side_a, b, side_b);
-  const NurbsPatch first = divided(placed(a, placement), scales_a);
-  const NurbsPatch second = divided(placed(b, placement), scales_b);
+  const Seam seam = seam_between(a, side_a, b, side_b, reversed);
   SeamContinuity found;
-  found.reversed = reversed ? *reversed : run_against(first, side_a, second, side_b);
-  const Flank on_a(first, side_a, Flank::Role::first, false);
-  const Flank on_b(second, side_b, Flank::Role::second, found.reversed);
-  const std::vector<SeamPlace> chosen = places ? given_places(*places) : dense_places(on_a, on_b);
-  const Jets jets = jets_at(on_a, on_b, chosen);
+  found.reversed = seam.is_reversed;
+  const std::vector<SeamPlace> chosen = places ? given_places(*places) : dense_places(seam.a, seam.b);
+  const Jets jets = jets_at(seam.a, seam.b, chosen, SeamDepth::curvatures);
   Extremes extremes;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     found.parameters.push_back(chosen[i].share);
     add(jets.a[i], jets.b[i], found, extremes);
   }
-  std::array<double, 3> rounding = on_a.rounding(extremes.pace);
-  const std::array<double, 3> of_b = on_b.rounding(extremes.pace);
+  std::array<double, 3> rounding = seam.a.rounding(extremes.pace);
+  const std::array<double, 3> of_b = seam.b.rounding(extremes.pace);
   for (int k = 0; k < 3; ++k) rounding[k] = std::max(rounding[k], of_b[k]);
-  classify(found, extremes, rounding, std::max(extent(first.points()), extent(second.points())), tolerance);
-  bring_back(found, placement);
+  classify(found, extremes, rounding, seam.size, tolerance);
+  bring_back(found, seam.placement);
   return found;
+}
+
+double seam_angle(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
+                  std::optional<bool> reversed) {
+  require_side(a, side_a, "first");
+  require_side(b, side_b, "second");
+  const Seam seam = seam_between(a, side_a, b, side_b, reversed);
+  const std::vector<SeamPlace> places = dense_places(seam.a, seam.b);
+  const Jets jets = jets_at(seam.a, seam.b, places, SeamDepth::normals);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i) raise(largest, angle_between(jets.a[i].normal, jets.b[i].normal));
+  return largest;
 }
 
 }  // namespace splinecore

@@ -6,10 +6,10 @@
 
 #include "extraordinary_fan.hpp"
 #include "folds.hpp"
+#include "measure/seam_angle.hpp"
 #include "meet/near_space.hpp"
 #include "mesh_topology.hpp"
 #include "regular_net.hpp"
-#include "splinecore/measure/seam.hpp"
 
 namespace splinecore {
 
@@ -74,7 +74,7 @@ class FacePatches {
     const auto face = static_cast<std::size_t>(one.face);
     const auto other = static_cast<std::size_t>(topology_.side(one.twin).face);
     if (is_regular_[face] && is_regular_[other]) return 0.0;
-    return seam_continuity(*patches_[face], border_of(side), *patches_[other], border_of(one.twin)).angle;
+    return seam_angle(*patches_[face], border_of(side), *patches_[other], border_of(one.twin));
   }
 
   const ControlMesh& mesh_;

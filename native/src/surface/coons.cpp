@@ -33,26 +33,26 @@ NurbsCurve on_knots_of(const NurbsCurve& border, const NurbsCurve& side) {
   return side.knot_vector() == border.knot_vector() ? side : compatible(border, side).second;
 }
 
+/// Lets the borders of a net be these points.
+void set_borders(std::vector<glm::dvec4>& net, std::span<const glm::dvec4> low, std::span<const glm::dvec4> high,
+                 std::span<const glm::dvec4> left, std::span<const glm::dvec4> right) {
+  const std::size_t width = left.size();
+  std::ranges::copy(left, net.begin());
+  std::ranges::copy(right, net.end() - std::ssize(right));
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    net[i * width] = low[i];
+    net[i * width + width - 1] = high[i];
+  }
+}
+
 /// The patch with sides that are these in every bit where that is so but for rounding.
 NurbsPatch with_sides(const NurbsPatch& patch, const NurbsCurve& low, const NurbsCurve& high, const NurbsCurve& left,
                       const NurbsCurve& right) {
   std::vector<glm::dvec4> points(patch.points().begin(), patch.points().end());
-  const auto count_u = static_cast<std::size_t>(patch.count(Axis::u));
-  const auto count_v = static_cast<std::size_t>(patch.count(Axis::v));
   const NurbsCurve of_u = boundary(patch, Border::v_start);
   const NurbsCurve of_v = boundary(patch, Border::u_start);
-  const auto first = on_knots_of(of_u, low);
-  const auto second = on_knots_of(of_u, high);
-  const auto third = on_knots_of(of_v, left);
-  const auto fourth = on_knots_of(of_v, right);
-  for (std::size_t j = 0; j < count_v; ++j) {
-    points[j] = third.points()[j];
-    points[(count_u - 1) * count_v + j] = fourth.points()[j];
-  }
-  for (std::size_t i = 0; i < count_u; ++i) {
-    points[i * count_v] = first.points()[i];
-    points[i * count_v + count_v - 1] = second.points()[i];
-  }
+  set_borders(points, on_knots_of(of_u, low).points(), on_knots_of(of_u, high).points(), on_knots_of(of_v, left).points(),
+              on_knots_of(of_v, right).points());
   return patch.with_points(std::move(points));
 }
 
@@ -75,16 +75,22 @@ struct OppositeSides {
 NurbsPatch bilinear_sum(const OppositeSides& along_u, const OppositeSides& along_v, const NearSpace& space) {
   const std::vector<double> u = greville_places(along_u.start.knot_vector());
   const std::vector<double> v = greville_places(along_v.start.knot_vector());
-  const std::size_t last = u.size() - 1;
+  std::vector<glm::dvec4> start;  // sides along v less what the others are between at their ends
+  std::vector<glm::dvec4> end;
+  for (std::size_t j = 0; j < v.size(); ++j) {
+    start.push_back(along_v.from[j] - along_u.between(0, v[j]));
+    end.push_back(along_v.to[j] - along_u.between(u.size() - 1, v[j]));
+  }
   std::vector<glm::dvec4> net;
+  net.reserve(u.size() * v.size());
   for (std::size_t i = 0; i < u.size(); ++i) {
     for (std::size_t j = 0; j < v.size(); ++j) {
-      const glm::dvec4 corners = (1.0 - u[i]) * along_u.between(0, v[j]) + u[i] * along_u.between(last, v[j]);
-      net.push_back(along_u.between(i, v[j]) + (along_v.between(j, u[i]) - corners));
+      net.push_back(as_given(along_u.between(i, v[j]) + ((1.0 - u[i]) * start[j] + u[i] * end[j])));
     }
   }
-  const NurbsPatch near = NurbsPatch::from_homogeneous(along_u.start.knot_vector(), along_v.start.knot_vector(), net);
-  return near.with_points(space.leave(near.points()));
+  net = space.leave(net);
+  set_borders(net, along_u.start.points(), along_u.end.points(), along_v.start.points(), along_v.end.points());
+  return NurbsPatch::make(along_u.start.knot_vector(), along_v.start.knot_vector(), std::move(net));
 }
 
 /// A derivative as vectors of the space, over [0, 1], as the side now runs.
@@ -140,8 +146,7 @@ Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional
   const NearSpace space(all);
   const OppositeSides along_u(compatible(loop.curves[0], reversed(loop.curves[2])), space);
   const OppositeSides along_v(compatible(reversed(loop.curves[3]), loop.curves[1]), space);
-  const NurbsPatch patch = bilinear_sum(along_u, along_v, space);
-  return {with_sides(patch, along_u.start, along_u.end, along_v.start, along_v.end), loop.error};
+  return {bilinear_sum(along_u, along_v, space), loop.error};
 }
 
 Approximation<NurbsPatch> bicubic_coons(std::span<const NurbsCurve> sides, std::span<const std::optional<NurbsCurve>> across,

@@ -13,6 +13,7 @@
 #include "expected_points.hpp"
 #include "greville.hpp"
 #include "hole.hpp"
+#include "measure/seam_angle.hpp"
 #include "meet/near_space.hpp"
 #include "rows_beside.hpp"
 #include "splinecore/base/errors.hpp"
@@ -97,8 +98,7 @@ std::vector<PartOfSide> parts_of(const Hole& hole) {
 std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const PartOfSide& part, const KnotVector& knots) {
   std::vector<double> s;
   for (const double place : greville_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
-  std::vector<std::vector<glm::dvec3>> across(1);
-  for (const HolePlace& here : side.places(s)) across[0].push_back(here.point);
+  std::vector<std::vector<glm::dvec3>> across{side.points(s)};
   for (int order = 1; order <= side.continuity(); ++order) across.push_back(side.across(s, order));
   return rows_beside(knots, is_at_end(part.border) ? reversed(knots).knots : knots, across);
 }
@@ -153,9 +153,9 @@ double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch&
   const NurbsCurve border = boundary(patch, part.border);
   std::vector<glm::dvec3> points(kPlaces);
   evaluate(border, at, std::span(&points.front().x, 3 * points.size()));
-  const std::vector<HolePlace> wanted = side.places(s);
+  const std::vector<glm::dvec3> wanted = side.points(s);
   double largest = 0.0;
-  for (int k = 0; k < kPlaces; ++k) largest = std::max(largest, distance_of(points[k], wanted[k].point));
+  for (int k = 0; k < kPlaces; ++k) largest = std::max(largest, distance_of(points[k], wanted[k]));
   return largest;
 }
 
@@ -182,16 +182,22 @@ Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::ve
     const NurbsPatch& patch = filling.patches[part.patch];
     if (side.continuity() == 0) continue;
     const auto [low, high] = std::minmax(part.from, part.to);
-    const SeamContinuity seam = seam_continuity(patch, part.border, *side.neighbour_part(low, high), Border::v_end,
-                                                kContinuityTolerance, {}, part.from > part.to);
+    const NurbsPatch neighbour = *side.neighbour_part(low, high);
+    const bool is_reversed = part.from > part.to;
+    if (side.continuity() == 1) {
+      filling.angle = std::max(filling.angle, seam_angle(patch, part.border, neighbour, Border::v_end, is_reversed));
+      continue;
+    }
+    const SeamContinuity seam =
+        seam_continuity(patch, part.border, neighbour, Border::v_end, kContinuityTolerance, {}, is_reversed);
     filling.angle = std::max(filling.angle, seam.angle);
-    if (side.continuity() == 2) filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
+    filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
   }
   const std::size_t count = filling.patches.size();
   for (std::size_t k = 0; k < count && count > 1; ++k) {
-    const SeamContinuity seam = seam_continuity(filling.patches[k], Border::u_end, filling.patches[(k + 1) % count], Border::v_end,
-                                                kContinuityTolerance, {}, false);
-    filling.inner_angle = std::max(filling.inner_angle, seam.angle);
+    const NurbsPatch& next = filling.patches[(k + 1) % count];
+    filling.inner_angle =
+        std::max(filling.inner_angle, seam_angle(filling.patches[k], Border::u_end, next, Border::v_end, false));
   }
   return filling;
 }

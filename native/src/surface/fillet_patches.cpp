@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <vector>
 
 #include "base/length.hpp"
@@ -75,7 +76,7 @@ double off_radius(const NurbsPatch& fillet, const RollingBall& ball) {
   return largest;
 }
 
-Approximation<NurbsPatch> rolled(const RollingBall& ball, bool is_closed, double tolerance) {
+Approximation<NurbsPatch> rolled(const RollingBall& ball, const RowDomain& domain, double tolerance) {
   constexpr int kHalvings = 6;
   const auto rows_at = [&](std::span<const double> at, const Interval&) {
     std::vector<glm::dvec4> rows;
@@ -87,7 +88,7 @@ Approximation<NurbsPatch> rolled(const RollingBall& ball, bool is_closed, double
   };
   double within = tolerance;
   for (int k = 0;; ++k, within *= 0.5) {
-    const FittedRows rows = fitted_rows(rows_at, {0.0, 1.0}, is_closed ? Closing::closed : Closing::open, within);
+    const FittedRows rows = fitted_rows(rows_at, domain, within);
     const NurbsPatch made = swapped(patch_of(KnotVector::bezier(2), rows));
     const double error = std::max(rows.error, off_radius(made, ball));
     if (error <= tolerance) return {made, error};
@@ -148,7 +149,9 @@ RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch&
   const std::vector<RailNumber> over_edge = over_unit(radii, along, unit);
   const NumbersAlong by_edge(over_edge, {0.0, 1.0}, is_closed, "radius");
   const RollingBall ball(a, b, by_edge);
-  const Approximation<NurbsPatch> rounded = rolled(ball, is_closed, within);
+  RowDomain domain{{0.0, 1.0}, joints_at(a.knot_vector(Axis::u)), is_closed ? Closing::closed : Closing::open};
+  std::ranges::copy(joints_at(b.knot_vector(Axis::u)), std::back_inserter(domain.joints));
+  const Approximation<NurbsPatch> rounded = rolled(ball, domain, within);
   const Approximation<NurbsPatch> left_a = shortened(a, ball, true, within);
   const Approximation<NurbsPatch> left_b = shortened(b, ball, false, within);
   const auto out = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };

@@ -1,15 +1,17 @@
 #include "fitted_rows.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "base/length.hpp"
+#include "base/sort_by.hpp"
 #include "fit/row_spline.hpp"
+#include "greville.hpp"
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -21,152 +23,222 @@ namespace {
 constexpr int kDegree = 3;
 constexpr std::size_t kMostRows = 1 << 14;
 /// A little below the tolerance, for what lies between the places that are measured.
-constexpr double kAccepted = 0.9;
-
-std::vector<double> numbers_of(std::span<const glm::dvec4> row) {
-  std::vector<double> numbers;
-  for (const glm::dvec4& p : row) numbers.insert(numbers.end(), {p.x, p.y, p.z, p.w});
-  return numbers;
-}
+constexpr double kAccepted = 0.85;
+/// Of the whole, below which parameters are the same.
+constexpr double kShortest = 0x1p-36;
 
 double distance_of(const glm::dvec4& a, const glm::dvec4& b) {
   if (a.w == 0.0 || b.w == 0.0) return length_of(glm::dvec3(a) - glm::dvec3(b));
-  return length_of(glm::dvec3(a) / a.w - glm::dvec3(b) / b.w);
+  return length_of(glm::dvec3(a) * (1.0 / a.w) - glm::dvec3(b) * (1.0 / b.w));
 }
 
-/// One stretch without corners. Places in it are counted in parts that are halved exactly.
+/// A part of a stretch in which rows are smooth.
+struct RowPiece {
+  double start;
+  double end;
+  int copies;                      ///< of its start, if a knot is there
+  std::vector<glm::dvec4> wanted;  ///< at places of it, row after row; empty until they are asked for
+};
+
+/// As parts of a piece: its start, and near where a cubic through four or two places of it is farthest off.
+constexpr std::array kPlaces{0.0, 0.125, 0.4, 0.6, 0.875};
+
+void add_places(const RowPiece& piece, std::vector<double>& at) {
+  for (const double place : kPlaces) at.push_back(piece.start + (piece.end - piece.start) * place);
+}
+
+/// What lies between two knots: pieces.
+struct RowStep {
+  std::vector<RowPiece> pieces;
+  double error = 0.0;
+
+  double start() const { return pieces.front().start; }
+  double end() const { return pieces.back().end; }
+};
+
+RowPiece part_of(const RowPiece& piece, int k, int parts) {
+  const auto at = [&](int i) { return i == parts ? piece.end : piece.start + (piece.end - piece.start) * i / parts; };
+  return {at(k), at(k + 1), k == 0 ? piece.copies : 1, {}};
+}
+
+/// Where pieces begin that are nearest to even shares of a step.
+std::vector<std::size_t> cuts_of(const RowStep& step, int parts) {
+  std::vector<std::size_t> cuts;
+  for (int k = 1; k < parts; ++k) {
+    const double wanted = step.start() + (step.end() - step.start()) * k / parts;
+    std::size_t nearest = 1;
+    for (std::size_t i = 2; i < step.pieces.size(); ++i) {
+      if (std::abs(step.pieces[i].start - wanted) < std::abs(step.pieces[nearest].start - wanted)) nearest = i;
+    }
+    if (cuts.empty() || nearest > cuts.back()) cuts.push_back(nearest);
+  }
+  return cuts;
+}
+
+/// Between pieces, if there are several.
+std::vector<RowStep> parted(RowStep step, int parts) {
+  std::vector<RowStep> made;
+  if (step.pieces.size() == 1) {
+    for (int k = 0; k < parts; ++k) made.push_back({{part_of(step.pieces[0], k, parts)}});
+    return made;
+  }
+  std::vector<std::size_t> cuts = cuts_of(step, parts);
+  cuts.push_back(step.pieces.size());
+  std::size_t begin = 0;
+  for (const std::size_t end : cuts) {
+    made.emplace_back();
+    for (; begin < end; ++begin) made.back().pieces.push_back(std::move(step.pieces[begin]));
+  }
+  return made;
+}
+
+/// Pieces between joints.
+RowStep whole_of(const Interval& interval, const std::vector<RowJoint>& joints) {
+  const auto is_same = [&](double a, double b) { return b - a <= kShortest * interval.length(); };
+  RowStep step{{{interval.start, interval.end, 1, {}}}};
+  for (const RowJoint& joint : joints) {
+    RowPiece& last = step.pieces.back();
+    if (is_same(last.start, joint.at)) {
+      last.copies = std::max(last.copies, joint.copies);
+    } else if (!is_same(joint.at, interval.end)) {
+      last.end = joint.at;
+      step.pieces.push_back({joint.at, interval.end, joint.copies, {}});
+    }
+  }
+  return step;
+}
+
+void write_row(const FittedRows& made, const Samples& samples, std::size_t sample, std::vector<glm::dvec4>& row) {
+  const auto count = static_cast<std::size_t>(made.knots.count());
+  std::ranges::fill(row, glm::dvec4(0.0));
+  auto next = static_cast<std::size_t>(samples.first(sample));
+  for (const double weight : samples.weights(sample)) {
+    const glm::dvec4* const from = &made.rows[(next++ % count) * row.size()];
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] += weight * from[j];
+  }
+}
+
+/// One stretch without corners.
 class RowStretch {
  public:
-  RowStretch(const RowsAt& rows_at, const Interval& interval, Closing closing)
-      : rows_at_(rows_at), interval_(interval), closing_(closing), first_(closing == Closing::closed ? 8 : kDegree) {
-    for (Place k = 0; k <= first_; ++k) knots_.push_back(k * kStep);
-    ask(std::vector<Place>(knots_.begin(), knots_.end() - 1), kStep);
+  RowStretch(const RowsAt& rows_at, const Interval& interval, const std::vector<RowJoint>& joints, Closing closing)
+      : rows_at_(rows_at), interval_(interval), closing_(closing), steps_{whole_of(interval, joints)} {
+    constexpr int kAround = 8;
+    if (closing == Closing::closed) steps_ = parted(std::move(steps_[0]), kAround);
   }
 
   FittedRows within(double tolerance) {
+    const double accepted = kAccepted * tolerance;
     for (;;) {
+      ask();
       FittedRows made = through();
-      const std::vector<std::size_t> missed = steps_missed(made, tolerance);
-      if (missed.empty()) return made;
-      if (knots_.size() + missed.size() > kMostRows || is_too_short(missed)) {
-        throw ToleranceNotReached("the surface cannot be had with " + std::to_string(knots_.size()) + " rows of control points",
+      measure(made);
+      const auto is_missed = [&](const RowStep& step) { return !(step.error <= accepted); };
+      if (std::ranges::none_of(steps_, is_missed)) return made;
+      const bool is_short = std::ranges::any_of(steps_, [&](const RowStep& step) {
+        return is_missed(step) && step.end() - step.start() <= kShortest * interval_.length();
+      });
+      if (steps_.size() > kMostRows || is_short) {
+        throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made.knots.count()) + " rows of control points",
                                   tolerance, made.error);
       }
-      halve(missed);
+      part(accepted);
     }
   }
 
  private:
-  using Place = std::int64_t;
-  static constexpr Place kStep = Place{1} << 40;
-  static constexpr Place kAhead = 16;  ///< parts of a step that are asked for at once: enough to halve it twice
-
-  double parameter(Place place) const {
-    if (place == first_ * kStep) return interval_.end;
-    return interval_.start + interval_.length() * (static_cast<double>(place) / static_cast<double>(first_ * kStep));
-  }
-
-  /// Whether one of the steps cannot be halved twice.
-  bool is_too_short(const std::vector<std::size_t>& steps) const {
-    return std::ranges::any_of(steps, [&](std::size_t i) { return knots_[i + 1] - knots_[i] < 4 * kAhead; });
-  }
-
-  std::size_t width() const { return rows_.begin()->second.size(); }
-
-  /// Asks for all parts of steps of one length that are not known.
-  void ask(const std::vector<Place>& starts, Place length) {
-    std::vector<Place> asked;
-    for (const Place start : starts) {
-      for (Place k = 0; k <= kAhead; ++k) {
-        const Place place = start + k * (length / kAhead);
-        if (rows_.try_emplace(place).second) asked.push_back(place);
+  /// Asks for the wanted rows of all pieces that have none.
+  void ask() {
+    std::vector<double> at;
+    std::vector<RowPiece*> asked;
+    for (RowStep& step : steps_) {
+      for (RowPiece& piece : step.pieces) {
+        if (!piece.wanted.empty()) continue;
+        asked.push_back(&piece);
+        add_places(piece, at);
       }
     }
     if (asked.empty()) return;
-    std::vector<double> at;
-    for (const Place place : asked) at.push_back(parameter(place));
     const std::vector<glm::dvec4> found = rows_at_(at, interval_);
-    const auto columns = static_cast<std::ptrdiff_t>(found.size() / asked.size());
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      const auto row = found.begin() + static_cast<std::ptrdiff_t>(i) * columns;
-      rows_[asked[i]].assign(row, row + columns);
+    const auto size = static_cast<std::ptrdiff_t>(found.size() / asked.size());
+    auto next = found.begin();
+    for (RowPiece* const piece : asked) {
+      piece->wanted.assign(next, next + size);
+      next += size;
     }
   }
 
-  /// Halves steps, and asks for what the next two looks need.
-  void halve(const std::vector<std::size_t>& missed) {
-    std::map<Place, std::vector<Place>> unknown;  // by their lengths
-    std::vector<Place> knots;
-    auto next = missed.begin();
-    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
-      knots.push_back(knots_[i]);
-      if (next == missed.end() || *next != i) continue;
-      ++next;
-      const Place length = knots_[i + 1] - knots_[i];
-      knots.push_back(knots_[i] + length / 2);
-      if (!rows_.contains(knots_[i] + length / 8)) unknown[length].push_back(knots_[i]);
+  KnotVector knots() const {
+    std::vector<double> knots;
+    const bool is_closed = closing_ == Closing::closed;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const bool is_end = i == 0 && !is_closed;
+      knots.insert(knots.end(), static_cast<std::size_t>(is_end ? kDegree + 1 : steps_[i].pieces[0].copies), steps_[i].start());
     }
-    knots.push_back(knots_.back());
-    knots_ = std::move(knots);
-    for (const auto& [length, starts] : unknown) ask(starts, length);
+    knots.insert(knots.end(), static_cast<std::size_t>(is_closed ? 1 : kDegree + 1), interval_.end);
+    return KnotVector::make(kDegree, std::move(knots), is_closed);
   }
 
   FittedRows through() const {
-    RowConditions given;
-    for (const Place knot : knots_) {
-      given.parameters.push_back(parameter(knot));
-      given.rows.push_back(numbers_of(rows_.at(knot)));
-    }
-    if (closing_ == Closing::closed) given.rows.pop_back();
-    const RowSpline spline = spline_through(given, kDegree, closing_);
-    FittedRows made{spline.knots, std::vector<glm::dvec4>(spline.controls.size() / 4), 0.0};
-    for (std::size_t i = 0; i < made.rows.size(); ++i) {
-      const double* const p = &spline.controls[4 * i];
-      made.rows[i] = {p[0], p[1], p[2], p[3]};
+    FittedRows made{knots(), {}, 0.0};
+    const std::vector<double> places = greville_places(made.knots);
+    made.rows = rows_at_(places, interval_);
+    const std::size_t columns = made.rows.size() / places.size();
+    const std::vector<glm::dvec4> given = made.rows;
+    solve_rows(made.knots, places, std::span(&made.rows.front().x, 4 * made.rows.size()));
+    for (std::size_t j = 0; j < columns; ++j) {
+      bool is_level = true;
+      for (std::size_t i = j; i < given.size(); i += columns) is_level = is_level && given[i].w == given[j].w;
+      for (std::size_t i = j; i < given.size() && is_level; i += columns) made.rows[i].w = given[j].w;
     }
     return made;
   }
 
-  glm::dvec4 point_of(const FittedRows& made, const Samples& samples, std::size_t sample, std::size_t column) const {
-    const auto count = static_cast<std::size_t>(made.knots.count());
-    glm::dvec4 point(0.0);
-    auto row = static_cast<std::size_t>(samples.first(sample));
-    for (const double weight : samples.weights(sample)) point += weight * made.rows[(row++ % count) * width() + column];
-    return point;
-  }
-
-  /// The steps in which a point is too far from where it should be, at three places of each.
-  std::vector<std::size_t> steps_missed(FittedRows& made, double tolerance) const {
-    std::vector<Place> places;
+  /// The errors of steps, by the distance of their points from where they should be.
+  void measure(FittedRows& made) {
     std::vector<double> at;
-    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
-      for (Place k = 1; k < 4; ++k) {
-        places.push_back(knots_[i] + k * ((knots_[i + 1] - knots_[i]) / 4));
-        at.push_back(parameter(places.back()));
-      }
+    for (const RowStep& step : steps_) {
+      for (const RowPiece& piece : step.pieces) add_places(piece, at);
     }
-    const Samples samples = Samples::make(made.knots, at, 0, Side::left);
-    std::vector<std::size_t> missed;
-    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
-      double largest = 0.0;
-      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
-        const std::vector<glm::dvec4>& wanted = rows_.at(places[k]);
-        for (std::size_t j = 0; j < wanted.size(); ++j) {
-          largest = std::max(largest, distance_of(point_of(made, samples, k, j), wanted[j]));
+    const Samples samples = Samples::make(made.knots, at);
+    const auto columns = made.rows.size() / static_cast<std::size_t>(made.knots.count());
+    std::vector<glm::dvec4> row(columns);
+    std::size_t sample = 0;
+    for (RowStep& step : steps_) {
+      step.error = 0.0;
+      for (const RowPiece& piece : step.pieces) {
+        for (std::size_t begin = 0; begin < piece.wanted.size(); begin += columns) {
+          write_row(made, samples, sample++, row);
+          for (std::size_t j = 0; j < columns; ++j) {
+            const double error = distance_of(row[j], piece.wanted[begin + j]);
+            if (!(error <= step.error)) step.error = error;
+          }
         }
       }
-      made.error = std::max(made.error, largest);
-      if (!(largest <= kAccepted * tolerance)) missed.push_back(i);
+      if (!(step.error <= made.error)) made.error = step.error;
     }
-    return missed;
+  }
+
+  /// Parts the steps that are missed: of cubics, the error falls to a 16th of it in halves.
+  void part(double accepted) {
+    constexpr double kByHalves = 16.0;
+    constexpr double kSurely = 2.0;
+    std::vector<RowStep> steps;
+    for (RowStep& step : steps_) {
+      if (step.error <= accepted) {
+        steps.push_back(std::move(step));
+        continue;
+      }
+      const int parts = step.error > kSurely * kByHalves * accepted ? 4 : 2;
+      std::ranges::move(parted(std::move(step), parts), std::back_inserter(steps));
+    }
+    steps_ = std::move(steps);
   }
 
   const RowsAt& rows_at_;
   Interval interval_;
   Closing closing_;
-  Place first_;                                      ///< steps at the beginning
-  std::vector<Place> knots_;                         ///< where the rows go through those wanted
-  std::map<Place, std::vector<glm::dvec4>> rows_;    ///< those wanted, as far as they were asked for
+  std::vector<RowStep> steps_;
 };
 
 /// Both, the second behind the first, which share a row if it is the same, up to rounding.
@@ -185,10 +257,27 @@ FittedRows joined(const FittedRows& a, const FittedRows& b, std::size_t columns)
 
 }  // namespace
 
-FittedRows fitted_rows(const RowsAt& rows_at, const std::vector<double>& breaks, Closing closing, double tolerance) {
+std::vector<RowJoint> joints_at(const KnotVector& knots) {
+  std::vector<RowJoint> joints;
+  for (const double knot : knots.knots()) {
+    if (!joints.empty() && joints.back().at == knot) continue;
+    const int smooth_rows = knots.degree() - multiplicity(knots, knot) - 1;
+    joints.push_back({knot, std::clamp(kDegree - smooth_rows, 1, 2)});
+  }
+  return joints;
+}
+
+FittedRows fitted_rows(const RowsAt& rows_at, const RowDomain& domain, double tolerance) {
+  std::vector<RowJoint> joints = domain.joints;
+  sort_by(joints, [](const RowJoint& joint) { return joint.at; });
   std::optional<FittedRows> all;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    FittedRows one = RowStretch(rows_at, {breaks[i], breaks[i + 1]}, closing).within(tolerance);
+  for (std::size_t i = 0; i + 1 < domain.breaks.size(); ++i) {
+    const Interval stretch{domain.breaks[i], domain.breaks[i + 1]};
+    std::vector<RowJoint> inside;
+    std::ranges::copy_if(joints, std::back_inserter(inside), [&](const RowJoint& joint) {
+      return joint.at >= stretch.start && joint.at < stretch.end;
+    });
+    FittedRows one = RowStretch(rows_at, stretch, inside, domain.closing).within(tolerance);
     const std::size_t columns = one.rows.size() / static_cast<std::size_t>(one.knots.count());
     all = all ? joined(*all, one, columns) : std::move(one);
   }

@@ -80,6 +80,15 @@ HoleSide::HoleSide(const NurbsCurve& curve, const std::optional<LoftNeighbour>& 
   const NurbsCurve side = boundary(neighbour_->patch, Border::v_end);
   moved_ = {glm::dvec3(curve_.points().front()) - glm::dvec3(side.points().front()),
             glm::dvec3(curve_.points().back()) - glm::dvec3(side.points().back())};
+  curve_ = side;
+}
+
+std::vector<glm::dvec3> HoleSide::points(std::span<const double> s) const {
+  std::vector<glm::dvec3> found(s.size());
+  if (s.empty()) return found;
+  evaluate(curve_, s, std::span(&found.front().x, 3 * found.size()));
+  for (std::size_t i = 0; i < s.size(); ++i) found[i] += (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];
+  return found;
 }
 
 std::vector<HolePlace> HoleSide::places(std::span<const double> s) const {

@@ -40,11 +40,10 @@ class HoleSide {
   int continuity() const noexcept { return neighbour_ ? neighbour_->continuity : 0; }
 
   /// Those along it, over [0, 1].
-  const KnotVector& knots() const noexcept {
-    return neighbour_ ? neighbour_->patch.knot_vector(Axis::u) : curve_.knot_vector();
-  }
+  const KnotVector& knots() const noexcept { return curve_.knot_vector(); }
 
   std::vector<HolePlace> places(std::span<const double> s) const;
+  std::vector<glm::dvec3> points(std::span<const double> s) const;
   HolePlace place(double s) const { return places(std::span(&s, 1)).front(); }
 
   /// Sets D and D2 at an end as nearly as the neighbour's plane allows, and lets a, b, c, d be linear.
@@ -78,7 +77,7 @@ class HoleSide {
     std::array<double, 3> derivatives(bool is_end) const;
   };
 
-  NurbsCurve curve_;
+  NurbsCurve curve_;                        ///< with a neighbour its side
   std::optional<LoftNeighbour> neighbour_;  ///< along its side over [0, 1], as the curve runs
   std::array<glm::dvec3, 2> moved_{};       ///< the curve's ends by what they lie off those of the neighbour's side
   Factor a_, b_, c_, d_;

@@ -115,13 +115,6 @@ Pace pace_along(const LoftSections& sections, const LoftOptions& options) {
   return pace;
 }
 
-/// A homogeneous row as numbers.
-std::vector<double> numbers_of(std::span<const glm::dvec4> row) {
-  std::vector<double> numbers;
-  for (const glm::dvec4& p : row) numbers.insert(numbers.end(), {p.x, p.y, p.z, p.w});
-  return numbers;
-}
-
 /// Of each point the same: where w is its weight, w times the vector.
 std::vector<glm::dvec4> weighted(std::span<const glm::dvec4> row, const glm::dvec3& vector) {
   std::vector<glm::dvec4> found;

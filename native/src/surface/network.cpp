@@ -28,12 +28,6 @@ namespace splinecore {
 
 namespace {
 
-std::vector<double> numbers_of(std::span<const glm::dvec4> row) {
-  std::vector<double> numbers;
-  for (const glm::dvec4& p : row) numbers.insert(numbers.end(), {p.x, p.y, p.z, p.w});
-  return numbers;
-}
-
 using Rows = std::vector<std::vector<double>>;
 
 /// How control points of one direction follow from places along it.

@@ -54,9 +54,7 @@ RailSections::RailSections(std::span<const RailSection> sections, const NurbsCur
   const bool is_closed = rail.periodic();
   RowConditions given;
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    std::vector<double> row;
-    for (const glm::dvec4& p : near_row(made.rows[i].points, unit)) row.insert(row.end(), {p.x, p.y, p.z, p.w});
-    given.rows.push_back(std::move(row));
+    given.rows.push_back(numbers_of(near_row(made.rows[i].points, unit)));
     given.parameters.push_back(sections[i].at);
   }
   if (is_closed && sections.size() > 2) given.parameters.push_back(sections[0].at + rail.domain().length());

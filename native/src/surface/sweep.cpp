@@ -111,15 +111,14 @@ class Sweeping {
 
   double scale() const { return scales_.at(rail_.domain().start); }
 
-  bool goes_round() const { return rail_.periodic() && options_.end_scale == 1.0 && options_.twist == 0.0; }
-
-  std::vector<double> breaks() const {
-    std::vector<double> breaks{rail_.domain().start};
+  RowDomain domain() const {
+    const bool goes_round = rail_.periodic() && options_.end_scale == 1.0 && options_.twist == 0.0;
+    RowDomain domain{{rail_.domain().start}, joints_at(rail_.knot_vector()), goes_round ? Closing::closed : Closing::open};
     for (const double corner : corners_) {
-      if (corner > rail_.domain().start && corner < rail_.domain().end) breaks.push_back(corner);
+      if (corner > rail_.domain().start && corner < rail_.domain().end) domain.breaks.push_back(corner);
     }
-    breaks.push_back(rail_.domain().end);
-    return breaks;
+    domain.breaks.push_back(rail_.domain().end);
+    return domain;
   }
 
   std::vector<glm::dvec4> rows_at(std::span<const double> at, const Interval& stretch) {
@@ -261,9 +260,8 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
     throw InvalidShape("parallel sections keep their size and turn: one section, without scale and twist");
   }
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
-  const FittedRows rows = fitted_rows(
-      [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); },
-      sweeping.breaks(), sweeping.goes_round() ? Closing::closed : Closing::open, within);
+  const auto rows_at = [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); };
+  const FittedRows rows = fitted_rows(rows_at, sweeping.domain(), within);
   return {left(patch_of(along.knots(), rows)), space.length(rows.error)};
 }
 

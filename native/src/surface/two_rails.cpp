@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <string>
 
 #include "base/length.hpp"
@@ -176,7 +177,9 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
   const std::vector<double> breaks = breaks_of(rails, options.up.has_value());
   const bool goes_round = rails.first.periodic() && breaks.size() == 2;
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
-  const FittedRows rows = fitted_rows(rows_at, breaks, goes_round ? Closing::closed : Closing::open, within);
+  RowDomain domain{breaks, joints_at(rails.first.knot_vector()), goes_round ? Closing::closed : Closing::open};
+  std::ranges::copy(joints_at(rails.second.knot_vector()), std::back_inserter(domain.joints));
+  const FittedRows rows = fitted_rows(rows_at, domain, within);
   const NurbsPatch near = patch_of(along.knots(), rows);
   return {near.with_points(space.leave(near.points())), space.length(rows.error)};
 }
