@@ -95,31 +95,34 @@ void Flank::add(std::span<const SeamPlace> places, Side side, SeamDepth depth, s
   const Side onward = (side == Side::right) == (turn_ < 0.0) ? Side::left : Side::right;
   const PatchOptions options{is_u ? inward() : onward, is_u ? onward : inward(), AtInfinity::nan};
   if (count == 0) return;
-  const int order = depth == SeamDepth::curvatures ? 2 : 1;
-  const std::size_t width = order + 1;
-  std::vector<glm::dvec3> values(width * width * count);
+  const bool is_deep = depth == SeamDepth::curvatures;
+  const std::size_t width = is_deep ? 9 : 3;  // derivatives() has them by v first
+  const std::size_t by_u = is_deep ? 3 : 1;
+  const std::size_t by_v = is_deep ? 1 : 2;
+  std::vector<glm::dvec3> values(width * count);
+  const std::span out(&values[0].x, 3 * values.size());
+  is_deep ? derivatives(patch_, u, v, 2, out, options) : first_derivatives(patch_, u, v, out, options);
   std::vector<glm::dvec3> points(count);
   std::vector<glm::dvec3> normals(count);
-  derivatives(patch_, u, v, order, std::span(&values[0].x, 3 * values.size()), options);
   evaluate_with_normals(patch_, u, v, std::span(&points[0].x, 3 * count), std::span(&normals[0].x, 3 * count), options);
-  std::vector<SurfaceCurvature> bends(depth == SeamDepth::curvatures ? count : 0);
-  if (!bends.empty()) curvatures(patch_, u, v, bends, options);
+  std::vector<SurfaceCurvature> bends(is_deep ? count : 0);
+  if (is_deep) curvatures(patch_, u, v, bends, options);
   for (std::size_t i = 0, next = 0; i < places.size(); ++i) {
     if (places[i].side != side) continue;
+    const glm::dvec3* const at = &values[width * next];
     SeamJet& jet = jets[i];
-    jet = jet_of(&values[width * width * next], width, normals[next]);
-    if (!bends.empty() && glm::length(jet.along) > 0.0) {
-      jet.curvature = facing() * curvature_beside(bends[next], jet.along, jet.normal);
+    jet = jet_of(at[0], at[by_u], at[by_v], normals[next]);
+    if (is_deep) {
+      jet.second_across = at[is_u ? 6 : 2];
+      if (glm::length(jet.along) > 0.0) jet.curvature = facing() * curvature_beside(bends[next], jet.along, jet.normal);
     }
     ++next;
   }
 }
 
-SeamJet Flank::jet_of(const glm::dvec3* values, std::size_t width, const glm::dvec3& normal) const {
+SeamJet Flank::jet_of(const glm::dvec3& point, const glm::dvec3& by_u, const glm::dvec3& by_v, const glm::dvec3& normal) const {
   const bool is_u = axis_of(side_) == Axis::u;
-  const std::size_t across = is_u ? width : 1;
-  SeamJet jet{values[0], turn_ * values[is_u ? 1 : width], way_ * values[across], glm::dvec3(0.0), glm::dvec3(kNan), kNan, false, 0.0};
-  if (width > 2) jet.second_across = values[2 * across];
+  SeamJet jet{point, turn_ * (is_u ? by_v : by_u), way_ * (is_u ? by_u : by_v), glm::dvec3(0.0), glm::dvec3(kNan), kNan, false, 0.0};
   const double area = glm::length(glm::cross(jet.across, jet.along));
   jet.is_regular = area > negligible_;
   jet.rise = area / glm::length(jet.along);

@@ -69,8 +69,8 @@ class Flank {
   double parameter_at(double share) const;
   void add(std::span<const SeamPlace> places, Side side, SeamDepth depth, std::span<SeamJet> jets) const;
 
-  /// All but the curvature, from derivatives by u and v, `width` of them in each direction, row by row.
-  SeamJet jet_of(const glm::dvec3* values, std::size_t width, const glm::dvec3& normal) const;
+  /// All of the depth of normals.
+  SeamJet jet_of(const glm::dvec3& point, const glm::dvec3& by_u, const glm::dvec3& by_v, const glm::dvec3& normal) const;
 
   /// The start of a span along, and its part of the way.
   struct SharedKnot {

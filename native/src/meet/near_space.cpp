@@ -64,10 +64,6 @@ NearPoint NearSpace::enter(const glm::dvec3& point, double far) const noexcept {
   return {scaled(near, -exponent_of(size)) * far, true};
 }
 
-glm::dvec3 NearSpace::leave(const glm::dvec3& near) const noexcept {
-  return out_of_outer_.times(out_of_inner_.times(near) + origin_);
-}
-
 std::vector<glm::dvec4> NearSpace::homogeneous(std::span<const glm::dvec4> given,
                                                std::span<const glm::dvec4> homogeneous, std::size_t width,
                                                std::size_t unrolled_width) const {
@@ -95,9 +91,7 @@ std::vector<glm::dvec4> NearSpace::enter(std::span<const glm::dvec4> points) con
 std::vector<glm::dvec4> NearSpace::leave(std::span<const glm::dvec4> near) const {
   std::vector<glm::dvec4> points;
   points.reserve(near.size());
-  for (const glm::dvec4& p : near) {
-    points.push_back(p.w == 0.0 ? glm::dvec4(glm::dvec3(p) * length(1.0), 0.0) : glm::dvec4(leave(glm::dvec3(p)), p.w));
-  }
+  for (const glm::dvec4& p : near) points.push_back(leave(p));
   return points;
 }
 

@@ -36,10 +36,16 @@ class NearSpace {
   /// Of a point farther out than `far` one on the way to it. From 2^27 on distances to the shape then differ, from each
   /// other, by less than their rounding, from 2^60 on directions too.
   NearPoint enter(const glm::dvec3& point, double far = 0x1p27) const noexcept;
-  glm::dvec3 leave(const glm::dvec3& near) const noexcept;
+  glm::dvec3 leave(const glm::dvec3& near) const noexcept {
+    return out_of_outer_.times(out_of_inner_.times(near) + origin_);
+  }
 
   /// Control points with their weights, of which directions have none.
   std::vector<glm::dvec4> enter(std::span<const glm::dvec4> points) const;
+  glm::dvec4 leave(const glm::dvec4& near) const noexcept {
+    if (near.w == 0.0) return glm::dvec4(glm::dvec3(near) * length(1.0), 0.0);
+    return glm::dvec4(leave(glm::dvec3(near)), near.w);
+  }
   std::vector<glm::dvec4> leave(std::span<const glm::dvec4> near) const;
 
   /// A length out there.

@@ -84,11 +84,14 @@ NurbsPatch bilinear_sum(const OppositeSides& along_u, const OppositeSides& along
   std::vector<glm::dvec4> net;
   net.reserve(u.size() * v.size());
   for (std::size_t i = 0; i < u.size(); ++i) {
+    const glm::dvec4 from = along_u.from[i];
+    const glm::dvec4 to = along_u.to[i];
+    const double before = 1.0 - u[i];
     for (std::size_t j = 0; j < v.size(); ++j) {
-      net.push_back(as_given(along_u.between(i, v[j]) + ((1.0 - u[i]) * start[j] + u[i] * end[j])));
+      const glm::dvec4 near = ((1.0 - v[j]) * from + v[j] * to) + (before * start[j] + u[i] * end[j]);
+      net.push_back(space.leave(as_given(near)));
     }
   }
-  net = space.leave(net);
   set_borders(net, along_u.start.points(), along_u.end.points(), along_v.start.points(), along_v.end.points());
   return NurbsPatch::make(along_u.start.knot_vector(), along_v.start.knot_vector(), std::move(net));
 }
@@ -139,7 +142,7 @@ Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional
   BorderLoop loop = border_loop(sides, tolerance);
   std::vector<glm::dvec4> all;
   for (NurbsCurve& side : loop.curves) {
-    side = over_unit(standard_form(side));
+    side = over_unit(side.rational() ? standard_form(side) : side);
     all.insert(all.end(), side.points().begin(), side.points().end());
   }
   if (loop.curves.size() == 3) loop.curves.push_back(standing(glm::dvec3(loop.curves[2].points().back())));

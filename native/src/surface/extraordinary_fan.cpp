@@ -90,7 +90,7 @@ class Fan {
     const int across = topology_.next(topology_.next(spoke(k)));  // begins at the corner across from the point
     const OuterSide first(part(across, 0, Axis::u), part(topology_.next(across), 3, Axis::u));
     const OuterSide second(part(across, 0, Axis::v), part(topology_.before(across), 1, Axis::v));
-    const std::vector<double> places = greville_places(star_.knots);
+    const std::vector<double> places = interpolation_places(star_.knots);
     const auto along_u = rows_beside(star_.knots, star_.knots, first.across(places));
     const auto along_v = rows_beside(star_.knots, star_.knots, second.across(places));
     for (std::size_t r = 0; r < kOrders; ++r) {
@@ -112,7 +112,7 @@ class Fan {
   std::vector<glm::dvec3> border(int beside, int behind, bool is_before) const {
     const std::array<glm::dvec3, 4> p{further(beside, is_before), at(beside), at(point_), at(behind)};
     std::vector<glm::dvec3> points;
-    for (const double s : greville_places(star_.knots)) {
+    for (const double s : interpolation_places(star_.knots)) {
       const double t = 1.0 - s;
       points.push_back((t * t * t * p[0] + (3.0 * s * s * s - 6.0 * s * s + 4.0) * p[1] +
                         (3.0 * t * t * t - 6.0 * t * t + 4.0) * p[2] + s * s * s * p[3]) / 6.0);

@@ -97,7 +97,7 @@ std::vector<PartOfSide> parts_of(const Hole& hole) {
 /// Rows of control points of a patch along its part of a side, one more than the side's continuity.
 std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const PartOfSide& part, const KnotVector& knots) {
   std::vector<double> s;
-  for (const double place : greville_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
+  for (const double place : interpolation_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
   std::vector<std::vector<glm::dvec3>> across{side.points(s)};
   for (int order = 1; order <= side.continuity(); ++order) across.push_back(side.across(s, order));
   return rows_beside(knots, is_at_end(part.border) ? reversed(knots).knots : knots, across);
@@ -121,7 +121,16 @@ std::vector<glm::dvec3> points_or_zero(const std::vector<std::optional<glm::dvec
   return points;
 }
 
-std::vector<NurbsPatch> patches_with(const Hole& hole, const std::vector<PartOfSide>& parts, const KnotVector& knots) {
+/// Patches that fill a hole, and what of their control points its sides decide.
+struct ClaimedStar {
+  Star star;
+  std::vector<std::optional<glm::dvec3>> points;
+
+  /// With the others at the origin.
+  std::vector<NurbsPatch> patches() const { return patches_of(star, points_or_zero(points)); }
+};
+
+ClaimedStar claimed_star(const Hole& hole, const std::vector<PartOfSide>& parts, const KnotVector& knots) {
   const bool is_one = hole.share == 1.0;
   const Star star{knots, is_one ? 1 : hole.sides.size(), is_one, hole.continuity() + 1};
   const std::size_t last = star.width() - 1;
@@ -136,10 +145,15 @@ std::vector<NurbsPatch> patches_with(const Hole& hole, const std::vector<PartOfS
       }
     }
   }
-  const auto given = claims.points();
-  std::vector<NurbsPatch> patches = patches_of(star, is_one ? points_or_zero(given) : solved_star(star, given));
+  return {star, claims.points()};
+}
+
+std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed) {
+  const Star& star = claimed.star;
+  const bool is_one = star.count == 1;
+  std::vector<NurbsPatch> patches = is_one ? claimed.patches() : patches_of(star, solved_star(star, claimed.points));
   const std::vector<glm::dvec3> expected = expected_points(hole, star, patches);
-  return expected.empty() && !is_one ? patches : patches_of(star, solved_star(star, given, expected));
+  return expected.empty() && !is_one ? patches : patches_of(star, solved_star(star, claimed.points, expected));
 }
 
 double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {
@@ -169,17 +183,18 @@ struct FillLimits {
   }
 };
 
+/// A filling as its sides see it, by the control points that they decide.
 /// @param limits  where there are any, what does not meet them is not measured to the end
-Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::vector<NurbsPatch> patches,
-                 const std::optional<FillLimits>& limits) {
-  Filling filling{std::move(patches)};
+Filling seen_along_sides(const Hole& hole, const std::vector<PartOfSide>& parts, const std::vector<NurbsPatch>& patches,
+                         const std::optional<FillLimits>& limits) {
+  Filling filling;
   for (const PartOfSide& part : parts) {
-    filling.gap = std::max(filling.gap, gap_along(hole.sides[part.side], part, filling.patches[part.patch]));
+    filling.gap = std::max(filling.gap, gap_along(hole.sides[part.side], part, patches[part.patch]));
   }
   for (const PartOfSide& part : parts) {
     if (limits && !limits->are_met(filling)) return filling;
     const HoleSide& side = hole.sides[part.side];
-    const NurbsPatch& patch = filling.patches[part.patch];
+    const NurbsPatch& patch = patches[part.patch];
     if (side.continuity() == 0) continue;
     const auto [low, high] = std::minmax(part.from, part.to);
     const NurbsPatch neighbour = *side.neighbour_part(low, high);
@@ -193,13 +208,16 @@ Filling measured(const Hole& hole, const std::vector<PartOfSide>& parts, std::ve
     filling.angle = std::max(filling.angle, seam.angle);
     filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
   }
-  const std::size_t count = filling.patches.size();
-  for (std::size_t k = 0; k < count && count > 1; ++k) {
-    const NurbsPatch& next = filling.patches[(k + 1) % count];
-    filling.inner_angle =
-        std::max(filling.inner_angle, seam_angle(filling.patches[k], Border::u_end, next, Border::v_end, false));
-  }
   return filling;
+}
+
+double angle_between_patches(const std::vector<NurbsPatch>& patches) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < patches.size() && patches.size() > 1; ++k) {
+    const NurbsPatch& next = patches[(k + 1) % patches.size()];
+    largest = std::max(largest, seam_angle(patches[k], Border::u_end, next, Border::v_end, false));
+  }
+  return largest;
 }
 
 /// A place of the parameters of patches at which a side is less smooth, and how often its knot is needed for that.
@@ -254,8 +272,11 @@ Filling filled(const Hole& hole, double tolerance, double angle) {
   const FillLimits limits{tolerance, angle};
   for (int spans = 1;; spans *= 2) {
     const bool is_last = spans * (static_cast<int>(inner.size()) + 1) >= kMostSpans;
-    std::vector<NurbsPatch> patches = patches_with(hole, parts, knots_with(degree, spans, inner));
-    Filling filling = measured(hole, parts, std::move(patches), is_last ? std::nullopt : std::optional(limits));
+    const ClaimedStar claimed = claimed_star(hole, parts, knots_with(degree, spans, inner));
+    Filling filling = seen_along_sides(hole, parts, claimed.patches(), is_last ? std::nullopt : std::optional(limits));
+    if (!is_last && !limits.are_met(filling)) continue;
+    filling.patches = solved(hole, claimed);
+    filling.inner_angle = angle_between_patches(filling.patches);
     if (limits.are_met(filling) || (is_last && filling.gap <= tolerance)) return filling;
     if (!is_last) continue;
     throw ToleranceNotReached("the filling cannot reach its sides with " + std::to_string(spans) + " spans", tolerance, filling.gap);

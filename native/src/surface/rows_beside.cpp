@@ -11,7 +11,7 @@ namespace splinecore {
 std::vector<std::vector<glm::dvec3>> rows_beside(const KnotVector& knots, const KnotVector& inwards,
                                                  const std::vector<std::vector<glm::dvec3>>& across) {
   const std::size_t orders = across.size();
-  RowConditions given{greville_places(knots), std::vector<std::vector<double>>(across.front().size()), {}, {}};
+  RowConditions given{interpolation_places(knots), std::vector<std::vector<double>>(across.front().size()), {}, {}};
   for (const auto& values : across) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       given.rows[i].insert(given.rows[i].end(), {values[i].x, values[i].y, values[i].z});
