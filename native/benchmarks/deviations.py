@@ -195,19 +195,30 @@ def inside(corners, points):
     return (sides[:, 0] * ways[..., 1] - sides[:, 1] * ways[..., 0] > 0).all(1)
 
 
+def at_equal_parameters(surface, sides):
+    """The largest distance of a border from the side of the hole that it is, both run through at their own pace."""
+    u, v = (surface.line(axis, ALONG) for axis in (0, 1))
+    borders = [surface.jets(u, 0 * u + v[end])[0] for end in (0, -1)] + [surface.jets(0 * v + u[end], v)[0] for end in (0, -1)]
+    runs = [run for side in sides for run in (side, side[::-1])]
+    return max(min(largest(border - run) for run in runs) for border in borders)
+
+
 def of_filling(surfaces, data, name):
     """From the sides of neighbours and their tangent planes; and from the sphere in which the hole is."""
     nets = data[f"{name}.neighbours"]
     bezier = np.repeat([0.0, 1.0], 3)
     t = np.linspace(0, 1, ALONG)
-    places = np.concatenate([Surface.of_rows((2, 2), (bezier, bezier), net).jets(t, 0 * t)[0] for net in nets])
+    sides = [Surface.of_rows((2, 2), (bezier, bezier), net).jets(t, 0 * t)[0] for net in nets]
+    places = np.concatenate(sides)
     distances, normals = nearest(surfaces, places)
     sines = np.linalg.norm(np.cross(normals, unit(places)), axis=1)
     corners = nets[:, 0, 0, :2] / (1 + nets[:, 0, 0, 2:3])
     grids = np.concatenate([s.grid(s.line(0, DENSE), s.line(1, DENSE)).reshape(-1, 3) for s in surfaces])
     radii = np.linalg.norm(grids[inside(corners, grids)], axis=1)
-    return Deviation(float(distances.max()), float(np.arcsin(np.minimum(sines, 1)).max()),
-                     f"{np.abs(radii - 1).max():.1e} from the sphere")
+    note = f"{np.abs(radii - 1).max():.1e} from the sphere"
+    if len(surfaces) == 1 and len(sides) == 4:
+        note += f", {at_equal_parameters(surfaces[0], sides):.1e} from the sides at equal parameters"
+    return Deviation(float(distances.max()), float(np.arcsin(np.minimum(sines, 1)).max()), note)
 
 
 def of_offset(surfaces, data):

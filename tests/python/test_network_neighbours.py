@@ -61,9 +61,9 @@ def angle_to(made, border, beyond, count=60):
     return np.arcsin(np.clip(np.linalg.norm(np.cross(own, other), axis=1), 0, 1)).max()
 
 
-def test_the_hole_in_a_smooth_surface_goes_on_from_any_neighbours():
+def test_the_hole_in_a_smooth_surface_goes_on_from_any_neighbours(inputs):
     rng = np.random.default_rng(1)
-    for trial in range(30):
+    for trial in range(inputs(1000)):
         patch = hills(rng)
         along_u, along_v = isocurves(patch, *rng.integers(2, 6, 2))
         beyond = parts_beyond(patch, (-0.5, 1.5) if trial % 2 else (0, 1))
@@ -71,7 +71,7 @@ def test_the_hole_in_a_smooth_surface_goes_on_from_any_neighbours():
         made, error = build.network(along_u, along_v, neighbours=[beyond[border] for border in chosen], tolerance=1e-3)
         assert error <= 1e-3
         for border in chosen:
-            assert angle_to(made, border, beyond[border][0]) <= 1.1e-4
+            assert angle_to(made, border, beyond[border][0]) <= 1e-4
         for curve in along_u + along_v:
             points = curve.evaluate(np.linspace(*curve.domain, 21), side="left")
             assert made.nearest(points).distances.max() <= 1e-3

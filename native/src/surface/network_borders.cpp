@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +24,10 @@ namespace splinecore {
 
 namespace {
 
-/// Fields are cubics that lie so far off their planes, in radians.
+/// What tangent planes may be off those of neighbours, in radians.
 constexpr double kAngle = 1e-4;
+/// Of that for each field: what it is off where curves cross the network takes away, and so adds to between them.
+constexpr double kShare = 1.0 / 3.0;
 constexpr int kCubic = 3;
 
 using FieldPair = std::array<std::optional<TangentField>, 2>;
@@ -126,8 +127,9 @@ NurbsCurve through(const TangentField& field, const std::array<glm::dvec3, 2>& s
   return NurbsCurve::make(spline.knots, std::move(points));
 }
 
-/// The largest distance of a curve from a field, at places inside its spans.
-double distance_from(const TangentField& field, const NurbsCurve& curve) {
+/// The most that a curve is off a field by its part away from the border, at places inside its spans: no less than the angle
+/// between the tangent planes.
+double angle_from(const TangentField& field, const NurbsCurve& curve) {
   constexpr int kPlaces = 5;
   std::vector<double> at;
   const KnotVector& knots = curve.knot_vector();
@@ -138,8 +140,9 @@ double distance_from(const TangentField& field, const NurbsCurve& curve) {
   std::vector<glm::dvec3> found(at.size());
   evaluate(curve, at, {&found.front().x, 3 * at.size()});
   const std::vector<glm::dvec3> wanted = field.vectors(at);
+  const std::vector<PlaneFrame> frames = field.frames(at);
   double largest = 0.0;
-  for (std::size_t k = 0; k < at.size(); ++k) largest = std::max(largest, length_of(wanted[k] - found[k]));
+  for (std::size_t k = 0; k < at.size(); ++k) largest = std::max(largest, length_of(wanted[k] - found[k]) / glm::dot(wanted[k], frames[k].out));
   return largest;
 }
 
@@ -154,37 +157,26 @@ EndSlopes slopes_of(const FieldPair& fields) {
   return slopes;
 }
 
-/// How long a field is in the middle of its border.
-double size_of(const TangentField& field) {
-  const Interval domain = field.border().domain();
-  const double middle[] = {0.5 * domain.start + 0.5 * domain.end};
-  return length_of(field.vectors(middle).front());
-}
-
 /// Cubics near the fields of a family, both on the same knots, as derivatives by the other parameter.
 std::array<std::optional<NurbsCurve>, 2> fitted(const FieldPair& fields, const EndSlopes& slopes) {
   std::array<std::optional<NurbsCurve>, 2> made;
   std::vector<std::size_t> which;
   std::vector<NurbsCurve> borders;
-  double size = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < 2; ++i) {
     if (!fields[i]) continue;
     which.push_back(i);
     borders.push_back(fields[i]->border());
-    size = std::min(size, size_of(*fields[i]));
   }
   if (which.empty()) return made;
   const FitTogether what{which.size(), kCubic,           borders[0].domain(), borders[0].periodic(),
-                         corners_of(borders), kAngle * size};
+                         corners_of(borders), kShare * kAngle};
   const auto curves = fitted_together(what, [&](std::size_t i, const KnotVector& knots) -> Approximation<NurbsCurve> {
     const TangentField& field = *fields[which[i]];
-    if (knots.periodic()) {
-      return project([&](std::span<const double> at, std::span<glm::dvec3> vectors) {
-        std::ranges::copy(field.vectors(at), vectors.begin());
-      }, knots);
-    }
-    NurbsCurve curve = through(field, slopes[which[i]], knots);
-    const double error = distance_from(field, curve);
+    const auto vectors_at = [&](std::span<const double> at, std::span<glm::dvec3> vectors) {
+      std::ranges::copy(field.vectors(at), vectors.begin());
+    };
+    NurbsCurve curve = knots.periodic() ? project(vectors_at, knots).value : through(field, slopes[which[i]], knots);
+    const double error = angle_from(field, curve);
     return {std::move(curve), error};
   }).value;
   for (std::size_t i = 0; i < which.size(); ++i) {

@@ -34,6 +34,7 @@ class TangentField {
 
   std::vector<glm::dvec3> vectors(std::span<const double> at) const;
 
+  std::vector<PlaneFrame> frames(std::span<const double> at) const;
   PlaneFrame frame(double at) const { return frames({&at, 1}).front(); }
 
   /// Adds to the derivatives of a and b at an end of the domain; where curves cross they stay.
@@ -42,7 +43,6 @@ class TangentField {
   const NurbsCurve& border() const { return border_; }
 
  private:
-  std::vector<PlaneFrame> frames(std::span<const double> at) const;
   NurbsCurve through_crossed() const;
 
   NurbsCurve border_;
