@@ -44,8 +44,9 @@ struct SweepOptions {
 /// the sections, v along the rail, by its parameter (The NURBS Book, 10.4; row S20).
 ///
 /// Parallel frames and straight rails are exact: a sum of both curves. Otherwise rows of control points are cubic splines
-/// along v, as often smooth as the rail, through as many of them as the tolerance needs. At corners of the rail rows lie in
-/// the plane that halves the corner, so that stretches between are whole if they are straight; others are refused.
+/// along v, with knots where the tolerance needs them: first those of the rail, double ones where it has no third derivative,
+/// for frames depend on its tangents; none nearer to each other than 2^-38 of a stretch. At corners of the rail rows lie in the
+/// plane that halves the corner, so that stretches between are whole if they are straight; others are refused.
 /// @returns the surface, and how far rows were found to be from where they should be
 /// @throws InvalidShape if there is no section, their parameters do not increase or lie outside the rail, a frame does not
 ///         exist, the rail turns back, or an end scale is not above 0; ToleranceNotReached; as
