@@ -75,7 +75,8 @@ void bind_fills(py::module_& module) {
             "few spans as come within the tolerance, a length, by default 2^-20 of the size of the sides, and the angle, in\n"
             "radians; eight at most, and the Filling says what was reached. Where neighbours do not share their tangent plane at a\n"
             "corner, nothing can go on from both.\n"
-            "InvalidShape unless there are 3 to 8 sides that go round, or if one turns back over its neighbour;\n"
+            "InvalidShape unless there are 3 to 8 sides that go round, or if one with a neighbour turns back over it or runs on\n"
+            "into the next side without a corner;\n"
             "ToleranceNotReached says how far ends of sides lie apart, or how far the filling is from its sides.");
 }
 

@@ -2,19 +2,39 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "base/length.hpp"
+#include "splinecore/base/errors.hpp"
 
 namespace splinecore {
 
 namespace {
 
+/// A patch has no tangent plane in a corner whose sides go on into each other.
+/// @param before, after  how the sides with these indices run there
+void require_corner(std::size_t i, const glm::dvec3& before, std::size_t j, const glm::dvec3& after) {
+  constexpr double kStraight = 1e-3;
+  const double sizes = length_of(before) * length_of(after);
+  if (length_of(glm::cross(before, after)) > kStraight * sizes || !(glm::dot(before, after) > 0.0)) return;
+  throw InvalidShape("sides" + index_text(i) + " and sides" + index_text(j) +
+                     " go on into each other without a corner: from neighbours no surface can go on there. Make them one side, or let "
+                     "both go on with G0");
+}
+
 /// Each side leaves along the next one at its corners.
 void set_ends(Hole& hole) {
   const double h = hole.share;
   for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+    HoleSide& side = hole.sides[i];
+    if (side.continuity() == 0) continue;
     const HolePlace end = hole.sides[hole.before(i)].place(1.0);
     const HolePlace start = hole.sides[hole.after(i)].place(0.0);
-    hole.sides[i].set_end(false, -h * end.along, h * h * end.along_2);
-    hole.sides[i].set_end(true, h * start.along, h * h * start.along_2);
+    require_corner(hole.before(i), end.along, i, side.place(0.0).along);
+    require_corner(i, side.place(1.0).along, hole.after(i), start.along);
+    side.set_end(false, -h * end.along, h * h * end.along_2);
+    side.set_end(true, h * start.along, h * h * start.along_2);
   }
 }
 

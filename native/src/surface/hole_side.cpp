@@ -113,7 +113,6 @@ std::vector<HolePlace> HoleSide::places(std::span<const double> s) const {
 }
 
 void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {
-  if (continuity() == 0) return;
   const HolePlace here = place(is_end ? 1.0 : 0.0);
   const auto [a, b] = parts_of(across, here.out, here.along);
   if (!(a > 0.0)) throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
