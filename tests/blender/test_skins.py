@@ -172,6 +172,24 @@ def test_sections_that_lie_at_the_rail_are_on_the_surface(turn):
         assert patch.nearest(points).distances.max() < 1e-5
 
 
+def test_a_section_that_crosses_the_rail_twice_is_refused_where_it_lies():
+    rail, ring = add(line((0, 0, 0), (2, 0.5, 0), (4, 0, 0)), "rail"), add(CIRCLE, "ring")
+    ring.location = 2.0, 0.25, 0.0
+    bpy.context.view_layer.update()
+    before = set(bpy.data.objects)
+    with pytest.raises(RuntimeError, match="section 1 of 1 crosses the rail at 2 places"):
+        make('sweep', rail, ring, placed='there')
+    assert set(bpy.data.objects) == before
+    assert make('sweep', rail, ring, placed='upright').type == 'MESH'
+
+
+def test_a_section_that_comes_back_to_one_of_two_rails_is_refused():
+    rails = [add(FRAME[name], name) for name in ('left', 'right')]
+    back = add(line((0, 0.4, 0.32), (0, 0.8, 0.48), (3, 1.2, 0.48)), "back")
+    with pytest.raises(RuntimeError, match="section 1 of 1 crosses the rail at 2 places"):
+        make('two_rails', *rails, back)
+
+
 def test_rails_are_found_among_the_curves_and_the_surface_ends_on_them():
     ob = MADE['two_rails']()
     assert names(ob)[:2] == ["left", "right"]

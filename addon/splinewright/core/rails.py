@@ -3,8 +3,11 @@
 import numpy as np
 
 from . import flat, sections
+from .failures import Refusal
 
 _UP = np.array([0.0, 0.0, 1.0])
+#: Of the size of a rail: what a section may miss it by and still cross it.
+_TOUCH = 1e-6
 #: A section whose plane is this far from its own x and y lies in another one.
 _LEVEL = 0.7
 
@@ -51,8 +54,19 @@ def _places_on(rail, profiles):
     return rail.nearest(middles).parameters
 
 
+def _require_one_place(rail, profiles):
+    """Raises Refusal for a section that crosses a rail at several places: it belongs to none of them."""
+    reach = _TOUCH * sections.size_of([rail])
+    for i, profile in enumerate(profiles, 1):
+        met = rail.intersections(profile, tolerance=reach)
+        places = rail.evaluate(np.concatenate([met.parameters[:, 0], met.overlaps[:, 0].ravel()]))
+        if len(places) > 1 and np.linalg.norm(places - places[0], axis=1).max() > 2 * reach:
+            raise Refusal(f"section {i} of {len(profiles)} crosses the rail at {len(places)} places: it belongs to one of them alone")
+
+
 def along(rail, profiles, frame):
-    """(profiles in the frame of a rail where they lie, the parameters there), in the order along it."""
+    """(profiles in the frame of a rail where they lie, the parameters there), in the order along it. Raises Refusal."""
+    _require_one_place(rail, profiles)
     at = _places_on(rail, profiles)
     order = np.argsort(at, kind='stable')
     frames = _frames(rail, at, frame)
@@ -107,7 +121,9 @@ def running_with(first, second):
 
 def between(first, second, profiles):
     """(profiles in the frame between two rails where they lie, the parameters of the first rail there), in the order along it.
-    Each is turned so that it starts at the first rail."""
+    Each is turned so that it starts at the first rail. Raises Refusal."""
+    for rail in (first, second):
+        _require_one_place(rail, profiles)
     profiles = [_from_first(first, second, profile) for profile in profiles]
     at = first.nearest(np.array([sections.ends(profile)[0] for profile in profiles])).parameters
     order = np.argsort(at, kind='stable')
