@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,6 +32,9 @@ double distance_of(const glm::dvec4& a, const glm::dvec4& b) {
   if (a.w == 0.0 || b.w == 0.0) return length_of(glm::dvec3(a) - glm::dvec3(b));
   return length_of(glm::dvec3(a) * (1.0 / a.w) - glm::dvec3(b) * (1.0 / b.w));
 }
+
+/// The larger one; what is no number counts as larger than any.
+double worse(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
 /// A part of a stretch in which rows are smooth.
 struct RowPiece {
@@ -210,12 +214,11 @@ class RowStretch {
         for (std::size_t begin = 0; begin < piece.wanted.size(); begin += columns) {
           write_row(made, samples, sample++, row);
           for (std::size_t j = 0; j < columns; ++j) {
-            const double error = distance_of(row[j], piece.wanted[begin + j]);
-            if (!(error <= step.error)) step.error = error;
+            step.error = worse(step.error, distance_of(row[j], piece.wanted[begin + j]));
           }
         }
       }
-      if (!(step.error <= made.error)) made.error = step.error;
+      made.error = worse(made.error, step.error);
     }
   }
 
