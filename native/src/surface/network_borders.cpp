@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <string>
@@ -142,7 +143,10 @@ double angle_from(const TangentField& field, const NurbsCurve& curve) {
   const std::vector<glm::dvec3> wanted = field.vectors(at);
   const std::vector<PlaneFrame> frames = field.frames(at);
   double largest = 0.0;
-  for (std::size_t k = 0; k < at.size(); ++k) largest = std::max(largest, length_of(wanted[k] - found[k]) / glm::dot(wanted[k], frames[k].out));
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double away = std::abs(glm::dot(wanted[k], frames[k].out));
+    largest = std::max(largest, length_of(wanted[k] - found[k]) / away);
+  }
   return largest;
 }
 
