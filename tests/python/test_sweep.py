@@ -117,6 +117,8 @@ def test_a_rail_that_needs_no_knots_gets_none():
 def test_weights_of_the_section_stay(closed):
     rail = waving_rail(12, closed=closed)
     assert not build.sweep(rail, waving_rail(8).transformed(0.1 * np.eye(3)), tolerance=1e-4).value.is_rational
+    several = [waving_rail(8).transformed(size * np.eye(3)) for size in (0.1, 0.2, 0.15)]
+    assert not build.sweep(rail, several, at=np.linspace(*rail.domain, 4)[:3], tolerance=1e-4).value.is_rational
     made = build.sweep(rail, ring(0.1), tolerance=1e-4).value
     assert np.array_equal(made.weights, np.repeat(made.weights[:, :1], made.weights.shape[1], 1))
 

@@ -1,6 +1,7 @@
 #include "rail_sections.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "loft_sections.hpp"
@@ -57,6 +58,11 @@ RailSections::RailSections(std::span<const RailSection> sections, const NurbsCur
     given.rows.push_back(numbers_of(near_row(made.rows[i].points, unit)));
     given.parameters.push_back(sections[i].at);
   }
+  for (std::size_t j = 3; j < given.rows[0].size(); j += 4) {
+    const double first = given.rows[0][j];
+    const bool is_level = std::ranges::all_of(given.rows, [&](const std::vector<double>& row) { return row[j] == first; });
+    level_weights_.push_back(is_level ? std::optional(first) : std::nullopt);
+  }
   if (is_closed && sections.size() > 2) given.parameters.push_back(sections[0].at + rail.domain().length());
   const bool goes_round = given.parameters.size() > sections.size();
   along_ = spline_through(given, std::min(kDegree, static_cast<int>(sections.size()) - 1),
@@ -85,6 +91,7 @@ std::vector<glm::dvec4> RailSections::at(std::span<const double> parameters) con
         const double* const p = &along_->controls[4 * ((row++ % count) * width + j)];
         point += weight * glm::dvec4(p[0], p[1], p[2], p[3]);
       }
+      if (level_weights_[j]) point.w = *level_weights_[j];
       found.push_back(point);
     }
   }

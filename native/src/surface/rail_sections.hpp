@@ -29,6 +29,7 @@ class RailSections {
   KnotVector knots_;
   std::vector<glm::dvec4> first_;
   std::optional<RowSpline> along_;  ///< where there are several
+  std::vector<std::optional<double>> level_weights_;  ///< of several: those that all sections have in common
 };
 
 }  // namespace splinecore
