@@ -68,15 +68,17 @@ void bind_fills(py::module_& module) {
             }, py::arg("sides"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = 1e-4,
             py::arg("cancel") = py::none(),
             "The Filling of a hole of three to eight sides, which are curves of any kinds or neighbours (patch, side, 'G0' to\n"
-            "'G2'), one after the other in any directions: the surface that goes on from these, by least third derivatives (Sarraga\n"
-            "1987, Greiner 1994; row S21) of what lies between it and the surface that neighbours let expect: of four sides the\n"
-            "bicubic Coons patch, of others a polynomial over a plane.\n\n"
-            "A hole of four sides is one patch of degree 5; others are split from the middle of each side to a point. There are as\n"
-            "few spans as come within the tolerance, a length, by default 2^-20 of the size of the sides, and the angle, in\n"
-            "radians; eight at most, and the Filling says what was reached. Where neighbours do not share their tangent plane at a\n"
-            "corner, nothing can go on from both.\n"
-            "InvalidShape unless there are 3 to 8 sides that go round, or if one with a neighbour turns back over it or runs on\n"
-            "into the next side without a corner;\n"
+            "'G2'), one after the other in any directions: the surface that goes on from these (lecture row S21), with as few\n"
+            "control points as come within the tolerance, a length, by default 2^-20 of the size of the sides, and the angle, in\n"
+            "radians; the Filling says what was reached.\n\n"
+            "A hole of four sides is one patch: from 'G1' the bicubic Coons patch, whose borders are the sides, weights and all, of\n"
+            "degree 3 to 7. Otherwise, and where that does not do, patches are of degree 5, or 7 for 'G2', with at most eight spans,\n"
+            "by least third derivatives (Sarraga 1987, Greiner 1994) of what lies between them and what neighbours let expect;\n"
+            "other numbers of sides are split from the middle of each to a point. Where all sides go on into each other without a\n"
+            "corner, patches run from each, as it is, to a point in which all end.\n\n"
+            "Where neighbours do not share their tangent plane at a corner, nothing can go on from both.\n"
+            "InvalidShape unless there are 3 to 8 sides that go round, or if one with a neighbour turns back over it, or only some\n"
+            "sides run on into the next ones without a corner, or a round hole is not seen whole from its middle;\n"
             "ToleranceNotReached says how far ends of sides lie apart, or how far the filling is from its sides.");
 }
 

@@ -1,5 +1,6 @@
 """Surfaces made of surfaces, live: blends, matches, rounded edges, offsets, thick ones, longer ones, fillings of holes."""
 
+import collections
 import math
 
 import bmesh
@@ -10,7 +11,7 @@ import pytest
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-follow, recipes = (part(name) for name in ('bridge.follow', 'bridge.recipes'))
+follow, recipes, sections_overlay = (part(name) for name in ('bridge.follow', 'bridge.recipes', 'ui.sections_overlay'))
 ARCH = sc.build.extrude(sc.build.polynomial_through([(0, 0, 0), (0, 0.5, 1), (0, 1, 1.2)]), (2, 0, 0))
 FAR = sc.build.extrude(sc.build.polynomial_through([(0, 2, 1), (0, 2.5, 0.4), (0, 3, 0.2)]), (2, 0, 0))
 FLOOR = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
@@ -80,7 +81,45 @@ def test_a_hole_between_surfaces_is_filled_and_goes_on_from_them():
     patch = ob.data.splinewright.value
     points = patch.evaluate_grid(np.linspace(*patch.domain[0], 9), np.linspace(*patch.domain[1], 9)).reshape(-1, 3)
     assert np.abs(points[:, 2]).max() < 1e-9 and np.abs(patch.area() - 1.0) < 1e-9
-    assert "4 sides" in recipes.read(ob.data).said
+    assert recipes.read(ob.data).said == "4 sides, angle 0° to them"
+
+
+@pytest.mark.parametrize('continuity, bulge', (('G1', 1e-6), ('G2', 0.01)))
+def test_a_round_hole_is_closed_and_follows(continuity, bulge):
+    """A cup of four walls, whose bottom is the shorter way round: a disc goes on from them there; as they bend, with G2."""
+    wall = sc.BezierCurve([(0.5, 0, -1), (1, 0, -1), (1, 0, 0)])
+    obs = [add(sc.build.revolve(wall, (0, 0, 0), (0, 0, 1), i * math.pi / 2, math.pi / 2), f"wall {i}") for i in range(4)]
+    ob = make('filling', *obs, continuity=continuity)
+    assert len(ob.data.splinewright.value) == 4
+    points = corners_of(ob)
+    assert np.abs(points[:, 2] + 1).max() < bulge and np.hypot(points[:, 0], points[:, 1]).max() < 0.5 + 1e-6
+    said = "4 sides, angle 0° to them, 0° inside"
+    assert recipes.read(ob.data).said.startswith(said) and (recipes.read(ob.data).said == said) == (continuity == 'G1')
+    rim = [key for key, count in faces_at_edges(ob.data).items() if count == 1]
+    assert np.abs(np.hypot(*points[np.unique(rim)][:, :2].T) - 0.5).max() < 1e-6
+
+    for wall_ob in obs:
+        wall_ob.location.z = 0.5
+    bpy.context.view_layer.update()
+    assert np.abs(corners_of(ob) - points - (0, 0, 0.5)).max() < 1e-6
+
+
+def test_surfaces_that_a_filling_goes_on_from_have_their_numbers_in_the_view():
+    obs = [add(sc.build.plane((x, y, 0), (wide, 0, 0), (0, high, 0)), f"{x}, {y}") for (x, y), (wide, high) in
+           (((0, -1), (1, 1)), ((0, 1), (1, 1)), ((-1, 0), (1, 1)))]
+    ob = make('filling', *obs, add(sc.BezierCurve([(1, 0, 0), (1, 1, 0)]), "line"))
+    seen = {tuple(np.round(one.foot, 6)): one for one in sections_overlay.shown(ob)}
+    assert sorted(one.number for one in seen.values()) == [1, 2, 3, 4]
+    assert set(seen) == {(0.5, -0.5, 0.0), (0.5, 1.5, 0.0), (-0.5, 0.5, 0.0), (1.0, 0.0, 0.0)}
+    assert [tuple(place) for place, one in seen.items() if not np.array_equal(one.foot, one.head)] == [(1.0, 0.0, 0.0)]
+
+
+def corners_of(ob):
+    return np.array([vertex.co for vertex in ob.data.vertices])
+
+
+def faces_at_edges(mesh):
+    return collections.Counter(key for face in mesh.polygons for key in face.edge_keys)
 
 
 @pytest.mark.parametrize('kind, make_obs, settings, message', (

@@ -49,7 +49,8 @@ run_every_second() {
   for ((i = $1; i < ${#scripts[@]}; i += 2)); do
     name=$(basename "${scripts[i]}" .py)
     local start=$SECONDS log=$output/$name.log
-    if run_script "${scripts[i]}" >"$log" 2>&1; then said=passed; else said=failed; echo "-- $log"; cat "$log"; fi
+    # What Blender calls to draw prints its errors and goes on.
+    if run_script "${scripts[i]}" >"$log" 2>&1 && ! grep -q '^Traceback' "$log"; then said=passed; else said=failed; echo "-- $log"; cat "$log"; fi
     echo "$said" >"$output/$name.said"
     printf '  %-38s %-28s %6d s\n' "$name.py" "$said" $((SECONDS - start))
   done

@@ -1,4 +1,5 @@
-"""A loft of circles that are clicked in no order, with the sidebar closed: Add menu, G on a section, Ctrl+Z, Tab, the list in the panel."""
+"""A loft of circles that are clicked in no order, with the sidebar closed: Add menu, G on a section, Ctrl+Z, Tab, the list in the
+panel; a tube of four surfaces that is closed."""
 
 import os
 import sys
@@ -94,6 +95,40 @@ def listed(view):
     assert mean_difference(picture("list"), plain) > 0.01
 
 
+def closed(view):
+    """A tube of four surfaces, by A and F3: the numbers of its walls stand in them."""
+    sc = part('core.library').sc
+    wall = sc.BezierCurve([(1, 0, -1), (1, 0, 0)])
+    with view.override():
+        empty_file()
+        for i in range(4):
+            data = part('bridge.shape').new_data(f"wall {i}", sc.build.revolve(wall, (0, 0, 0), (0, 0, 1), i * np.pi / 2, np.pi / 2), (8, 8))
+            bpy.context.scene.collection.objects.link(bpy.data.objects.new(f"wall {i}", data))
+        bpy.ops.ed.undo_push(message="walls")
+    yield from redrawn()
+    view.move(640, 420)
+    view.press('A')
+    yield from until(lambda: len(bpy.context.selected_objects) == 4, "A")
+    view.press('F3')
+    yield from redrawn()
+    yield from redrawn()
+    for letter in "fill":
+        view.press(letter.upper(), letter)
+    yield from redrawn()
+    yield from redrawn()
+    view.press('RET')
+    yield from until(lambda: len(bpy.data.objects) == 5, "the filling")
+    yield from redrawn()
+    LOFT.append(bpy.context.object.name)
+    assert len(value()) == 4
+    plain = picture("closed")
+    assert len(part('ui.sections_overlay').shown(bpy.context.object)) == 4
+    view.press('Z', ctrl=True)
+    yield from until(lambda: len(bpy.data.objects) == 4, "Ctrl+Z takes it back")
+    yield from redrawn()
+    assert mean_difference(picture("open"), plain) > 0.01
+
+
 def steps():
     view = View()
     yield from scene(view)
@@ -101,6 +136,7 @@ def steps():
     yield from lofted(view)
     yield from followed(view)
     yield from listed(view)
+    yield from closed(view)
 
 
 run(steps())

@@ -1,4 +1,4 @@
-"""The numbers of the curves that the active surface is made from, and which way they run, in the 3D views."""
+"""The numbers of what the active surface is made from, and which way curves of it run, in the 3D views."""
 
 from typing import NamedTuple
 
@@ -21,11 +21,11 @@ _MOST = 200
 
 
 class Section(NamedTuple):
-    """Where a curve is seen."""
+    """Where a curve or surface is seen."""
 
     number: int
-    foot: np.ndarray                    # (3,) in the world: where it starts
-    head: np.ndarray                    # (3,): a part of it further
+    foot: np.ndarray                    # (3,) in the world: where a curve starts; the middle of a surface
+    head: np.ndarray                    # (3,): a part of a curve further; the same of a surface
 
 
 def shown(ob):
@@ -43,8 +43,12 @@ def shown(ob):
 
 
 def _section(number, source, is_turned):
-    curve = verbs.curves_of(store.read(source.data))[0]
-    points = sections.samples(curve)[::-1 if is_turned else 1][[0, 3]]
+    definition = store.read(source.data)
+    piece = verbs.pieces_of(definition)[0]
+    if definition.has_curves:
+        points = sections.samples(piece)[::-1 if is_turned else 1][[0, 3]]
+    else:
+        points = np.repeat([piece.evaluate(*map(np.mean, piece.domain))], 2, axis=0)
     matrix = np.array(source.matrix_world, dtype=np.float64)
     return Section(number, *(points @ matrix[:3, :3].T + matrix[:3, 3]))
 
@@ -58,7 +62,7 @@ def draw():
     found = _of_context()
     if found:
         gpu.state.blend_set('ALPHA')
-        strokes.draw([strokes.arrows([(one.foot, one.head) for one in found], lambda: _COLOR)])
+        strokes.draw([strokes.arrows([(one.foot, one.head) for one in found if (one.foot != one.head).any()], lambda: _COLOR)])
         gpu.state.blend_set('NONE')
 
 

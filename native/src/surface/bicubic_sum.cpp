@@ -8,9 +8,12 @@
 
 #include "base/length.hpp"
 #include "boolean_sum.hpp"
+#include "end_cubic.hpp"
+#include "end_scale.hpp"
 #include "fit/row_spline.hpp"
 #include "greville.hpp"
 #include "homogeneous_places.hpp"
+#include "raised_knots.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -20,18 +23,6 @@ namespace splinecore {
 namespace {
 
 constexpr int kCubic = 3;
-
-/// A cubic over [0, 1] by its values and derivatives at both ends.
-template <class Value>
-struct EndCubic {
-  std::array<Value, 2> values{};
-  std::array<Value, 2> slopes{};
-
-  Value at(double s) const {
-    const double t = 1.0 - s;
-    return t * t * (1.0 + 2.0 * s) * values[0] + s * s * (1.0 + 2.0 * t) * values[1] + s * t * (t * slopes[0] - s * slopes[1]);
-  }
-};
 
 using EndVectors = std::array<glm::dvec3, 2>;
 
@@ -54,22 +45,20 @@ struct CrossedBorder {
   Ends ends;                     ///< of the curve
   std::optional<Ends> across;    ///< of the derivative given
   EndCubic<glm::dvec3> added;    ///< to that, or to nothing
-  std::array<double, 2> scale;   ///< of weights, at both ends
+  EndScale scale;                ///< of weights
   EndCubic<double> growth;       ///< of weights across
-
-  bool is_level() const { return scale[0] == scale[1]; }
 };
 
 using CrossedPair = std::array<CrossedBorder, 2>;
 
 CrossedPair crossings_of(const BorderPair& borders) {
-  CrossedPair made{CrossedBorder{borders[0], {}, {}, {}, {}, {}}, CrossedBorder{borders[1], {}, {}, {}, {}, {}}};
+  CrossedPair made{CrossedBorder{borders[0], {}, {}, {}, EndScale::of(borders[0].curve), {}},
+                   CrossedBorder{borders[1], {}, {}, {}, EndScale::of(borders[1].curve), {}}};
   for (CrossedBorder& one : made) {
     const auto points = one.given.curve.points();
     if (points.front().w == 0.0 || points.back().w == 0.0) throw InvalidShape("a side ends at infinity");
     one.ends = ends_of(one.given.curve);
     if (one.given.across) one.across = ends_of(*one.given.across);
-    one.scale = {1.0 / points.front().w, 1.0 / points.back().w};
   }
   return made;
 }
@@ -119,23 +108,8 @@ CornerMisfits meet_in_corners(CrossedPair& u, CrossedPair& v) {
 /// Homogeneous points of a border with weights 1 at both ends.
 std::vector<glm::dvec4> scaled_places(const CrossedBorder& one, std::span<const double> at) {
   std::vector<glm::dvec4> found = homogeneous_places(one.given.curve, at);
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    found[k] *= one.is_level() ? one.scale[0] : (1.0 - at[k]) * one.scale[0] + at[k] * one.scale[1];
-  }
+  for (std::size_t k = 0; k < at.size(); ++k) found[k] *= one.scale.at(at[k]);
   return found;
-}
-
-/// The derivative by s, at both ends, of weights that are 1 there.
-std::array<double, 2> weight_slopes(const CrossedBorder& one) {
-  const auto& curve = one.given.curve;
-  const auto knots = curve.knot_vector().knots();
-  const auto degree = static_cast<std::size_t>(curve.degree());
-  const auto points = curve.points();
-  const double change = one.scale[1] - one.scale[0];
-  const double start = static_cast<double>(degree) / (knots[degree + 1] - knots[1]);
-  const double end = static_cast<double>(degree) / (knots[knots.size() - 2] - knots[knots.size() - degree - 2]);
-  return {one.scale[0] * start * (points[1].w - points[0].w) + change * points[0].w,
-          one.scale[1] * end * (points[points.size() - 1].w - points[points.size() - 2].w) + change * points[points.size() - 1].w};
 }
 
 /// Homogeneous derivatives across a border.
@@ -150,6 +124,9 @@ std::vector<glm::dvec4> leaving_places(const CrossedBorder& one, std::span<const
   return found;
 }
 
+/// What multiplies the homogeneous points of both borders: a number, or a linear function.
+int scale_degree(const CrossedPair& pair) { return pair[0].scale.is_level() && pair[1].scale.is_level() ? 0 : 1; }
+
 /// Knots on which both borders and what leaves them are splines.
 KnotVector knots_of(const CrossedPair& pair, bool is_rational) {
   std::vector<NurbsCurve> curves;
@@ -160,17 +137,17 @@ KnotVector knots_of(const CrossedPair& pair, bool is_rational) {
   const bool has_given = curves.size() > 2;
   const KnotVector common = compatible(curves).front().knot_vector();
   const int degree = common.degree();
-  const int linear = pair[0].is_level() && pair[1].is_level() ? 0 : 1;
-  const int made = is_rational ? degree + linear + std::max(kCubic, has_given ? degree : 0) : std::max(degree, kCubic);
-  std::vector<double> knots(static_cast<std::size_t>(made) + 1, 0.0);
-  for (const double knot : common.knots()) {
-    if (!(knot > 0.0 && knot < 1.0)) continue;
-    const int times = multiplicity(common, knot);
-    if (times > degree) throw InvalidShape("a side, or a derivative across it, jumps");
-    if (knots.back() != knot) knots.insert(knots.end(), static_cast<std::size_t>(made - degree + times), knot);
-  }
-  knots.insert(knots.end(), static_cast<std::size_t>(made) + 1, 1.0);
-  return KnotVector::make(made, std::move(knots));
+  const int leaving = std::max(kCubic, has_given ? degree : 0);
+  return raised_knots(common, is_rational ? degree + scale_degree(pair) + leaving : std::max(degree, kCubic), 0);
+}
+
+/// Knots of a degree, or of the lowest one above it, on which both borders are splines, and what leaves them nearly is: it
+/// is once less smooth, for it runs along them, too.
+KnotVector knots_of_degree(const CrossedPair& pair, int degree) {
+  const std::array curves{pair[0].given.curve, pair[1].given.curve};
+  const KnotVector common = compatible(curves).front().knot_vector();
+  const bool has_given = pair[0].given.across || pair[1].given.across;
+  return raised_knots(common, std::max(degree, common.degree() + scale_degree(pair)), has_given ? 1 : 0);
 }
 
 /// Both borders and, between them, the rows of control points that let cubics leave them.
@@ -181,9 +158,8 @@ struct CubicRows {
 
 void add(std::vector<double>& numbers, const glm::dvec4& p) { numbers.insert(numbers.end(), {p.x, p.y, p.z, p.w}); }
 
-CubicRows rows_of(const CrossedPair& pair, bool is_rational) {
-  const KnotVector knots = knots_of(pair, is_rational);
-  RowConditions given{greville_places(knots), {}, {}, {}};
+CubicRows rows_of(const CrossedPair& pair, const KnotVector& knots, bool is_rational) {
+  RowConditions given{interpolation_places(knots), {}, {}, {}};
   const auto& at = given.parameters;
   const auto low = scaled_places(pair[0], at);
   const auto high = scaled_places(pair[1], at);
@@ -250,32 +226,54 @@ bool have_positive_weights(const std::array<NurbsCurve, 2>& curves) {
 
 /// The border, its weights 1 at both ends.
 NurbsCurve border_of(const CrossedBorder& one, const CubicRows& rows, std::size_t row) {
-  if (!one.is_level()) return NurbsCurve::from_homogeneous(rows.knots, rows.rows[row]);
+  if (!one.scale.is_level()) return NurbsCurve::from_homogeneous(rows.knots, rows.rows[row]);
   std::vector<glm::dvec4> points(one.given.curve.points().begin(), one.given.curve.points().end());
-  for (glm::dvec4& p : points) p = p.w == 0.0 ? one.scale[0] * p : glm::dvec4(glm::dvec3(p), one.scale[0] * p.w);
+  for (glm::dvec4& p : points) p = p.w == 0.0 ? one.scale.start * p : glm::dvec4(glm::dvec3(p), one.scale.start * p.w);
   return one.given.curve.with_points(std::move(points));
+}
+
+NurbsCurve negative(const NurbsCurve& vectors) {
+  std::vector<glm::dvec4> points(vectors.points().begin(), vectors.points().end());
+  for (glm::dvec4& p : points) p = glm::dvec4(-glm::dvec3(p), 1.0);
+  return vectors.with_points(std::move(points));
+}
+
+/// A side that goes back along u or v, and whose derivative goes out there.
+LeftBorder opposite(const LeftBorder& border, bool is_back, bool is_out) {
+  LeftBorder made = border;
+  if (is_back) made.curve = reversed(made.curve);
+  if (is_back && made.across) made.across = reversed(*made.across);
+  if (is_out && made.across) made.across = negative(*made.across);
+  return made;
 }
 
 }  // namespace
 
-BicubicSum bicubic_sum(const BorderPair& along_u, const BorderPair& along_v) {
+BorderPairs borders_around(const std::array<LeftBorder, 4>& sides) {
+  return {{sides[0], opposite(sides[2], true, true)}, {opposite(sides[3], true, false), opposite(sides[1], false, true)}};
+}
+
+BicubicSum bicubic_sum(const BorderPair& along_u, const BorderPair& along_v, std::optional<int> degree) {
   CrossedPair u = crossings_of(along_u);
   CrossedPair v = crossings_of(along_v);
   const CornerMisfits misfits = meet_in_corners(u, v);
   for (std::size_t end = 0; end < 2; ++end) {
-    u[end].growth.values = {weight_slopes(v[0])[end], weight_slopes(v[1])[end]};
-    v[end].growth.values = {weight_slopes(u[0])[end], weight_slopes(u[1])[end]};
+    u[end].growth.values = {scaled_weight_slopes(v[0].given.curve)[end], scaled_weight_slopes(v[1].given.curve)[end]};
+    v[end].growth.values = {scaled_weight_slopes(u[0].given.curve)[end], scaled_weight_slopes(u[1].given.curve)[end]};
   }
   const bool rational = is_rational(u) || is_rational(v);
-  const CubicRows rows_u = rows_of(u, rational);
-  const CubicRows rows_v = rows_of(v, rational);
+  const auto rows_along = [&](const CrossedPair& pair) {
+    return rows_of(pair, degree ? knots_of_degree(pair, std::max(kCubic, *degree)) : knots_of(pair, rational), rational);
+  };
+  const CubicRows rows_u = rows_along(u);
+  const CubicRows rows_v = rows_along(v);
   const std::array borders_u{border_of(u[0], rows_u, 0), border_of(u[1], rows_u, 3)};
   const std::array borders_v{border_of(v[0], rows_v, 0), border_of(v[1], rows_v, 3)};
-  NurbsPatch patch = boolean_sum(patch_of(rows_u), swapped(patch_of(rows_v)), corner_patch(rows_u));
-  if (have_positive_weights(borders_u) && have_positive_weights(borders_v) && !has_positive_weights(patch.points())) {
-    throw InvalidShape("the weights of the sides differ so much that inside the patch some would not stay positive");
-  }
-  return {std::move(patch), borders_u, borders_v, misfits};
+  return {boolean_sum(patch_of(rows_u), swapped(patch_of(rows_v)), corner_patch(rows_u)), borders_u, borders_v, misfits};
+}
+
+bool keeps_weights_positive(const BicubicSum& sum) {
+  return has_positive_weights(sum.patch.points()) || !have_positive_weights(sum.along_u) || !have_positive_weights(sum.along_v);
 }
 
 }  // namespace splinecore

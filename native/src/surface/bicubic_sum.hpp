@@ -19,6 +19,14 @@ struct LeftBorder {
 /// The borders along one direction, at the start and at the end of the other.
 using BorderPair = std::array<LeftBorder, 2>;
 
+struct BorderPairs {
+  BorderPair along_u;
+  BorderPair along_v;
+};
+
+/// The borders of a patch by its sides: v_start, u_end, v_end and u_start, as these go round, with derivatives into it.
+BorderPairs borders_around(const std::array<LeftBorder, 4>& sides);
+
 /// What derivatives that are given lie off those that a patch can have.
 struct CornerMisfits {
   std::array<double, 2> along_u{};  ///< for each border, at its ends: off the derivative along the next border
@@ -40,8 +48,14 @@ struct BicubicSum {
 ///   H_v = w F + g H,   g running smoothly between the derivatives of the other borders' weights,
 /// whose point goes by F and whose twists agree where those of F do. A derivative that is not given runs smoothly between those
 /// of the other borders, with the given twist, or that of the bilinear patch (Adini). Where two twists are given, their mean.
-/// @throws InvalidShape if a curve jumps, an end lies at infinity, or weights are not positive that were in the borders.
-BicubicSum bicubic_sum(const BorderPair& along_u, const BorderPair& along_v);
+///
+/// With a degree, the patch has that one, or the lowest with which borders are what they are, and leaves them as given at
+/// interpolation_places() of its knots; without, everywhere.
+/// @throws InvalidShape if a curve jumps, or an end lies at infinity
+BicubicSum bicubic_sum(const BorderPair& along_u, const BorderPair& along_v, std::optional<int> degree = {});
+
+/// False where weights inside the patch are not positive, and all of its borders are.
+bool keeps_weights_positive(const BicubicSum& sum);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -108,21 +108,6 @@ std::optional<NurbsCurve> entered(const std::optional<NurbsCurve>& across, std::
   return is_turned ? reversed(near) : near;
 }
 
-NurbsCurve negative(const NurbsCurve& vectors) {
-  std::vector<glm::dvec4> points(vectors.points().begin(), vectors.points().end());
-  for (glm::dvec4& p : points) p = glm::dvec4(-glm::dvec3(p), 1.0);
-  return vectors.with_points(std::move(points));
-}
-
-/// A side that goes back along u or v, and whose derivative goes out there.
-LeftBorder opposite(const LeftBorder& border, bool is_back, bool is_out) {
-  LeftBorder made = border;
-  if (is_back) made.curve = reversed(made.curve);
-  if (is_back && made.across) made.across = reversed(*made.across);
-  if (is_out && made.across) made.across = negative(*made.across);
-  return made;
-}
-
 /// @throws ToleranceNotReached for the side that is farthest off
 void require_corners(const CornerMisfits& misfits, double tolerance, double unit) {
   const std::array off{misfits.along_u[0], misfits.along_v[1], misfits.along_u[1], misfits.along_v[0]};
@@ -161,12 +146,15 @@ Approximation<NurbsPatch> bicubic_coons(std::span<const NurbsCurve> sides, std::
   for (const NurbsCurve& side : loop.curves) all.insert(all.end(), side.points().begin(), side.points().end());
   const NearSpace space(all);
   const double unit = space.length(1.0);
-  std::vector<LeftBorder> near;
-  for (std::size_t i = 0; i < 4; ++i) {
+  const auto near = [&](std::size_t i) {
     const NurbsCurve& side = loop.curves[i];
-    near.push_back({over_unit(side.with_points(space.enter(side.points()))), entered(across[i], i, loop.is_turned[i], unit)});
+    return LeftBorder{over_unit(side.with_points(space.enter(side.points()))), entered(across[i], i, loop.is_turned[i], unit)};
+  };
+  const BorderPairs borders = borders_around({near(0), near(1), near(2), near(3)});
+  const BicubicSum sum = bicubic_sum(borders.along_u, borders.along_v);
+  if (!keeps_weights_positive(sum)) {
+    throw InvalidShape("the weights of the sides differ so much that inside the patch some would not stay positive");
   }
-  const BicubicSum sum = bicubic_sum({near[0], opposite(near[2], true, true)}, {opposite(near[3], true, false), opposite(near[1], false, true)});
   require_corners(sum.misfits, loop.tolerance, unit);
   const double off = std::max(std::ranges::max(sum.misfits.along_u), std::ranges::max(sum.misfits.along_v));
   const auto left = [&](const NurbsCurve& curve) { return curve.with_points(space.leave(curve.points())); };

@@ -12,6 +12,7 @@
 #include "bicubic_sum.hpp"
 #include "fit/row_spline.hpp"
 #include "greville.hpp"
+#include "hole_plane.hpp"
 #include "ribbon.hpp"
 #include "splinecore/patch/evaluate.hpp"
 
@@ -22,50 +23,6 @@ namespace {
 constexpr int kDegree = 4;
 constexpr int kTerms = (kDegree + 1) * (kDegree + 2) / 2;
 using Terms = Eigen::Matrix<double, 1, kTerms>;
-
-/// Places of a side that are looked at.
-constexpr int kPlaces = 17;
-
-std::vector<HolePlace> places_along(const HoleSide& side) {
-  std::vector<double> s;
-  for (int k = 0; k < kPlaces; ++k) s.push_back(static_cast<double>(k) / (kPlaces - 1));
-  return side.places(s);
-}
-
-/// A plane that a hole lies over.
-struct HolePlane {
-  glm::dvec3 origin;
-  glm::dvec3 x;
-  glm::dvec3 y;
-  glm::dvec3 normal;
-  double size;  ///< how far points are from the origin
-
-  glm::dvec3 at(const glm::dvec3& p) const { return along(p - origin); }
-  glm::dvec3 along(const glm::dvec3& v) const { return glm::dvec3(glm::dot(v, x), glm::dot(v, y), glm::dot(v, normal)) / size; }
-};
-
-/// By the area that the sides go round.
-std::optional<HolePlane> plane_of(const std::vector<std::vector<HolePlace>>& sides) {
-  constexpr double kFlat = 1e-3;
-  std::vector<glm::dvec3> points;
-  for (const auto& side : sides) {
-    for (int k = 0; k + 1 < kPlaces; ++k) points.push_back(side[k].point);
-  }
-  HolePlane plane{glm::dvec3(0.0), {}, {}, glm::dvec3(0.0), 0.0};
-  for (const glm::dvec3& p : points) plane.origin += p / static_cast<double>(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    plane.normal += glm::cross(points[k] - plane.origin, points[(k + 1) % points.size()] - plane.origin);
-    plane.size = std::max(plane.size, length_of(points[k] - plane.origin));
-  }
-  const double area = length_of(plane.normal);
-  if (!(area > kFlat * plane.size * plane.size)) return {};
-  plane.normal /= area;
-  const glm::dvec3 way = points[0] - plane.origin - glm::dot(points[0] - plane.origin, plane.normal) * plane.normal;
-  if (!(length_of(way) > kFlat * plane.size)) return {};
-  plane.x = way / length_of(way);
-  plane.y = glm::cross(plane.normal, plane.x);
-  return plane;
-}
 
 /// The products of powers of x and y, or their derivatives along a direction.
 Terms terms_at(const glm::dvec3& p) {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string>
 
-#include "base/length.hpp"
 #include "base/sort_by.hpp"
 #include "basis/selection.hpp"
 #include "border_loop.hpp"
@@ -13,12 +12,12 @@
 #include "expected_points.hpp"
 #include "greville.hpp"
 #include "hole.hpp"
-#include "measure/seam_angle.hpp"
+#include "hole_borders.hpp"
 #include "meet/near_space.hpp"
+#include "round_filling.hpp"
 #include "rows_beside.hpp"
+#include "seen_filling.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/curve/evaluate.hpp"
-#include "splinecore/measure/seam.hpp"
 #include "star.hpp"
 #include "star_claims.hpp"
 
@@ -72,15 +71,6 @@ NurbsCurve curve_of(const FillSide& side) {
   const auto& neighbour = std::get<LoftNeighbour>(side);
   return boundary(neighbour.patch, neighbour.side);
 }
-
-/// Which part of a side is one of a patch of the filling: u or v of it runs from one place of the side to the other.
-struct PartOfSide {
-  std::size_t side;
-  double from;
-  double to;
-  std::size_t patch;
-  Border border;
-};
 
 std::vector<PartOfSide> parts_of(const Hole& hole) {
   if (hole.share == 1.0) {
@@ -156,70 +146,6 @@ std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed) {
   return expected.empty() && !is_one ? patches : patches_of(star, solved_star(star, claimed.points, expected));
 }
 
-double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {
-  constexpr int kPlaces = 129;
-  std::vector<double> at;
-  std::vector<double> s;
-  for (int k = 0; k < kPlaces; ++k) {
-    at.push_back(static_cast<double>(k) / (kPlaces - 1));
-    s.push_back(part.from + (part.to - part.from) * at.back());
-  }
-  const NurbsCurve border = boundary(patch, part.border);
-  std::vector<glm::dvec3> points(kPlaces);
-  evaluate(border, at, std::span(&points.front().x, 3 * points.size()));
-  const std::vector<glm::dvec3> wanted = side.points(s);
-  double largest = 0.0;
-  for (int k = 0; k < kPlaces; ++k) largest = std::max(largest, distance_of(points[k], wanted[k]));
-  return largest;
-}
-
-/// What a filling is to come within.
-struct FillLimits {
-  double gap;
-  double angle;
-
-  bool are_met(const Filling& filling) const {
-    return filling.gap <= gap && filling.angle <= angle && filling.inner_angle <= angle;
-  }
-};
-
-/// A filling as its sides see it, by the control points that they decide.
-/// @param limits  where there are any, what does not meet them is not measured to the end
-Filling seen_along_sides(const Hole& hole, const std::vector<PartOfSide>& parts, const std::vector<NurbsPatch>& patches,
-                         const std::optional<FillLimits>& limits) {
-  Filling filling;
-  for (const PartOfSide& part : parts) {
-    filling.gap = std::max(filling.gap, gap_along(hole.sides[part.side], part, patches[part.patch]));
-  }
-  for (const PartOfSide& part : parts) {
-    if (limits && !limits->are_met(filling)) return filling;
-    const HoleSide& side = hole.sides[part.side];
-    const NurbsPatch& patch = patches[part.patch];
-    if (side.continuity() == 0) continue;
-    const auto [low, high] = std::minmax(part.from, part.to);
-    const NurbsPatch neighbour = *side.neighbour_part(low, high);
-    const bool is_reversed = part.from > part.to;
-    if (side.continuity() == 1) {
-      filling.angle = std::max(filling.angle, seam_angle(patch, part.border, neighbour, Border::v_end, is_reversed));
-      continue;
-    }
-    const SeamContinuity seam =
-        seam_continuity(patch, part.border, neighbour, Border::v_end, kContinuityTolerance, {}, is_reversed);
-    filling.angle = std::max(filling.angle, seam.angle);
-    filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
-  }
-  return filling;
-}
-
-double angle_between_patches(const std::vector<NurbsPatch>& patches) {
-  double largest = 0.0;
-  for (std::size_t k = 0; k < patches.size() && patches.size() > 1; ++k) {
-    const NurbsPatch& next = patches[(k + 1) % patches.size()];
-    largest = std::max(largest, seam_angle(patches[k], Border::u_end, next, Border::v_end, false));
-  }
-  return largest;
-}
-
 /// A place of the parameters of patches at which a side is less smooth, and how often its knot is needed for that.
 struct SideKnot {
   double at;
@@ -262,21 +188,69 @@ KnotVector knots_with(int degree, int spans, std::vector<SideKnot> inner) {
   return KnotVector::make(degree, std::move(knots));
 }
 
-Filling filled(const Hole& hole, double tolerance, double angle) {
+/// The lowest degree of patches with the sides of a hole, weights and all; at least 3.
+int least_degree(const Hole& hole) {
+  int least = 3;
+  for (const HoleSide& side : hole.sides) least = std::max(least, side.least_degree());
+  return least;
+}
+
+/// One patch that has its sides exactly, of as low a degree as its neighbours allow.
+std::optional<Filling> exactly_bordered(const Hole& hole, const std::vector<PartOfSide>& parts, const FillLimits& limits) {
+  constexpr int kMostDegree = 7;
+  const auto goes_on = [](const HoleSide& side) { return side.continuity() == 1; };
+  if (hole.share != 1.0 || hole.continuity() > 1 || std::ranges::none_of(hole.sides, goes_on)) return {};
+  const BorderPairs borders = hole_borders(hole);
+  for (int degree = least_degree(hole); degree <= kMostDegree; ++degree) {
+    const BicubicSum sum = bicubic_sum(borders.along_u, borders.along_v, degree);
+    if (!keeps_weights_positive(sum)) return {};
+    Filling filling = seen_along_sides(hole, parts, {sum.patch}, limits);
+    if (!limits.are_met(filling)) continue;
+    filling.patches = {sum.patch};
+    return filling;
+  }
+  return {};
+}
+
+/// Patches from the sides of a round hole to one point.
+Filling filled_round(Hole& hole, double tolerance, double angle) {
+  constexpr int kMostDegree = 9;
+  constexpr int kForCurvatures = 7;
+  const Apex apex = apex_of(hole);
+  agree_round(hole, apex);
+  std::vector<PartOfSide> parts;
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) parts.push_back({i, 0.0, 1.0, i, Border::v_start});
+  const FillLimits limits{tolerance, angle};
+  for (int degree = std::max(least_degree(hole), hole.continuity() == 2 ? kForCurvatures : 0);; ++degree) {
+    const bool is_last = degree >= kMostDegree;
+    std::vector<NurbsPatch> patches = round_filling(hole, apex, degree);
+    Filling filling = seen_along_sides(hole, parts, patches, is_last ? std::nullopt : std::optional(limits));
+    if (!is_last && !limits.are_met(filling)) continue;
+    filling.inner_angle = angle_between_patches(patches, Border::u_start);
+    filling.patches = std::move(patches);
+    if (limits.are_met(filling) || (is_last && filling.gap <= tolerance)) return filling;
+    if (!is_last) continue;
+    throw ToleranceNotReached("the filling cannot reach its sides", tolerance, filling.gap);
+  }
+}
+
+Filling filled(Hole& hole, double tolerance, double angle) {
+  agree_at_corners(hole);
   constexpr int kMostSpans = 8;
   const int degree = hole.continuity() == 2 ? 7 : 5;
   const std::vector<PartOfSide> parts = parts_of(hole);
+  const FillLimits limits{tolerance, angle};
+  if (const auto filling = exactly_bordered(hole, parts, limits)) return *filling;
   std::vector<SideKnot> inner = side_knots(hole, parts, degree);
   constexpr std::size_t kMostSideKnots = 5;
   if (inner.size() > kMostSideKnots) inner.clear();
-  const FillLimits limits{tolerance, angle};
   for (int spans = 1;; spans *= 2) {
     const bool is_last = spans * (static_cast<int>(inner.size()) + 1) >= kMostSpans;
     const ClaimedStar claimed = claimed_star(hole, parts, knots_with(degree, spans, inner));
     Filling filling = seen_along_sides(hole, parts, claimed.patches(), is_last ? std::nullopt : std::optional(limits));
     if (!is_last && !limits.are_met(filling)) continue;
     filling.patches = solved(hole, claimed);
-    filling.inner_angle = angle_between_patches(filling.patches);
+    filling.inner_angle = angle_between_patches(filling.patches, Border::v_end);
     if (limits.are_met(filling) || (is_last && filling.gap <= tolerance)) return filling;
     if (!is_last) continue;
     throw ToleranceNotReached("the filling cannot reach its sides with " + std::to_string(spans) + " spans", tolerance, filling.gap);
@@ -302,8 +276,8 @@ Filling fill(std::span<const FillSide> sides, const FillOptions& options) {
     const auto* neighbour = std::get_if<LoftNeighbour>(&near[i]);
     hole.sides.emplace_back(loop.curves[i], neighbour ? std::optional(*neighbour) : std::nullopt);
   }
-  agree_at_corners(hole);
-  Filling filling = filled(hole, tolerance, options.angle);
+  const bool is_free = std::ranges::all_of(hole.sides, [](const HoleSide& side) { return side.continuity() == 0; });
+  Filling filling = !is_free && is_round(hole) ? filled_round(hole, tolerance, options.angle) : filled(hole, tolerance, options.angle);
   for (NurbsPatch& patch : filling.patches) patch = patch.with_points(space.leave(patch.points()));
   filling.gap = space.length(std::max(filling.gap, loop.error));
   filling.curvature_difference /= unit;

@@ -38,4 +38,11 @@ std::vector<double> interpolation_places(const KnotVector& knots) {
   return places;
 }
 
+std::vector<double> interpolation_places_between_slopes(const KnotVector& knots) {
+  std::vector<double> places = interpolation_places(knots);
+  places.erase(places.end() - 2);
+  places.erase(places.begin() + 1);
+  return places;
+}
+
 }  // namespace splinecore

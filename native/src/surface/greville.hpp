@@ -14,5 +14,8 @@ std::vector<double> greville_places(const KnotVector& knots);
 /// polynomial, stretched to both ends (de Boor, A Practical Guide to Splines, II).
 std::vector<double> interpolation_places(const KnotVector& knots);
 
+/// The same where derivatives are given at both ends, too.
+std::vector<double> interpolation_places_between_slopes(const KnotVector& knots);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

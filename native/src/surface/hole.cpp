@@ -1,11 +1,11 @@
 #include "hole.hpp"
 
-#include <Eigen/Dense>
 #include <array>
 #include <glm/geometric.hpp>
 #include <string>
 
 #include "base/length.hpp"
+#include "least_parts.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -13,14 +13,11 @@ namespace splinecore {
 namespace {
 
 /// A patch has no tangent plane in a corner whose sides go on into each other.
-/// @param before, after  how the sides with these indices run there
-void require_corner(std::size_t i, const glm::dvec3& before, std::size_t j, const glm::dvec3& after) {
-  constexpr double kStraight = 1e-3;
-  const double sizes = length_of(before) * length_of(after);
-  if (length_of(glm::cross(before, after)) > kStraight * sizes || !(glm::dot(before, after) > 0.0)) return;
-  throw InvalidShape("sides" + index_text(i) + " and sides" + index_text(j) +
-                     " go on into each other without a corner: from neighbours no surface can go on there. Make them one side, or let "
-                     "both go on with G0");
+void require_corner(const Hole& hole, std::size_t i) {
+  if (!goes_on_at_end(hole, i)) return;
+  throw InvalidShape("sides" + index_text(i) + " and sides" + index_text(hole.after(i)) +
+                     " go on into each other without a corner, and others do not: from neighbours no surface can go on there. Make "
+                     "them one side, or let both go on with G0");
 }
 
 /// Each side leaves along the next one at its corners.
@@ -31,23 +28,11 @@ void set_ends(Hole& hole) {
     if (side.continuity() == 0) continue;
     const HolePlace end = hole.sides[hole.before(i)].place(1.0);
     const HolePlace start = hole.sides[hole.after(i)].place(0.0);
-    require_corner(hole.before(i), end.along, i, side.place(0.0).along);
-    require_corner(i, side.place(1.0).along, hole.after(i), start.along);
+    require_corner(hole, hole.before(i));
+    require_corner(hole, i);
     side.set_end(false, -h * end.along, h * h * end.along_2);
     side.set_end(true, h * start.along, h * h * start.along_2);
   }
-}
-
-/// Numbers by which two vectors each of two sides add up to a vector, as nearly as may be; the least such.
-std::array<double, 4> least_parts(const glm::dvec3& vector, const std::array<glm::dvec3, 2>& of_a, const std::array<glm::dvec3, 2>& of_b) {
-  constexpr double kDependent = 1e-6;
-  Eigen::Matrix<double, 3, 4> left;
-  for (int c = 0; c < 3; ++c) left.row(c) << of_a[0][c], of_a[1][c], of_b[0][c], of_b[1][c];
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, 4>> solver;
-  solver.setThreshold(kDependent);
-  solver.compute(left);
-  const Eigen::Vector4d parts = solver.solve(Eigen::Vector3d(vector.x, vector.y, vector.z));
-  return {parts[0], parts[1], parts[2], parts[3]};
 }
 
 // Both sides of a corner want the same mixed derivatives there, as nearly as the least change allows: with u along a, s of
@@ -82,6 +67,13 @@ void agree_on_fourths(HoleSide& a, HoleSide& b) {
 }
 
 }  // namespace
+
+bool goes_on_at_end(const Hole& hole, std::size_t i) {
+  constexpr double kStraight = 1e-3;
+  const glm::dvec3 here = hole.sides[i].place(1.0).along;
+  const glm::dvec3 there = hole.sides[hole.after(i)].place(0.0).along;
+  return length_of(glm::cross(here, there)) <= kStraight * length_of(here) * length_of(there) && glm::dot(here, there) > 0.0;
+}
 
 void agree_at_corners(Hole& hole) {
   set_ends(hole);

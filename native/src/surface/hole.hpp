@@ -25,8 +25,12 @@ struct Hole {
   std::size_t after(std::size_t i) const { return (i + 1) % sides.size(); }
 };
 
+/// Whether a side goes on into the next one without a corner.
+bool goes_on_at_end(const Hole& hole, std::size_t i);
+
 /// Sets how sides leave: at a corner along the next side, and so that both of a corner agree on mixed derivatives there, as
 /// nearly as their neighbours let them.
+/// @throws InvalidShape where a side with a neighbour goes on into another without a corner
 void agree_at_corners(Hole& hole);
 
 }  // namespace splinecore

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "end_scale.hpp"
 #include "patch/lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -81,6 +82,15 @@ HoleSide::HoleSide(const NurbsCurve& curve, const std::optional<LoftNeighbour>& 
   moved_ = {glm::dvec3(curve_.points().front()) - glm::dvec3(side.points().front()),
             glm::dvec3(curve_.points().back()) - glm::dvec3(side.points().back())};
   curve_ = side;
+}
+
+int HoleSide::least_degree() const { return curve_.degree() + (EndScale::of(curve_).is_level() ? 0 : 1); }
+
+NurbsCurve HoleSide::curve() const {
+  std::vector<glm::dvec4> points(curve_.points().begin(), curve_.points().end());
+  points.front() += glm::dvec4(moved_[0], 0.0);
+  points.back() += glm::dvec4(moved_[1], 0.0);
+  return curve_.with_points(std::move(points));
 }
 
 std::vector<glm::dvec3> HoleSide::points(std::span<const double> s) const {

@@ -42,6 +42,12 @@ class HoleSide {
   /// Those along it, over [0, 1].
   const KnotVector& knots() const noexcept { return curve_.knot_vector(); }
 
+  /// The lowest degree of homogeneous points along it whose weights are 1 at both ends.
+  int least_degree() const;
+
+  /// The side with its ends in the corners.
+  NurbsCurve curve() const;
+
   std::vector<HolePlace> places(std::span<const double> s) const;
   std::vector<glm::dvec3> points(std::span<const double> s) const;
   HolePlace place(double s) const { return places(std::span(&s, 1)).front(); }

@@ -102,7 +102,7 @@ def _filling(inputs, continuity, tolerance, cancel=None):
     sides = holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance)
     found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
-    said = f"{len(sides)} sides, {_gone_on(found)}"
+    said = ", ".join([f"{len(sides)} sides", *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
     return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), found.gap, said)
 
 
@@ -110,11 +110,15 @@ def _degrees(angle):
     return decimals.text_of(math.degrees(angle), 2) if angle > 1e-9 else "0"
 
 
-def _gone_on(filling):
-    """How it goes on from its sides, and its patches from each other, in words."""
-    angle, inner = map(_degrees, (filling.angle, filling.inner_angle))
-    bend = decimals.text_of(filling.curvature_difference, 2) if filling.curvature_difference > 1e-9 else "0"
-    return f"angle {angle}° to them, {inner}° inside, curvatures differ by {bend}"
+def _gone_on(filling, continuities):
+    """How it goes on from sides of surfaces with these continuities, and its patches from each other, in words."""
+    if {'G1', 'G2'} & continuities:
+        yield f"angle {_degrees(filling.angle)}° to them"
+    if len(filling.patches) > 1:
+        yield f"{_degrees(filling.inner_angle)}° inside"
+    if 'G2' in continuities:
+        bend = filling.curvature_difference
+        yield f"curvatures differ by {decimals.text_of(bend, 2) if bend > 1e-9 else '0'}"
 
 
 def _in_a_row(inputs):

@@ -20,25 +20,30 @@ struct FillOptions {
 
 /// What fills a hole, and how well it goes on.
 struct Filling {
-  std::vector<NurbsPatch> patches;     ///< one of four sides; otherwise one for each corner, round a point
+  std::vector<NurbsPatch> patches;     ///< one of four sides; otherwise one for each corner, or each side, round a point
   double gap = 0.0;                    ///< the largest distance from a side
   double angle = 0.0;                  ///< the largest between tangent planes along neighbours with continuity 1 and 2
   double curvature_difference = 0.0;   ///< the largest of normal curvatures across neighbours with continuity 2
   double inner_angle = 0.0;            ///< the largest between tangent planes of patches of the filling
 };
 
-/// The surface in a hole of three to eight sides that goes on from its neighbours, by least third derivatives of what lies between
-/// it and the one that these let expect (of four sides the bicubic Coons patch, of others a polynomial over a plane): patches of
-/// degree 5, or 7 where curvatures are to agree, with as few knots as come within the tolerances, eight spans at most (row S21;
-/// Sarraga 1987 and Greiner 1994).
+/// The surface in a hole of three to eight sides that goes on from its neighbours, with as few control points as come within
+/// the tolerances (row S21):
+/// - of four sides, from neighbours' tangent planes: the bicubic Coons patch, on whose borders the sides are what they are,
+///   weights and all, of degree 3 to 7. See bicubic_coons().
+/// - otherwise, and where that does not do, polynomial patches of degree 5, or 7 where curvatures are to agree, by least third
+///   derivatives of what lies between them and what neighbours let expect, which is that Coons patch, or of other numbers of
+///   sides a polynomial over a plane (Sarraga 1987 and Greiner 1994): eight spans at most. Of four sides they are one patch;
+///   others are split from the middle of each side to a point.
+/// - where all sides go on into each other without a corner: patches from each, as it is, to a point in which they all end,
+///   u along the side; lines go there as circles would. Their common tangent plane there is what neighbours let expect.
 ///
-/// A hole of four sides is one patch; others are split from the middle of each side to a point. What leaves a side does so in
-/// its neighbour's tangent planes, at corners along the next side. Where neighbours do not share their tangent plane, or how it
-/// turns, at a corner, nothing can go on from both there: angle says how far it is off.
+/// What leaves a side does so in its neighbour's tangent planes, at corners along the next side. Where neighbours do not share
+/// their tangent plane, or how it turns, at a corner, nothing can go on from both there: angle says how far it is off.
 /// @returns patches, with equal control points along their common sides, with normals on one side
-/// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it or runs
-///         on into the next side without a corner, or continuity is not from 0 to 2; ToleranceNotReached where neighbouring sides' ends lie apart, or the sides are not
-///         reached.
+/// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it, or only
+///         some sides go on into the next ones, or a round hole is not seen whole from its middle, or continuity is not from 0
+///         to 2; ToleranceNotReached where neighbouring sides' ends lie apart, or the sides are not reached
 Filling fill(std::span<const FillSide> sides, const FillOptions& options = {});
 
 }  // namespace splinecore

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "hole.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// Where the surface in a round hole is highest over it, more or less: lines from all sides run together there.
+struct Apex {
+  glm::dvec3 point;
+  glm::dvec3 normal;   ///< of the plane that the hole lies over
+  glm::dvec3 rise;     ///< in that plane: the slope of the tangent plane over it
+  double speed = 1.0;  ///< of lines that arrive, by their distance seen along the normal
+
+  /// The derivative at the apex, by t from 0 to 1, of the line from a point of a side; a linear function of it.
+  glm::dvec3 arriving(const glm::dvec3& from) const { return flattened(point - from); }
+
+  /// How that changes where the point does.
+  glm::dvec3 arriving_changes(const glm::dvec3& change) const { return flattened(-change); }
+
+  /// A way as seen along the normal, in the tangent plane, times the speed.
+  glm::dvec3 flattened(const glm::dvec3& way) const {
+    return speed * (way + normal * (glm::dot(rise, way) - glm::dot(normal, way)));
+  }
+};
+
+/// How fast a line leaves a place, by t from 0 to 1, to go on to the apex in the neighbour's plane: as circles do that end in
+/// their tangents' mirror images. Straight on without a neighbour.
+glm::dvec3 leaving(const HolePlace& place, const glm::dvec3& apex);
+
+/// The apex that neighbours let expect: lines from all round, that leave in their planes at right angles to the sides, come
+/// to it along circles, as nearly as one point and one tangent plane allow.
+/// @throws InvalidShape where the hole lies over no plane, or is not seen whole from its middle
+Apex apex_of(const Hole& hole);
+
+}  // namespace splinecore
+#pragma GCC visibility pop

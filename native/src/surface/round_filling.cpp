@@ -1,0 +1,213 @@
+#include "round_filling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <tuple>
+
+#include "base/length.hpp"
+#include "end_cubic.hpp"
+#include "end_scale.hpp"
+#include "fit/row_spline.hpp"
+#include "greville.hpp"
+#include "homogeneous_places.hpp"
+#include "least_parts.hpp"
+#include "raised_knots.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// A point, and derivatives by t from 0 to 1 at both ends of the line to the apex.
+struct Meridian {
+  glm::dvec3 from;
+  glm::dvec3 to;
+  glm::dvec3 start;
+  glm::dvec3 start_2;
+  glm::dvec3 end;
+
+  glm::dvec3 cubic_start_2() const { return 6.0 * (to - from) - 4.0 * start - 2.0 * end; }
+  glm::dvec3 cubic_end_2() const { return -6.0 * (to - from) + 2.0 * start + 4.0 * end; }
+
+  std::array<glm::dvec3, 4> cubic() const { return {from, from + start / 3.0, to - end / 3.0, to}; }
+  std::array<glm::dvec3, 6> quintic() const {
+    return {from, from + start / 5.0, from + 0.4 * start + start_2 / 20.0,
+            to - 0.4 * end + cubic_end_2() / 20.0, to - end / 5.0, to};
+  }
+};
+
+/// How a side without a neighbour leaves, between the sides beside it.
+EndCubic<glm::dvec3> leaving_between(const Hole& hole, const Apex& apex, std::size_t i) {
+  EndCubic<glm::dvec3> made;
+  for (const bool is_end : {false, true}) {
+    const HolePlace here = hole.sides[i].place(is_end ? 1.0 : 0.0);
+    const HoleSide& beside = hole.sides[is_end ? hole.after(i) : hole.before(i)];
+    made.values[is_end] = leaving(here, apex.point);
+    made.slopes[is_end] = -here.along;
+    if (beside.continuity() == 0) continue;
+    const double pace = length_of(here.along) / length_of(beside.place(is_end ? 0.0 : 1.0).along);
+    const AcrossJet jet = beside.jet(!is_end);
+    made.values[is_end] = jet.first[0];
+    made.slopes[is_end] = pace * jet.first[1];
+  }
+  return made;
+}
+
+/// The lines from a side to the apex.
+class Meridians {
+ public:
+  Meridians(const Hole& hole, const Apex& apex, std::size_t i) : side_(hole.sides[i]), apex_(apex) {
+    if (side_.continuity() == 0) free_ = leaving_between(hole, apex, i);
+  }
+
+  std::vector<Meridian> at(std::span<const double> s) const {
+    const std::vector<glm::dvec3> points = side_.points(s);
+    const std::vector<glm::dvec3> first = side_.continuity() > 0 ? side_.across(s, 1) : std::vector<glm::dvec3>();
+    const std::vector<glm::dvec3> second = side_.continuity() == 2 ? side_.across(s, 2) : std::vector<glm::dvec3>();
+    std::vector<Meridian> made;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      Meridian one{points[k], apex_.point, first.empty() ? free_.at(s[k]) : first[k], {}, apex_.arriving(points[k])};
+      one.start_2 = second.empty() ? one.cubic_start_2() : second[k];
+      made.push_back(one);
+    }
+    return made;
+  }
+
+  /// The derivative by s at an end.
+  Meridian change(bool is_end) const {
+    const glm::dvec3 along = side_.place(is_end ? 1.0 : 0.0).along;
+    Meridian one{along, glm::dvec3(0.0), free_.slopes[is_end], {}, apex_.arriving_changes(along)};
+    if (side_.continuity() > 0) one.start = side_.jet(is_end).first[1];
+    one.start_2 = side_.continuity() == 2 ? side_.jet(is_end).second[1] : one.cubic_start_2();
+    return one;
+  }
+
+ private:
+  const HoleSide& side_;
+  const Apex& apex_;
+  EndCubic<glm::dvec3> free_;  ///< of a side without a neighbour
+};
+
+/// Control points of a line, and a weight that multiplies them, as numbers.
+template <std::size_t kRows>
+std::vector<double> row_of(const std::array<glm::dvec3, kRows>& points, double weight) {
+  std::vector<double> row;
+  for (const glm::dvec3& p : points) row.insert(row.end(), {weight * p.x, weight * p.y, weight * p.z});
+  row.push_back(weight);
+  return row;
+}
+
+/// The derivative of such a row.
+template <std::size_t kRows>
+std::vector<double> row_change(const std::array<glm::dvec3, kRows>& points, double weight_change,
+                               const std::array<glm::dvec3, kRows>& changes) {
+  std::vector<double> row = row_of(points, weight_change);
+  const std::vector<double> more = row_of(changes, 1.0);
+  for (std::size_t k = 0; k + 1 < row.size(); ++k) row[k] += more[k];
+  return row;
+}
+
+template <std::size_t kRows>
+NurbsPatch patch_through(const KnotVector& knots, const RowConditions& given, const glm::dvec3& apex, bool is_rational) {
+  const RowSpline spline = spline_through(given, knots.degree(), Closing::open, {knots.knots().begin(), knots.knots().end()});
+  std::vector<glm::dvec4> net;
+  for (int i = 0; i < knots.count(); ++i) {
+    const double* const p = &spline.controls[static_cast<std::size_t>(i) * (3 * kRows + 1)];
+    const double weight = is_rational ? p[3 * kRows] : 1.0;
+    for (std::size_t r = 0; r + 1 < kRows; ++r) {
+      net.emplace_back(glm::dvec3(p[3 * r], p[3 * r + 1], p[3 * r + 2]) / weight, weight);
+    }
+    net.emplace_back(apex, weight);
+  }
+  return NurbsPatch::make(knots, KnotVector::bezier(static_cast<int>(kRows) - 1), std::move(net));
+}
+
+/// @param points  of a Meridian: an array
+template <class PointsOf>
+NurbsPatch patch_beside(const HoleSide& side, const Meridians& meridians, const KnotVector& knots, const PointsOf& points) {
+  constexpr std::size_t kRows = std::tuple_size_v<decltype(points(Meridian{}))>;
+  const NurbsCurve curve = side.curve();
+  const EndScale scale = EndScale::of(curve);
+  RowConditions given{interpolation_places_between_slopes(knots), {}, {}, {}};
+  const std::vector<glm::dvec4> weighted = homogeneous_places(curve, given.parameters);
+  const std::vector<Meridian> lines = meridians.at(given.parameters);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const bool is_end = k == 0 || k + 1 == lines.size();
+    given.rows.push_back(row_of(points(lines[k]), is_end ? 1.0 : weighted[k].w * scale.at(given.parameters[k])));
+  }
+  const std::array<double, 2> slopes = scaled_weight_slopes(curve);
+  given.start = {row_change(points(lines.front()), slopes[0], points(meridians.change(false)))};
+  given.end = {row_change(points(lines.back()), slopes[1], points(meridians.change(true)))};
+  return patch_through<kRows>(knots, given, lines.front().to, curve.rational());
+}
+
+/// Lets derivatives across the end of a side and the start of the next one change at the same rate, by the way along them.
+void turn_alike(HoleSide& side, HoleSide& next) {
+  const double pace = length_of(side.place(1.0).along) / length_of(next.place(0.0).along);
+  const std::array<glm::dvec3, 2> here = side.directions(true);
+  const std::array<glm::dvec3, 2> there = next.directions(false);
+  const std::array<glm::dvec3, 2> back{-pace * there[0], -pace * there[1]};
+  const auto first = least_parts(pace * next.jet(false).first[1] - side.jet(true).first[1], here, back);
+  side.bend_first(true, first[0], first[1]);
+  next.bend_first(false, first[2], first[3]);
+  if (side.continuity() < 2 || next.continuity() < 2) return;
+  const auto second = least_parts(pace * next.jet(false).second[1] - side.jet(true).second[1], here, back);
+  side.bend_second(true, 1, second[0], second[1]);
+  next.bend_second(false, 1, second[2], second[3]);
+}
+
+/// Patches with the same points along the lines that they have in common.
+void share_points(std::vector<NurbsPatch>& patches) {
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const std::size_t next = (k + 1) % patches.size();
+    std::vector<glm::dvec4> here(patches[k].points().begin(), patches[k].points().end());
+    std::vector<glm::dvec4> there(patches[next].points().begin(), patches[next].points().end());
+    const auto rows = static_cast<std::size_t>(patches[k].knot_vector(Axis::v).count());
+    const std::size_t last = here.size() - rows;
+    for (std::size_t r = 0; r < rows; ++r) here[last + r] = there[r] = 0.5 * (here[last + r] + there[r]);
+    patches[k] = patches[k].with_points(std::move(here));
+    patches[next] = patches[next].with_points(std::move(there));
+  }
+}
+
+}  // namespace
+
+bool is_round(const Hole& hole) {
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+    if (!goes_on_at_end(hole, i)) return false;
+  }
+  return true;
+}
+
+void agree_round(Hole& hole, const Apex& apex) {
+  for (HoleSide& side : hole.sides) {
+    if (side.continuity() == 0) continue;
+    for (const bool is_end : {false, true}) {
+      const HolePlace here = side.place(is_end ? 1.0 : 0.0);
+      const Meridian line{here.point, apex.point, leaving(here, apex.point), {}, apex.arriving(here.point)};
+      side.set_end(is_end, line.start, line.cubic_start_2());
+    }
+  }
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+    HoleSide& side = hole.sides[i];
+    HoleSide& next = hole.sides[hole.after(i)];
+    if (side.continuity() > 0 && next.continuity() > 0) turn_alike(side, next);
+  }
+}
+
+std::vector<NurbsPatch> round_filling(const Hole& hole, const Apex& apex, int degree) {
+  std::vector<NurbsPatch> patches;
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+    const HoleSide& side = hole.sides[i];
+    const Meridians lines(hole, apex, i);
+    const KnotVector knots = raised_knots(side.knots(), std::max(degree, side.least_degree()), side.continuity() > 0 ? 1 : 0);
+    patches.push_back(hole.continuity() == 2
+                          ? patch_beside(side, lines, knots, [](const Meridian& line) { return line.quintic(); })
+                          : patch_beside(side, lines, knots, [](const Meridian& line) { return line.cubic(); }));
+  }
+  share_points(patches);
+  return patches;
+}
+
+}  // namespace splinecore

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "apex.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// Whether sides go on into each other at all corners.
+bool is_round(const Hole& hole);
+
+/// Sets how the sides of a round hole leave for the apex, and so that both of a corner leave it there in one direction.
+void agree_round(Hole& hole, const Apex& apex);
+
+/// Patches between the sides of a round hole and its apex, in which v of all ends: v_start of each is a side, u_end the next
+/// one's u_start. Sides are what they are, weights and all; what leaves them does so as given at interpolation_places().
+/// @param degree  along the sides; more where they have that
+std::vector<NurbsPatch> round_filling(const Hole& hole, const Apex& apex, int degree);
+
+}  // namespace splinecore
+#pragma GCC visibility pop
