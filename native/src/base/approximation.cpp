@@ -20,6 +20,6 @@ std::string length_text(double value) {
 
 ToleranceNotReached::ToleranceNotReached(const std::string& what, double tolerance, double error)
     : std::runtime_error(what + " within " + text_of(tolerance) + ": the error would be " + length_text(error)),
-      error_(error) {}
+      what_(what), tolerance_(tolerance), error_(error) {}
 
 }  // namespace splinecore

@@ -12,6 +12,7 @@
 #include "fitted_patch.hpp"
 #include "fitted_rows.hpp"
 #include "meet/near_space.hpp"
+#include "meet/said_outside.hpp"
 #include "rolling_ball.hpp"
 #include "side_first.hpp"
 #include "splinecore/base/errors.hpp"
@@ -151,9 +152,10 @@ RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch&
   const RollingBall ball(a, b, by_edge);
   RowDomain domain{{0.0, 1.0}, joints_at(a.knot_vector(Axis::u)), is_closed ? Closing::closed : Closing::open};
   std::ranges::copy(joints_at(b.knot_vector(Axis::u)), std::back_inserter(domain.joints));
-  const Approximation<NurbsPatch> rounded = rolled(ball, domain, within);
-  const Approximation<NurbsPatch> left_a = shortened(a, ball, true, within);
-  const Approximation<NurbsPatch> left_b = shortened(b, ball, false, within);
+  const auto within_tolerance = [&](const auto& make) { return said_outside(space, make); };
+  const Approximation<NurbsPatch> rounded = within_tolerance([&] { return rolled(ball, domain, within); });
+  const Approximation<NurbsPatch> left_a = within_tolerance([&] { return shortened(a, ball, true, within); });
+  const Approximation<NurbsPatch> left_b = within_tolerance([&] { return shortened(b, ball, false, within); });
   const auto out = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
   const NurbsPatch back_b = is_reversed ? reversed(left_b.value, Axis::u) : left_b.value;
   return {with_side_back(out(left_a.value), first_side), out(rounded.value), with_side_back(out(back_b), second_side),

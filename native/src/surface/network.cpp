@@ -14,6 +14,7 @@
 #include "fit/row_spline.hpp"
 #include "homogeneous_places.hpp"
 #include "meet/near_space.hpp"
+#include "meet/said_outside.hpp"
 #include "network_borders.hpp"
 #include "network_curves.hpp"
 #include "paced_family.hpp"
@@ -251,10 +252,10 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   std::vector<LoftNeighbour> beyond(neighbours.begin(), neighbours.end());
   for (LoftNeighbour& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
   const double within = tolerance ? *tolerance / space.length(1.0) : 0x1p-20;
-  const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within);
+  const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within, space.length(1.0));
   GordonNet net{paced(curves.u), paced(curves.v), {}};
-  let_meet(net, !beyond.empty(), within);
-  net.borders = network_borders(net.u, net.v, beyond, within);
+  said_outside(space, [&] { let_meet(net, !beyond.empty(), within); });
+  net.borders = network_borders(net.u, net.v, beyond, within, space.length(1.0));
   make_compatible(net.u, net.borders.along_u);
   make_compatible(net.v, net.borders.along_v);
   NurbsPatch patch = summed(net);

@@ -72,7 +72,8 @@ struct Edges {
 };
 
 /// Gives a neighbour to the border that it lies along.
-void place(const LoftNeighbour& neighbour, const std::string& name, std::array<Edges*, 2> all, double tolerance) {
+void place(const LoftNeighbour& neighbour, const std::string& name, std::array<Edges*, 2> all, double tolerance,
+           double unit) {
   const NurbsPatch beyond = clamped(with_side_first(neighbour.patch, neighbour.side), Axis::v);
   const NurbsCurve side = boundary(beyond, Border::v_start);
   Edges* nearest_edges = nullptr;
@@ -88,7 +89,8 @@ void place(const LoftNeighbour& neighbour, const std::string& name, std::array<E
     }
   }
   if (!nearest_edges || least > tolerance) {
-    const std::string far = ": the nearest one comes to within " + text_of(least) + ", the tolerance is " + text_of(tolerance);
+    const std::string far = ": the nearest one comes to within " + text_of(unit * least) + ", the tolerance is " +
+                            text_of(unit * tolerance);
     throw InvalidShape(name + " lies along none of the outermost curves" + (nearest_edges ? far : ""));
   }
   std::optional<TangentField>& field = nearest_edges->fields[nearest_border];
@@ -198,11 +200,11 @@ glm::dvec2 parts_in(const PlaneFrame& plane, const glm::dvec3& vector) {
 }  // namespace
 
 NetworkBorders network_borders(const PacedFamily& u, const PacedFamily& v, std::span<const LoftNeighbour> neighbours,
-                               double tolerance) {
+                               double tolerance, double unit) {
   Edges along_u{u, v, "along_v"};
   Edges along_v{v, u, "along_u"};
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    place(neighbours[i], "neighbours" + index_text(i), {&along_u, &along_v}, tolerance);
+    place(neighbours[i], "neighbours" + index_text(i), {&along_u, &along_v}, tolerance, unit);
   }
   const auto in_corners = [&](auto&& act) {
     for (std::size_t i = 0; i < 2; ++i) {

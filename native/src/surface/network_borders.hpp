@@ -22,10 +22,11 @@ struct NetworkBorders {
 /// They end, where curves cross a border, in the parts of these curves' derivatives in the tangent plane there.
 /// @param u, v       all polynomials
 /// @param tolerance  how far a neighbour's side may be from an outermost curve
+/// @param unit       what a length of 1 is said to be
 /// @throws InvalidShape naming a neighbour that lies along no outermost curve, has no tangent plane, or over which a curve
 ///         turns back
 NetworkBorders network_borders(const PacedFamily& u, const PacedFamily& v, std::span<const LoftNeighbour> neighbours,
-                               double tolerance);
+                               double tolerance, double unit);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

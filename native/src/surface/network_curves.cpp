@@ -45,7 +45,8 @@ double least_distance(const NurbsCurve& a, const NurbsCurve& b) {
 
 std::string pair_text(std::size_t i, std::size_t j) { return "along_u" + index_text(i) + " and along_v" + index_text(j); }
 
-NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance) {
+NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance,
+                              double unit) {
   NetworkCrossings found{Table(along_u.size(), std::vector<double>(along_v.size())),
                   Table(along_v.size(), std::vector<double>(along_u.size()))};
   for (std::size_t i = 0; i < along_u.size(); ++i) {
@@ -54,8 +55,8 @@ NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<con
       if (!meets.overlaps.empty()) throw InvalidShape(pair_text(i, j) + " lie on each other: they are to cross once");
       if (meets.places.empty()) {
         throw InvalidShape(pair_text(i, j) + " do not meet: they come to " +
-                           text_of(least_distance(along_u[i], along_v[j])) + " of each other, the tolerance is " +
-                           text_of(tolerance));
+                           text_of(unit * least_distance(along_u[i], along_v[j])) + " of each other, the tolerance is " +
+                           text_of(unit * tolerance));
       }
       const CurveIntersection& nearest_place = *std::ranges::min_element(meets.places, {}, &CurveIntersection::distance);
       const auto are_as_near = [&](const CurveIntersection& one) { return one.distance <= std::max(kMet, nearest_place.distance); };
@@ -163,11 +164,12 @@ void run_along(NetworkFamily& family, const char* name) {
 
 }  // namespace
 
-NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance) {
+NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance,
+                             double unit) {
   for (const auto& [family, name] : {std::pair{along_u, "along_u"}, std::pair{along_v, "along_v"}}) {
     if (family.size() < 2) throw InvalidShape(std::string(name) + " has fewer than two curves");
   }
-  const NetworkCrossings found = crossings_of(along_u, along_v, tolerance);
+  const NetworkCrossings found = crossings_of(along_u, along_v, tolerance, unit);
   const std::vector<std::size_t> order_u = order_of(found.on_v[0]);
   const std::vector<std::size_t> order_v = order_of(found.on_u[0]);
   NetworkCurves network;

@@ -23,7 +23,8 @@ struct NetworkCurves {
 };
 
 /// @throws InvalidShape as network()
-NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance);
+NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance,
+                             double unit);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -11,6 +11,7 @@
 #include "build/fit_options.hpp"
 #include "fitted_patch.hpp"
 #include "meet/near_space.hpp"
+#include "meet/said_outside.hpp"
 #include "patch/compatible_patches.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -152,7 +153,9 @@ Approximation<NurbsPatch> offset(const NurbsPatch& patch, double distance, std::
   require_smooth(near);
   require_room(near, distance / unit, unit);
   double error = 0.0;
-  const NurbsPatch made = offset_within(near, distance / unit, tolerance ? *tolerance / unit : 0x1p-20, error);
+  const NurbsPatch made = said_outside(space, [&] {
+    return offset_within(near, distance / unit, tolerance ? *tolerance / unit : 0x1p-20, error);
+  });
   return {made.with_points(space.leave(made.points())), space.length(error)};
 }
 

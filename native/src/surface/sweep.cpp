@@ -12,6 +12,7 @@
 #include "fitted_rows.hpp"
 #include "fitted_together.hpp"
 #include "meet/near_space.hpp"
+#include "meet/said_outside.hpp"
 #include "numbers_along.hpp"
 #include "rail_frames.hpp"
 #include "rail_sections.hpp"
@@ -261,7 +262,7 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
   }
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
   const auto rows_at = [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); };
-  const FittedRows rows = fitted_rows(rows_at, sweeping.domain(), within);
+  const FittedRows rows = said_outside(space, [&] { return fitted_rows(rows_at, sweeping.domain(), within); });
   return {left(patch_of(along.knots(), rows)), space.length(rows.error)};
 }
 

@@ -21,7 +21,12 @@ class ToleranceNotReached : public std::runtime_error {
 
   double error() const noexcept { return error_; }
 
+  /// The same where both lengths are in another unit, of which one is so many.
+  ToleranceNotReached times(double unit) const { return {what_, unit * tolerance_, unit * error_}; }
+
  private:
+  std::string what_;
+  double tolerance_;
   double error_;
 };
 

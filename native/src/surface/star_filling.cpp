@@ -1,0 +1,133 @@
+#include "star_filling.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "base/sort_by.hpp"
+#include "basis/selection.hpp"
+#include "expected_points.hpp"
+#include "greville.hpp"
+#include "rows_beside.hpp"
+#include "star_claims.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// Rows of control points of a patch along its part of a side, one more than the side's continuity.
+std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const PartOfSide& part, const KnotVector& knots) {
+  std::vector<double> s;
+  for (const double place : interpolation_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
+  std::vector<std::vector<glm::dvec3>> across{side.points(s)};
+  for (int order = 1; order <= side.continuity(); ++order) across.push_back(side.across(s, order));
+  return rows_beside(knots, is_at_end(part.border) ? reversed(knots).knots : knots, across);
+}
+
+std::vector<NurbsPatch> patches_of(const Star& star, const std::vector<glm::dvec3>& points) {
+  std::vector<NurbsPatch> patches;
+  for (std::size_t k = 0; k < star.count; ++k) {
+    std::vector<glm::dvec4> net;
+    for (std::size_t i = 0; i < star.width(); ++i) {
+      for (std::size_t j = 0; j < star.width(); ++j) net.emplace_back(points[star.at(k, i, j)], 1.0);
+    }
+    patches.push_back(NurbsPatch::make(star.knots, star.knots, std::move(net)));
+  }
+  return patches;
+}
+
+std::vector<glm::dvec3> points_or_zero(const std::vector<std::optional<glm::dvec3>>& given) {
+  std::vector<glm::dvec3> points;
+  for (const auto& point : given) points.push_back(point.value_or(glm::dvec3(0.0)));
+  return points;
+}
+
+/// The inner knots of all sides, as patches of a degree have them along their parts of these.
+std::vector<SideKnot> side_knots(const Hole& hole, const std::vector<PartOfSide>& parts, int degree) {
+  constexpr double kSame = 1e-7;
+  std::vector<SideKnot> all;
+  for (const PartOfSide& part : parts) {
+    const KnotVector& knots = hole.sides[part.side].knots();
+    for (const double knot : knots.knots()) {
+      const double at = (knot - part.from) / (part.to - part.from);
+      const int smooth = std::max(1, knots.degree() - multiplicity(knots, knot));
+      if (at > kSame && at < 1.0 - kSame && smooth < degree) all.push_back({at, degree - smooth});
+    }
+  }
+  sort_by(all, [](const SideKnot& knot) { return knot.at; });
+  std::vector<SideKnot> found;
+  for (const SideKnot& one : all) {
+    if (!found.empty() && one.at - found.back().at <= kSame) {
+      found.back().copies = std::max(found.back().copies, one.copies);
+    } else {
+      found.push_back(one);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<PartOfSide> star_parts(const Hole& hole) {
+  if (hole.share == 1.0) {
+    return {{0, 0.0, 1.0, 0, Border::v_start}, {1, 0.0, 1.0, 0, Border::u_end}, {2, 1.0, 0.0, 0, Border::v_end}, {3, 1.0, 0.0, 0, Border::u_start}};
+  }
+  std::vector<PartOfSide> parts;
+  for (std::size_t k = 0; k < hole.sides.size(); ++k) {
+    parts.push_back({k, 0.0, hole.share, k, Border::v_start});
+    parts.push_back({hole.before(k), 1.0, hole.share, k, Border::u_start});
+  }
+  return parts;
+}
+
+StarKnots::StarKnots(const Hole& hole) : degree_(hole.continuity() == 2 ? 7 : 5), inner_(side_knots(hole, star_parts(hole), degree_)) {
+  constexpr std::size_t kMostSideKnots = 5;
+  if (inner_.size() > kMostSideKnots) inner_.clear();
+}
+
+KnotVector StarKnots::with(int spans) const {
+  std::vector<SideKnot> ends = inner_;
+  ends.push_back({1.0, degree_ + 1});
+  std::vector<double> knots(static_cast<std::size_t>(degree_) + 1, 0.0);
+  for (const SideKnot& one : ends) {
+    const double start = knots.back();
+    for (int k = 1; k < spans; ++k) knots.push_back(start + (one.at - start) * k / spans);
+    knots.insert(knots.end(), static_cast<std::size_t>(one.copies), one.at);
+  }
+  return KnotVector::make(degree_, std::move(knots));
+}
+
+bool StarKnots::are_all(int spans) const {
+  constexpr int kMostSpans = 8;
+  return spans * (static_cast<int>(inner_.size()) + 1) >= kMostSpans;
+}
+
+std::vector<NurbsPatch> ClaimedStar::patches() const { return patches_of(star, points_or_zero(points)); }
+
+ClaimedStar claimed_star(const Hole& hole, const KnotVector& knots) {
+  const bool is_one = hole.share == 1.0;
+  const Star star{knots, is_one ? 1 : hole.sides.size(), is_one, hole.continuity() + 1};
+  const std::size_t last = star.width() - 1;
+  StarClaims claims(star);
+  for (const PartOfSide& part : star_parts(hole)) {
+    const auto rows = rows_along(hole.sides[part.side], part, knots);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::size_t across = is_at_end(part.border) ? last - r : r;
+      for (std::size_t j = 0; j <= last; ++j) {
+        const bool is_along_u = axis_of(part.border) == Axis::v;
+        claims.add(part.patch, is_along_u ? j : across, is_along_u ? across : j, rows[r][j], static_cast<int>(r));
+      }
+    }
+  }
+  return {star, claims.points()};
+}
+
+std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed) {
+  const Star& star = claimed.star;
+  const bool is_one = star.count == 1;
+  std::vector<NurbsPatch> patches = is_one ? claimed.patches() : patches_of(star, solved_star(star, claimed.points));
+  const std::vector<glm::dvec3> expected = expected_points(hole, star, patches);
+  return expected.empty() && !is_one ? patches : patches_of(star, solved_star(star, claimed.points, expected));
+}
+
+}  // namespace splinecore
