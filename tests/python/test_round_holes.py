@@ -166,6 +166,23 @@ def test_a_round_hole_that_its_middle_does_not_see_is_refused():
         build.fill([(part, "v_end", "G1") for part in parts])
 
 
+def test_a_weight_below_zero_is_refused():
+    around = cylinder_hole(4, "G1")
+    patch = around[0][0]
+    weights = np.array(patch.weights)
+    weights[(slice(1, -1), slice(None))[::1 if weights.shape[0] == 3 else -1]] *= -1
+    with pytest.raises(sc.InvalidShape):
+        build.fill([(patch.with_weights(weights), around[0][1], "G1"), *around[1:]])
+
+
+def test_neighbours_from_which_nothing_goes_on_are_as_curves():
+    around = sphere_hole(4, "G1", 0.5)
+    mixed = [around[0], *((patch, name, "G0") for patch, name, _ in around[1:])]
+    curves = [around[0], *(patch.boundary(name) for patch, name, _ in around[1:])]
+    for a, b in zip(build.fill(mixed).patches, build.fill(curves).patches):
+        assert np.abs(np.asarray(a.points) - b.points).max() <= 1e-12
+
+
 def test_a_rational_circle_of_curves_alone_is_flat_as_before():
     arc = circle()
     places = np.linspace(*arc.domain, 5)

@@ -82,7 +82,7 @@ std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limi
   const BorderPairs borders = hole_borders(hole);
   for (int degree = least_degree(hole); degree <= kMostDegree; ++degree) {
     const BicubicSum sum = bicubic_sum(borders.along_u, borders.along_v, degree);
-    if (!keeps_weights_positive(sum)) return {};
+    if (std::ranges::any_of(sum.patch.points(), [](const glm::dvec4& p) { return !(p.w > 0.0); })) return {};
     Filling filling = seen_along_sides(hole, star_parts(hole), {sum.patch}, limits);
     if (!limits.are_met(filling)) continue;
     filling.patches = {sum.patch};
@@ -139,7 +139,8 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   Hole hole{{}, sides.size() == 4 ? 1.0 : 0.5};
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const auto* neighbour = std::get_if<LoftNeighbour>(&sides[i]);
-    hole.sides.emplace_back(loop.curves[i], neighbour ? std::optional(*neighbour) : std::nullopt);
+    const bool goes_on = neighbour && neighbour->continuity > 0;
+    hole.sides.emplace_back(loop.curves[i], goes_on ? std::optional(*neighbour) : std::nullopt);
   }
   Filling filling = filled(hole, limits);
   if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);

@@ -14,6 +14,7 @@
 #include "homogeneous_places.hpp"
 #include "least_parts.hpp"
 #include "raised_knots.hpp"
+#include "splinecore/base/errors.hpp"
 
 namespace splinecore {
 
@@ -115,6 +116,7 @@ NurbsPatch patch_through(const KnotVector& knots, const RowConditions& given, co
   for (int i = 0; i < knots.count(); ++i) {
     const double* const p = &spline.controls[static_cast<std::size_t>(i) * (3 * kRows + 1)];
     const double weight = is_rational ? p[3 * kRows] : 1.0;
+    if (!(weight > 0.0)) throw InvalidShape("a side of the round hole has a weight that is not above 0");
     for (std::size_t r = 0; r + 1 < kRows; ++r) {
       net.emplace_back(glm::dvec3(p[3 * r], p[3 * r + 1], p[3 * r + 2]) / weight, weight);
     }
