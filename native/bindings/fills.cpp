@@ -71,7 +71,7 @@ void bind_fills(py::module_& module) {
             "'G2'), one after the other in any directions: the surface that goes on from these (lecture row S21), with as few\n"
             "control points as come within the tolerance, a length, by default 2^-20 of the size of the sides, and the angle, in\n"
             "radians; the Filling says what was reached.\n\n"
-            "A hole of four sides is one patch: from 'G1' the bicubic Coons patch, whose borders are the sides, weights and all, of\n"
+            "A hole with four corners is one patch: from 'G1' the bicubic Coons patch, whose borders are the sides, weights and all, of\n"
             "degree 3 to 7. Otherwise, and where that does not do, patches are of degree 5, or 7 for 'G2', with at most eight spans,\n"
             "by least third derivatives (Sarraga 1987, Greiner 1994) of what lies between them and what neighbours let expect;\n"
             "other numbers of sides are split from the middle of each to a point. Where all sides go on into each other without a\n"

@@ -24,10 +24,10 @@ def test_results_hold_something_of_every_part():
     assert kinds == {'f', 'i'} and sum(array.size for array in core.results()) > 20_000
 
 
-@pytest.mark.parametrize('name', ["DIGEST", "_CURVE_TOLERANCE", "_SURFACE_TOLERANCE"])
+@pytest.mark.parametrize('name', ["DIGESTS", "_CURVE_TOLERANCE", "_SURFACE_TOLERANCE"])
 def test_what_fails_is_named(capsys, monkeypatch, name):
-    if name == "DIGEST":
-        monkeypatch.setattr(core, name, "0" * 16)
+    if name == "DIGESTS":
+        monkeypatch.setattr(core, name, dict.fromkeys(core.DIGESTS, "0" * 16))
     else:
         monkeypatch.setattr(bridge, name, 0.0)
     with pytest.raises(RuntimeError, match="Failed: .*All of it is in the clipboard"):

@@ -157,6 +157,105 @@ def test_sides_that_go_on_into_each_other_are_no_corner():
     assert build.fill(curves, tolerance=1e-4).gap <= 1e-4
 
 
+SQUARE = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], float)
+OUTWARDS = np.array([(0, -1, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0)], float)
+
+
+def flat_about(i, tilt=0.0, twist=0.0, word="G1"):
+    """A strip beside a side of the square, quadratic along it, tilted at the side's start and in its middle."""
+    rows = np.linspace(SQUARE[i], SQUARE[(i + 1) % 4], 3)[:, None] + np.array([0, 1])[None, :, None] * OUTWARDS[i]
+    rows[0, 1, 2] += tilt
+    rows[1, 1, 2] += twist
+    return sc.BezierPatch(rows), "v_start", word
+
+
+@pytest.mark.parametrize("word", ["G1", "G2"])
+@pytest.mark.parametrize("tilt", [0.0, 1e-6, 3e-6, 1e-5, 1e-3, 1e-2])
+def test_planes_that_agree_only_nearly_at_a_corner_do_no_harm(word, tilt):
+    """What they differ by is not divided by how little it is."""
+    filling = build.fill([flat_about(0, tilt, word=word), *(flat_about(i, word=word) for i in (1, 2)), flat_about(3, 0.0, 1e-2, word)],
+                         tolerance=1e-3)
+    points = grid(filling.patches[0])
+    assert points[:, :2].max() <= 1 + 1e-9 and points[:, :2].min() >= -1e-9 and np.abs(points[:, 2]).max() <= 3e-2
+    assert filling.angle <= max(1.5e-4, 1.01 * tilt)
+
+
+def wavy_side():
+    y = 0.05 * np.array([0, 1, -1, 1, -1, 1, -1, 1, -1, 0])
+    return sc.NurbsCurve(3, [0] * 4 + [k / 7 for k in range(1, 7)] + [1] * 4, np.c_[np.linspace(0, 1, 10), y, 0 * y])
+
+
+def test_sides_are_kept_where_neighbours_let_no_angle_be_reached():
+    """A tilted strip beside flat ones: what is off at a corner is said, and a side with many knots is there exactly."""
+    filling = build.fill([wavy_side(), flat_about(1), flat_about(2, 1e-3), flat_about(3)])
+    assert filling.gap <= 1e-14 and filling.angle == pytest.approx(1e-3, rel=0.05)
+
+
+@pytest.mark.parametrize("degree", [8, 9])
+def test_sides_of_high_degrees_are_kept(degree):
+    x = np.linspace(0, 1, degree + 1)
+    side = sc.BezierCurve(np.c_[x, 0.1 * np.sin(7 * np.pi * x), 0 * x])
+    filling = build.fill([side, flat_about(1), flat_about(2), flat_about(3)])
+    assert filling.gap <= 1e-14 and filling.angle <= 1e-9
+
+
+def bent_quadric_hole(weights):
+    """Neighbours in a quadric, bent behind their sides, with weights."""
+    rng = np.random.default_rng(5)
+    around = []
+    for patch, side, word in polygon_hole(4, "G1", 0.3, 1.2):
+        points = np.array(patch.points)
+        points[1:-1, 1:] += rng.normal(0, 0.05, points[1:-1, 1:].shape)
+        around.append((sc.BezierPatch(points, np.exp(rng.normal(0, weights, points.shape[:2]))), side, word))
+    return around
+
+
+@pytest.mark.parametrize("weights", [0.0, 0.3])
+def test_it_is_of_no_matter_where_the_list_begins(weights):
+    around = bent_quadric_hole(weights)
+    first = build.fill(around)
+    u, v = np.linspace(0, 1, 9), np.linspace(0, 1, 9)
+    here = first.patches[0].evaluate_grid(u, v)
+    for order in (around[1:] + around[:1], around[2:] + around[:2], around[::-1]):
+        other = build.fill(order)
+        there = other.patches[0].evaluate_grid(u, v)
+        turned = [np.rot90(there, k) for k in range(4)] + [np.rot90(there.swapaxes(0, 1), k) for k in range(4)]
+        assert min(np.abs(here - one).max() for one in turned) <= 1e-13
+
+
+def rational_sphere_patch(corners):
+    """A quadrilateral of the plane on the unit sphere, stereographically: exact, biquadratic."""
+    corners = np.array(corners, float)
+    u, v = np.meshgrid(*[np.linspace(0, 1, 3)] * 2, indexing="ij")
+    x, y = np.moveaxis(np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], -1) @ corners, -1, 0)
+    values = np.stack([2 * x, 2 * y, 1 - x * x - y * y, 1 + x * x + y * y], -1)
+    inverse = np.linalg.inv([[1, 0, 0], [0.25, 0.5, 0.25], [0, 0, 1]])
+    points = np.einsum("ia,jb,abk->ijk", inverse, inverse, values)
+    return sc.BezierPatch(points[..., :3] / points[..., 3:], points[..., 3])
+
+
+@pytest.mark.parametrize("stretch", [1.0, 0.7])
+def test_rational_borders_are_those_of_the_neighbours(stretch):
+    """With fewer points than polynomials have that come as close."""
+    angles = 2 * np.pi * np.arange(4) / 4 + 0.3
+    inner = 0.4 * np.c_[np.cos(angles), stretch * np.sin(angles)]
+    around = [(rational_sphere_patch([inner[i], inner[(i + 1) % 4], 2 * inner[(i + 1) % 4], 2 * inner[i]]), "v_start", "G1")
+              for i in range(4)]
+    filling = build.fill(around)
+    t = np.linspace(0, 1, 65)
+    dome, patch = filling.patches[0], around[0][0]
+    assert np.abs(dome.boundary("v_start").evaluate(t) - patch.boundary("v_start").evaluate(t)).max() <= 1e-14
+    assert filling.gap <= 1e-14 and filling.angle <= 1e-4 and dome.points.size <= 3 * 49
+    assert np.abs(np.linalg.norm(grid(dome), axis=1) - 1).max() <= 4e-3
+
+
+def test_tolerances_are_by_the_sides_and_not_by_what_lies_beyond():
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0.2, 1, 0)]
+    around = [(build.extrude(sc.BezierCurve([SQUARE[i], corners[(i + 1) % 4]]), (0, 0, -1e6)), "v_start", "G0") for i in range(4)]
+    with pytest.raises(sc.ToleranceNotReached, match="gap"):
+        build.fill(around)
+
+
 LINES = [sc.BezierCurve(p) for p in ([(0, 0, 0), (1, 0, 0)], [(1, 0, 0), (0, 1, 0)], [(0, 1, 0), (0, 0, 0)])]
 
 

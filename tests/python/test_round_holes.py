@@ -85,6 +85,73 @@ def test_a_wall_is_closed_with_a_dome(word):
     assert points[:, 2].max() == pytest.approx(1.0, abs=0.05) and points[:, 2].min() >= -1e-12
 
 
+def split_at(degrees, word="G1"):
+    """A cylinder's wall in parts that end at these angles."""
+    wall = sc.BezierCurve([(1, 0, -1), (1, 0, 0)])
+    places = np.radians([*degrees, degrees[0] + 360])
+    patches = [build.revolve(wall, (0, 0, 0), UP, start, end - start) for start, end in zip(places[:-1], places[1:])]
+    return [(patch, max(BORDERS, key=lambda name: dense_curve(patch.boundary(name))[:, 2].mean()), word) for patch in patches]
+
+
+@pytest.mark.parametrize("degrees", [(0, 10, 20), (0, 10, 20, 30), (0, 5, 10, 15, 20, 25, 30, 35), (0, 90, 170, 300)])
+def test_where_the_rim_is_split_does_not_move_the_point(degrees):
+    filling = build.fill(split_at(degrees))
+    assert np.abs(filling.patches[0].points[0, -1] - (0, 0, 1)).max() <= 1e-3 and filling.angle <= 1e-4
+
+
+@pytest.mark.parametrize("word", ["G1", "G2"])
+@pytest.mark.parametrize("stretch", [1.0, 2.0, 5.0, 20.0])
+@pytest.mark.parametrize("profile, height", [(sphere_arc(-0.3, 0.0), 1.0), (sphere_arc(0.3, 0.7), 1.0),
+                                             (sc.BezierCurve([(1.5, 0, -0.5), (1, 0, 0)]), math.tan(math.pi / 8))])
+def test_a_long_hole_is_closed_as_its_near_sides_let_expect(profile, height, stretch, word):
+    """Of an ellipsoid, of a sphere's cap drawn out, of a cone: about as high as the round one, and without a fold."""
+    matrix = np.c_[np.diag([stretch, 1, 1]), np.zeros(3)]
+    filling = build.fill([(patch.transformed(matrix), name, word) for patch, name, _ in sectors(profile, 4, word)])
+    assert height * (1 - 1e-6) <= filling.patches[0].points[0, -1, 2] <= 1.3 * height
+    for patch in filling.patches:
+        (u, v), inner = patch.domain, np.linspace(0.02, 1, 33)
+        normals = patch.evaluate_grid_with_normals(np.linspace(*u, 33), v[0] + inner * (v[1] - v[0]))[1]
+        assert (normals[..., 2] * np.sign(normals[0, -1, 2]) > 0).all()
+
+
+@pytest.mark.parametrize("words", [("G2", "G1", "G2", "G1"), ("G2", "G0", "G2", "G1"), ("G1", "G2", "G0", "G1")])
+def test_continuities_beside_each_other_leave_no_crease(words):
+    filling = build.fill([(patch, name, word) for (patch, name, _), word in zip(split_at((0, 90, 180, 270)), words)])
+    assert filling.angle <= 1e-10 and filling.inner_angle <= 1e-10 and filling.curvature_difference <= 1e-10
+
+
+def test_neighbours_that_agree_only_nearly_do_no_harm(inputs):
+    rng = np.random.default_rng(3)
+    for noise in np.geomspace(1e-8, 1e-3, inputs(60)):
+        around = sphere_hole(int(rng.integers(3, 9)), str(rng.choice(["G1", "G2"])), 0.5, rng.uniform(0, 6))
+        moved = []
+        for patch, name, word in around:
+            points = np.array(patch.points)
+            edge = {"u_start": points[0], "u_end": points[-1], "v_start": points[:, 0], "v_end": points[:, -1]}[name].copy()
+            points += rng.normal(0, noise, points.shape)
+            {"u_start": points[0], "u_end": points[-1], "v_start": points[:, 0], "v_end": points[:, -1]}[name][:] = edge
+            moved.append((patch.with_points(points), name, word))
+        filling = build.fill(moved, tolerance=1e-6)
+        assert off_sphere(filling) <= 2e-3 + 20 * noise and filling.angle <= 1e-4 + 20 * noise
+
+
+def nearly_round(opening, word="G1"):
+    """Four flat sides about a hole, whose corners are more than 180 degrees by so many radians."""
+    k = 0.5522847
+    sides = []
+    for i in range(4):
+        turn = np.array([[math.cos(i * math.pi / 2), -math.sin(i * math.pi / 2), 0], [math.sin(i * math.pi / 2), math.cos(i * math.pi / 2), 0], [0, 0, 1]])
+        side = np.array([(1, 0, 0), (1 - k * opening / 2, k, 0), (k, 1 - k * opening / 2, 0), (0, 1, 0)]) @ turn.T
+        sides.append((sc.BezierPatch(np.stack([side, 1.5 * side], 1)), "v_start", word))
+    return sides
+
+
+@pytest.mark.parametrize("opening", [-1e-2, -1.1e-3, -1e-4, 1e-4, 1.1e-3, 1e-2])
+def test_corners_of_nearly_180_degrees_are_none(opening):
+    filling = build.fill(nearly_round(opening))
+    assert len(filling.patches) == 4 and filling.angle <= 1e-9 and filling.inner_angle <= 1e-9
+
+
 def test_a_disc_in_a_plane_is_flat():
     ring = sc.BezierCurve([(2, 0, 0), (1, 0, 0)])
     sides = [(patch, min(BORDERS, key=lambda name: np.hypot(*dense_curve(patch.boundary(name))[:, :2].T).mean()), word)

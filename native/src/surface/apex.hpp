@@ -27,9 +27,9 @@ struct Apex {
   }
 };
 
-/// How fast a line leaves a place, by t from 0 to 1, to go on to the apex in the neighbour's plane: as circles do that end in
-/// their tangents' mirror images. Straight on without a neighbour.
-glm::dvec3 leaving(const HolePlace& place, const glm::dvec3& apex);
+/// How fast a line leaves a place, by t from 0 to 1, to go on to the apex in the neighbour's plane: as a circle does that
+/// turns as far, or an ellipse that it is seen as. Straight on without a neighbour.
+glm::dvec3 leaving(const HolePlace& place, const Apex& apex);
 
 /// The apex that neighbours let expect: lines from all round, that leave in their planes at right angles to the sides, come
 /// to it along circles, as nearly as one point and one tangent plane allow.

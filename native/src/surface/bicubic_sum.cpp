@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/length.hpp"
+#include "base/positive_weights.hpp"
 #include "boolean_sum.hpp"
 #include "end_cubic.hpp"
 #include "end_scale.hpp"
@@ -124,6 +125,19 @@ std::vector<glm::dvec4> leaving_places(const CrossedBorder& one, std::span<const
   return found;
 }
 
+/// The derivatives by s, at an end, of homogeneous points and of homogeneous derivatives across.
+std::array<glm::dvec4, 2> changes_at_end(const CrossedBorder& one, std::size_t end) {
+  const double weight_slope = scaled_weight_slopes(one.given.curve)[end];
+  glm::dvec3 vector = one.added.values[end];
+  glm::dvec3 twist = one.added.slopes[end];
+  if (one.across) {
+    vector += one.across->points[end];
+    twist += one.across->slopes[end];
+  }
+  const glm::dvec4 change(weight_slope * one.ends.points[end] + one.ends.slopes[end], weight_slope);
+  return {change, glm::dvec4(weight_slope * vector + twist, 0.0) + one.growth.values[end] * change};
+}
+
 /// What multiplies the homogeneous points of both borders: a number, or a linear function.
 int scale_degree(const CrossedPair& pair) { return pair[0].scale.is_level() && pair[1].scale.is_level() ? 0 : 1; }
 
@@ -156,26 +170,30 @@ struct CubicRows {
   std::array<std::vector<glm::dvec4>, 4> rows;
 };
 
-void add(std::vector<double>& numbers, const glm::dvec4& p) { numbers.insert(numbers.end(), {p.x, p.y, p.z, p.w}); }
+/// Homogeneous points, and derivatives across, of two borders at a place, or the derivatives of both, as control points of a cubic.
+std::vector<double> cubic_between(const glm::dvec4& low, const glm::dvec4& from_low, const glm::dvec4& from_high,
+                                  const glm::dvec4& high) {
+  const std::array cubic{low, low + from_low / 3.0, high - from_high / 3.0, high};
+  return numbers_of(cubic);
+}
+
+std::vector<double> change_at_end(const CrossedPair& pair, std::size_t end) {
+  const auto low = changes_at_end(pair[0], end);
+  const auto high = changes_at_end(pair[1], end);
+  return cubic_between(low[0], low[1], high[1], high[0]);
+}
 
 CubicRows rows_of(const CrossedPair& pair, const KnotVector& knots, bool is_rational) {
-  RowConditions given{interpolation_places(knots), {}, {}, {}};
+  RowConditions given{interpolation_places_between_slopes(knots), {}, {change_at_end(pair, 0)}, {change_at_end(pair, 1)}};
   const auto& at = given.parameters;
   const auto low = scaled_places(pair[0], at);
   const auto high = scaled_places(pair[1], at);
   const auto from_low = leaving_places(pair[0], at, low);
   const auto from_high = leaving_places(pair[1], at, high);
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    std::vector<double> numbers;
-    add(numbers, low[k]);
-    add(numbers, low[k] + from_low[k] / 3.0);
-    add(numbers, high[k] - from_high[k] / 3.0);
-    add(numbers, high[k]);
-    given.rows.push_back(std::move(numbers));
-  }
+  for (std::size_t k = 0; k < at.size(); ++k) given.rows.push_back(cubic_between(low[k], from_low[k], from_high[k], high[k]));
   const RowSpline spline = spline_through(given, knots.degree(), Closing::open, {knots.knots().begin(), knots.knots().end()});
   CubicRows made{spline.knots, {}};
-  for (std::size_t k = 0; k < at.size(); ++k) {
+  for (std::size_t k = 0; 16 * k < spline.controls.size(); ++k) {
     for (std::size_t row = 0; row < 4; ++row) {
       const double* const p = &spline.controls[16 * k + 4 * row];
       made.rows[row].emplace_back(p[0], p[1], p[2], is_rational ? p[3] : 1.0);
@@ -216,12 +234,8 @@ bool is_rational(const CrossedPair& pair) {
   return std::ranges::any_of(pair, [](const CrossedBorder& one) { return one.given.curve.rational(); });
 }
 
-bool has_positive_weights(std::span<const glm::dvec4> points) {
-  return std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w > 0.0; });
-}
-
-bool have_positive_weights(const std::array<NurbsCurve, 2>& curves) {
-  return std::ranges::all_of(curves, [](const NurbsCurve& curve) { return has_positive_weights(curve.points()); });
+bool are_positive(const std::array<NurbsCurve, 2>& curves) {
+  return have_positive_weights(curves[0].points()) && have_positive_weights(curves[1].points());
 }
 
 /// The border, its weights 1 at both ends.
@@ -273,7 +287,7 @@ BicubicSum bicubic_sum(const BorderPair& along_u, const BorderPair& along_v, std
 }
 
 bool keeps_weights_positive(const BicubicSum& sum) {
-  return has_positive_weights(sum.patch.points()) || !have_positive_weights(sum.along_u) || !have_positive_weights(sum.along_v);
+  return have_positive_weights(sum.patch.points()) || !are_positive(sum.along_u) || !are_positive(sum.along_v);
 }
 
 }  // namespace splinecore

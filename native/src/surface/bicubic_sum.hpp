@@ -50,7 +50,7 @@ struct BicubicSum {
 /// of the other borders, with the given twist, or that of the bilinear patch (Adini). Where two twists are given, their mean.
 ///
 /// With a degree, the patch has that one, or the lowest with which borders are what they are, and leaves them as given at
-/// interpolation_places() of its knots; without, everywhere.
+/// interpolation_places_between_slopes() of its knots, and as fast as given at both ends; without, everywhere.
 /// @throws InvalidShape if a curve jumps, or an end lies at infinity
 BicubicSum bicubic_sum(const BorderPair& along_u, const BorderPair& along_v, std::optional<int> degree = {});
 

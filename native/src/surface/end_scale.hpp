@@ -15,7 +15,8 @@ struct EndScale {
   /// Of a curve without an end at infinity.
   static EndScale of(const NurbsCurve& curve);
 
-  bool is_level() const { return start == end; }
+  /// Up to rounding.
+  bool is_level() const;
   double at(double s) const { return is_level() ? start : (1.0 - s) * start + s * end; }
 };
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/positive_weights.hpp"
 #include "border_loop.hpp"
 #include "build/fit_options.hpp"
 #include "hole.hpp"
@@ -74,21 +75,25 @@ int least_degree(const Hole& hole) {
   return least;
 }
 
-/// One patch that has its sides exactly, of as low a degree as its neighbours allow.
+/// One patch that has its sides exactly, of as low a degree as its neighbours allow; where that is none, of those the one with the
+/// least angle to them. None without such a patch.
 std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limits) {
-  constexpr int kMostDegree = 7;
   const auto goes_on = [](const HoleSide& side) { return side.continuity() == 1; };
   if (hole.share != 1.0 || hole.continuity() > 1 || std::ranges::none_of(hole.sides, goes_on)) return {};
   const BorderPairs borders = hole_borders(hole);
-  for (int degree = least_degree(hole); degree <= kMostDegree; ++degree) {
+  const int least = least_degree(hole);
+  const int most = std::max(7, least);
+  std::optional<Filling> best;
+  for (int degree = least; degree <= most; ++degree) {
     const BicubicSum sum = bicubic_sum(borders.along_u, borders.along_v, degree);
-    if (std::ranges::any_of(sum.patch.points(), [](const glm::dvec4& p) { return !(p.w > 0.0); })) return {};
-    Filling filling = seen_along_sides(hole, star_parts(hole), {sum.patch}, limits);
-    if (!limits.are_met(filling)) continue;
+    if (!have_positive_weights(sum.patch.points())) return best;
+    Filling filling = seen_along_sides(hole, star_parts(hole), {sum.patch});
+    if (filling.gap > limits.gap || (best && best->angle <= filling.angle)) continue;
     filling.patches = {sum.patch};
-    return filling;
+    best = std::move(filling);
+    if (limits.are_met(*best)) return best;
   }
-  return {};
+  return best;
 }
 
 /// Patches from the sides of a round hole to one point; with the highest degree where the limits are not met.
@@ -128,8 +133,21 @@ Filling filled(Hole& hole, const FillLimits& limits) {
   const bool goes_on = std::ranges::any_of(hole.sides, [](const HoleSide& side) { return side.continuity() > 0; });
   if (goes_on && is_round(hole)) return round_filled(hole, limits);
   agree_at_corners(hole);
-  const std::optional<Filling> found = exactly_bordered(hole, limits);
-  return found ? *found : star_filled(hole, limits);
+  std::optional<Filling> exact = exactly_bordered(hole, limits);
+  if (exact && limits.are_met(*exact)) return *exact;
+  Filling star = star_filled(hole, limits);
+  const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !exact || star.angle < exact->angle);
+  return exact && !is_better ? *exact : star;
+}
+
+/// Of the borders, not of what lies beyond.
+double size_of(std::span<const FillSide> sides) {
+  std::vector<glm::dvec4> all;
+  for (const FillSide& side : sides) {
+    const NurbsCurve curve = curve_of(side);
+    all.insert(all.end(), curve.points().begin(), curve.points().end());
+  }
+  return NearSpace(all).length(1.0);
 }
 
 Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
@@ -144,7 +162,7 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   }
   Filling filling = filled(hole, limits);
   if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);
-  filling.gap = std::max(filling.gap, loop.error);
+  filling.gap += loop.error;
   return filling;
 }
 
@@ -156,7 +174,7 @@ Filling fill(std::span<const FillSide> sides, const FillOptions& options) {
   const double unit = space.length(1.0);
   std::vector<FillSide> near;
   for (const FillSide& side : sides) near.push_back(entered(side, space));
-  const FillLimits limits{options.tolerance ? *options.tolerance / unit : 0x1p-20, options.angle};
+  const FillLimits limits{options.tolerance ? *options.tolerance / unit : 0x1p-20 * size_of(near), options.angle};
   Filling filling = said_outside(space, [&] { return fill_near(near, limits); });
   for (NurbsPatch& patch : filling.patches) patch = patch.with_points(space.leave(patch.points()));
   filling.gap = space.length(filling.gap);

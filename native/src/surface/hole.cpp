@@ -68,8 +68,14 @@ void agree_on_fourths(HoleSide& a, HoleSide& b) {
 
 }  // namespace
 
+void require_onward(const Hole& hole) {
+  for (const HoleSide& side : hole.sides) {
+    if (side.continuity() > 0) side.require_onward();
+  }
+}
+
 bool goes_on_at_end(const Hole& hole, std::size_t i) {
-  constexpr double kStraight = 1e-3;
+  constexpr double kStraight = 0.02;
   const glm::dvec3 here = hole.sides[i].place(1.0).along;
   const glm::dvec3 there = hole.sides[hole.after(i)].place(0.0).along;
   return length_of(glm::cross(here, there)) <= kStraight * length_of(here) * length_of(there) && glm::dot(here, there) > 0.0;
@@ -85,6 +91,7 @@ void agree_at_corners(Hole& hole) {
     }
   };
   at_corners(agree_on_twist);
+  require_onward(hole);
   at_corners([&](HoleSide& a, HoleSide& b) { agree_on_thirds(a, b, hole.share); });
   at_corners(agree_on_fourths);
 }

@@ -9,12 +9,11 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// A hole, whose sides know how to leave them. Of a part that begins at a corner, both parts of its sides are `share` of them.
+/// A hole, whose sides know how to leave them.
 struct Hole {
   std::vector<HoleSide> sides;
-  double share;
+  double share;  ///< of each side beside a corner, in the patch that has this corner
 
-  std::size_t before(std::size_t i) const { return (i + sides.size() - 1) % sides.size(); }
   /// The highest one of a side, at least 1.
   int continuity() const {
     int most = 1;
@@ -22,11 +21,15 @@ struct Hole {
     return most;
   }
 
+  std::size_t before(std::size_t i) const { return (i + sides.size() - 1) % sides.size(); }
   std::size_t after(std::size_t i) const { return (i + 1) % sides.size(); }
 };
 
-/// Whether a side goes on into the next one without a corner.
+/// Whether a side goes on into the next one without a corner: within a degree or so, at which patches with one would fold.
 bool goes_on_at_end(const Hole& hole, std::size_t i);
+
+/// @throws InvalidShape where a side leaves back over its neighbour
+void require_onward(const Hole& hole);
 
 /// Sets how sides leave: at a corner along the next side, and so that both of a corner agree on mixed derivatives there, as
 /// nearly as their neighbours let them.

@@ -125,13 +125,20 @@ std::vector<HolePlace> HoleSide::places(std::span<const double> s) const {
 void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {
   const HolePlace here = place(is_end ? 1.0 : 0.0);
   const auto [a, b] = parts_of(across, here.out, here.along);
-  if (!(a > 0.0)) throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
   a_.values[is_end] = a;
   b_.values[is_end] = b;
   const glm::dvec3 rest = across_2 - a * a * here.out_2 - 2.0 * a * b * here.out_along - b * b * here.along_2;
   const auto [c, d] = parts_of(rest, here.out, here.along);
   c_.values[is_end] = c;
   d_.values[is_end] = d;
+}
+
+void HoleSide::require_onward() const {
+  constexpr int kPlaces = 33;
+  for (int k = 0; k < kPlaces; ++k) {
+    if (a_.at(static_cast<double>(k) / (kPlaces - 1)) > 0.0) continue;
+    throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
+  }
 }
 
 AcrossJet HoleSide::jet(bool is_end) const {

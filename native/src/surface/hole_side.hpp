@@ -55,6 +55,9 @@ class HoleSide {
   /// Sets D and D2 at an end as nearly as the neighbour's plane allows, and lets a, b, c, d be linear.
   void set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2);
 
+  /// @throws InvalidShape where it leaves back over the neighbour, at an end or between
+  void require_onward() const;
+
   AcrossJet jet(bool is_end) const;
 
   /// N and T at an end.

@@ -1,17 +1,43 @@
 #include "least_parts.hpp"
 
 #include <Eigen/Dense>
+#include <glm/geometric.hpp>
+
+#include "base/length.hpp"
 
 namespace splinecore {
 
+namespace {
+
+glm::dvec3 normal_of(const std::array<glm::dvec3, 2>& vectors) {
+  const glm::dvec3 normal = glm::cross(vectors[0], vectors[1]);
+  const double length = length_of(normal);
+  return length > 0.0 ? normal / length : glm::dvec3(0.0);
+}
+
+/// Of the plane between two; 0 where there is none.
+glm::dvec3 mean_normal(const std::array<glm::dvec3, 2>& of_a, const std::array<glm::dvec3, 2>& of_b) {
+  const glm::dvec3 a = normal_of(of_a);
+  const glm::dvec3 b = normal_of(of_b);
+  const glm::dvec3 sum = glm::dot(a, b) < 0.0 ? a - b : a + b;
+  const double length = length_of(sum);
+  return length > 0.0 ? sum / length : glm::dvec3(0.0);
+}
+
+}  // namespace
+
 std::array<double, 4> least_parts(const glm::dvec3& vector, const std::array<glm::dvec3, 2>& of_a, const std::array<glm::dvec3, 2>& of_b) {
   constexpr double kDependent = 1e-6;
+  const glm::dvec3 normal = mean_normal(of_a, of_b);
+  const auto flat = [&](const glm::dvec3& v) { return v - normal * glm::dot(normal, v); };
+  const std::array columns{flat(of_a[0]), flat(of_a[1]), flat(of_b[0]), flat(of_b[1])};
+  const glm::dvec3 wanted = flat(vector);
   Eigen::Matrix<double, 3, 4> left;
-  for (int c = 0; c < 3; ++c) left.row(c) << of_a[0][c], of_a[1][c], of_b[0][c], of_b[1][c];
+  for (int c = 0; c < 3; ++c) left.row(c) << columns[0][c], columns[1][c], columns[2][c], columns[3][c];
   Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, 4>> solver;
   solver.setThreshold(kDependent);
   solver.compute(left);
-  const Eigen::Vector4d parts = solver.solve(Eigen::Vector3d(vector.x, vector.y, vector.z));
+  const Eigen::Vector4d parts = solver.solve(Eigen::Vector3d(wanted.x, wanted.y, wanted.z));
   return {parts[0], parts[1], parts[2], parts[3]};
 }
 

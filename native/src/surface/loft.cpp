@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/length.hpp"
+#include "base/positive_weights.hpp"
 #include "base/quotient.hpp"
 #include "fit/row_spline.hpp"
 #include "going_on.hpp"
@@ -192,10 +193,6 @@ RowSpline spline_along(const LoftSections& sections, const LoftOptions& options)
   RowSpline spline{knots_through(given, degree, options.closing, options.knots), {}};
   for (const auto& row : given.rows) spline.controls.insert(spline.controls.end(), row.begin(), row.end());
   return spline;
-}
-
-bool have_positive_weights(std::span<const glm::dvec4> points) {
-  return std::ranges::all_of(points, [](const glm::dvec4& p) { return p.w > 0.0; });
 }
 
 /// @throws InvalidShape if weights that are all positive in the sections are not between them.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/positive_weights.hpp"
 #include "going_on.hpp"
 #include "meet/near_space.hpp"
 #include "patch/lines.hpp"
@@ -155,10 +156,8 @@ MovingRows moved_onto(const MovingRows& before, const std::vector<glm::dvec4>& e
   return moved;
 }
 
-bool have_positive_weights(const MovingRows& moved) {
-  return std::ranges::all_of(moved.rows, [](const std::vector<glm::dvec4>& row) {
-    return std::ranges::all_of(row, [](const glm::dvec4& p) { return p.w > 0.0; });
-  });
+bool are_positive(const MovingRows& moved) {
+  return std::ranges::all_of(moved.rows, [](const std::vector<glm::dvec4>& row) { return have_positive_weights(row); });
 }
 
 /// How fast the patch leaves its side, by how fast the other one does.
@@ -189,8 +188,8 @@ NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options
   for (int k = 1; k <= options.continuity; ++k) out.push_back(derivative_out(onto, k));
   double pace = out.empty() ? 1.0 : options.strength * own_pace(before, edge, out);
   MovingRows moved = moved_onto(before, edge, out, pace, must, may);
-  const bool were_positive = have_positive_weights(before);
-  for (int i = 0; i < kHalvings && were_positive && !have_positive_weights(moved); ++i) {
+  const bool were_positive = are_positive(before);
+  for (int i = 0; i < kHalvings && were_positive && !are_positive(moved); ++i) {
     pace *= 0.5;
     moved = moved_onto(before, edge, out, pace, must, may);
   }

@@ -38,19 +38,27 @@ struct Meridian {
   }
 };
 
+/// A side beside another, where they meet.
+struct BesideEnd {
+  const HoleSide& side;
+  double pace;  ///< of the other one by this one's
+};
+
+BesideEnd beside_end(const Hole& hole, std::size_t i, bool is_end) {
+  const HoleSide& beside = hole.sides[is_end ? hole.after(i) : hole.before(i)];
+  const double own = length_of(hole.sides[i].place(is_end ? 1.0 : 0.0).along);
+  return {beside, own / length_of(beside.place(is_end ? 0.0 : 1.0).along)};
+}
+
 /// How a side without a neighbour leaves, between the sides beside it.
 EndCubic<glm::dvec3> leaving_between(const Hole& hole, const Apex& apex, std::size_t i) {
   EndCubic<glm::dvec3> made;
   for (const bool is_end : {false, true}) {
     const HolePlace here = hole.sides[i].place(is_end ? 1.0 : 0.0);
-    const HoleSide& beside = hole.sides[is_end ? hole.after(i) : hole.before(i)];
-    made.values[is_end] = leaving(here, apex.point);
-    made.slopes[is_end] = -here.along;
-    if (beside.continuity() == 0) continue;
-    const double pace = length_of(here.along) / length_of(beside.place(is_end ? 0.0 : 1.0).along);
-    const AcrossJet jet = beside.jet(!is_end);
-    made.values[is_end] = jet.first[0];
-    made.slopes[is_end] = pace * jet.first[1];
+    const BesideEnd beside = beside_end(hole, i, is_end);
+    const bool goes_on = beside.side.continuity() > 0;
+    made.values[is_end] = goes_on ? beside.side.jet(!is_end).first[0] : leaving(here, apex);
+    made.slopes[is_end] = goes_on ? beside.pace * beside.side.jet(!is_end).first[1] : -here.along;
   }
   return made;
 }
@@ -60,6 +68,7 @@ class Meridians {
  public:
   Meridians(const Hole& hole, const Apex& apex, std::size_t i) : side_(hole.sides[i]), apex_(apex) {
     if (side_.continuity() == 0) free_ = leaving_between(hole, apex, i);
+    if (side_.continuity() < 2) bent_ = bent_between(hole, i);
   }
 
   std::vector<Meridian> at(std::span<const double> s) const {
@@ -69,7 +78,7 @@ class Meridians {
     std::vector<Meridian> made;
     for (std::size_t k = 0; k < s.size(); ++k) {
       Meridian one{points[k], apex_.point, first.empty() ? free_.at(s[k]) : first[k], {}, apex_.arriving(points[k])};
-      one.start_2 = second.empty() ? one.cubic_start_2() : second[k];
+      one.start_2 = second.empty() ? one.cubic_start_2() + bent_.at(s[k]) : second[k];
       made.push_back(one);
     }
     return made;
@@ -80,14 +89,29 @@ class Meridians {
     const glm::dvec3 along = side_.place(is_end ? 1.0 : 0.0).along;
     Meridian one{along, glm::dvec3(0.0), free_.slopes[is_end], {}, apex_.arriving_changes(along)};
     if (side_.continuity() > 0) one.start = side_.jet(is_end).first[1];
-    one.start_2 = side_.continuity() == 2 ? side_.jet(is_end).second[1] : one.cubic_start_2();
+    one.start_2 = side_.continuity() == 2 ? side_.jet(is_end).second[1] : one.cubic_start_2() + bent_.slopes[is_end];
     return one;
   }
 
  private:
+  /// What second derivatives of sides beside this one, with curvatures that go on, are off its own ones.
+  EndCubic<glm::dvec3> bent_between(const Hole& hole, std::size_t i) const {
+    EndCubic<glm::dvec3> made;
+    for (const bool is_end : {false, true}) {
+      const BesideEnd beside = beside_end(hole, i, is_end);
+      if (beside.side.continuity() < 2) continue;
+      const double end[] = {is_end ? 1.0 : 0.0};
+      const AcrossJet jet = beside.side.jet(!is_end);
+      made.values[is_end] = jet.second[0] - at(end)[0].start_2;
+      made.slopes[is_end] = beside.pace * jet.second[1] - change(is_end).start_2;
+    }
+    return made;
+  }
+
   const HoleSide& side_;
   const Apex& apex_;
   EndCubic<glm::dvec3> free_;  ///< of a side without a neighbour
+  EndCubic<glm::dvec3> bent_;  ///< added to second derivatives of one without curvatures that go on
 };
 
 /// Control points of a line, and a weight that multiplies them, as numbers.
@@ -187,7 +211,7 @@ void agree_round(Hole& hole, const Apex& apex) {
     if (side.continuity() == 0) continue;
     for (const bool is_end : {false, true}) {
       const HolePlace here = side.place(is_end ? 1.0 : 0.0);
-      const Meridian line{here.point, apex.point, leaving(here, apex.point), {}, apex.arriving(here.point)};
+      const Meridian line{here.point, apex.point, leaving(here, apex), {}, apex.arriving(here.point)};
       side.set_end(is_end, line.start, line.cubic_start_2());
     }
   }
@@ -196,6 +220,7 @@ void agree_round(Hole& hole, const Apex& apex) {
     HoleSide& next = hole.sides[hole.after(i)];
     if (side.continuity() > 0 && next.continuity() > 0) turn_alike(side, next);
   }
+  require_onward(hole);
 }
 
 std::vector<NurbsPatch> round_filling(const Hole& hole, const Apex& apex, int degree) {
@@ -203,7 +228,7 @@ std::vector<NurbsPatch> round_filling(const Hole& hole, const Apex& apex, int de
   for (std::size_t i = 0; i < hole.sides.size(); ++i) {
     const HoleSide& side = hole.sides[i];
     const Meridians lines(hole, apex, i);
-    const KnotVector knots = raised_knots(side.knots(), std::max(degree, side.least_degree()), side.continuity() > 0 ? 1 : 0);
+    const KnotVector knots = raised_knots(side.knots(), degree, side.continuity() > 0 ? 1 : 0);
     patches.push_back(hole.continuity() == 2
                           ? patch_beside(side, lines, knots, [](const Meridian& line) { return line.quintic(); })
                           : patch_beside(side, lines, knots, [](const Meridian& line) { return line.cubic(); }));

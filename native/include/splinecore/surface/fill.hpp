@@ -15,12 +15,12 @@ using FillSide = std::variant<NurbsCurve, LoftNeighbour>;
 
 struct FillOptions {
   std::optional<double> tolerance;  ///< how far the filling may be from its sides; none: 2^-20 of their size
-  double angle = 1e-4;              ///< from its neighbours' tangent planes, in radians: it has more knots until that is so
+  double angle = 1e-4;              ///< from its neighbours' tangent planes, in radians, for which degrees rise or knots are added
 };
 
 /// What fills a hole, and how well it goes on.
 struct Filling {
-  std::vector<NurbsPatch> patches;     ///< one of four sides; otherwise one for each corner, or each side, round a point
+  std::vector<NurbsPatch> patches;     ///< one of four sides with corners; otherwise one for each corner or side, round a point
   double gap = 0.0;                    ///< the largest distance from a side
   double angle = 0.0;                  ///< the largest between tangent planes along neighbours with continuity 1 and 2
   double curvature_difference = 0.0;   ///< the largest of normal curvatures across neighbours with continuity 2
@@ -40,7 +40,8 @@ struct Filling {
 ///
 /// What leaves a side does so in its neighbour's tangent planes, at corners along the next side. Where neighbours do not share
 /// their tangent plane, or how it turns, at a corner, nothing can go on from both there: angle says how far it is off.
-/// @returns patches, with equal control points along their common sides, with normals on one side
+/// @returns patches, with equal control points along their common sides; with normals on one side, unless they fold, as they may
+///          where weights differ much or curvatures are to go on far
 /// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it, or only
 ///         some sides go on into the next ones, or a round hole is not seen whole from its middle, or continuity is not from 0
 ///         to 2; ToleranceNotReached where neighbouring sides' ends lie apart, or the sides are not reached
