@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "point_arguments.hpp"
 #include "rail_numbers.hpp"
 #include "rooms.hpp"
+#include "splinecore/measure/arc_length.hpp"
 #include "splinecore/surface/pipe.hpp"
 #include "splinecore/surface/sweep.hpp"
 
@@ -26,7 +28,8 @@ using splinecore::TwoRailOptions;
 
 namespace {
 
-/// One curve, or several with the parameters of the rail to which they belong.
+/// One curve, or several with the parameters of the rail to which they belong: even ones, the last at its end, if that is not
+/// its start.
 std::vector<RailSection> sections_of(const py::object& value, const py::object& at, const NurbsCurve& rail) {
   const bool are_many = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
   const std::vector<NurbsCurve> curves =
@@ -34,10 +37,10 @@ std::vector<RailSection> sections_of(const py::object& value, const py::object& 
   std::vector<double> places = optional_numbers(at, "at");
   if (places.empty()) {
     const splinecore::Interval domain = rail.domain();
-    const auto steps = static_cast<double>(curves.size() < 2 ? 1 : curves.size() - 1);
+    const bool goes_round = rail.periodic() || is_closed(rail);
+    const std::size_t steps = goes_round ? curves.size() : std::max<std::size_t>(curves.size(), 2) - 1;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      places.push_back(i > 0 && i + 1 == curves.size() ? domain.end
-                                                       : domain.start + domain.length() * static_cast<double>(i) / steps);
+      places.push_back(i == steps ? domain.end : domain.start + domain.length() * static_cast<double>(i) / static_cast<double>(steps));
     }
   }
   if (places.size() != curves.size()) {

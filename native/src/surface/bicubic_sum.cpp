@@ -90,6 +90,8 @@ std::array<double, 2> end_in(CrossedBorder& one, std::size_t end, const glm::dve
 
 CornerMisfits meet_in_corners(CrossedPair& u, CrossedPair& v) {
   CornerMisfits misfits;
+  std::array<double, 2> bent_along_u{};  // what is changed at both ends of a border adds up
+  std::array<double, 2> bent_along_v{};
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       const auto by_u = twist_of(u[j], i);
@@ -100,9 +102,11 @@ CornerMisfits meet_in_corners(CrossedPair& u, CrossedPair& v) {
       const auto [off_v, bent_v] = end_in(v[i], j, u[j].ends.slopes[i], twist);
       misfits.along_u[j] = std::max(misfits.along_u[j], off_u);
       misfits.along_v[i] = std::max(misfits.along_v[i], off_v);
-      misfits.twist = std::max({misfits.twist, bent_u, bent_v});
+      bent_along_u[j] += bent_u;
+      bent_along_v[i] += bent_v;
     }
   }
+  misfits.twist = std::max({bent_along_u[0], bent_along_u[1], bent_along_v[0], bent_along_v[1]});
   return misfits;
 }
 

@@ -31,7 +31,7 @@ BorderPairs borders_around(const std::array<LeftBorder, 4>& sides);
 struct CornerMisfits {
   std::array<double, 2> along_u{};  ///< for each border, at its ends: off the derivative along the next border
   std::array<double, 2> along_v{};
-  double twist = 0.0;               ///< the most that a derivative is changed for twists to be one
+  double twist = 0.0;               ///< the most that a derivative is changed along a border for twists to be one
 };
 
 struct BicubicSum {

@@ -90,9 +90,12 @@ ControlMesh entered(const ControlMesh& mesh, const NearSpace& space) {
   return near;
 }
 
-std::vector<glm::dvec4> finite_points(const ControlMesh& mesh) {
+/// Those that faces have.
+std::vector<glm::dvec4> used_points(const ControlMesh& mesh) {
   std::vector<glm::dvec4> points;
-  for (const glm::dvec3& point : mesh.points) points.emplace_back(point, 1.0);
+  for (const auto& face : mesh.faces) {
+    for (const int corner : face) points.emplace_back(mesh.points[static_cast<std::size_t>(corner)], 1.0);
+  }
   return points;
 }
 
@@ -100,7 +103,7 @@ std::vector<glm::dvec4> finite_points(const ControlMesh& mesh) {
 
 SubdivisionPatches catmull_clark(const ControlMesh& mesh) {
   MeshTopology topology(mesh);
-  const NearSpace space(finite_points(mesh));
+  const NearSpace space(used_points(mesh));
   ControlMesh near = entered(mesh, space);
   int rounds = 0;
   for (; has_folds(topology) || !can_be_patches(near, topology); ++rounds) {

@@ -160,7 +160,7 @@ Approximation<NurbsPatch> bicubic_coons(std::span<const NurbsCurve> sides, std::
   const auto left = [&](const NurbsCurve& curve) { return curve.with_points(space.leave(curve.points())); };
   const NurbsPatch patch = sum.patch.with_points(space.leave(sum.patch.points()));
   return {with_sides(patch, left(sum.along_u[0]), left(sum.along_u[1]), left(sum.along_v[0]), left(sum.along_v[1])),
-          std::max(loop.error, unit * std::max(off, sum.misfits.twist))};
+          std::max(loop.error, unit * (off + sum.misfits.twist))};
 }
 
 }  // namespace splinecore

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "build/with_end.hpp"
@@ -49,12 +50,12 @@ class Longer {
     });
   }
 
-  /// How long what was added is, on average. @throws InvalidShape where it runs to infinity.
+  /// How long what was added is, on average; infinite where it runs to infinity.
   double length(double end) const {
     const NurbsPatch added = split(until(end), axis_, domain_.end).second;
     const auto points = added.points();
     const bool is_finite = std::ranges::all_of(points, [&](const glm::dvec4& p) { return p.w * points.front().w > 0.0; });
-    if (!is_finite) throw InvalidShape("the surface runs to infinity before it is so much longer");
+    if (!is_finite) return std::numeric_limits<double>::infinity();
     const Interval others = added.knot_vector(across(axis_)).domain();
     double sum = 0.0;
     for (int k = 0; k < kLines; ++k) {
@@ -85,6 +86,7 @@ class Longer {
       if (!(middle > low && middle < step)) break;
       (length(domain_.end + middle) < wanted ? low : step) = middle;
     }
+    if (!std::isfinite(length(domain_.end + step))) throw InvalidShape("the surface runs to infinity before it is so much longer");
     return domain_.end + step;
   }
 

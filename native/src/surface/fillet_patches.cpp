@@ -121,6 +121,9 @@ Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const RollingBall& 
 std::vector<RailNumber> over_unit(std::span<const RailNumber> radii, const Interval& domain, double unit) {
   std::vector<RailNumber> found;
   for (const RailNumber& radius : radii) {
+    if (!(radius.value > 0.0 && std::isfinite(radius.value))) {
+      throw InvalidShape("a radius of " + text_of(radius.value) + ": above 0 is expected");
+    }
     if (!(radius.at >= domain.start && radius.at <= domain.end)) {
       throw InvalidShape("the radius at " + text_of(radius.at) + " is off the edge, which runs from " + text_of(domain.start) + " to " +
                          text_of(domain.end));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -189,14 +190,16 @@ class SurfaceFit {
     return found;
   }
 
-  /// So many places of each span, evenly from its start on: at knots, where it is less smooth, much may be missed.
+  /// So many places of each span, its start and others that are denser towards both ends: at knots, where it is less smooth, and
+  /// beside them, where functions of high degrees go astray, much may be missed.
   std::vector<double> inner_places(Axis axis, std::size_t count) const {
     const KnotVector& knots = model_.knot_vector(axis);
     std::vector<double> found;
     for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
       const Interval span = knots.span_interval(i);
       for (std::size_t k = 0; k < count; ++k) {
-        found.push_back(span.start + static_cast<double>(k) / static_cast<double>(count) * span.length());
+        const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(count));
+        found.push_back(span.start + share * span.length());
       }
     }
     return found;
@@ -206,7 +209,9 @@ class SurfaceFit {
   std::size_t many_places(Axis axis) const {
     constexpr std::size_t kAlong = 32;
     constexpr std::size_t kMost = 13;
-    return std::min(kMost, kFew + kAlong / model_.knot_vector(axis).spans().size());
+    const KnotVector& knots = model_.knot_vector(axis);
+    const auto most = std::max(kMost, static_cast<std::size_t>(knots.degree()) + 4);
+    return std::min(most, kFew + kAlong / knots.spans().size());
   }
 
   /// By one direction at the Greville places of the other, where that is met; and by both between them.

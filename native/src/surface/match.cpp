@@ -3,10 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "base/positive_weights.hpp"
 #include "going_on.hpp"
 #include "meet/near_space.hpp"
 #include "patch/lines.hpp"
@@ -156,8 +156,12 @@ MovingRows moved_onto(const MovingRows& before, const std::vector<glm::dvec4>& e
   return moved;
 }
 
-bool are_positive(const MovingRows& moved) {
-  return std::ranges::all_of(moved.rows, [](const std::vector<glm::dvec4>& row) { return have_positive_weights(row); });
+double least_weight(const MovingRows& moved) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& row : moved.rows) {
+    for (const glm::dvec4& p : row) least = std::min(least, p.w);
+  }
+  return least;
 }
 
 /// How fast the patch leaves its side, by how fast the other one does.
@@ -188,10 +192,25 @@ NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options
   for (int k = 1; k <= options.continuity; ++k) out.push_back(derivative_out(onto, k));
   double pace = out.empty() ? 1.0 : options.strength * own_pace(before, edge, out);
   MovingRows moved = moved_onto(before, edge, out, pace, must, may);
-  const bool were_positive = are_positive(before);
-  for (int i = 0; i < kHalvings && were_positive && !are_positive(moved); ++i) {
-    pace *= 0.5;
-    moved = moved_onto(before, edge, out, pace, must, may);
+  constexpr double kKept = 0.125;  // of the least weight: with less, points are far off, and lose digits
+  const double least = kKept * least_weight(before);
+  const auto are_kept = [&](const MovingRows& one) { return least_weight(one) >= least; };
+  if (!(least > 0.0) || are_kept(moved)) return patch_of(moved);
+  double low = pace;
+  for (int i = 0; i < kHalvings && !are_kept(moved); ++i) {
+    pace = low;
+    low *= 0.5;
+    moved = moved_onto(before, edge, out, low, must, may);
+  }
+  if (!are_kept(moved)) {
+    throw InvalidShape("the weights of the patches differ so much that beside the side some would not stay positive");
+  }
+  for (int i = 0; i < kHalvings; ++i) {  // up to the largest pace with which they are, which changes little where a patch does
+    const double middle = 0.5 * (low + pace);
+    MovingRows between = moved_onto(before, edge, out, middle, must, may);
+    const bool is_slow = are_kept(between);
+    (is_slow ? low : pace) = middle;
+    if (is_slow) moved = std::move(between);
   }
   return patch_of(moved);
 }

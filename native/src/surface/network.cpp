@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "base/positive_weights.hpp"
 #include "base/quotient.hpp"
 #include "boolean_sum.hpp"
 #include "build/fit_options.hpp"
@@ -193,12 +194,10 @@ double distance_from(const NurbsPatch& patch, const PacedFamily& family, std::sp
   for (int k = 0; k < kPlaces; ++k) at.push_back(k + 1 < kPlaces ? domain.start + domain.length() * k / (kPlaces - 1) : domain.end);
   double largest = 0.0;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
-    std::vector<glm::dvec3> wanted(kPlaces);
+    const std::vector<glm::dvec3> wanted = given_points(family, i, at);
     std::vector<glm::dvec3> found(kPlaces);
-    const EvaluateOptions options{.side = Side::left, .at_infinity = AtInfinity::nan};
-    evaluate(family.curves[i], at, {&wanted.front().x, 3 * wanted.size()}, options);
     const NurbsCurve line = isocurve(patch, axis, others[i]);
-    evaluate(line, at, {&found.front().x, 3 * found.size()}, options);
+    evaluate(line, at, {&found.front().x, 3 * found.size()}, {.side = Side::left, .at_infinity = AtInfinity::nan});
     for (int k = 0; k < kPlaces; ++k) {
       if (is_finite(wanted[k]) && is_finite(found[k])) largest = std::max(largest, distance_of(wanted[k], found[k]));
     }
@@ -259,11 +258,23 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   make_compatible(net.u, net.borders.along_u);
   make_compatible(net.v, net.borders.along_v);
   NurbsPatch patch = summed(net);
+  if (!have_positive_weights(patch.points()) && have_positive_weights(all)) {
+    said_outside(space, [&] {
+      for (PacedFamily* family : {&net.u, &net.v}) {
+        if (is_rational(*family)) repace(*family, 0.5 * within);
+      }
+    });
+    make_compatible(net.u, net.borders.along_u);
+    make_compatible(net.v, net.borders.along_v);
+    patch = summed(net);
+  }
   if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
   const double error =
       std::max(distance_from(patch, net.u, net.v.wanted, Axis::v), distance_from(patch, net.v, net.u.wanted, Axis::u));
-  if (!beyond.empty() && error > within) {
-    throw ToleranceNotReached("a curve does not leave a neighbour in its tangent plane", space.length(within), space.length(error));
+  if (error > within) {
+    const char* const reason = beyond.empty() ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
+                                              : "a curve does not leave a neighbour in its tangent plane";
+    throw ToleranceNotReached(reason, space.length(within), space.length(error));
   }
   return {patch.with_points(space.leave(patch.points())), space.length(error)};
 }

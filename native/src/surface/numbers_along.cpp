@@ -22,7 +22,7 @@ void require_numbers(std::span<const RailNumber> numbers, const Interval& domain
       throw InvalidShape("the " + name + " at " + text_of(at) + " is off the rail, which runs from " + text_of(domain.start) +
                          " to " + text_of(domain.end));
     }
-    if (i > 0 && !(at > numbers[i - 1].at)) throw InvalidShape("parameters of " + name + "s do not increase");
+    if (i > 0 && !(at > numbers[i - 1].at)) throw InvalidShape("parameters at which a " + name + " is given do not increase");
   }
   if (is_closed && numbers.back().at - numbers.front().at >= domain.length()) {
     throw InvalidShape("a closed rail ends where it starts: there is one " + name + " too many");
@@ -63,6 +63,14 @@ NumbersAlong::NumbersAlong(std::span<const RailNumber> numbers, const Interval& 
 bool NumbersAlong::is_one() const {
   return std::ranges::all_of(numbers_, [&](const RailNumber& number) { return number.value == numbers_.front().value; });
 }
+
+std::vector<double> NumbersAlong::joints() const {
+  std::vector<double> found;
+  for (const RailNumber& number : numbers_) found.push_back(number.at);
+  return found;
+}
+
+double NumbersAlong::largest() const { return std::ranges::max(numbers_, {}, &RailNumber::value).value; }
 
 double NumbersAlong::at(double parameter) const {
   if (parameter <= numbers_.front().at) return numbers_.front().value;

@@ -18,6 +18,10 @@ class NumbersAlong {
 
   double at(double parameter) const;
   bool is_one() const;
+  double largest() const;
+
+  /// Where it has no second derivative.
+  std::vector<double> joints() const;
 
  private:
   std::vector<RailNumber> numbers_;

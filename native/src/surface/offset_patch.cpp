@@ -29,12 +29,11 @@ constexpr std::array<Axis, 2> kBoth{Axis::u, Axis::v};
 std::string place_text(double u, double v) { return "u = " + text_of(u) + ", v = " + text_of(v); }
 
 /// Even places in every span.
-std::vector<double> places_in_spans(const KnotVector& knots) {
-  constexpr int kInSpan = 5;
+std::vector<double> places_in_spans(const KnotVector& knots, int count = 5) {
   std::vector<double> places;
   for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
     const Interval span = knots.span_interval(i);
-    for (int k = 0; k < kInSpan; ++k) places.push_back(span.start + span.length() * (k + 0.5) / kInSpan);
+    for (int k = 0; k < count; ++k) places.push_back(span.start + span.length() * (k + 0.5) / count);
   }
   return places;
 }
@@ -104,6 +103,27 @@ void require_room(const NurbsPatch& patch, double distance, double unit) {
   }
 }
 
+/// @throws InvalidShape where an offset turns back over its patch
+void require_no_fold(const NurbsPatch& patch, const NurbsPatch& made) {
+  constexpr int kInSpan = 2;
+  const std::vector<double> u = places_in_spans(made.knot_vector(Axis::u), kInSpan);
+  const std::vector<double> v = places_in_spans(made.knot_vector(Axis::v), kInSpan);
+  const auto normals_of = [&](const NurbsPatch& one) {
+    std::vector<glm::dvec3> points(u.size() * v.size());
+    std::vector<glm::dvec3> normals(points.size());
+    evaluate_grid_with_normals(one, u, v, std::span(&points.front().x, 3 * points.size()),
+                               std::span(&normals.front().x, 3 * normals.size()));
+    return normals;
+  };
+  const std::vector<glm::dvec3> before = normals_of(patch);
+  const std::vector<glm::dvec3> after = normals_of(made);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!(glm::dot(before[i], after[i]) < 0.0)) continue;
+    throw InvalidShape("the patch bends more than the distance allows at " + place_text(u[i / v.size()], v[i % v.size()]) +
+                       ": its offset would fold there");
+  }
+}
+
 NurbsPatch offset_within(const NurbsPatch& near, double distance, double tolerance, double& error) {
   const auto surface = [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
     std::vector<glm::dvec3> normals(points.size());
@@ -118,14 +138,16 @@ NurbsPatch offset_within(const NurbsPatch& near, double distance, double toleran
   };
   const Approximation<NurbsPatch> made = fitted_patch(near, surface, tolerance);
   error = made.error;
+  require_no_fold(near, made.value);
   return made.value;
 }
 
-bool is_point(const NurbsCurve& side) {
+/// Up to rounding of a shape of a size.
+bool is_point(const NurbsCurve& side, double size) {
   constexpr double kRounding = 0x1p-44;
   const auto points = side.points();
   return std::ranges::all_of(points, [&](const glm::dvec4& p) {
-    return length_of(glm::dvec3(p) - glm::dvec3(points.front())) <= kRounding * extent(points) || p == points.front();
+    return length_of(glm::dvec3(p) - glm::dvec3(points.front())) <= kRounding * size;
   });
 }
 
@@ -167,13 +189,15 @@ Approximation<std::vector<NurbsPatch>> thickened(const NurbsPatch& patch, double
   const std::array<NurbsPatch, 2> both{inner.value, outer.value};
   const std::vector<NurbsPatch> large = compatible(both);
   std::vector<NurbsPatch> made{large[1], reversed(large[0], Axis::u)};
+  const double size = extent(large[1].points());
   for (const Border side : {Border::v_start, Border::u_end, Border::v_end, Border::u_start}) {
     const Axis axis = axis_of(side);
-    if (patch.knot_vector(axis).periodic() || closes(large[0], axis)) continue;
+    if (patch.knot_vector(axis).periodic() || (closes(large[0], axis) && closes(large[1], axis))) continue;
     const NurbsCurve below = boundary(large[0], side);
-    if (is_point(below)) continue;
+    const NurbsCurve above = boundary(large[1], side);
+    if (is_point(below, size) && is_point(above, size)) continue;
     const bool is_backwards = side == Border::v_end || side == Border::u_start;
-    const NurbsPatch wall = ruled(below, boundary(large[1], side));
+    const NurbsPatch wall = ruled(below, above);
     made.push_back(is_backwards ? reversed(wall, Axis::u) : wall);
   }
   return {std::move(made), std::max(inner.error, outer.error)};

@@ -46,7 +46,7 @@ NurbsCurve with_weights_times(const NurbsCurve& curve, double factor) {
 }  // namespace
 
 PacedFamily paced(const NetworkFamily& family) {
-  PacedFamily made{{}, {}, wanted_crossings(family), family.is_closed, true};
+  PacedFamily made{{}, {}, {}, wanted_crossings(family), family.is_closed, true};
   const Interval domain = family.curves[0].domain();
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     const NurbsCurve& curve = family.curves[i];
@@ -61,7 +61,19 @@ PacedFamily paced(const NetworkFamily& family) {
     at.back() = domain.end;
     made.given.push_back(std::move(at));
   }
+  made.own = made.curves;
   return made;
+}
+
+std::vector<glm::dvec3> given_points(const PacedFamily& family, std::size_t i, std::span<const double> at) {
+  std::vector<double> paces(at.begin(), at.end());
+  if (!family.is_there) {
+    const Pacing pacing(family.wanted, family.given[i], family.is_closed);
+    for (double& u : paces) u = pacing.at(u);
+  }
+  std::vector<glm::dvec3> points(at.size());
+  evaluate(family.own[i], paces, {&points.front().x, 3 * points.size()}, {.side = Side::left, .at_infinity = AtInfinity::nan});
+  return points;
 }
 
 bool reconcile_weights(PacedFamily& u, PacedFamily& v) {

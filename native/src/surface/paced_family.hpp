@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "network_curves.hpp"
@@ -12,13 +14,17 @@ namespace splinecore {
 /// A family over one domain, where it is to meet the others, and whether it does.
 struct PacedFamily {
   std::vector<NurbsCurve> curves;
-  std::vector<std::vector<double>> given;  ///< crossings, in that domain
+  std::vector<NurbsCurve> own;             ///< as they are given, over that domain
+  std::vector<std::vector<double>> given;  ///< crossings of these
   std::vector<double> wanted;
   bool is_closed;
   bool is_there;  ///< all given are as wanted
 };
 
 PacedFamily paced(const NetworkFamily& family);
+
+/// Points of a curve as it is given, at parameters at which the family meets the others.
+std::vector<glm::dvec3> given_points(const PacedFamily& family, std::size_t i, std::span<const double> at);
 
 /// How many of the others a family meets.
 inline std::size_t count_of_others(const PacedFamily& family) { return family.wanted.size() - (family.is_closed ? 1 : 0); }

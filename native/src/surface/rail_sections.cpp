@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/positive_weights.hpp"
 #include "loft_sections.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -32,6 +33,26 @@ std::vector<glm::dvec4> near_row(std::vector<glm::dvec4> points, double unit) {
   return homogeneous(points);
 }
 
+std::vector<double> mean_of(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> mean;
+  for (std::size_t i = 0; i < a.size(); ++i) mean.push_back(0.5 * (a[i] + b[i]));
+  return mean;
+}
+
+/// Lets rows go round; of two, their mean lies between them either way.
+void close(RowConditions& given, double end) {
+  if (end <= given.parameters.back()) {
+    throw InvalidShape("a closed rail ends where it starts: there is one section too many");
+  }
+  if (given.rows.size() == 2) {
+    const std::vector<double> mean = mean_of(given.rows[0], given.rows[1]);
+    const std::vector<double> at = given.parameters;
+    given.rows = {given.rows[0], mean, given.rows[1], mean};
+    given.parameters = {at[0], 0.5 * (at[0] + at[1]), at[1], 0.5 * (at[1] + end)};
+  }
+  given.parameters.push_back(end);
+}
+
 std::vector<LoftSection> curves_of(std::span<const RailSection> sections) {
   std::vector<LoftSection> curves;
   for (const RailSection& section : sections) curves.emplace_back(section.curve);
@@ -58,15 +79,32 @@ RailSections::RailSections(std::span<const RailSection> sections, const NurbsCur
     given.rows.push_back(numbers_of(near_row(made.rows[i].points, unit)));
     given.parameters.push_back(sections[i].at);
   }
+  are_positive_ = std::ranges::all_of(made.rows, [](const SectionRow& row) { return have_positive_weights(row.points); });
   for (std::size_t j = 3; j < given.rows[0].size(); j += 4) {
     const double first = given.rows[0][j];
     const bool is_level = std::ranges::all_of(given.rows, [&](const std::vector<double>& row) { return row[j] == first; });
     level_weights_.push_back(is_level ? std::optional(first) : std::nullopt);
   }
-  if (is_closed && sections.size() > 2) given.parameters.push_back(sections[0].at + rail.domain().length());
-  const bool goes_round = given.parameters.size() > sections.size();
-  along_ = spline_through(given, std::min(kDegree, static_cast<int>(sections.size()) - 1),
-                          goes_round ? Closing::closed : Closing::open);
+  if (is_closed) close(given, sections[0].at + rail.domain().length());
+  along_ = spline_through(given, std::min(kDegree, static_cast<int>(given.rows.size()) - 1), is_closed ? Closing::closed : Closing::open);
+}
+
+std::vector<RowJoint> RailSections::joints() const {
+  std::vector<RowJoint> found;
+  if (!along_) return found;
+  constexpr int kKink = 3;
+  const Interval known = along_->knots.domain();
+  const bool goes_round = along_->knots.periodic();
+  for (const double knot : along_->knots.knots()) {
+    const bool is_end = !goes_round && (knot == known.start || knot == known.end);
+    found.push_back({knot, is_end ? kKink : 1});
+  }
+  return found;
+}
+
+void RailSections::require_weights(const FittedRows& rows) const {
+  if (!are_positive_ || have_positive_weights(rows.rows)) return;
+  throw InvalidShape("the weights of the sections differ so much that between them some would not stay positive");
 }
 
 std::vector<glm::dvec4> RailSections::at(std::span<const double> parameters) const {

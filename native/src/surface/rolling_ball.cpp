@@ -19,6 +19,9 @@ namespace splinecore {
 
 namespace {
 
+/// How far, by the radius, patches go on beyond the ends of their edge: where sides slant, contacts lie farther out.
+constexpr double kBeyond = 2.0;
+
 /// Sides that cross the edge are moved out, for balls that touch a patch a little beyond them; where that cannot be, not.
 NurbsPatch widened(const NurbsPatch& patch, double length) {
   NurbsPatch wide = patch;
@@ -71,7 +74,7 @@ glm::dvec2 inside(const NurbsPatch& patch, glm::dvec2 at) {
 }  // namespace
 
 RollingBall::RollingBall(const NurbsPatch& first, const NurbsPatch& second, const NumbersAlong& radii)
-    : first_(widened(first, radii.at(0.0))), second_(widened(second, radii.at(0.0))), radii_(radii) {
+    : first_(widened(first, kBeyond * radii.largest())), second_(widened(second, kBeyond * radii.largest())), radii_(radii) {
   constexpr double kFlat = 1e-6;
   const TouchedPlace a = touched(first_, {0.5, first_.knot_vector(Axis::v).domain().start});
   const TouchedPlace b = touched(second_, {0.5, second_.knot_vector(Axis::v).domain().start});

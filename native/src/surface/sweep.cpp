@@ -1,9 +1,12 @@
 #include "splinecore/surface/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <numbers>
 #include <string>
 
 #include "base/length.hpp"
@@ -19,6 +22,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
 #include "splinecore/measure/arc_length.hpp"
 #include "splinecore/measure/length.hpp"
 #include "splinecore/patch/ends.hpp"
@@ -98,7 +102,8 @@ NumbersAlong scales_of(const SweepOptions& options, const NurbsCurve& rail) {
 class Sweeping {
  public:
   Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options)
-      : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), places_(rail, options), corners_(corners_of({&rail, 1})) {}
+      : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), places_(rail, options),
+        corners_(corners_of({&rail, 1})), begins_in_corner_(begins_in_corner()) {}
 
   bool is_level() const {
     return sections_.is_one() && options_.end_scale == 1.0 && options_.twist == 0.0 && scales_.is_one();
@@ -119,6 +124,12 @@ class Sweeping {
       if (corner > rail_.domain().start && corner < rail_.domain().end) domain.breaks.push_back(corner);
     }
     domain.breaks.push_back(rail_.domain().end);
+    std::ranges::copy(sections_.joints(), std::back_inserter(domain.joints));
+    if (!scales_.is_one()) {
+      for (const double at : scales_.joints()) domain.joints.push_back({at, kSlopes});
+    }
+    const int turns = twist_steps();
+    for (int k = 1; k < turns; ++k) domain.joints.push_back({rail_.domain().start + rail_.domain().length() * k / turns, 1});
     return domain;
   }
 
@@ -139,6 +150,16 @@ class Sweeping {
   }
 
  private:
+  /// Knots of a cubic where there is no second derivative.
+  static constexpr int kSlopes = 2;
+
+  /// Parts in which sections do not turn too far to be seen turning.
+  int twist_steps() const {
+    constexpr double kStep = 0.5 * std::numbers::pi;
+    constexpr double kMost = 4096.0;
+    return static_cast<int>(std::min(kMost, std::ceil(std::abs(options_.twist) / kStep)));
+  }
+
   /// The planes that halve the corners at both ends of a stretch, by their normals; 0 where there is none.
   struct Mitre {
     glm::dvec3 start{0.0};
@@ -158,10 +179,20 @@ class Sweeping {
     return shares;
   }
 
+  /// A closed rail with corners begins in one of them.
   bool is_corner(double v) const {
     const Interval domain = rail_.domain();
     const bool is_end = v == domain.start || v == domain.end;
-    return !is_end && std::ranges::count(corners_, v) > 0;
+    return is_end ? begins_in_corner_ : std::ranges::count(corners_, v) > 0;
+  }
+
+  bool begins_in_corner() const {
+    const std::vector<double> ends{rail_.domain().start, rail_.domain().end};
+    if (rail_.periodic() || corners_.empty() || !is_closed(rail_)) return false;
+    std::array<glm::dvec3, 4> jets;
+    derivatives(rail_, ends, 1, std::span(&jets[0].x, 12), {.side = Side::left});
+    constexpr double kStraight = 1e-9;
+    return length_of(glm::cross(jets[1], jets[3])) > kStraight * length_of(jets[1]) * length_of(jets[3]);
   }
 
   /// Sections grow and turn about the rail.
@@ -191,7 +222,10 @@ class Sweeping {
   /// Between two tangents at a corner.
   glm::dvec3 half_plane(const glm::dvec3& tangent, double at, Side other) {
     constexpr double kTurnsBack = 1e-3;
-    const Interval beyond = other == Side::left ? Interval{rail_.domain().start, at} : Interval{at, rail_.domain().end};
+    const Interval whole = rail_.domain();
+    if (other == Side::left && at == whole.start) at = whole.end;
+    if (other == Side::right && at == whole.end) at = whole.start;
+    const Interval beyond = other == Side::left ? Interval{whole.start, at} : Interval{at, whole.end};
     const glm::dvec3 next = places_.at(std::span(&at, 1), beyond)[0].frame.tangent;
     const glm::dvec3 normal = tangent + next;
     if (!(length_of(normal) > kTurnsBack)) throw InvalidShape("the rail turns back at " + text_of(at));
@@ -225,12 +259,23 @@ class Sweeping {
   NumbersAlong scales_;
   RailPlaces places_;
   std::vector<double> corners_;
+  bool begins_in_corner_;
 };
 
-/// Places on a closed rail that begins elsewhere now.
+bool is_same(const RailNumber& a, const RailNumber& b) { return a.value == b.value; }
+bool is_same(const RailSection& a, const RailSection& b) { return a.curve == b.curve; }
+
+/// Places on a closed rail that begins elsewhere now. What was given for its start and its end is one.
 template <class Placed>
-std::vector<Placed> placed_on(const NurbsCurve& rail, std::span<const Placed> given) {
+std::vector<Placed> placed_on(const NurbsCurve& rail, std::span<const Placed> given, double old_start) {
   std::vector<Placed> found(given.begin(), given.end());
+  const double old_end = old_start + rail.domain().length();
+  if (found.size() > 1 && found.front().at == old_start && found.back().at == old_end) {
+    if (!is_same(found.front(), found.back())) {
+      throw InvalidShape("the rail is closed: what is given for its end is to be what is given for its start");
+    }
+    found.erase(found.begin());
+  }
   const Interval domain = rail.domain();
   const auto is_before = [&](const Placed& one) { return one.at < domain.start; };
   const auto behind = std::ranges::find_if_not(found, is_before);
@@ -248,9 +293,9 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
   const NurbsCurve near = whole.with_points(space.enter(whole.points()));
   const bool begins_elsewhere = near.domain().start != rail.domain().start;
   SweepOptions options = wanted;
-  if (begins_elsewhere) options.scales = placed_on<RailNumber>(near, wanted.scales);
+  if (begins_elsewhere) options.scales = placed_on<RailNumber>(near, wanted.scales, rail.domain().start);
   const std::vector<RailSection> sections =
-      begins_elsewhere ? placed_on(near, given) : std::vector<RailSection>(given.begin(), given.end());
+      begins_elsewhere ? placed_on(near, given, rail.domain().start) : std::vector<RailSection>(given.begin(), given.end());
   const RailSections along(sections, near, space.length(1.0));
   const auto left = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
   Sweeping sweeping(near, along, options);
@@ -263,6 +308,7 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
   const auto rows_at = [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); };
   const FittedRows rows = said_outside(space, [&] { return fitted_rows(rows_at, sweeping.domain(), within); });
+  along.require_weights(rows);
   return {left(patch_of(along.knots(), rows)), space.length(rows.error)};
 }
 

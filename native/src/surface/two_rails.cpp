@@ -180,7 +180,9 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
   RowDomain domain{breaks, joints_at(rails.first.knot_vector()), goes_round ? Closing::closed : Closing::open};
   std::ranges::copy(joints_at(rails.second.knot_vector()), std::back_inserter(domain.joints));
+  std::ranges::copy(along.joints(), std::back_inserter(domain.joints));
   const FittedRows rows = said_outside(space, [&] { return fitted_rows(rows_at, domain, within); });
+  along.require_weights(rows);
   const NurbsPatch near = patch_of(along.knots(), rows);
   return {near.with_points(space.leave(near.points())), space.length(rows.error)};
 }
