@@ -150,3 +150,77 @@ def test_points_of_no_face_do_not_move_a_subdivided_mesh():
     faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
     for a, b in zip(build.catmull_clark(cube, faces).patches, build.catmull_clark(cube + [(1e12, 0, 0)], faces).patches):
         assert np.array_equal(a.points, b.points)
+
+
+def flat(xs):
+    """A plane over these x, four rows wide."""
+    net = np.dstack([*np.meshgrid(np.array(xs, float), np.arange(4.0), indexing="ij"), np.zeros((len(xs), 4))])
+    return sc.NurbsPatch((3, 3), ([0] * 4 + [1 / 3, 2 / 3] + [1] * 4, [0] * 4 + [1] * 4), net)
+
+
+@pytest.mark.parametrize("last", [1.0, 0.1, 0.01, 1e-3, 1e-4])
+def test_curvatures_go_on_from_rows_of_any_spacing(last):
+    """A plane that nearly stands still at its side: another one goes on from it, and what blends them, without a fold."""
+    onto = flat([0, 1, 2, 3, 4 - last, 4])
+    moved = build.match_patch(flat([4, 5, 6, 7, 8, 9]), "u_start", onto, "u_end", "G2").value
+    blended = build.blend_patches(onto, "u_end", flat([6, 7, 8, 9, 10, 11]), "u_start", "G2")
+    for patch, end in ((moved, 9), (blended, 6)):
+        x = dense(patch)[..., 0]
+        assert x.min() >= 4 - 1e-9 and x.max() <= end + 1e-9
+    assert sc.seam_continuity(onto, "u_end", moved, "u_start").g >= 2
+    assert (np.diff(dense(blended)[:, 0, 0]) >= -1e-9).all() or (np.diff(dense(blended)[0, :, 0]) >= -1e-9).all()
+
+
+@pytest.mark.parametrize("sizes, places", [((1, 1, 3, 1, 1), (0, 0.2, 0.25, 0.3, 1)), ((1, 1.1, 1), (0, 1e-6, 1)), ((1, 2, 1, 2), (0, 0.4, 0.45, 1))])
+def test_sections_at_uneven_places_swing_out_nowhere(sizes, places):
+    made, error = build.sweep(UP, [scaled(RING, size) for size in sizes], at=list(places))
+    radii = np.hypot(*np.moveaxis(dense(made, 1001)[..., :2], -1, 0))
+    assert radii.max() <= 0.1 * max(sizes) + 2 * error + 1e-9 and radii.min() >= 0.1 * min(sizes) - 2 * error - 1e-9
+    for size, place in zip(sizes, places):
+        ring = made.evaluate(np.linspace(*made.domain[0], 9), np.full(9, place))
+        assert np.hypot(*ring.T[:2]) == pytest.approx(0.1 * size, abs=2 * error + 1e-9)
+
+
+def test_uneven_sections_go_round_a_closed_rail():
+    big = sc.conics.circle((0, 0, 0), 3)
+    made, error = build.sweep(big, [scaled(RING, size) for size in (1, 3, 1)], at=[0.1, 0.2, 2.0], tolerance=1e-4)
+    points = dense(made)
+    assert np.abs(points[:, 0] - points[:, -1]).max() <= 1e-9 and error <= 1e-4
+    assert np.abs(np.linalg.norm(points, axis=-1) - 3).max() <= 0.3 + 1e-4
+
+
+def noisy(curve, size, seed):
+    points = np.array(curve.points)
+    noise = size * np.random.default_rng(seed).normal(size=points.shape)
+    noise[-1] = noise[0]
+    return curve.with_points(points + noise)
+
+
+@pytest.mark.parametrize("size", [0.0, 1e-9, 1e-7, 1e-5])
+def test_kinks_that_nobody_sees_align_no_sections(size):
+    """A circle, and one turned by 45 degrees: the straight way between them, not from knot to knot."""
+    circle = sc.conics.circle((0, 0, 0), 1)
+    turn = math.sqrt(0.5)
+    other = circle.transformed(np.array([[turn, -turn, 0, 0], [turn, turn, 0, 0], [0, 0, 1, 1]]))
+    made = build.loft([noisy(circle, size, 1), noisy(other, size, 2)]).value
+    assert np.hypot(*np.moveaxis(dense(made)[..., :2], -1, 0)).min() >= 0.999
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-13, 1e-10, 1e-7])
+def test_noise_on_a_straight_rail_turns_no_section(noise):
+    points = np.array([(0, 0, 0), (0, 0, 1), (0, 0, 2), (0, 0, 3.0)])
+    rail = sc.BezierCurve(points + noise * np.random.default_rng(0).normal(size=(4, 3)))
+    made, _ = build.sweep(rail, line((0, 0, 0), (1, 0, 0)))
+    straight, _ = build.sweep(sc.BezierCurve(points), line((0, 0, 0), (1, 0, 0)))
+    assert np.abs(dense(made, 9) - dense(straight, 9)).max() <= 1e-5
+
+
+@pytest.mark.parametrize("start", [0.0, 0.4, math.pi / 2, 2.0, math.pi])
+def test_closed_sides_are_matched_wherever_their_seams_are(start):
+    """A cylinder onto a narrower one: no waist."""
+    onto = build.cylinder((0, 0, 0), (0, 0, 1), 1, 2)
+    made = build.match_patch(build.cylinder((0, 0, 3), (0, 0, 1), 1.5, 2, start), "v_start", onto, "v_end", "G1").value
+    radii = np.hypot(*np.moveaxis(dense(made)[..., :2], -1, 0))
+    ends = made.evaluate(np.linspace(*made.domain[0], 33), np.full(33, made.domain[1][0]))
+    assert radii.min() >= 0.97
+    assert np.abs(np.hypot(ends[:, 0], ends[:, 1]) - 1).max() <= 1e-12 and np.abs(ends[:, 2] - 2).max() <= 1e-12

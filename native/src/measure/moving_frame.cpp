@@ -154,11 +154,20 @@ class Carrier {
     return glm::normalize(across(glm::normalize(normal), tangent_));
   }
 
+  /// Whether the curve bends at a place by more than noise of its points does.
+  bool is_bent(double at) const {
+    constexpr double kNoise = 1e-6;
+    std::array<Vector, 3> jet;
+    derivatives(curve_, {&at, 1}, 2, {&jet[0].x, 9}, {.side = Side::right});
+    const double speed = glm::length(jet[1]);
+    return !(glm::length(glm::cross(jet[1], jet[2])) * extent(curve_.points()) <= kNoise * speed * speed * speed);
+  }
+
   Vector own_normal() const {
     const double start = curve_.domain().start;
     MovingFrame frenet;
     frenet_frames(curve_, {&start, 1}, {&frenet, 1});
-    if (is_number(frenet.normal)) return frenet.normal;
+    if (is_number(frenet.normal) && is_bent(start)) return frenet.normal;
     int least = 0;
     for (int axis = 1; axis < 3; ++axis) {
       if (std::abs(tangent_[axis]) < std::abs(tangent_[least])) least = axis;

@@ -95,6 +95,10 @@ Parametrisation parametrisation_of(LoftStyle style) {
 struct Pace {
   std::vector<double> parameters;
   double speed;
+
+  double step_at(bool is_end) const {
+    return is_end ? parameters.back() - *(parameters.end() - 2) : parameters[1] - parameters[0];
+  }
 };
 
 Pace pace_along(const LoftSections& sections, const LoftOptions& options) {
@@ -140,16 +144,20 @@ std::vector<glm::dvec4> along_plane(const SectionRow& pole, const SectionRow& be
   return scaled(1.0 / sum, std::move(found));
 }
 
-/// Derivatives along v at an end, of the homogeneous rows. @param speed  elsewhere; below 0 at the end, where v leads to it
+/// Derivatives along v at an end, of the homogeneous rows.
+/// @param speed  elsewhere; below 0 at the end, where v leads to it
+/// @param step   of v to the next section
 std::vector<std::vector<double>> leaving(const LoftEnd& end, const LeavingRows& out, const SectionRow& own,
-                                         const SectionRow& beside, double speed) {
+                                         const SectionRow& beside, double speed, double step) {
+  constexpr double kRoom = 0.25;
   if (end.tangent) return {numbers_of(scaled(std::abs(speed), weighted(own.near, *end.tangent)))};
   if (end.flat) return {numbers_of(scaled(speed, along_plane(own, beside, *end.flat)))};
   std::vector<std::vector<double>> rows;
   if (out.empty()) return rows;
   const double given = speed_of(own.near, out[0]);
   if (!(given > 0.0)) throw InvalidShape("a neighbour stands still across its side: nothing goes on from there");
-  for (const auto& row : going_on(own.near, out, end.neighbour->strength * speed / given)) rows.push_back(numbers_of(row));
+  const double pace = end.neighbour->strength * speed / given;
+  for (const auto& row : going_on(own.near, out, pace, kRoom * step)) rows.push_back(numbers_of(row));
   return rows;
 }
 
@@ -181,8 +189,8 @@ RowSpline spline_along(const LoftSections& sections, const LoftOptions& options)
   given.parameters = pace.parameters;
   for (const SectionRow& row : sections.rows) given.rows.push_back(numbers_of(row.near));
   const auto& rows = sections.rows;
-  given.start = leaving(options.start, sections.leaving_start, rows.front(), rows[1], pace.speed);
-  given.end = leaving(options.end, sections.leaving_end, rows.back(), rows[rows.size() - 2], -pace.speed);
+  given.start = leaving(options.start, sections.leaving_start, rows.front(), rows[1], pace.speed, pace.step_at(false));
+  given.end = leaving(options.end, sections.leaving_end, rows.back(), rows[rows.size() - 2], -pace.speed, pace.step_at(true));
   const std::size_t conditions = given.rows.size() + given.start.size() + given.end.size();
   const int degree = degree_along(conditions, given.rows.size(), options);
   if (options.style != LoftStyle::loose) {
@@ -196,10 +204,14 @@ RowSpline spline_along(const LoftSections& sections, const LoftOptions& options)
 }
 
 /// @throws InvalidShape if weights that are all positive in the sections are not between them.
-void require_weights(const LoftSections& sections, std::span<const glm::dvec4> controls) {
+void require_weights(const LoftSections& sections, std::span<const glm::dvec4> controls, bool is_blend) {
   const bool are_positive = std::ranges::all_of(
       sections.rows, [](const SectionRow& row) { return have_positive_weights(row.points); });
   if (!are_positive || have_positive_weights(controls)) return;
+  if (is_blend) {
+    throw InvalidShape("the weights of the sides go on so differently that between them some would not stay positive: smaller "
+                       "strengths, or a lower continuity, have less of that");
+  }
   throw InvalidShape(
       "the weights of the sections differ so much that between them some would not stay positive: "
       "a straight or loose loft, or one within a tolerance, has no such trouble");
@@ -220,7 +232,7 @@ Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const Loft
       near[i * count_v + j] = as_given(glm::dvec4(p[0], p[1], p[2], p[3]));
     }
   }
-  require_weights(made, near);
+  require_weights(made, near, sections.empty());
   std::vector<glm::dvec4> points = made.space.leave(near);
   const bool has_own_ends = options.closing == Closing::open;
   for (std::size_t i = 0; i < count_u && has_own_ends; ++i) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "aligned_sections.hpp"
 #include "going_on.hpp"
 #include "meet/near_space.hpp"
 #include "patch/lines.hpp"
@@ -143,13 +144,17 @@ double weight_factor(const std::vector<glm::dvec4>& own, const std::vector<glm::
   return sum != 0.0 && of_other != 0.0 ? of_other / sum : 1.0;
 }
 
+/// Of the first span, in which speed may change at most by what it is.
+constexpr double kRoom = 0.6;
+
 /// The rows of a patch that go on from the other one's, `pace` times as fast.
 MovingRows moved_onto(const MovingRows& before, const std::vector<glm::dvec4>& edge, const LeavingRows& out, double pace,
                       std::size_t must, std::size_t may) {
   MovingRows moved = before;
   std::vector<std::vector<glm::dvec4>> derivatives{edge};
   if (!out.empty()) {
-    for (auto& row : going_on(edge, out, pace)) derivatives.push_back(std::move(row));
+    const double room = kRoom * moved.across.span_interval(0).length();
+    for (auto& row : going_on(edge, out, pace, room)) derivatives.push_back(std::move(row));
   }
   write_rows(moved, derivatives);
   fade(moved, before.rows, must, may);
@@ -174,6 +179,14 @@ double own_pace(const MovingRows& before, const std::vector<glm::dvec4>& edge, c
   const double given = speed_of(edge, out.front());
   if (!(given > 0.0 && speed > 0.0)) throw InvalidShape("a patch stands still across its side: nothing goes on from there");
   return speed / given;
+}
+
+/// Lets closed rows begin where they are nearest to a closed side.
+/// @param may_turn  whether they may run the other way for that
+void begin_beside(const NurbsCurve& side, Ribbon& ribbon, bool may_turn) {
+  const SectionTurn turn = turns_of({side, ribbon.rows.front()})[1];
+  if (turn.is_reversed && !may_turn) return;
+  for (NurbsCurve& row : ribbon.rows) row = turned(row, turn);
 }
 
 NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options) {
@@ -221,14 +234,18 @@ Approximation<NurbsPatch> matched(const NurbsPatch& patch, Border side, const Nu
                                   const MatchOptions& options) {
   require_options(options);
   if (patch.knot_vector(axis_of(side)).periodic()) throw InvalidShape("the side is the seam of a periodic direction: it is no edge");
-  const bool is_reversed = options.is_reversed.value_or(run_against(onto, onto_side, patch, side));
+  const bool are_closed = patch.knot_vector(across(axis_of(side))).periodic() && onto.knot_vector(across(axis_of(onto_side))).periodic();
+  const bool finds_way = are_closed && !options.is_reversed;
+  const bool is_reversed = !finds_way && options.is_reversed.value_or(run_against(onto, onto_side, patch, side));
   const NearSpace space(together(patch.points(), onto.points()));
   const NurbsPatch near = clamped(patch.with_points(space.enter(patch.points())), axis_of(side));
   Ribbon ribbon = ribbon_of(onto.with_points(space.enter(onto.points())), onto_side);
   if (is_reversed) {
     for (NurbsCurve& row : ribbon.rows) row = reversed(row);
   }
-  const NurbsPatch made = with_side_back(moved_onto(with_side_first(near, side), std::move(ribbon), options), side);
+  const NurbsPatch first = with_side_first(near, side);
+  if (are_closed) begin_beside(boundary(first, Border::v_start), ribbon, finds_way);
+  const NurbsPatch made = with_side_back(moved_onto(first, std::move(ribbon), options), side);
   return {made.with_points(space.leave(made.points())), space.length(largest_distance(near, made))};
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/harmonic_slope.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -31,8 +32,6 @@ void require_numbers(std::span<const RailNumber> numbers, const Interval& domain
 
 double secant(const RailNumber& a, const RailNumber& b) { return (b.value - a.value) / (b.at - a.at); }
 
-double harmonic(double a, double b) { return (a > 0.0) == (b > 0.0) && a != 0.0 ? 2.0 * (a / (a + b)) * b : 0.0; }
-
 /// Two periods round those given, so that each number of a period has its neighbours.
 std::vector<RailNumber> repeated(std::span<const RailNumber> numbers, double period) {
   constexpr int kBeyond = 2;
@@ -53,7 +52,7 @@ NumbersAlong::NumbersAlong(std::span<const RailNumber> numbers, const Interval& 
   numbers_ = is_closed ? repeated(numbers, domain.length()) : std::vector<RailNumber>(numbers.begin(), numbers.end());
   slopes_.assign(numbers_.size(), 0.0);
   for (std::size_t i = 1; i + 1 < numbers_.size(); ++i) {
-    slopes_[i] = harmonic(secant(numbers_[i - 1], numbers_[i]), secant(numbers_[i], numbers_[i + 1]));
+    slopes_[i] = harmonic_slope(secant(numbers_[i - 1], numbers_[i]), secant(numbers_[i], numbers_[i + 1]));
   }
   if (numbers_.size() < 2 || is_closed) return;
   slopes_.front() = secant(numbers_[0], numbers_[1]);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/harmonic_slope.hpp"
 #include "base/positive_weights.hpp"
 #include "loft_sections.hpp"
 #include "splinecore/base/errors.hpp"
@@ -37,6 +38,50 @@ std::vector<double> mean_of(const std::vector<double>& a, const std::vector<doub
   std::vector<double> mean;
   for (std::size_t i = 0; i < a.size(); ++i) mean.push_back(0.5 * (a[i] + b[i]));
   return mean;
+}
+
+/// Whether rows follow each other so unevenly that a smooth spline through them would swing out between.
+bool is_uneven(const std::vector<double>& at) {
+  constexpr double kMost = 3.0;
+  for (std::size_t i = 2; i < at.size(); ++i) {
+    const double before = at[i - 1] - at[i - 2];
+    const double after = at[i] - at[i - 1];
+    if (std::max(before, after) > kMost * std::min(before, after)) return true;
+  }
+  return false;
+}
+
+/// Cubics from row to row that do not leave what lies between them (Fritsch and Butland 1984).
+RowSpline within_rows(std::vector<std::vector<double>> rows, std::vector<double> at, Closing closing) {
+  const bool is_closed = closing == Closing::closed;
+  const std::size_t width = rows.front().size();
+  if (is_closed) rows.push_back(rows.front());
+  const std::size_t last = at.size() - 1;
+  const auto secant = [&](std::size_t i, std::size_t j) { return (rows[i + 1][j] - rows[i][j]) / (at[i + 1] - at[i]); };
+  const auto slope = [&](std::size_t i, std::size_t j) {
+    if (i > 0 && i < last) return harmonic_slope(secant(i - 1, j), secant(i, j));
+    if (is_closed) return harmonic_slope(secant(last - 1, j), secant(0, j));
+    return secant(i == 0 ? 0 : last - 1, j);
+  };
+  std::vector<double> knots(4, at.front());
+  RowSpline made{KnotVector::bezier(3), {}};
+  for (std::size_t i = 0; i <= last; ++i) {
+    const auto add = [&](double step) {
+      for (std::size_t j = 0; j < width; ++j) made.controls.push_back(rows[i][j] + (step == 0.0 ? 0.0 : step / 3.0 * slope(i, j)));
+    };
+    if (i == 0 || i == last) {
+      if (i == last) add(at[i - 1] - at[i]);
+      add(0.0);
+      if (i == 0) add(at[1] - at[0]);
+      continue;
+    }
+    add(at[i - 1] - at[i]);
+    add(at[i + 1] - at[i]);
+    knots.insert(knots.end(), 2, at[i]);
+  }
+  knots.insert(knots.end(), 4, at.back());
+  made.knots = KnotVector::make(3, std::move(knots));
+  return made;
 }
 
 /// Lets rows go round; of two, their mean lies between them either way.
@@ -86,18 +131,23 @@ RailSections::RailSections(std::span<const RailSection> sections, const NurbsCur
     level_weights_.push_back(is_level ? std::optional(first) : std::nullopt);
   }
   if (is_closed) close(given, sections[0].at + rail.domain().length());
-  along_ = spline_through(given, std::min(kDegree, static_cast<int>(given.rows.size()) - 1), is_closed ? Closing::closed : Closing::open);
+  const Closing closing = is_closed ? Closing::closed : Closing::open;
+  goes_round_ = is_closed;
+  along_ = is_uneven(given.parameters) ? within_rows(given.rows, given.parameters, closing)
+                                       : spline_through(given, std::min(kDegree, static_cast<int>(given.rows.size()) - 1), closing);
 }
 
 std::vector<RowJoint> RailSections::joints() const {
   std::vector<RowJoint> found;
   if (!along_) return found;
   constexpr int kKink = 3;
+  constexpr int kSlopes = 2;
   const Interval known = along_->knots.domain();
-  const bool goes_round = along_->knots.periodic();
+  const bool is_smooth = along_->knots.periodic();
   for (const double knot : along_->knots.knots()) {
-    const bool is_end = !goes_round && (knot == known.start || knot == known.end);
-    found.push_back({knot, is_end ? kKink : 1});
+    const bool is_end = !is_smooth && (knot == known.start || knot == known.end);
+    const int copies = is_end && !goes_round_ ? kKink : is_end ? kSlopes : std::min(kSlopes, multiplicity(along_->knots, knot));
+    found.push_back({knot, copies});
   }
   return found;
 }
@@ -115,8 +165,10 @@ std::vector<glm::dvec4> RailSections::at(std::span<const double> parameters) con
   }
   std::vector<double> inside(parameters.begin(), parameters.end());
   const Interval known = along_->knots.domain();
-  if (!along_->knots.periodic()) {
-    for (double& v : inside) v = std::clamp(v, known.start, known.end);
+  for (double& v : inside) {
+    if (along_->knots.periodic()) break;
+    if (goes_round_ && v < known.start) v += known.length();
+    v = std::clamp(v, known.start, known.end);
   }
   const Samples samples = Samples::make(along_->knots, inside, 0, Side::left);
   const auto count = static_cast<std::size_t>(along_->knots.count());

@@ -38,6 +38,7 @@ class RailSections {
   std::optional<RowSpline> along_;  ///< where there are several
   std::vector<std::optional<double>> level_weights_;  ///< of several: those that all sections have in common
   bool are_positive_ = false;                         ///< all weights of several
+  bool goes_round_ = false;
 };
 
 }  // namespace splinecore
