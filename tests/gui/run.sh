@@ -17,7 +17,8 @@ export SPLINEWRIGHT_OUTPUT=$(realpath "$output")
 # Starts an X server on a display that nobody has, with its picture in FOLDER, and leaves its number and process.
 start_display() {
   mkdir "$1/frames"
-  Xvfb -displayfd 4 -screen 0 1280x800x24 -fbdir "$1/frames" -nolisten tcp 4>"$1/display" >/dev/null 2>&1 &
+  # Without the lock of a caller, which it would keep if that is killed.
+  Xvfb -displayfd 4 -screen 0 1280x800x24 -fbdir "$1/frames" -nolisten tcp 4>"$1/display" >/dev/null 2>&1 8>&- &
   server=$!
   local tries
   for tries in {1..600}; do
