@@ -224,3 +224,24 @@ def test_closed_sides_are_matched_wherever_their_seams_are(start):
     ends = made.evaluate(np.linspace(*made.domain[0], 33), np.full(33, made.domain[1][0]))
     assert radii.min() >= 0.97
     assert np.abs(np.hypot(ends[:, 0], ends[:, 1]) - 1).max() <= 1e-12 and np.abs(ends[:, 2] - 2).max() <= 1e-12
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-10, 1e-8, 1e-7])
+def test_kinks_that_nobody_sees_stop_no_sweep(noise):
+    """A line that goes over into an arc: where the corner's angle times the section is below the tolerance, there is none."""
+    h = math.sqrt(0.5)
+    knots = [0, 0, 0, 1, 1, 2, 2, 2]
+    points = np.array([(-2, 0, 0), (-1, 0, 0), (0, 0, 0), (1, 0, 0), (1, 1, 0)], float)
+    points[3, 1] += noise
+    rail = sc.NurbsCurve(2, knots, points, [1, 1, 1, h, 1])
+    made, error = build.sweep(rail, RING, tolerance=1e-5)
+    assert error <= 1e-5
+    two, _ = build.sweep_two_rails(rail, rail.with_points(points + [0, 0, 1]), line((0, 0, 0), (0.5, 0.2, 0), (1, 0, 0)), tolerance=1e-5)
+    assert np.isfinite(two.points).all()
+
+
+def test_an_edge_that_turns_over_is_no_edge_of_one_fillet():
+    ground = build.plane((0, 0, 0), (3, 0, 0), (0, -2, 0))
+    wall = build.ruled(line((0, 0, 0), (3, 0, 0)), line((0, 2, 1.0), (3, 2, -1.0)))
+    with pytest.raises(sc.InvalidShape, match="from an inner one to an outer one"):
+        build.fillet_patches(ground, "v_start", wall, "v_start", 0.1)

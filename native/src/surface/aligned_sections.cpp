@@ -6,8 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "base/length.hpp"
-#include "fitted_together.hpp"
+#include "kink.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
@@ -97,29 +96,12 @@ class Beginnings {
   const NurbsCurve& curve_;
 };
 
-/// Whether the way turns at a place by more than one sees or imports lose.
-bool is_sharp(const NurbsCurve& curve, double u) {
-  constexpr double kSeen = 0.02;
-  const Interval domain = curve.domain();
-  const double before = curve.periodic() && u == domain.start ? domain.end : u;
-  const double behind = curve.periodic() && u == domain.end ? domain.start : u;
-  glm::dvec3 left[2];
-  glm::dvec3 right[2];
-  derivatives(curve, {&before, 1}, 1, {&left[0].x, 6}, {.side = Side::left});
-  derivatives(curve, {&behind, 1}, 1, {&right[0].x, 6}, {.side = Side::right});
-  const double sizes = length_of(left[1]) * length_of(right[1]);
-  return !(length_of(glm::cross(left[1], right[1])) <= kSeen * sizes && glm::dot(left[1], right[1]) > 0.0);
-}
-
-std::vector<double> sharp_corners(const NurbsCurve& curve) {
-  std::vector<double> corners = corners_of({&curve, 1});
-  std::erase_if(corners, [&](double u) { return !is_sharp(curve, u); });
-  return corners;
-}
+/// An angle that one sees, and that imports do not make.
+constexpr double kSeen = 0.02;
 
 bool begins_at_corner(const NurbsCurve& curve) {
   const Interval domain = curve.domain();
-  return std::ranges::any_of(sharp_corners(curve), [&](double u) { return u == domain.start || u == domain.end; });
+  return std::ranges::any_of(corners_above(curve, kSeen), [&](double u) { return u == domain.start || u == domain.end; });
 }
 
 struct Beginning {
@@ -138,7 +120,7 @@ Beginning nearest_of(const std::vector<double>& places, const Beginnings& nearne
 
 /// Where a periodic curve best begins. @param size  what nearness is relative to
 Beginning beginning_of(const NurbsCurve& curve, const Beginnings& nearness, bool from_corner, double size) {
-  const std::vector<double> corners = sharp_corners(curve);
+  const std::vector<double> corners = corners_above(curve, kSeen);
   if (from_corner && !corners.empty()) return nearest_of(corners, nearness);
   const double best = nearness.best();
   const Beginning found{best, nearness.at(best)};

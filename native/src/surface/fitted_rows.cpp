@@ -138,10 +138,11 @@ class RowStretch {
       FittedRows made = through();
       measure(made);
       const auto is_missed = [&](const RowStep& step) { return !(step.error <= accepted); };
-      if (std::ranges::none_of(steps_, is_missed)) return made;
+      if (std::ranges::none_of(steps_, is_missed)) return said(std::move(made));
       const bool is_short = std::ranges::any_of(steps_, [&](const RowStep& step) {
         return is_missed(step) && step.end() - step.start() <= kShortest * interval_.length();
       });
+      if ((steps_.size() > kMostRows || is_short) && made.error <= tolerance) return made;
       if (steps_.size() > kMostRows || is_short) {
         throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made.knots.count()) + " rows of control points",
                                   tolerance, made.error);
@@ -151,6 +152,12 @@ class RowStretch {
   }
 
  private:
+  /// With an error that what lies between places does not pass either.
+  static FittedRows said(FittedRows made) {
+    made.error /= kAccepted;
+    return made;
+  }
+
   /// Asks for the wanted rows of all pieces that have none.
   void ask() {
     std::vector<double> at;

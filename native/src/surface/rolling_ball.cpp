@@ -76,15 +76,28 @@ glm::dvec2 inside(const NurbsPatch& patch, glm::dvec2 at) {
 RollingBall::RollingBall(const NurbsPatch& first, const NurbsPatch& second, const NumbersAlong& radii)
     : first_(widened(first, kBeyond * radii.largest())), second_(widened(second, kBeyond * radii.largest())), radii_(radii) {
   constexpr double kFlat = 1e-6;
-  const TouchedPlace a = touched(first_, {0.5, first_.knot_vector(Axis::v).domain().start});
-  const TouchedPlace b = touched(second_, {0.5, second_.knot_vector(Axis::v).domain().start});
-  const double toward_b = glm::dot(a.normal, inwards(b));
-  const double toward_a = glm::dot(b.normal, inwards(a));
-  if (!(std::abs(toward_b) > kFlat && std::abs(toward_a) > kFlat)) {
+  constexpr int kSteps = 16;
+  double seen_at = 0.0;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double u = static_cast<double>(k) / kSteps;
+    const TouchedPlace a = touched(first_, {u, first_.knot_vector(Axis::v).domain().start});
+    const TouchedPlace b = touched(second_, {u, second_.knot_vector(Axis::v).domain().start});
+    const double toward_b = glm::dot(a.normal, inwards(b));
+    const double toward_a = glm::dot(b.normal, inwards(a));
+    if (!(std::abs(toward_b) > kFlat && std::abs(toward_a) > kFlat)) continue;
+    const double side = toward_b > 0.0 ? 1.0 : -1.0;
+    if (side_of_first_ == 0.0) seen_at = u;
+    if (side_of_first_ == -side) {
+      throw InvalidShape("the edge turns from an inner one to an outer one between " + text_of(seen_at) + " and " + text_of(u) +
+                         " of it: no ball rolls along it on one side");
+    }
+    seen_at = u;
+    side_of_first_ = side;
+    side_of_second_ = toward_a > 0.0 ? 1.0 : -1.0;
+  }
+  if (side_of_first_ == 0.0) {
     throw InvalidShape("the patches have one tangent plane along their edge: there is nothing to round");
   }
-  side_of_first_ = toward_b > 0.0 ? 1.0 : -1.0;
-  side_of_second_ = toward_a > 0.0 ? 1.0 : -1.0;
 }
 
 /// As if both were planes.

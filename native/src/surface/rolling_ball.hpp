@@ -36,8 +36,8 @@ class RollingBall {
   NurbsPatch first_;
   NurbsPatch second_;
   const NumbersAlong& radii_;
-  double side_of_first_ = 1.0;   ///< of its normals
-  double side_of_second_ = 1.0;
+  double side_of_first_ = 0.0;   ///< of its normals
+  double side_of_second_ = 0.0;
 };
 
 }  // namespace splinecore

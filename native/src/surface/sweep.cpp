@@ -13,7 +13,7 @@
 #include "base/quotient.hpp"
 #include "build/fit_options.hpp"
 #include "fitted_rows.hpp"
-#include "fitted_together.hpp"
+#include "kink.hpp"
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
 #include "numbers_along.hpp"
@@ -42,8 +42,22 @@ void require_options(const SweepOptions& options) {
   }
 }
 
+/// Angles at which a kink moves no point of a section by what is seen of a tolerance.
+double negligible_angle(std::span<const RailSection> sections, const SweepOptions& options, double tolerance) {
+  constexpr double kShare = 0.1;
+  double reach = 0.0;
+  for (const RailSection& section : sections) {
+    for (const glm::dvec4& p : section.curve.points()) reach = std::max(reach, length_of(glm::dvec3(p)));
+  }
+  reach *= std::max(1.0, options.end_scale);
+  double scale = options.scales.empty() ? 1.0 : 0.0;
+  for (const RailNumber& one : options.scales) scale = std::max(scale, one.value);
+  return reach * scale > 0.0 ? kShare * tolerance / (reach * scale) : 0.0;
+}
+
 /// A rail that closes smoothly as a periodic one, one with corners from one of them on.
-NurbsCurve prepared(const NurbsCurve& rail) {
+/// @param negligible  angles of corners that are none
+NurbsCurve prepared(const NurbsCurve& rail, double negligible) {
   if (!rail.periodic() && !is_closed(rail)) return clamped(rail);
   NurbsCurve round = rail;
   if (!rail.periodic()) {
@@ -53,7 +67,7 @@ NurbsCurve prepared(const NurbsCurve& rail) {
       return clamped(rail);
     }
   }
-  const std::vector<double> corners = corners_of({&round, 1});
+  const std::vector<double> corners = corners_above(round, negligible);
   return corners.empty() ? round : clamped(with_seam_at(round, corners.front()));
 }
 
@@ -101,9 +115,10 @@ NumbersAlong scales_of(const SweepOptions& options, const NurbsCurve& rail) {
 /// What sections are on their way along a rail, whose corners are mitred.
 class Sweeping {
  public:
-  Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options)
+  /// @param negligible  angles of corners that are none
+  Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options, double negligible)
       : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), places_(rail, options),
-        corners_(corners_of({&rail, 1})), begins_in_corner_(begins_in_corner()) {}
+        corners_(corners_above(rail, negligible)), begins_in_corner_(begins_in_corner()) {}
 
   bool is_level() const {
     return sections_.is_one() && options_.end_scale == 1.0 && options_.twist == 0.0 && scales_.is_one();
@@ -221,7 +236,7 @@ class Sweeping {
 
   /// Between two tangents at a corner.
   glm::dvec3 half_plane(const glm::dvec3& tangent, double at, Side other) {
-    constexpr double kTurnsBack = 1e-3;
+    constexpr double kTurnsBack = 0.2;  // of two unit tangents: a mitre reaches out by 10 times the section
     const Interval whole = rail_.domain();
     if (other == Side::left && at == whole.start) at = whole.end;
     if (other == Side::right && at == whole.end) at = whole.start;
@@ -289,7 +304,9 @@ std::vector<Placed> placed_on(const NurbsCurve& rail, std::span<const Placed> gi
 Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> given, const SweepOptions& wanted) {
   require_options(wanted);
   const NearSpace space(rail.points());
-  const NurbsCurve whole = prepared(rail);
+  const double tolerance = wanted.tolerance.value_or(space.length(0x1p-20));
+  const double negligible = negligible_angle(given, wanted, tolerance);
+  const NurbsCurve whole = prepared(rail, negligible);
   const NurbsCurve near = whole.with_points(space.enter(whole.points()));
   const bool begins_elsewhere = near.domain().start != rail.domain().start;
   SweepOptions options = wanted;
@@ -298,14 +315,14 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
       begins_elsewhere ? placed_on(near, given, rail.domain().start) : std::vector<RailSection>(given.begin(), given.end());
   const RailSections along(sections, near, space.length(1.0));
   const auto left = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
-  Sweeping sweeping(near, along, options);
+  Sweeping sweeping(near, along, options, negligible);
   if (sweeping.is_level() && (options.frame == RailFrame::parallel || is_straight(near))) {
     return {left(sum_of(near, along, sweeping.first_frame(), sweeping.scale())), 0.0};
   }
   if (options.frame == RailFrame::parallel) {
     throw InvalidShape("parallel sections keep their size and turn: one section, without scale and twist");
   }
-  const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
+  const double within = tolerance / space.length(1.0);
   const auto rows_at = [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); };
   const FittedRows rows = said_outside(space, [&] { return fitted_rows(rows_at, sweeping.domain(), within); });
   along.require_weights(rows);

@@ -9,6 +9,7 @@
 #include "build/fit_options.hpp"
 #include "fitted_rows.hpp"
 #include "fitted_together.hpp"
+#include "kink.hpp"
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
 #include "rail_frames.hpp"
@@ -133,11 +134,14 @@ Rails prepared(const NurbsCurve& first, const NurbsCurve& second, const NearSpac
   return {a.with_points(space.enter(a.points())), b.with_points(space.enter(b.points()))};
 }
 
-std::vector<double> breaks_of(const Rails& rails, bool has_up) {
+/// @param negligible  angles of corners that are none
+std::vector<double> breaks_of(const Rails& rails, bool has_up, double negligible) {
   const NurbsCurve both[] = {rails.first, rails.second};
   const Interval domain = rails.first.domain();
   std::vector<double> breaks{domain.start};
-  for (const double corner : corners_of(both)) {
+  std::vector<double> corners = corners_of(both);
+  std::erase_if(corners, [&](double u) { return std::max(kink_angle(rails.first, u), kink_angle(rails.second, u)) <= negligible; });
+  for (const double corner : corners) {
     const bool is_end = corner == domain.start || corner == domain.end;
     if (!has_up && (!is_end || rails.first.periodic())) {
       throw InvalidShape("a rail has a corner at " + text_of(corner) + ": round it first, or give an upright direction");
@@ -175,9 +179,10 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
     }
     return rows;
   };
-  const std::vector<double> breaks = breaks_of(rails, options.up.has_value());
-  const bool goes_round = rails.first.periodic() && breaks.size() == 2;
+  constexpr double kShare = 0.1;
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
+  const std::vector<double> breaks = breaks_of(rails, options.up.has_value(), kShare * within);
+  const bool goes_round = rails.first.periodic() && breaks.size() == 2;
   RowDomain domain{breaks, joints_at(rails.first.knot_vector()), goes_round ? Closing::closed : Closing::open};
   std::ranges::copy(joints_at(rails.second.knot_vector()), std::back_inserter(domain.joints));
   std::ranges::copy(along.joints(), std::back_inserter(domain.joints));

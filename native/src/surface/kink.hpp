@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// How far a curve's way turns at a parameter; of a periodic one also at its seam.
+double kink_angle(const NurbsCurve& curve, double u);
+
+/// Corners of a curve at which it turns by more than an angle.
+std::vector<double> corners_above(const NurbsCurve& curve, double angle);
+
+}  // namespace splinecore
+#pragma GCC visibility pop
