@@ -59,7 +59,7 @@ def test_sections_go_round_a_closed_rail(count):
     made, error = build.sweep(big, [scaled(RING, 1 + i % 2) for i in range(count)], tolerance=1e-5)
     points = dense(made)
     assert np.abs(points[:, 0] - points[:, -1]).max() <= 1e-9 and error <= 1e-5
-    assert sc.seam_continuity(made, "v_end", made, "v_start").angle <= 1e-3 if not made.periodic[1] else True
+    assert made.periodic[1]
     with pytest.raises(sc.InvalidShape, match="one section too many"):
         build.sweep(big, [RING] * 3, at=[0.0, 1.0, big.domain[1]])
 
@@ -168,7 +168,7 @@ def test_curvatures_go_on_from_rows_of_any_spacing(last):
         x = dense(patch)[..., 0]
         assert x.min() >= 4 - 1e-9 and x.max() <= end + 1e-9
     assert sc.seam_continuity(onto, "u_end", moved, "u_start").g >= 2
-    assert (np.diff(dense(blended)[:, 0, 0]) >= -1e-9).all() or (np.diff(dense(blended)[0, :, 0]) >= -1e-9).all()
+    assert (np.diff(dense(blended)[..., 0], axis=1) >= -1e-9).all()
 
 
 @pytest.mark.parametrize("sizes, places", [((1, 1, 3, 1, 1), (0, 0.2, 0.25, 0.3, 1)), ((1, 1.1, 1), (0, 1e-6, 1)), ((1, 2, 1, 2), (0, 0.4, 0.45, 1))])

@@ -113,22 +113,23 @@ Apex apex_of(const Hole& hole) {
   for (const HoleSide& side : hole.sides) sides.push_back(places_along(side, kPlaces));
   const std::optional<HolePlane> plane = plane_of(sides);
   if (!plane) throw InvalidShape("the hole is round, but lies over no plane");
-  std::vector<Expectation> all;
-  for (const auto& places : sides) {
-    const std::vector<double> lengths = lengths_at(places);
-    for (std::size_t k = 0; k < places.size(); ++k) all.push_back(expectation_at(places[k], lengths[k], *plane));
+  std::vector<HolePlace> places;
+  std::vector<double> lengths;
+  for (const auto& side : sides) {
+    const std::vector<double> of_side = lengths_at(side);
+    places.insert(places.end(), side.begin(), side.end());
+    lengths.insert(lengths.end(), of_side.begin(), of_side.end());
   }
+  std::vector<Expectation> all;
+  for (std::size_t k = 0; k < places.size(); ++k) all.push_back(expectation_at(places[k], lengths[k], *plane));
   require_seen(all, *plane);
   const Eigen::Vector3d found = solved(all, *plane);
   Apex apex{plane->origin + found[0] * plane->normal, plane->normal, found[1] * plane->x + found[2] * plane->y};
   double sum = 0.0;
   double length = 0.0;
-  for (const auto& places : sides) {
-    const std::vector<double> lengths = lengths_at(places);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      sum += lengths[k] * arriving_stretch(places[k], apex);
-      length += lengths[k];
-    }
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    sum += lengths[k] * arriving_stretch(places[k], apex);
+    length += lengths[k];
   }
   apex.speed = sum / length;
   return apex;
