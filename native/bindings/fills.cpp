@@ -75,10 +75,12 @@ void bind_fills(py::module_& module) {
             "degree 3 to 7. Otherwise, and where that does not do, patches are of degree 5, or 7 for 'G2', with at most eight spans,\n"
             "by least third derivatives (Sarraga 1987, Greiner 1994) of what lies between them and what neighbours let expect;\n"
             "other numbers of sides are split from the middle of each to a point. Where all sides go on into each other without a\n"
-            "corner, patches run from each, as it is, to a point in which all end.\n\n"
+            "corner, patches run from each, as it is, to a point in which all end; where some do, from neighbours, they are one side\n"
+            "of the hole.\n\n"
             "Where neighbours do not share their tangent plane at a corner, nothing can go on from both.\n"
-            "InvalidShape unless there are 3 to 8 sides that go round, or if one with a neighbour turns back over it, or only some\n"
-            "sides run on into the next ones without a corner, or a round hole is not seen whole from its middle;\n"
+            "InvalidShape unless there are 3 to 8 sides that go round, or if one with a neighbour turns back over it, or runs on\n"
+            "without a corner into one from no neighbour, or one or two corners are left, or a round hole is not seen whole from its\n"
+            "middle;\n"
             "ToleranceNotReached says how far ends of sides lie apart, or how far the filling is from its sides.");
 }
 

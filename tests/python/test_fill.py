@@ -143,20 +143,6 @@ def test_random_neighbours_are_followed_or_refused(inputs):
     assert followed >= 0.9 * wanted
 
 
-def halved(side):
-    patch, border, word = side
-    assert border == "v_start"
-    return [(part, border, word) for part in patch.split("u", float(np.mean(patch.domain[0])))]
-
-
-def test_sides_that_go_on_into_each_other_are_no_corner():
-    around = polygon_hole(4, "G1", 0.3, 1.0)
-    with pytest.raises(sc.InvalidShape, match=r"sides\[0\] and sides\[1\] go on into each other"):
-        build.fill(halved(around[0]) + around[1:])
-    curves = [patch.boundary(side) for patch, side, _ in halved(around[0]) + around[1:]]
-    assert build.fill(curves, tolerance=1e-4).gap <= 1e-4
-
-
 SQUARE = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], float)
 OUTWARDS = np.array([(0, -1, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0)], float)
 

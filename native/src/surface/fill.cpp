@@ -154,12 +154,13 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   std::vector<NurbsCurve> curves;
   for (const FillSide& side : sides) curves.push_back(curve_of(side));
   const BorderLoop loop = border_loop(curves, limits.gap);
-  Hole hole{{}, sides.size() == 4 ? 1.0 : 0.5};
+  std::vector<SidePiece> pieces;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const auto* neighbour = std::get_if<LoftNeighbour>(&sides[i]);
     const bool goes_on = neighbour && neighbour->continuity > 0;
-    hole.sides.emplace_back(loop.curves[i], goes_on ? std::optional(*neighbour) : std::nullopt);
+    pieces.emplace_back(loop.curves[i], goes_on ? std::optional(*neighbour) : std::nullopt);
   }
+  Hole hole = hole_of(pieces);
   Filling filling = filled(hole, limits);
   if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);
   filling.gap += loop.error;

@@ -1,5 +1,6 @@
 #include "hole.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <string>
@@ -12,12 +13,44 @@ namespace splinecore {
 
 namespace {
 
+/// Within a degree or so, at which patches with a corner there would fold.
+bool is_straight_on(const glm::dvec3& here, const glm::dvec3& there) {
+  constexpr double kStraight = 0.02;
+  return length_of(glm::cross(here, there)) <= kStraight * length_of(here) * length_of(there) && glm::dot(here, there) > 0.0;
+}
+
+/// For each piece whether it is of one side with the next one.
+std::vector<bool> joined_to_next(const std::vector<SidePiece>& pieces) {
+  std::vector<bool> found;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const SidePiece& next = pieces[(i + 1) % pieces.size()];
+    const bool go_on = pieces[i].continuity() > 0 && next.continuity() > 0;
+    found.push_back(go_on && is_straight_on(pieces[i].place(1.0).along, next.place(0.0).along));
+  }
+  constexpr int kLeastCorners = 3;
+  if (std::ranges::count(found, false) < kLeastCorners) found.assign(pieces.size(), false);
+  return found;
+}
+
+void add(std::vector<SidePiece>& side, const SidePiece& piece) {
+  std::optional<SidePiece> both = side.empty() ? std::nullopt : SidePiece::of_one_patch(side.back(), piece);
+  if (both) {
+    side.back() = std::move(*both);
+  } else {
+    side.push_back(piece);
+  }
+}
+
 /// A patch has no tangent plane in a corner whose sides go on into each other.
 void require_corner(const Hole& hole, std::size_t i) {
   if (!goes_on_at_end(hole, i)) return;
-  throw InvalidShape("sides" + index_text(i) + " and sides" + index_text(hole.after(i)) +
-                     " go on into each other without a corner, and others do not: from neighbours no surface can go on there. Make "
-                     "them one side, or let both go on with G0");
+  const HoleSide& side = hole.sides[i];
+  const HoleSide& next = hole.sides[hole.after(i)];
+  const bool are_alike = side.continuity() > 0 && next.continuity() > 0;
+  throw InvalidShape("sides" + index_text(side.numbers().last) + " and sides" + index_text(next.numbers().first) +
+                     " go on into each other without a corner" +
+                     (are_alike ? ", and fewer than three corners are left: make one of them a corner, or let all sides end with G0"
+                                : ", one from a neighbour and one not: let both go on from neighbours, or both end with G0"));
 }
 
 /// Each side leaves along the next one at its corners.
@@ -74,15 +107,35 @@ void require_onward(const Hole& hole) {
   }
 }
 
+Hole hole_of(const std::vector<SidePiece>& pieces) {
+  const std::vector<bool> is_joined = joined_to_next(pieces);
+  const std::size_t count = pieces.size();
+  Hole hole{{}, 0.5};
+  const std::size_t first = static_cast<std::size_t>(std::ranges::find(is_joined, false) - is_joined.begin() + 1) % count;
+  std::vector<SidePiece> side;
+  std::size_t length = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (first + k) % count;
+    add(side, pieces[i]);
+    ++length;
+    if (is_joined[i]) continue;
+    hole.sides.emplace_back(side, SideNumbers{(i + count + 1 - length) % count, i});
+    side.clear();
+    length = 0;
+  }
+  const auto has_first = [&](const HoleSide& one) { return one.numbers().first == 0 || one.numbers().first > one.numbers().last; };
+  std::ranges::rotate(hole.sides, std::ranges::find_if(hole.sides, has_first));
+  if (hole.sides.size() == 4) hole.share = 1.0;
+  return hole;
+}
+
 bool goes_on_at_end(const Hole& hole, std::size_t i) {
-  constexpr double kStraight = 0.02;
-  const glm::dvec3 here = hole.sides[i].place(1.0).along;
-  const glm::dvec3 there = hole.sides[hole.after(i)].place(0.0).along;
-  return length_of(glm::cross(here, there)) <= kStraight * length_of(here) * length_of(there) && glm::dot(here, there) > 0.0;
+  return is_straight_on(hole.sides[i].place(1.0).along, hole.sides[hole.after(i)].place(0.0).along);
 }
 
 void agree_at_corners(Hole& hole) {
   set_ends(hole);
+  for (HoleSide& side : hole.sides) side.agree_at_joints();
   const auto at_corners = [&](const auto& agree) {
     for (std::size_t i = 0; i < hole.sides.size(); ++i) {
       HoleSide& side = hole.sides[i];

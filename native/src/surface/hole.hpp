@@ -9,7 +9,7 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// A hole, whose sides know how to leave them.
+/// A hole; its sides know how to leave them.
 struct Hole {
   std::vector<HoleSide> sides;
   double share;  ///< of each side beside a corner, in the patch that has this corner
@@ -24,6 +24,10 @@ struct Hole {
   std::size_t before(std::size_t i) const { return (i + sides.size() - 1) % sides.size(); }
   std::size_t after(std::size_t i) const { return (i + 1) % sides.size(); }
 };
+
+/// Of pieces that go round it. Those that go on into each other without a corner, from neighbours, are one side; but where none
+/// or fewer than three sides would be left, each is one.
+Hole hole_of(const std::vector<SidePiece>& pieces);
 
 /// Whether a side goes on into the next one without a corner: within a degree or so, at which patches with one would fold.
 bool goes_on_at_end(const Hole& hole, std::size_t i);

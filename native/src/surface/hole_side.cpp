@@ -1,199 +1,194 @@
 #include "hole_side.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "base/length.hpp"
 #include "end_scale.hpp"
-#include "patch/lines.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/basis/knot_vector.hpp"
+#include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/ends.hpp"
-#include "splinecore/curve/evaluate.hpp"
-#include "splinecore/patch/ends.hpp"
-#include "splinecore/patch/evaluate.hpp"
+#include "splinecore/curve/join.hpp"
+#include "turned_alike.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// With the side v_end, u along it as the curve runs, over [0, 1].
-NurbsPatch turned_to(const LoftNeighbour& neighbour, const NurbsCurve& curve) {
-  NurbsPatch patch = axis_of(neighbour.side) == Axis::u ? swapped(neighbour.patch) : neighbour.patch;
-  if (!is_at_end(neighbour.side)) patch = reversed(patch, Axis::v);
-  patch = with_domain(clamped(clamped(patch, Axis::u), Axis::v), Axis::u, {0.0, 1.0});
-  const NurbsCurve side = boundary(patch, Border::v_end);
-  const glm::dvec3 start(curve.points().front());
-  const bool is_backwards =
-      distance_of(start, glm::dvec3(side.points().back())) < distance_of(start, glm::dvec3(side.points().front()));
-  return is_backwards ? reversed(patch, Axis::u) : patch;
-}
-
-/// x, y for which x a + y b is nearest to a vector.
-std::pair<double, double> parts_of(const glm::dvec3& vector, const glm::dvec3& a, const glm::dvec3& b) {
-  constexpr double kParallel = 1e-6;
-  const glm::dvec3 normal = glm::cross(a, b);
-  const double square = glm::dot(normal, normal);
-  if (!(square > kParallel * kParallel * glm::dot(a, a) * glm::dot(b, b))) {
-    throw InvalidShape("a neighbour stands still across its side at a corner: nothing goes on from there");
+/// Each as long as lets speeds along them agree where they meet.
+std::vector<PlacedPiece> placed(std::vector<SidePiece> pieces) {
+  std::vector<double> ends{1.0};
+  for (std::size_t k = 1; k < pieces.size(); ++k) {
+    const double before = ends.size() > 1 ? ends[k - 1] - ends[k - 2] : ends[0];
+    const double pace = length_of(pieces[k].place(0.0).along) / length_of(pieces[k - 1].place(1.0).along);
+    ends.push_back(ends.back() + before * pace);
   }
-  return {glm::dot(glm::cross(vector, b), normal) / square, glm::dot(glm::cross(a, vector), normal) / square};
+  std::vector<PlacedPiece> found;
+  double from = 0.0;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const double end = k + 1 == pieces.size() ? 1.0 : ends[k] / ends.back();
+    if (!(end > from)) throw InvalidShape("a side of the hole is next to nothing beside one that it goes on into");
+    found.push_back({std::move(pieces[k]), from, end - from});
+    from = end;
+  }
+  return found;
 }
 
-/// A function's derivatives of orders 0 to 2.
-template <class Value>
-using ThreeOrders = std::array<Value, 3>;
-
-template <class Value>
-ThreeOrders<Value> product(const ThreeOrders<double>& a, const ThreeOrders<Value>& b) {
-  return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2.0 * a[1] * b[1] + a[0] * b[2]};
+/// At its joints at most continuously differentiable, as what leaves it is.
+NurbsCurve whole_curve(const std::vector<PlacedPiece>& pieces) {
+  const auto curve_of = [](const PlacedPiece& one) { return with_domain(one.piece.curve(), {one.from, one.end()}); };
+  NurbsCurve whole = curve_of(pieces.front());
+  if (pieces.size() == 1) return whole;
+  for (std::size_t k = 1; k < pieces.size(); ++k) whole = joined(whole, curve_of(pieces[k]), Smoothness::c0).value;
+  whole = elevated(with_domain(whole, {0.0, 1.0}), std::max(0, 2 - whole.degree()));
+  for (std::size_t k = 1; k < pieces.size(); ++k) {
+    const int missing = whole.degree() - 1 - multiplicity(whole.knot_vector(), pieces[k].from);
+    if (missing > 0) whole = insert_knot(whole, pieces[k].from, missing);
+  }
+  return whole;
 }
 
-ThreeOrders<glm::dvec3> sum(const ThreeOrders<glm::dvec3>& a, const ThreeOrders<glm::dvec3>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+std::vector<HolePlace> places_of(const PlacedPiece& one, std::span<const double> inside) {
+  std::vector<HolePlace> places = one.piece.places(inside);
+  for (HolePlace& place : places) {
+    place.along /= one.length;
+    place.along_2 /= one.length * one.length;
+    place.out_along /= one.length;
+  }
+  return places;
 }
 
-/// 0 at both ends, with the derivative 1 at 0 and 0 at 1.
-double slope_function(double s) { return s * (1.0 - s) * (1.0 - s); }
+/// How a filling leaves a place: D and D2.
+struct Leaving {
+  glm::dvec3 first;
+  glm::dvec3 second;
+};
 
-/// The same of the second derivative, first derivatives being 0.
-double second_function(double s) { return 0.5 * s * s * (1.0 - s) * (1.0 - s) * (1.0 - s); }
+/// D2 across a plane, as far as D decides it.
+glm::dvec3 rising(SidePiece& piece, bool is_end, const glm::dvec3& across) {
+  piece.set_end(is_end, across, glm::dvec3(0.0));
+  const auto [c, d] = piece.second_parts(is_end);
+  const std::array<glm::dvec3, 2> directions = piece.directions(is_end);
+  return -c * directions[0] - d * directions[1];
+}
 
+/// Along the line between neighbours: both turn alike along that.
+Leaving leaving_between(SidePiece& before, SidePiece& behind, double length) {
+  const glm::dvec3 a = before.directions(true)[0];
+  const glm::dvec3 b = behind.directions(false)[0];
+  const glm::dvec3 across = length * glm::normalize(glm::normalize(a) + glm::normalize(b));
+  return {across, 0.5 * (rising(before, true, across) + rising(behind, false, across))};
+}
 }  // namespace
 
-double HoleSide::Factor::at(double s) const {
-  const double t = 1.0 - s;
-  return t * values[0] + s * values[1] + slopes[0] * slope_function(s) - slopes[1] * slope_function(t) +
-         seconds[0] * second_function(s) + seconds[1] * second_function(t);
-}
+HoleSide::HoleSide(std::vector<SidePiece> pieces, SideNumbers numbers)
+    : pieces_(placed(std::move(pieces))), numbers_(numbers), curve_(whole_curve(pieces_)) {}
 
-std::array<double, 3> HoleSide::Factor::derivatives(bool is_end) const {
-  const double of_slopes = is_end ? 2.0 * slopes[0] + 4.0 * slopes[1] : -4.0 * slopes[0] - 2.0 * slopes[1];
-  return {values[is_end], values[1] - values[0] + slopes[is_end], of_slopes + seconds[is_end]};
-}
-
-HoleSide::HoleSide(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour)
-    : curve_(with_domain(curve, {0.0, 1.0})), neighbour_(neighbour) {
-  if (!neighbour_) return;
-  neighbour_->patch = turned_to(*neighbour, curve_);
-  const NurbsCurve side = boundary(neighbour_->patch, Border::v_end);
-  moved_ = {glm::dvec3(curve_.points().front()) - glm::dvec3(side.points().front()),
-            glm::dvec3(curve_.points().back()) - glm::dvec3(side.points().back())};
-  curve_ = side;
+int HoleSide::continuity() const {
+  int most = 0;
+  for (const PlacedPiece& one : pieces_) most = std::max(most, one.piece.continuity());
+  return most;
 }
 
 int HoleSide::least_degree() const { return curve_.degree() + (EndScale::of(curve_).is_level() ? 0 : 1); }
 
-NurbsCurve HoleSide::curve() const {
-  std::vector<glm::dvec4> points(curve_.points().begin(), curve_.points().end());
-  points.front() += glm::dvec4(moved_[0], 0.0);
-  points.back() += glm::dvec4(moved_[1], 0.0);
-  return curve_.with_points(std::move(points));
+std::vector<double> HoleSide::joints() const {
+  std::vector<double> found;
+  for (std::size_t k = 1; k < pieces_.size(); ++k) found.push_back(pieces_[k].from);
+  return found;
 }
+
+template <class Value, class Given>
+std::vector<Value> HoleSide::gathered(std::span<const double> s, const Given& given) const {
+  std::vector<Value> found(s.size());
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    const PlacedPiece& one = pieces_[k];
+    std::vector<std::size_t> numbers;
+    std::vector<double> inside;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      const bool is_here = (k == 0 || s[i] >= one.from) && (k + 1 == pieces_.size() || s[i] < one.end());
+      if (!is_here) continue;
+      numbers.push_back(i);
+      inside.push_back((s[i] - one.from) / one.length);
+    }
+    const std::vector<Value> values = given(one, inside);
+    for (std::size_t i = 0; i < numbers.size(); ++i) found[numbers[i]] = values[i];
+  }
+  return found;
+}
+
+std::vector<HolePlace> HoleSide::places(std::span<const double> s) const { return gathered<HolePlace>(s, places_of); }
 
 std::vector<glm::dvec3> HoleSide::points(std::span<const double> s) const {
-  std::vector<glm::dvec3> found(s.size());
-  if (s.empty()) return found;
-  evaluate(curve_, s, std::span(&found.front().x, 3 * found.size()));
-  for (std::size_t i = 0; i < s.size(); ++i) found[i] += (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];
-  return found;
+  return gathered<glm::dvec3>(s, [](const PlacedPiece& one, std::span<const double> inside) { return one.piece.points(inside); });
 }
 
-std::vector<HolePlace> HoleSide::places(std::span<const double> s) const {
-  std::vector<HolePlace> found(s.size());
-  if (!neighbour_) {
-    std::vector<glm::dvec3> values(3 * s.size());
-    derivatives(curve_, s, 2, std::span(&values.front().x, 3 * values.size()));
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      found[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2], glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0)};
-    }
-    return found;
-  }
-  const std::vector<double> end(s.size(), neighbour_->patch.knot_vector(Axis::v).domain().end);
-  std::vector<glm::dvec3> values(9 * s.size());
-  derivatives(neighbour_->patch, s, end, 2, std::span(&values.front().x, 3 * values.size()));
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const glm::dvec3* const d = &values[9 * i];  // by u and v: [k][l]
-    const glm::dvec3 moved = (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];
-    found[i] = {d[0] + moved, d[3] + moved_[1] - moved_[0], d[6], d[1], d[4], d[2]};
-  }
-  return found;
+std::vector<glm::dvec3> HoleSide::across(std::span<const double> s, int order) const {
+  return gathered<glm::dvec3>(
+      s, [&](const PlacedPiece& one, std::span<const double> inside) { return one.piece.across(inside, order); });
 }
 
 void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {
-  const HolePlace here = place(is_end ? 1.0 : 0.0);
-  const auto [a, b] = parts_of(across, here.out, here.along);
-  a_.values[is_end] = a;
-  b_.values[is_end] = b;
-  const glm::dvec3 rest = across_2 - a * a * here.out_2 - 2.0 * a * b * here.out_along - b * b * here.along_2;
-  const auto [c, d] = parts_of(rest, here.out, here.along);
-  c_.values[is_end] = c;
-  d_.values[is_end] = d;
+  piece_at(is_end).piece.set_end(is_end, across, across_2);
+}
+
+void HoleSide::agree_at_joints() {
+  const double ends[] = {0.0, 1.0};
+  const std::vector<glm::dvec3> outer = across(ends, 1);
+  for (std::size_t k = 1; k < pieces_.size(); ++k) {
+    SidePiece& before = pieces_[k - 1].piece;
+    SidePiece& behind = pieces_[k].piece;
+    const double s = pieces_[k].from;
+    const Leaving leaving = leaving_between(before, behind, (1.0 - s) * length_of(outer[0]) + s * length_of(outer[1]));
+    before.set_end(true, leaving.first, leaving.second);
+    behind.set_end(false, leaving.first, leaving.second);
+  }
+  for (std::size_t k = 1; k < pieces_.size(); ++k) turn_alike(pieces_[k - 1].piece, pieces_[k].piece);
 }
 
 void HoleSide::require_onward() const {
-  constexpr int kPlaces = 33;
-  for (int k = 0; k < kPlaces; ++k) {
-    if (a_.at(static_cast<double>(k) / (kPlaces - 1)) > 0.0) continue;
+  for (const PlacedPiece& one : pieces_) {
+    if (one.piece.leaves_onward()) continue;
     throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
   }
 }
 
 AcrossJet HoleSide::jet(bool is_end) const {
-  constexpr int kOrder = 4;
-  constexpr int kWidth = kOrder + 1;
-  const double s = is_end ? 1.0 : 0.0;
-  const double t = neighbour_->patch.knot_vector(Axis::v).domain().end;
-  std::vector<glm::dvec3> values(kWidth * kWidth);
-  derivatives(neighbour_->patch, std::span(&s, 1), std::span(&t, 1), kOrder, std::span(&values.front().x, 3 * values.size()));
-  const auto along = [&](int order, int out) {
-    return ThreeOrders<glm::dvec3>{values[order * kWidth + out], values[(order + 1) * kWidth + out], values[(order + 2) * kWidth + out]};
-  };
-  const ThreeOrders<double> a = a_.derivatives(is_end);
-  const ThreeOrders<double> b = b_.derivatives(is_end);
-  const ThreeOrders<double> ab = product(a, b);
-  const ThreeOrders<double> twice{2.0 * ab[0], 2.0 * ab[1], 2.0 * ab[2]};
-  return {sum(product(a, along(0, 1)), product(b, along(1, 0))),
-          sum(sum(sum(product(product(a, a), along(0, 2)), product(twice, along(1, 1))), product(product(b, b), along(2, 0))),
-              sum(product(c_.derivatives(is_end), along(0, 1)), product(d_.derivatives(is_end), along(1, 0))))};
+  const PlacedPiece& one = piece_at(is_end);
+  AcrossJet jet = one.piece.jet(is_end);
+  double rate = 1.0;
+  for (std::size_t order = 0; order < jet.first.size(); ++order) {
+    jet.first[order] *= rate;
+    jet.second[order] *= rate;
+    rate /= one.length;
+  }
+  return jet;
 }
 
 std::array<glm::dvec3, 2> HoleSide::directions(bool is_end) const {
-  const HolePlace here = place(is_end ? 1.0 : 0.0);
-  return {here.out, here.along};
+  const PlacedPiece& one = piece_at(is_end);
+  const std::array<glm::dvec3, 2> inside = one.piece.directions(is_end);
+  return {inside[0] / one.length, inside[1] / (one.length * one.length)};
 }
 
 void HoleSide::bend_first(bool is_end, double a, double b) {
-  a_.slopes[is_end] += a;
-  b_.slopes[is_end] += b;
+  PlacedPiece& one = piece_at(is_end);
+  one.piece.bend_first(is_end, a, b / one.length);
 }
 
 void HoleSide::bend_second(bool is_end, int order, double c, double d) {
-  (order == 1 ? c_.slopes : c_.seconds)[is_end] += c;
-  (order == 1 ? d_.slopes : d_.seconds)[is_end] += d;
+  PlacedPiece& one = piece_at(is_end);
+  const double rate = order == 1 ? 1.0 : one.length;
+  one.piece.bend_second(is_end, order, c * rate, d * rate / one.length);
 }
 
 std::optional<NurbsPatch> HoleSide::neighbour_part(double from, double to) const {
-  if (!neighbour_) return {};
-  NurbsPatch part = neighbour_->patch;
-  if (to < 1.0) part = split(part, Axis::u, to).first;
-  if (from > 0.0) part = split(part, Axis::u, from).second;
-  return part;
-}
-
-std::vector<glm::dvec3> HoleSide::across(std::span<const double> s, int order) const {
-  const std::vector<HolePlace> here = places(s);
-  std::vector<glm::dvec3> found;
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const double a = a_.at(s[i]);
-    const double b = b_.at(s[i]);
-    const HolePlace& p = here[i];
-    found.push_back(order == 1 ? a * p.out + b * p.along
-                               : a * a * p.out_2 + 2.0 * a * b * p.out_along + b * b * p.along_2 + c_.at(s[i]) * p.out + d_.at(s[i]) * p.along);
-  }
-  return found;
+  const double middle = 0.5 * (from + to);
+  const auto one = std::ranges::find_if(pieces_, [&](const PlacedPiece& piece) { return middle < piece.end(); });
+  const auto inside = [&](double s) { return std::clamp((s - one->from) / one->length, 0.0, 1.0); };
+  return one->piece.neighbour_part(inside(from), inside(to));
 }
 
 }  // namespace splinecore

@@ -1,95 +1,92 @@
 #pragma once
 
-#include <array>
-#include <glm/vec3.hpp>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "splinecore/surface/loft.hpp"
+#include "side_piece.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// A side of a hole at a place, by s from 0 to 1 along it; and the patch beyond it, by t out of that.
-struct HolePlace {
-  glm::dvec3 point;
-  glm::dvec3 along;      ///< derivatives by s
-  glm::dvec3 along_2;
-  glm::dvec3 out;        ///< by t; 0 without a neighbour, as those that follow
-  glm::dvec3 out_along;  ///< by s and t
-  glm::dvec3 out_2;      ///< by t twice
+/// A piece of a side and where along the side it lies.
+struct PlacedPiece {
+  SidePiece piece;
+  double from;
+  double length;
+
+  double end() const { return from + length; }
 };
 
-/// Derivatives by s, of orders 0 to 2, of those across a side.
-struct AcrossJet {
-  std::array<glm::dvec3, 3> first;   ///< of D
-  std::array<glm::dvec3, 3> second;  ///< of D2
+/// Of the first and the last of those given that make a side.
+struct SideNumbers {
+  std::size_t first;
+  std::size_t last;
 };
 
-/// One side of a hole, and how what fills it leaves from there: derivatives across, into the hole, are
-///   D = a N + b T,   D2 = a² N_t + 2 a b N_s + b² T_s + c N + d T
-/// with N and T the neighbour's derivatives out of it and along it: as far as a, b, c, d are functions of s, tangent planes
-/// and curvatures are the neighbour's (Farin 2002, 22; row S21).
+/// One side of a hole, from corner to corner: of several pieces where these go on into each other, each with its neighbour.
+/// Parameters s run from 0 to 1 along all of it, at one speed where pieces meet. See SidePiece.
 class HoleSide {
  public:
-  /// @param curve  clamped, from the corner where it begins; over any domain
-  HoleSide(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour);
+  /// @param pieces  one after the other; all of several have neighbours
+  HoleSide(std::vector<SidePiece> pieces, SideNumbers numbers);
 
-  /// 0 without a neighbour
-  int continuity() const noexcept { return neighbour_ ? neighbour_->continuity : 0; }
+  SideNumbers numbers() const noexcept { return numbers_; }
 
-  /// Those along it, over [0, 1].
+  /// The highest one of a piece.
+  int continuity() const;
+
+  /// Those along it.
   const KnotVector& knots() const noexcept { return curve_.knot_vector(); }
 
   /// The lowest degree of homogeneous points along it whose weights are 1 at both ends.
   int least_degree() const;
 
-  /// The side with its ends in the corners.
-  NurbsCurve curve() const;
+  const NurbsCurve& curve() const noexcept { return curve_; }
+
+  /// Where pieces meet.
+  std::vector<double> joints() const;
 
   std::vector<HolePlace> places(std::span<const double> s) const;
   std::vector<glm::dvec3> points(std::span<const double> s) const;
   HolePlace place(double s) const { return places(std::span(&s, 1)).front(); }
 
-  /// Sets D and D2 at an end as nearly as the neighbour's plane allows, and lets a, b, c, d be linear.
   void set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2);
 
-  /// @throws InvalidShape where it leaves back over the neighbour, at an end or between
+  /// Lets pieces leave alike where they meet: along the line between their neighbours, as nearly as these have one. For sides
+  /// whose ends are set.
+  void agree_at_joints();
+
+  /// @throws InvalidShape where it leaves back over a neighbour, at an end or between
   void require_onward() const;
 
   AcrossJet jet(bool is_end) const;
 
-  /// N and T at an end.
+  /// N and T by s, over the length of the piece: what bends takes effect along that.
   std::array<glm::dvec3, 2> directions(bool is_end) const;
 
-  /// Adds to the first derivatives of a and b at an end, and so N and T times as much to D'.
+  /// Adds directions() times as much to D' at an end, or to derivatives of order 1 or 2 of D2.
   void bend_first(bool is_end, double a, double b);
-
-  /// Adds to derivatives of order 1 or 2 of c and d, and so N and T times as much to those of D2.
   void bend_second(bool is_end, int order, double c, double d);
 
-  /// The part of the neighbour along a part of the side, which is v_end of it; none without one.
+
+  /// The part of the neighbour along a part of one piece.
   std::optional<NurbsPatch> neighbour_part(double from, double to) const;
 
-  /// D or D2 at places.
   std::vector<glm::dvec3> across(std::span<const double> s, int order) const;
 
  private:
-  /// A function of s: a line by its values at both ends, and what is added to its derivatives there: to the first ones by cubics.
-  struct Factor {
-    std::array<double, 2> values{};
-    std::array<double, 2> slopes{};   ///< added
-    std::array<double, 2> seconds{};
+  const PlacedPiece& piece_at(bool is_end) const { return is_end ? pieces_.back() : pieces_.front(); }
+  PlacedPiece& piece_at(bool is_end) { return is_end ? pieces_.back() : pieces_.front(); }
 
-    double at(double s) const;
-    std::array<double, 3> derivatives(bool is_end) const;
-  };
+  /// What each piece gives for its places among these.
+  template <class Value, class Given>
+  std::vector<Value> gathered(std::span<const double> s, const Given& given) const;
 
-  NurbsCurve curve_;                        ///< with a neighbour its side
-  std::optional<LoftNeighbour> neighbour_;  ///< along its side over [0, 1], as the curve runs
-  std::array<glm::dvec3, 2> moved_{};       ///< the curve's ends by what they lie off those of the neighbour's side
-  Factor a_, b_, c_, d_;
+  std::vector<PlacedPiece> pieces_;
+  SideNumbers numbers_;
+  NurbsCurve curve_;
 };
 
 }  // namespace splinecore

@@ -12,8 +12,8 @@
 #include "fit/row_spline.hpp"
 #include "greville.hpp"
 #include "homogeneous_places.hpp"
-#include "least_parts.hpp"
 #include "raised_knots.hpp"
+#include "turned_alike.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -166,21 +166,6 @@ NurbsPatch patch_beside(const HoleSide& side, const Meridians& meridians, const 
   given.start = {row_change(points(lines.front()), slopes[0], points(meridians.change(false)))};
   given.end = {row_change(points(lines.back()), slopes[1], points(meridians.change(true)))};
   return patch_through<kRows>(knots, given, lines.front().to, curve.rational());
-}
-
-/// Lets derivatives across the end of a side and the start of the next one change at the same rate, by the way along them.
-void turn_alike(HoleSide& side, HoleSide& next) {
-  const double pace = length_of(side.place(1.0).along) / length_of(next.place(0.0).along);
-  const std::array<glm::dvec3, 2> here = side.directions(true);
-  const std::array<glm::dvec3, 2> there = next.directions(false);
-  const std::array<glm::dvec3, 2> back{-pace * there[0], -pace * there[1]};
-  const auto first = least_parts(pace * next.jet(false).first[1] - side.jet(true).first[1], here, back);
-  side.bend_first(true, first[0], first[1]);
-  next.bend_first(false, first[2], first[3]);
-  if (side.continuity() < 2 || next.continuity() < 2) return;
-  const auto second = least_parts(pace * next.jet(false).second[1] - side.jet(true).second[1], here, back);
-  side.bend_second(true, 1, second[0], second[1]);
-  next.bend_second(false, 1, second[2], second[3]);
 }
 
 /// Patches with the same points along the lines that they have in common.

@@ -29,6 +29,46 @@ double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch&
   return largest;
 }
 
+/// The stretch of a part that has one neighbour, and the patch along it.
+struct SeenStretch {
+  double from;
+  double to;
+  NurbsPatch patch;
+};
+
+/// A part cut where pieces of the side meet.
+std::vector<SeenStretch> stretches_of(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {
+  const Axis along = axis_of(part.border) == Axis::u ? Axis::v : Axis::u;
+  const auto [low, high] = std::minmax(part.from, part.to);
+  std::vector<double> cuts;
+  for (const double joint : side.joints()) {
+    if (joint > low && joint < high) cuts.push_back(joint);
+  }
+  if (part.from > part.to) std::ranges::reverse(cuts);
+  std::vector<SeenStretch> found{{part.from, part.to, patch}};
+  for (const double cut : cuts) {
+    auto halves = split(found.back().patch, along, (cut - part.from) / (part.to - part.from));
+    found.back() = {found.back().from, cut, std::move(halves.first)};
+    found.push_back({cut, part.to, std::move(halves.second)});
+  }
+  return found;
+}
+
+/// How the patch goes on from the neighbour, into the filling's figures.
+void see(Filling& filling, const HoleSide& side, Border border, const SeenStretch& stretch) {
+  const auto [low, high] = std::minmax(stretch.from, stretch.to);
+  const NurbsPatch neighbour = *side.neighbour_part(low, high);
+  const bool is_reversed = stretch.from > stretch.to;
+  if (side.continuity() == 1) {
+    filling.angle = std::max(filling.angle, seam_angle(stretch.patch, border, neighbour, Border::v_end, is_reversed));
+    return;
+  }
+  const SeamContinuity seam =
+      seam_continuity(stretch.patch, border, neighbour, Border::v_end, kContinuityTolerance, {}, is_reversed);
+  filling.angle = std::max(filling.angle, seam.angle);
+  filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
+}
+
 }  // namespace
 
 Filling seen_along_sides(const Hole& hole, const std::vector<PartOfSide>& parts, const std::vector<NurbsPatch>& patches,
@@ -40,19 +80,8 @@ Filling seen_along_sides(const Hole& hole, const std::vector<PartOfSide>& parts,
   for (const PartOfSide& part : parts) {
     if (limits && !limits->are_met(filling)) return filling;
     const HoleSide& side = hole.sides[part.side];
-    const NurbsPatch& patch = patches[part.patch];
     if (side.continuity() == 0) continue;
-    const auto [low, high] = std::minmax(part.from, part.to);
-    const NurbsPatch neighbour = *side.neighbour_part(low, high);
-    const bool is_reversed = part.from > part.to;
-    if (side.continuity() == 1) {
-      filling.angle = std::max(filling.angle, seam_angle(patch, part.border, neighbour, Border::v_end, is_reversed));
-      continue;
-    }
-    const SeamContinuity seam =
-        seam_continuity(patch, part.border, neighbour, Border::v_end, kContinuityTolerance, {}, is_reversed);
-    filling.angle = std::max(filling.angle, seam.angle);
-    filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
+    for (const SeenStretch& stretch : stretches_of(side, part, patches[part.patch])) see(filling, side, part.border, stretch);
   }
   return filling;
 }

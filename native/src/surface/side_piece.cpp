@@ -1,0 +1,209 @@
+#include "side_piece.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "base/length.hpp"
+#include "one_patch.hpp"
+#include "patch/lines.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/patch/ends.hpp"
+#include "splinecore/patch/evaluate.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// With the side v_end, u along it as the curve runs, over [0, 1].
+NurbsPatch turned_to(const LoftNeighbour& neighbour, const NurbsCurve& curve) {
+  NurbsPatch patch = axis_of(neighbour.side) == Axis::u ? swapped(neighbour.patch) : neighbour.patch;
+  if (!is_at_end(neighbour.side)) patch = reversed(patch, Axis::v);
+  patch = with_domain(clamped(clamped(patch, Axis::u), Axis::v), Axis::u, {0.0, 1.0});
+  const NurbsCurve side = boundary(patch, Border::v_end);
+  const glm::dvec3 start(curve.points().front());
+  const bool is_backwards =
+      distance_of(start, glm::dvec3(side.points().back())) < distance_of(start, glm::dvec3(side.points().front()));
+  return is_backwards ? reversed(patch, Axis::u) : patch;
+}
+
+/// x, y for which x a + y b is nearest to a vector.
+std::pair<double, double> parts_of(const glm::dvec3& vector, const glm::dvec3& a, const glm::dvec3& b) {
+  constexpr double kParallel = 1e-6;
+  const glm::dvec3 normal = glm::cross(a, b);
+  const double square = glm::dot(normal, normal);
+  if (!(square > kParallel * kParallel * glm::dot(a, a) * glm::dot(b, b))) {
+    throw InvalidShape("a neighbour stands still across its side at a corner: nothing goes on from there");
+  }
+  return {glm::dot(glm::cross(vector, b), normal) / square, glm::dot(glm::cross(a, vector), normal) / square};
+}
+
+/// A function's derivatives of orders 0 to 2.
+template <class Value>
+using ThreeOrders = std::array<Value, 3>;
+
+template <class Value>
+ThreeOrders<Value> product(const ThreeOrders<double>& a, const ThreeOrders<Value>& b) {
+  return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2.0 * a[1] * b[1] + a[0] * b[2]};
+}
+
+ThreeOrders<glm::dvec3> sum(const ThreeOrders<glm::dvec3>& a, const ThreeOrders<glm::dvec3>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// 0 at both ends, with the derivative 1 at 0 and 0 at 1.
+double slope_function(double s) { return s * (1.0 - s) * (1.0 - s); }
+
+/// The same of the second derivative, first derivatives being 0.
+double second_function(double s) { return 0.5 * s * s * (1.0 - s) * (1.0 - s) * (1.0 - s); }
+
+}  // namespace
+
+double SidePiece::Factor::at(double s) const {
+  const double t = 1.0 - s;
+  return t * values[0] + s * values[1] + slopes[0] * slope_function(s) - slopes[1] * slope_function(t) +
+         seconds[0] * second_function(s) + seconds[1] * second_function(t);
+}
+
+std::array<double, 3> SidePiece::Factor::derivatives(bool is_end) const {
+  const double of_slopes = is_end ? 2.0 * slopes[0] + 4.0 * slopes[1] : -4.0 * slopes[0] - 2.0 * slopes[1];
+  return {values[is_end], values[1] - values[0] + slopes[is_end], of_slopes + seconds[is_end]};
+}
+
+SidePiece::SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour)
+    : curve_(with_domain(curve, {0.0, 1.0})), neighbour_(neighbour) {
+  if (!neighbour_) return;
+  neighbour_->patch = turned_to(*neighbour, curve_);
+  const NurbsCurve side = boundary(neighbour_->patch, Border::v_end);
+  moved_ = {glm::dvec3(curve_.points().front()) - glm::dvec3(side.points().front()),
+            glm::dvec3(curve_.points().back()) - glm::dvec3(side.points().back())};
+  curve_ = side;
+}
+
+std::optional<SidePiece> SidePiece::of_one_patch(const SidePiece& first, const SidePiece& second) {
+  if (!first.neighbour_ || !second.neighbour_ || first.continuity() != second.continuity()) return {};
+  std::optional<NurbsPatch> patch = one_patch(first.neighbour_->patch, second.neighbour_->patch);
+  if (!patch) return {};
+  LoftNeighbour both{std::move(*patch), Border::v_end, first.continuity()};
+  NurbsCurve curve = boundary(both.patch, both.side);
+  std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
+  points.front() += glm::dvec4(first.moved_[0], 0.0);
+  points.back() += glm::dvec4(second.moved_[1], 0.0);
+  return SidePiece(curve.with_points(std::move(points)), both);
+}
+
+NurbsCurve SidePiece::curve() const {
+  std::vector<glm::dvec4> points(curve_.points().begin(), curve_.points().end());
+  points.front() += glm::dvec4(moved_[0], 0.0);
+  points.back() += glm::dvec4(moved_[1], 0.0);
+  return curve_.with_points(std::move(points));
+}
+
+std::vector<glm::dvec3> SidePiece::points(std::span<const double> s) const {
+  std::vector<glm::dvec3> found(s.size());
+  if (s.empty()) return found;
+  evaluate(curve_, s, std::span(&found.front().x, 3 * found.size()));
+  for (std::size_t i = 0; i < s.size(); ++i) found[i] += (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];
+  return found;
+}
+
+std::vector<HolePlace> SidePiece::places(std::span<const double> s) const {
+  std::vector<HolePlace> found(s.size());
+  if (!neighbour_) {
+    std::vector<glm::dvec3> values(3 * s.size());
+    derivatives(curve_, s, 2, std::span(&values.front().x, 3 * values.size()));
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      found[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2], glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0)};
+    }
+    return found;
+  }
+  const std::vector<double> end(s.size(), neighbour_->patch.knot_vector(Axis::v).domain().end);
+  std::vector<glm::dvec3> values(9 * s.size());
+  derivatives(neighbour_->patch, s, end, 2, std::span(&values.front().x, 3 * values.size()));
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const glm::dvec3* const d = &values[9 * i];  // by u and v: [k][l]
+    const glm::dvec3 moved = (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];
+    found[i] = {d[0] + moved, d[3] + moved_[1] - moved_[0], d[6], d[1], d[4], d[2]};
+  }
+  return found;
+}
+
+void SidePiece::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {
+  const HolePlace here = place(is_end ? 1.0 : 0.0);
+  const auto [a, b] = parts_of(across, here.out, here.along);
+  a_.values[is_end] = a;
+  b_.values[is_end] = b;
+  const glm::dvec3 rest = across_2 - a * a * here.out_2 - 2.0 * a * b * here.out_along - b * b * here.along_2;
+  const auto [c, d] = parts_of(rest, here.out, here.along);
+  c_.values[is_end] = c;
+  d_.values[is_end] = d;
+}
+
+bool SidePiece::leaves_onward() const {
+  constexpr int kPlaces = 33;
+  for (int k = 0; k < kPlaces; ++k) {
+    if (!(a_.at(static_cast<double>(k) / (kPlaces - 1)) > 0.0)) return false;
+  }
+  return true;
+}
+
+AcrossJet SidePiece::jet(bool is_end) const {
+  constexpr int kOrder = 4;
+  constexpr int kWidth = kOrder + 1;
+  const double s = is_end ? 1.0 : 0.0;
+  const double t = neighbour_->patch.knot_vector(Axis::v).domain().end;
+  std::vector<glm::dvec3> values(kWidth * kWidth);
+  derivatives(neighbour_->patch, std::span(&s, 1), std::span(&t, 1), kOrder, std::span(&values.front().x, 3 * values.size()));
+  const auto along = [&](int order, int out) {
+    return ThreeOrders<glm::dvec3>{values[order * kWidth + out], values[(order + 1) * kWidth + out], values[(order + 2) * kWidth + out]};
+  };
+  const ThreeOrders<double> a = a_.derivatives(is_end);
+  const ThreeOrders<double> b = b_.derivatives(is_end);
+  const ThreeOrders<double> ab = product(a, b);
+  const ThreeOrders<double> twice{2.0 * ab[0], 2.0 * ab[1], 2.0 * ab[2]};
+  return {sum(product(a, along(0, 1)), product(b, along(1, 0))),
+          sum(sum(sum(product(product(a, a), along(0, 2)), product(twice, along(1, 1))), product(product(b, b), along(2, 0))),
+              sum(product(c_.derivatives(is_end), along(0, 1)), product(d_.derivatives(is_end), along(1, 0))))};
+}
+
+std::array<glm::dvec3, 2> SidePiece::directions(bool is_end) const {
+  const HolePlace here = place(is_end ? 1.0 : 0.0);
+  return {here.out, here.along};
+}
+
+void SidePiece::bend_first(bool is_end, double a, double b) {
+  a_.slopes[is_end] += a;
+  b_.slopes[is_end] += b;
+}
+
+void SidePiece::bend_second(bool is_end, int order, double c, double d) {
+  (order == 1 ? c_.slopes : c_.seconds)[is_end] += c;
+  (order == 1 ? d_.slopes : d_.seconds)[is_end] += d;
+}
+
+std::optional<NurbsPatch> SidePiece::neighbour_part(double from, double to) const {
+  if (!neighbour_) return {};
+  NurbsPatch part = neighbour_->patch;
+  if (to < 1.0) part = split(part, Axis::u, to).first;
+  if (from > 0.0) part = split(part, Axis::u, from).second;
+  return part;
+}
+
+std::vector<glm::dvec3> SidePiece::across(std::span<const double> s, int order) const {
+  const std::vector<HolePlace> here = places(s);
+  std::vector<glm::dvec3> found;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const double a = a_.at(s[i]);
+    const double b = b_.at(s[i]);
+    const HolePlace& p = here[i];
+    found.push_back(order == 1 ? a * p.out + b * p.along
+                               : a * a * p.out_2 + 2.0 * a * b * p.out_along + b * b * p.along_2 + c_.at(s[i]) * p.out + d_.at(s[i]) * p.along);
+  }
+  return found;
+}
+
+}  // namespace splinecore

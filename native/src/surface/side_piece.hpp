@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "splinecore/surface/loft.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A side of a hole at a place, by s from 0 to 1 along it; and the patch beyond it, by t out of that.
+struct HolePlace {
+  glm::dvec3 point;
+  glm::dvec3 along;      ///< derivatives by s
+  glm::dvec3 along_2;
+  glm::dvec3 out;        ///< by t; 0 without a neighbour, as those that follow
+  glm::dvec3 out_along;  ///< by s and t
+  glm::dvec3 out_2;      ///< by t twice
+};
+
+/// Derivatives by s, of orders 0 to 2, of those across a side.
+struct AcrossJet {
+  std::array<glm::dvec3, 3> first;   ///< of D
+  std::array<glm::dvec3, 3> second;  ///< of D2
+};
+
+/// A side of a hole, or a piece of one that goes on into the next, along one curve or one patch; and how what fills the hole
+/// leaves from there: derivatives across, into the hole, are
+///   D = a N + b T,   D2 = a² N_t + 2 a b N_s + b² T_s + c N + d T
+/// with N and T the neighbour's derivatives out of it and along it: as far as a, b, c, d are functions of s, tangent planes
+/// and curvatures are the neighbour's (Farin 2002, 22; row S21).
+class SidePiece {
+ public:
+  /// @param curve  clamped, from the corner where it begins; over any domain
+  SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour);
+
+  /// 0 without a neighbour
+  int continuity() const noexcept { return neighbour_ ? neighbour_->continuity : 0; }
+
+  /// Of two pieces along parts of one patch the piece along both; none if their neighbours are not as parts of one.
+  static std::optional<SidePiece> of_one_patch(const SidePiece& first, const SidePiece& second);
+
+  /// The side with its ends in the corners.
+  NurbsCurve curve() const;
+
+  std::vector<HolePlace> places(std::span<const double> s) const;
+  std::vector<glm::dvec3> points(std::span<const double> s) const;
+  HolePlace place(double s) const { return places(std::span(&s, 1)).front(); }
+
+  /// Sets D and D2 at an end as nearly as the neighbour's plane allows, and lets a, b, c, d be linear.
+  void set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2);
+
+  /// c and d at an end.
+  std::array<double, 2> second_parts(bool is_end) const { return {c_.values[is_end], d_.values[is_end]}; }
+
+  /// False where it leaves back over the neighbour, at an end or between.
+  bool leaves_onward() const;
+
+  AcrossJet jet(bool is_end) const;
+
+  /// N and T at an end.
+  std::array<glm::dvec3, 2> directions(bool is_end) const;
+
+  /// Adds to the first derivatives of a and b at an end, and so N and T times as much to D'.
+  void bend_first(bool is_end, double a, double b);
+
+  /// Adds to derivatives of order 1 or 2 of c and d, and so N and T times as much to those of D2.
+  void bend_second(bool is_end, int order, double c, double d);
+
+  /// The part of the neighbour along a part of the side, which is v_end of it; none without one.
+  std::optional<NurbsPatch> neighbour_part(double from, double to) const;
+
+  /// D or D2 at places.
+  std::vector<glm::dvec3> across(std::span<const double> s, int order) const;
+
+ private:
+  /// A function of s: a line by its values at both ends, and what is added to its derivatives there: to the first ones by cubics.
+  struct Factor {
+    std::array<double, 2> values{};
+    std::array<double, 2> slopes{};   ///< added
+    std::array<double, 2> seconds{};
+
+    double at(double s) const;
+    std::array<double, 3> derivatives(bool is_end) const;
+  };
+
+  NurbsCurve curve_;                        ///< with a neighbour its side
+  std::optional<LoftNeighbour> neighbour_;  ///< along its side over [0, 1], as the curve runs
+  std::array<glm::dvec3, 2> moved_{};       ///< the curve's ends by what they lie off those of the neighbour's side
+  Factor a_, b_, c_, d_;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop

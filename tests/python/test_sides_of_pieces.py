@@ -1,0 +1,153 @@
+"""Holes in which patches follow one another along a side: they are one side, and what fills the hole goes on from each."""
+
+import math
+
+import numpy as np
+import pytest
+
+import splinecore as sc
+from splinecore import build
+from test_fill import grid, off_quadric, polygon_hole, quadric_over
+
+
+def parted(side, *places):
+    """A neighbour cut there, in the order of its pieces."""
+    patch, border, word = side
+    low, high = patch.domain[0]
+    pieces = []
+    for place in places:
+        first, patch = patch.split("u", low + place * (high - low))
+        pieces.append((first, border, word))
+    return [*pieces, (patch, border, word)]
+
+
+def fanned(corners, outer, word="G1"):
+    """A patch of the quadric beyond a piece of a side, its other corners anywhere."""
+    return quadric_over([*corners, *outer]), "v_start", word
+
+
+def test_pieces_of_one_neighbour_are_as_that_neighbour():
+    for word in ("G1", "G2"):
+        around = polygon_hole(4, word, 0.3, 1.2)
+        for places in ([0.5], [0.3], [0.2, 0.7], [1e-3]):
+            filling = build.fill(parted(around[0], *places) + around[1:])
+            assert len(filling.patches) == 1 and filling.gap <= 1e-12 and filling.angle <= 1e-9
+            assert off_quadric(filling) <= 1e-9
+
+
+@pytest.mark.parametrize("turned", range(5))
+def test_the_list_may_begin_at_any_piece(turned):
+    around = polygon_hole(4, "G1", 0.3)
+    sides = parted(around[0], 0.4) + around[1:]
+    filling = build.fill(sides[turned:] + sides[:turned])
+    assert len(filling.patches) == 1 and off_quadric(filling) <= 1e-12
+
+
+@pytest.mark.parametrize("count", [3, 5, 6, 7])
+@pytest.mark.parametrize("word", ["G1", "G2"])
+def test_other_numbers_of_sides(count, word):
+    around = polygon_hole(count, word, 0.3, 1.2)
+    filling = build.fill(around[:2] + parted(around[2], 0.4) + around[3:])
+    assert len(filling.patches) == count
+    assert filling.gap <= 1e-12 and filling.angle <= 1e-4 and filling.inner_angle <= 1e-4
+    assert off_quadric(filling) <= 0.2
+
+
+@pytest.mark.parametrize("word", ["G1", "G2"])
+def test_neighbours_that_have_only_their_planes_in_common(word):
+    """Lines of one run away from the hole in another way than those of the other one."""
+    a, b, c, d = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
+    middle = np.array([0.2, -1.0])
+    beyond = np.array([0.3, -2.5])
+    around = [fanned([a, middle], [beyond, (-3, -3)], word), fanned([middle, b], [(1.2, -1.4), beyond], word),
+              fanned([b, c], [(2, 2), (2, -2)], word), fanned([c, d], [(-2, 2), (2, 2)], word), fanned([d, a], [(-2, -2), (-2, 2)], word)]
+    filling = build.fill(around)
+    assert len(filling.patches) == 1 and filling.gap <= 1e-12 and filling.angle <= 1e-3
+    assert off_quadric(filling) <= 0.2
+
+
+def test_what_it_says_is_what_is_measured():
+    around = polygon_hole(4, "G1", 0.3)
+    strip = parted(around[0], 0.4)
+    bent = strip[1][0].with_points(strip[1][0].points + np.array([0, 0, 0.05]) * np.linspace(0, 1, 5)[None, :, None])
+    filling = build.fill([strip[0], (bent, "v_start", "G1"), *around[1:]])
+    patch, = filling.patches
+    first, second = patch.split("u", 0.4)
+    angles = [sc.seam_continuity(first, "v_start", strip[0][0], "v_start").angle, sc.seam_continuity(second, "v_start", bent, "v_start").angle]
+    angles += [sc.seam_continuity(patch, name, neighbour, "v_start").angle
+               for name, (neighbour, _, _) in zip(("u_end", "v_end", "u_start"), around[1:])]
+    assert filling.angle > 1e-3
+    assert max(angles) == pytest.approx(filling.angle, rel=1e-9)
+
+
+def ring_sector(start, end, word):
+    """A flat piece beyond an arc of the unit circle, exact."""
+    half = (end - start) / 2
+    arc = [(math.cos(start), math.sin(start)), (math.cos(start + half) / math.cos(half), math.sin(start + half) / math.cos(half)),
+           (math.cos(end), math.sin(end))]
+    points = np.array([[(x * r, y * r, 0) for r in (1, 2)] for x, y in arc])
+    weights = np.array([[1, 1], [math.cos(half)] * 2, [1, 1]])
+    return sc.BezierPatch(points, weights), "v_start", word
+
+
+def test_arcs_that_make_one_side():
+    """A flat quarter of a disc, its arc in two pieces of different size, is flat."""
+    strips = [sc.BezierPatch(np.array([[(0, 1, 0), (-1, 1, 0)], [(0, 0, 0), (-1, 0, 0)]], float)),
+              sc.BezierPatch(np.array([[(0, 0, 0), (0, -1, 0)], [(1, 0, 0), (1, -1, 0)]], float))]
+    sides = [ring_sector(0, 0.5, "G1"), ring_sector(0.5, math.pi / 2, "G1")] + [(strip, "v_start", "G1") for strip in strips]
+    filling = build.fill(sides)
+    points = np.concatenate([grid(patch) for patch in filling.patches])
+    assert len(filling.patches) == 3 and filling.gap <= 1e-6
+    assert np.abs(points[:, 2]).max() <= 1e-12 and np.hypot(points[:, 0], points[:, 1]).max() <= 1 + 1e-6
+
+
+@pytest.mark.parametrize("size", [1e-150, 1e-30, 1e6, 1e150])
+def test_any_size_and_place(size):
+    matrix = np.c_[np.eye(3) * size, np.array([3.0, -2.0, 1.0]) * size]
+    around = polygon_hole(5, "G1", 0.3)
+    sides = parted(around[0], 0.4) + around[1:]
+    here = build.fill(sides)
+    there = build.fill([(patch.transformed(matrix), border, word) for patch, border, word in sides])
+    for a, b in zip(there.patches, here.patches):
+        assert np.abs(np.asarray(a.points) - b.transformed(matrix).points).max() <= 1e-9 * size
+
+
+def test_random_pieces_are_followed(inputs):
+    rng = np.random.default_rng(5)
+    wanted = inputs(1000)
+    for _ in range(wanted):
+        count = int(rng.integers(3, 7))
+        word = str(rng.choice(["G1", "G2"]))
+        around = polygon_hole(count, word, rng.uniform(0, 6), rng.uniform(0.7, 1.4))
+        cut = int(rng.integers(count))
+        sides = around[:cut] + parted(around[cut], *np.sort(rng.choice(np.arange(1, 10), int(rng.integers(1, 3)), False)) / 10) + around[cut + 1:]
+        sides = [(patch.reversed("u") if rng.random() < 0.5 else patch, border, kind) for patch, border, kind in sides]
+        filling = build.fill(sides)
+        assert len(filling.patches) == (1 if count == 4 else count)
+        assert filling.gap <= 1e-9 and filling.angle <= 1e-3 and filling.inner_angle <= 1e-3
+
+
+def test_a_piece_without_a_neighbour_is_refused():
+    around = polygon_hole(4, "G1")
+    first, second = parted(around[0], 0.5)
+    for bare in ((second[0], "v_start", "G0"), second[0].boundary("v_start")):
+        with pytest.raises(sc.InvalidShape, match=r"sides\[0\] and sides\[1\] go on into each other without a corner, one from a neighbour"):
+            build.fill([first, bare, *around[1:]])
+    third, fourth = parted(around[2], 0.5)
+    with pytest.raises(sc.InvalidShape, match=r"sides\[3\] and sides\[4\] go on into each other without a corner, one from a neighbour"):
+        build.fill([around[0], *parted(around[1], 0.5), third, fourth[0].boundary("v_start"), around[3]])
+
+
+def test_pieces_that_are_curves_are_sides_of_their_own():
+    around = polygon_hole(4, "G1", 0.3)
+    curves = [patch.boundary(side) for patch, side, _ in parted(around[0], 0.5) + around[1:]]
+    filling = build.fill(curves, tolerance=1e-4)
+    assert len(filling.patches) == 5 and filling.gap <= 1e-4
+
+
+def test_fewer_than_three_corners_are_refused():
+    lens = [sc.BezierPatch(np.array([[(0, 0, 0), (0, -1, 0)], [(0.5, 0, 0), (0.5, -1, 0)]])),
+            sc.BezierPatch(np.array([[(0.5, 0, 0), (0.5, -1, 0)], [(1, 0, 0), (1, -1, 0)]])),
+            sc.BezierPatch(np.array([[(1, 0, 0), (1.5, 1, 0)], [(0.5, 1, 0), (0.5, 2, 0)], [(0, 0, 0), (-0.5, 1, 0)]]))]
+    with pytest.raises(sc.InvalidShape, match="fewer than three corners"):
+        build.fill([(patch, "v_start", "G1") for patch in lens])
