@@ -67,9 +67,9 @@ void bind_networks(py::module_& module) {
             "With across, for each of four sides None or a curve of vectors without weights, the patch is the bicubic one (Farin\n"
             "2002, 22.3): over [0, 1] in both directions, and its derivative across a side, into the patch, is that at the same\n"
             "place of the side. One that is None runs smoothly between those along the neighbours, with a neighbour's twists or\n"
-            "those of the bilinear patch (Adini). Sides then keep their pace: weights are multiplied by a linear function. A\n"
-            "derivative must be, at its ends, the one along the next side, within the tolerance; of two twists in a corner the\n"
-            "mean is taken, and error is the most by which a derivative was changed.\n\n"
+            "those of the bilinear patch (Adini), as far as these let nothing swing out. Sides then keep their pace: weights are\n"
+            "multiplied by a linear function. A derivative must be, at its ends, the one along the next side, within the tolerance;\n"
+            "of two twists in a corner the mean is taken, and error is the most by which a derivative was changed.\n\n"
             "InvalidShape if there are not three or four curves, one is closed or ends at infinity, or its end weights have\n"
             "not one sign, or if a curve of vectors has weights or jumps; ToleranceNotReached says how far neighbours' ends lie\n"
             "apart, and which derivative is not that along the next side.");

@@ -97,6 +97,14 @@ def test_without_vectors_twists_are_those_of_the_bilinear_patch():
             assert np.abs(a[1, 1] - b[1, 1]).max() <= 1e-12
 
 
+@pytest.mark.parametrize("weight", [10, 100, 1e4])
+def test_sides_that_leave_corners_fast_let_nothing_swing_out(weight):
+    sides = [sc.BezierCurve([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [1, weight, 1]), sc.BezierCurve([(2, 0, 0), (2, 2, 0)]),
+             sc.BezierCurve([(2, 2, 0), (0, 2, 0)]), sc.BezierCurve([(0, 2, 0), (0, 0, 0)])]
+    points = grid(build.coons(sides, across=[None] * 4).value)
+    assert points.min() >= 0 and points[..., :2].max() <= 2
+
+
 def corner_sides(rng, positive=True):
     """Four random rational curves round four corners, over [0, 1]."""
     corners = rng.uniform(-10, 10, (4, 3))

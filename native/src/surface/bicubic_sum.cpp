@@ -64,12 +64,22 @@ CrossedPair crossings_of(const BorderPair& borders) {
   return made;
 }
 
-/// The twist that the bilinear patch of all borders has in a corner.
+/// How long derivatives across a border are at its ends, where they are those along the next borders.
+double lengths_across(const CrossedPair& next, std::size_t end) {
+  return length_of(next[0].ends.slopes[end]) + length_of(next[1].ends.slopes[end]);
+}
+
+/// The twist that the bilinear patch of all borders has in a corner, but not so long that a cubic with it swings out between
+/// the ends of a border, as it would where weights let the border leave a corner fast.
 glm::dvec3 bilinear_twist(const CrossedPair& u, const CrossedPair& v, std::size_t i, std::size_t j) {
   const auto& low = u[0].ends;
   const auto& high = u[1].ends;
-  return (high.slopes[i] - low.slopes[i]) + (v[1].ends.slopes[j] - v[0].ends.slopes[j]) -
-         ((low.points[0] - low.points[1]) + (high.points[1] - high.points[0]));
+  const glm::dvec3 twist = (high.slopes[i] - low.slopes[i]) + (v[1].ends.slopes[j] - v[0].ends.slopes[j]) -
+                           ((low.points[0] - low.points[1]) + (high.points[1] - high.points[0]));
+  constexpr double kMost = 3.0;
+  const double most = kMost * std::min(lengths_across(u, i), lengths_across(v, j));
+  const double length = length_of(twist);
+  return length > most ? twist * (most / length) : twist;
 }
 
 /// The derivative of what is given at an end: the twist in that corner.
