@@ -114,8 +114,8 @@ void bind_loft(py::module_& build) {
 void bind_patch_blend(py::module_& build) {
   build.def("blend_patches", [](const py::object& a, const py::object& side_a, const py::object& b, const py::object& side_b,
                                 const py::object& continuity, const py::object& strengths, const py::object& align) {
-              const auto [on_a, on_b] = both(continuity, "continuity");
-              const auto [of_a, of_b] = both(strengths, "strengths");
+              const auto [on_a, on_b] = both(continuity, "continuity", "one for each patch");
+              const auto [of_a, of_b] = both(strengths, "strengths", "one for each patch");
               LoftNeighbour from{any_patch(a, "a"), border_of(side_a, "side_a"), continuity_of(on_a, "continuity"), real(of_a, "strengths")};
               LoftNeighbour to{any_patch(b, "b"), border_of(side_b, "side_b"), continuity_of(on_b, "continuity"), real(of_b, "strengths")};
               const bool is_aligned = boolean(align, "align");

@@ -45,9 +45,9 @@ std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name
   return vectors(given, name, given.ndim() == 1 ? 0 : 1);
 }
 
-std::pair<py::object, py::object> both(const py::object& value, const char* name) {
+std::pair<py::object, py::object> both(const py::object& value, const char* name, const char* of) {
   const bool is_sequence = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::str>(value);
-  return is_sequence ? pair_argument(value, name) : std::pair(value, value);
+  return is_sequence ? pair_argument(value, name, of) : std::pair(value, value);
 }
 
 }  // namespace bindings

@@ -35,7 +35,7 @@ class GivenPoints {
 std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name);
 
 /// One value stands for both directions of a patch.
-std::pair<py::object, py::object> both(const py::object& value, const char* name);
+std::pair<py::object, py::object> both(const py::object& value, const char* name, const char* of = "one for u, one for v");
 
 /// 'uniform', 'centripetal' or 'chordal'
 splinecore::Parametrisation parametrisation_of(const py::object& value, const char* name);

@@ -66,14 +66,14 @@ void bind_two_rails(py::module_& build) {
             }, py::arg("rail"), py::arg("second"), py::arg("sections"), py::kw_only(), py::arg("at") = py::none(),
             py::arg("height") = "scaled", py::arg("up") = py::none(), py::arg("tolerance") = py::none(),
             py::arg("cancel") = py::none(),
-            "The surface of a section between two rails, run through at equal parts of their domains; of several sections at the\n"
-            "parameters `at` of the first one, by default even ones: (value, error) as of sweep(), u along the sections, v by the\n"
-            "parameter of the first rail (row S20).\n\n"
+            "The surface of a section between two rails, run through at equal parts of their domains, so that both are to run the\n"
+            "same way; of several sections at the parameters `at` of the first one, by default even ones: (value, error) as of\n"
+            "sweep(), u along the sections, v by the parameter of the first rail (row S20).\n\n"
             "Sections are given with x from the first rail to the second one, and stretched along it so that they stay between\n"
             "both; their height, along y and z, is 'scaled' with it or 'kept'. y stays near `up` (3,), or is at right angles to\n"
             "the rails. tolerance, a length: by default 2^-20 of the size of the rails.\n"
-            "InvalidShape as sweep(), or if the rails meet, have corners and there is no `up`, or run from one to the other;\n"
-            "ToleranceNotReached.");
+            "InvalidShape as sweep(), or if the rails meet, have corners and there is no `up`, run from one to the other\n"
+            "or against each other; ToleranceNotReached.");
 }
 
 void bind_pipe(py::module_& build) {

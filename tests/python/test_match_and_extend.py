@@ -131,6 +131,8 @@ def test_straight_extensions_are_straight(degree):
 @pytest.mark.parametrize("patch, side, length, how, words", [
     (bumpy(1), "u_end", 0.0, "natural", "length"),
     (bumpy(1), "u_end", np.inf, "natural", "finite|length"),
+    (bumpy(1), "u_end", 1e-16, "natural", "1e-16 is too short for a surface about"),
+    (bumpy(1), "u_start", 1e100, "straight", "is too long for a surface about"),
     (build.cylinder((0, 0, 0), (0, 0, 1), 1, 1), "u_end", 1.0, "natural", "closed"),
     (bumpy(1), "u_end", 1.0, "arc", "arc"),
     (bumpy(1), "x", 1.0, "natural", "side"),

@@ -182,7 +182,40 @@ def test_rings_and_ribs_make_a_closed_surface():
     assert np.abs(np.hypot(points[:, 0, 0], points[:, 0, 1]) - 1).max() <= 1e-4
 
 
+def ring(radius, height):
+    return circle().transformed(np.array([[radius, 0, 0, 0], [0, radius, 0, 0], [0, 0, 1, height]]))
+
+
+@pytest.mark.parametrize("angle", [0.5, 2.0, math.pi])
+@pytest.mark.parametrize("heights", [(0, 2), (0, 1, 2), (0, 0.3, 2)])
+@pytest.mark.parametrize("is_swapped", [False, True])
+def test_two_ribs_are_enough_for_rings(angle, heights, is_swapped):
+    rings = [ring(1 + z, z) for z in heights]
+    ribs = [line((math.cos(turn), math.sin(turn), 0), (3 * math.cos(turn), 3 * math.sin(turn), 2)) for turn in (0, angle)]
+    made, error = build.network(ribs, rings) if is_swapped else build.network(rings, ribs)
+    assert made.periodic == (not is_swapped, is_swapped) and error <= 1e-6
+    points = grid(made, 33)
+    assert np.abs(np.hypot(points[..., 0], points[..., 1]) - 1 - points[..., 2]).max() <= 1e-6
+
+
+def test_two_ribs_of_different_shape():
+    ribs = [sc.BezierCurve([(x, 0, 0), (y, 0, 1), (x, 0, 2)]) for x, y in ((1, 2), (-1, -1.5))]
+    made, error = build.network([ring(1, 0), ring(1, 2)], ribs)
+    assert error <= 1e-12
+    for rib in ribs:
+        points = rib.evaluate(np.linspace(0, 1, 33))
+        assert np.linalg.norm(made.nearest(points).points - points, axis=1).max() <= 1e-9
+    assert np.hypot(*np.moveaxis(grid(made, 33)[..., :2], -1, 0)).max() <= 1.6
+
+
 @pytest.mark.parametrize("along_u, along_v, words", [
+    ([line((0, 0, 0), (1, 0, 0)), line((0, 1, 0), (1, 1, 0)), line((0, 0, 0), (1, 0, 0))],
+     [line((0, 0, 0), (0, 1, 0)), line((1, 0, 0), (1, 1, 0))], r"along_u\[0\] and along_u\[2\] cross along_v\[0\] in one place"),
+    ([line((0, 0, 0), (1, 0, 0)), line((0, 1, 0), (1, 1, 0))],
+     [line((1, 0, 0), (1, 1, 0)), line((0, 0, 0), (0, 1, 0)), line((0, 1, 0), (0, 0, 0))],
+     r"along_v\[1\] and along_v\[2\] cross along_u\[0\] in one place"),
+    ([line((0, 0, 0), (0, 0, 0)), line((0, 1, 0), (1, 1, 0))], [line((0, 0, 0), (0, 1, 0)), line((0, 0, 0), (1, 1, 0))],
+     r"along_u\[0\] is a point"),
     ([line((0, 0, 0), (1, 0, 0))], [line((0, 0, 0), (0, 1, 0))] * 2, "fewer than two"),
     ([line((0, 0, 0), (1, 0, 0)), line((0, 1, 0.3), (1, 1, 0.3))], [line((0, 0, 0), (0, 1, 0)), line((1, 0, 0), (1, 1, 0))],
      r"along_u\[1\] and along_v\[0\] do not meet: they come to 0.3"),

@@ -135,6 +135,7 @@ CORNER = build.contour([(0, 0, 0), (2, 0, 0), (2, 2, 0)])
 
 @pytest.mark.parametrize("rails, more, words", [
     ((line((0, 0, 0), (1, 0, 0)), line((0, 0, 0), (1, 1, 0))), {}, "rails meet"),
+    ((line((0, 0, 0), (0, 5, 0)), line((2, 5, 0), (2, 0, 0))), {}, "run against each other"),
     ((line((0, 0, 0), (1, 0, 0)), line((1, 0, 0), (2, 0, 0))), {}, "along the upright direction or the rails"),
     ((line((0, 0, 0), (1, 0, 0)), line((0, 0, 1), (1, 0, 1))), {"up": (0, 0, 1)}, "along the upright"),
     ((CORNER, CORNER.transformed(np.c_[np.eye(3), [0, 0, 1]])), {}, "corner"),

@@ -107,6 +107,12 @@ NurbsPatch extended(const NurbsPatch& patch, Border side, double length, Extensi
   const Axis axis = axis_of(side);
   if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the length is not above 0");
   if (how == Extension::arc) throw InvalidShape("a surface goes on naturally or straight, not by arcs");
+  constexpr double kRange = 0x1p40;
+  const double size = NearSpace(patch.points()).length(1.0);
+  if (length > kRange * size || length < size / kRange) {
+    throw InvalidShape("the length " + text_of(length) + " is too " + (length > size ? "long" : "short") + " for a surface about " +
+                       text_of(size) + " large");
+  }
   if (patch.knot_vector(axis).periodic()) throw InvalidShape("the surface is closed in this direction: it has no side to go on from");
   const Interval domain = patch.knot_vector(axis).domain();
   if (!is_at_end(side)) {

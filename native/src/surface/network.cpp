@@ -179,6 +179,24 @@ void make_compatible(PacedFamily& family, std::array<std::optional<NurbsCurve>, 
   family.curves = std::move(all);
 }
 
+/// Closed curves that only two others cross go round through two more of their loft, half-way between: nothing closes smoothly
+/// through two.
+void add_others_to_closed(PacedFamily& closed, PacedFamily& others) {
+  if (!closed.is_closed || others.curves.size() != 2) return;
+  std::array<std::optional<NurbsCurve>, 2> none;
+  make_compatible(closed, none);
+  const NurbsPatch loft = through(closed, across_by(others, none), none);
+  for (const std::size_t at : {std::size_t{1}, std::size_t{3}}) {
+    const auto place = static_cast<std::ptrdiff_t>(at);
+    const double middle = 0.5 * (closed.wanted[at - 1] + closed.wanted[at]);
+    const NurbsCurve line = isocurve(loft, Axis::u, middle);
+    closed.wanted.insert(closed.wanted.begin() + place, middle);
+    others.curves.insert(others.curves.begin() + place, line);
+    others.own.insert(others.own.begin() + place, line);
+    others.given.insert(others.given.begin() + place, others.wanted);
+  }
+}
+
 /// Of a patch of polynomials, whose weights are 1 but for rounding.
 NurbsPatch with_weights_one(const NurbsPatch& patch) {
   std::vector<glm::dvec4> points(patch.points().begin(), patch.points().end());
@@ -254,6 +272,8 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within, space.length(1.0));
   GordonNet net{paced(curves.u), paced(curves.v), {}};
   said_outside(space, [&] { let_meet(net, !beyond.empty(), within); });
+  add_others_to_closed(net.u, net.v);
+  add_others_to_closed(net.v, net.u);
   net.borders = network_borders(net.u, net.v, beyond, within, space.length(1.0));
   make_compatible(net.u, net.borders.along_u);
   make_compatible(net.v, net.borders.along_v);

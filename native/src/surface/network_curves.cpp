@@ -1,6 +1,7 @@
 #include "network_curves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -45,6 +46,36 @@ double least_distance(const NurbsCurve& a, const NurbsCurve& b) {
 
 std::string pair_text(std::size_t i, std::size_t j) { return "along_u" + index_text(i) + " and along_v" + index_text(j); }
 
+std::vector<std::size_t> order_of(const std::vector<double>& parameters) {
+  std::vector<std::size_t> order(parameters.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  sort_by(order, [&](std::size_t i) { return parameters[i]; });
+  return order;
+}
+
+void require_lengths(std::span<const NurbsCurve> curves, const char* name) {
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto points = curves[i].points();
+    const auto is_first = [&](const glm::dvec4& p) { return distance_of(glm::dvec3(p), glm::dvec3(points.front())) <= kMet; };
+    if (std::ranges::all_of(points, is_first)) throw InvalidShape(std::string(name) + index_text(i) + " is a point: curves of a network have a length");
+  }
+}
+
+/// @param on  where each of one family meets the others
+void require_apart(const Table& on, const char* name, const char* others) {
+  constexpr double kSame = 0x1p-40;
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    const std::vector<std::size_t> order = order_of(on[i]);
+    const double size = std::max(std::abs(on[i][order.front()]), std::abs(on[i][order.back()]));
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      if (on[i][order[k]] - on[i][order[k - 1]] > kSame * size) continue;
+      const auto [first, second] = std::minmax(order[k - 1], order[k]);
+      throw InvalidShape(std::string(others) + index_text(first) + " and " + others + index_text(second) + " cross " + name + index_text(i) +
+                         " in one place: they are to lie apart");
+    }
+  }
+}
+
 NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance,
                               double unit) {
   NetworkCrossings found{Table(along_u.size(), std::vector<double>(along_v.size())),
@@ -69,13 +100,6 @@ NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<con
     }
   }
   return found;
-}
-
-std::vector<std::size_t> order_of(const std::vector<double>& parameters) {
-  std::vector<std::size_t> order(parameters.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  sort_by(order, [&](std::size_t i) { return parameters[i]; });
-  return order;
 }
 
 template <class Item>
@@ -137,14 +161,15 @@ void begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
 }
 
 /// Brings the curves of a family into the order of the others, whose order stands.
-/// @param name  of the family
-void run_along(NetworkFamily& family, const char* name) {
+/// @param order  numbers of the curves as they are given
+/// @param name   of the family
+void run_along(NetworkFamily& family, const std::vector<std::size_t>& order, const char* name) {
   std::optional<glm::dvec3> beside;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     NurbsCurve& curve = family.curves[i];
     std::vector<double>& at = family.crossings[i];
     const auto refuse = [&] {
-      throw InvalidShape(std::string(name) + index_text(i) + " crosses the others in another order than its neighbours");
+      throw InvalidShape(std::string(name) + index_text(order[i]) + " crosses the others in another order than its neighbours");
     };
     if (family.is_closed) {
       if (at.size() > 2 && rises(at) != at.size() - 1) turn(curve, at);
@@ -168,8 +193,11 @@ NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<cons
                              double unit) {
   for (const auto& [family, name] : {std::pair{along_u, "along_u"}, std::pair{along_v, "along_v"}}) {
     if (family.size() < 2) throw InvalidShape(std::string(name) + " has fewer than two curves");
+    require_lengths(family, name);
   }
   const NetworkCrossings found = crossings_of(along_u, along_v, tolerance, unit);
+  require_apart(found.on_u, "along_u", "along_v");
+  require_apart(found.on_v, "along_v", "along_u");
   const std::vector<std::size_t> order_u = order_of(found.on_v[0]);
   const std::vector<std::size_t> order_v = order_of(found.on_u[0]);
   NetworkCurves network;
@@ -179,8 +207,8 @@ NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<cons
   network.v.curves = in_order(std::vector(along_v.begin(), along_v.end()), order_v);
   for (const std::size_t i : order_u) network.u.crossings.push_back(in_order(found.on_u[i], order_v));
   for (const std::size_t j : order_v) network.v.crossings.push_back(in_order(found.on_v[j], order_u));
-  run_along(network.u, "along_u");
-  run_along(network.v, "along_v");
+  run_along(network.u, order_u, "along_u");
+  run_along(network.v, order_v, "along_v");
   return network;
 }
 

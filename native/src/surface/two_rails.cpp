@@ -62,6 +62,14 @@ glm::dvec3 height_of(const glm::dvec3& x, const glm::dvec3& towards, double at) 
   throw InvalidShape("at " + text_of(at) + " the way from one rail to the other lies along the upright direction or the rails");
 }
 
+/// The way that both rails run, by their unit tangents.
+glm::dvec3 along_both(const glm::dvec3& first, const glm::dvec3& second, double at) {
+  constexpr double kAgainst = 1e-7;
+  const glm::dvec3 sum = first + second;
+  if (length_of(sum) > kAgainst) return sum;
+  throw InvalidShape("at " + text_of(at) + " the rails run against each other: reverse one of them");
+}
+
 std::vector<PlaceBetween> places_between(const Rails& rails, std::span<const double> at, Side side, const TwoRailOptions& options) {
   const std::vector<glm::dvec3> from = points_of(rails.first, at, side);
   const std::vector<glm::dvec3> to = points_of(rails.second, at, side);
@@ -69,7 +77,7 @@ std::vector<PlaceBetween> places_between(const Rails& rails, std::span<const dou
   if (!options.up) {
     along = directions_of(rails.first, at, side);
     const std::vector<glm::dvec3> other = directions_of(rails.second, at, side);
-    for (std::size_t i = 0; i < along.size(); ++i) along[i] += other[i];
+    for (std::size_t i = 0; i < along.size(); ++i) along[i] = along_both(along[i], other[i], at[i]);
   }
   std::vector<PlaceBetween> places;
   for (std::size_t i = 0; i < at.size(); ++i) {

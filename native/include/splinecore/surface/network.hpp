@@ -20,7 +20,8 @@ namespace splinecore {
 /// crossings cannot be made one, curves are run through at another pace, as polynomials within half the tolerance.
 /// Otherwise nothing is rounded. Across, a direction has the knots of the curves along it if there are as many
 /// curves as these have control points, so that curves of a patch give it back; otherwise averages.
-/// @param along_u    two or more; if all are closed, the surface is periodic in u
+/// @param along_u    two or more; if all are closed, the surface is periodic in u, also through two of the others: where
+///                    these leave it free it goes by the closed ones alone, half-way between
 /// @param along_v    two or more, likewise
 /// @param tolerance  how far curves may pass one another, and the surface lie from them; none: 2^-20 of their size
 /// @param neighbours  patches from whose tangent planes, to 1e-4 radians, the surface goes on, with continuity 1, over an outermost curve that
