@@ -75,6 +75,18 @@ def test_random_patches_are_offset_or_refused(inputs):
     assert made > 0.1 * count
 
 
+@pytest.mark.parametrize("noise", [1e-16, 1e-13, 1e-10, 1e-8])
+@pytest.mark.parametrize("size", [1e-150, 1.0, 1e150])
+def test_a_pole_that_rounding_has_spread_is_one(noise, size):
+    dome = build.sphere((0, 0, 0), 1.0).split("v", 0.5)[1]
+    points = np.array(dome.points) * size
+    points[:, -1] += size * noise * np.random.default_rng(2).normal(size=(len(points), 3))
+    made, error = build.offset_patch(dome.with_points(points), 0.1 * size, tolerance=1e-4 * size)
+    assert made.points.shape == dome.points.shape and error <= 10 * size * noise + 1e-14 * size
+    at = made.evaluate_grid(*(np.linspace(*domain, 33) for domain in made.domain)) / size
+    assert np.abs(np.linalg.norm(at, axis=-1) - 1.1).max() <= 10 * noise + 1e-14
+
+
 def test_thickness_is_closed():
     patch = bumpy(1, False)
     parts, error = build.thicken(patch, -0.05, 0.1, tolerance=1e-4)

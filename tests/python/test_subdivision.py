@@ -165,6 +165,20 @@ def test_points_inside_with_two_faces_leave_no_fold(mesh):
         assert seams.edge_counts()['free'] == 0
 
 
+@pytest.mark.parametrize("count", [3, 50, 200])
+def test_faces_of_many_corners(count):
+    """A prism: its lids are smooth about their middles, however many patches run together there."""
+    angles = 2 * np.pi * np.arange(count) / count
+    rim = np.c_[np.cos(angles), np.sin(angles)]
+    points = np.r_[np.c_[rim, np.zeros(count)], np.c_[rim, np.ones(count)]]
+    around = np.arange(count)
+    faces = [list(around[::-1]), list(count + around), *np.c_[around, np.roll(around, -1), count + np.roll(around, -1), count + around]]
+    found = build.catmull_clark(points, [list(map(int, face)) for face in faces])
+    assert found.angle <= 1e-8
+    lids = np.array([point for patch in found.patches for point in patch.points.reshape(-1, 3)])
+    assert np.abs(lids[:, 2] - 0.5).max() <= 0.5 and np.hypot(lids[:, 0], lids[:, 1]).max() <= 1
+
+
 @pytest.mark.parametrize("size", [1e-150, 1e-3, 1e150])
 def test_any_size(size):
     one = build.catmull_clark(*CUBE)

@@ -13,6 +13,7 @@
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
 #include "patch/compatible_patches.hpp"
+#include "patch/gathered_poles.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/build/sweeps.hpp"
@@ -170,15 +171,17 @@ Approximation<NurbsPatch> offset(const NurbsPatch& patch, double distance, std::
   if (!std::isfinite(distance)) throw InvalidShape("the distance is not finite");
   if (distance == 0.0) return {patch, 0.0};
   const NearSpace space(patch.points());
-  const NurbsPatch near = patch.with_points(space.enter(patch.points()));
   const double unit = space.length(1.0);
+  const double within = tolerance ? *tolerance / unit : 0x1p-20;
+  constexpr double kShare = 0x1p-4;
+  const auto [near, moved] = with_gathered_poles(patch.with_points(space.enter(patch.points())), kShare * within);
   require_smooth(near);
   require_room(near, distance / unit, unit);
   double error = 0.0;
   const NurbsPatch made = said_outside(space, [&] {
-    return offset_within(near, distance / unit, tolerance ? *tolerance / unit : 0x1p-20, error);
+    return offset_within(near, distance / unit, within - moved, error);
   });
-  return {made.with_points(space.leave(made.points())), space.length(error)};
+  return {made.with_points(space.leave(made.points())), space.length(error + moved)};
 }
 
 Approximation<std::vector<NurbsPatch>> thickened(const NurbsPatch& patch, double from, double to, std::optional<double> tolerance) {

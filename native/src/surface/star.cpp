@@ -1,6 +1,6 @@
 #include "star.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Sparse>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,36 +62,60 @@ std::vector<Index> unknowns_of(const Star& star, const std::vector<std::optional
   return places;
 }
 
-/// A quadratic form in the unknowns, and what it takes of those given.
-class Form {
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+Eigen::SparseMatrix<double> matrix_of(Index rows, Index columns, const Triplets& entries) {
+  Eigen::SparseMatrix<double> made(rows, columns);
+  made.setFromTriplets(entries.begin(), entries.end());
+  return made;
+}
+
+/// Which control points are sought, as unknowns, and which are given.
+class Unknowns {
  public:
-  Form(const std::vector<std::optional<glm::dvec3>>& given, std::vector<Index> places, Index count)
-      : left(Eigen::MatrixXd::Zero(count, count)), right(Eigen::MatrixXd::Zero(count, 3)), given_(given), places_(std::move(places)) {}
+  Unknowns(const Star& star, const std::vector<std::optional<glm::dvec3>>& given)
+      : count(0), given_(given), places_(unknowns_of(star, given, count)) {}
 
-  void add(std::size_t a, std::size_t b, double value) {
-    const Index row = places_[a];
-    if (row < 0) return;
-    if (places_[b] >= 0) {
-      left(row, places_[b]) += value;
-    } else {
-      for (int c = 0; c < 3; ++c) right(row, c) -= value * (*given_[b])[c];
-    }
-  }
-
-  void expect(std::size_t a, const glm::dvec3& value) {
-    if (places_[a] < 0) return;
-    for (int c = 0; c < 3; ++c) right(places_[a], c) += value[c];
-  }
-
+  bool is_sought(std::size_t number) const { return places_[number] >= 0; }
   Index place(std::size_t number) const { return places_[number]; }
   const glm::dvec3& value(std::size_t number) const { return *given_[number]; }
 
-  Eigen::MatrixXd left;
-  Eigen::MatrixXd right;
+  Index count;
 
  private:
   const std::vector<std::optional<glm::dvec3>>& given_;
   std::vector<Index> places_;
+};
+
+void add_vector(Eigen::MatrixXd& rows, Index row, const glm::dvec3& vector) {
+  for (int c = 0; c < 3; ++c) rows(row, c) += vector[c];
+}
+
+/// A quadratic form in the unknowns, and what it takes of those given.
+class Form {
+ public:
+  explicit Form(const Unknowns& unknowns) : right(Eigen::MatrixXd::Zero(unknowns.count, 3)), unknowns_(unknowns) {}
+
+  void add(std::size_t a, std::size_t b, double value) {
+    if (!unknowns_.is_sought(a)) return;
+    if (unknowns_.is_sought(b)) {
+      entries_.emplace_back(unknowns_.place(a), unknowns_.place(b), value);
+    } else {
+      add_vector(right, unknowns_.place(a), -value * unknowns_.value(b));
+    }
+  }
+
+  void expect(std::size_t a, const glm::dvec3& value) {
+    if (unknowns_.is_sought(a)) add_vector(right, unknowns_.place(a), value);
+  }
+
+  Eigen::SparseMatrix<double> left() const { return matrix_of(unknowns_.count, unknowns_.count, entries_); }
+
+  Eigen::MatrixXd right;
+
+ private:
+  const Unknowns& unknowns_;
+  Triplets entries_;
 };
 
 void add_energy(const Star& star, const std::vector<glm::dvec3>& expected, Form& form) {
@@ -118,19 +142,19 @@ void add_energy(const Star& star, const std::vector<glm::dvec3>& expected, Form&
   }
 }
 
-/// One condition at a place of a spoke: a sum of points that is to be 0.
-struct SpokeCondition {
-  Eigen::RowVectorXd left;
-  Eigen::RowVector3d right = Eigen::RowVector3d::Zero();
-};
+/// Conditions at places of spokes: sums of points that are to be 0.
+struct SpokeConditions {
+  Triplets left;
+  std::vector<glm::dvec3> right;
 
-void add_to(SpokeCondition& condition, const Form& form, std::size_t number, double factor) {
-  if (form.place(number) >= 0) {
-    condition.left(form.place(number)) += factor;
-    return;
+  void add(const Unknowns& unknowns, std::size_t number, double factor) {
+    if (unknowns.is_sought(number)) {
+      left.emplace_back(std::ssize(right) - 1, unknowns.place(number), factor);
+    } else {
+      right.back() -= factor * unknowns.value(number);
+    }
   }
-  for (int c = 0; c < 3; ++c) condition.right(c) -= factor * form.value(number)[c];
-}
+};
 
 double spoke_factor(const Star& star) {
   const double angle = (star.is_open ? 1.0 : 2.0) * std::numbers::pi / static_cast<double>(star.count);
@@ -138,27 +162,26 @@ double spoke_factor(const Star& star) {
 }
 
 /// Along spoke k, at places of it.
-void add_conditions(const Star& star, std::size_t k, const Form& form, const Samples& samples, std::vector<SpokeCondition>& all) {
+void add_conditions(const Star& star, std::size_t k, const Unknowns& unknowns, const Samples& samples, SpokeConditions& all) {
   const std::size_t last = star.width() - 1;
   const std::size_t next = (k + 1) % star.count;
   const auto knots = star.knots.knots();
   const double slope = star.knots.degree() / (knots.back() - knots[last]);
   const double factor = spoke_factor(star);
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    SpokeCondition condition{Eigen::RowVectorXd::Zero(form.left.rows())};
+    all.right.emplace_back(0.0);
     const double part = factor * std::pow(samples.parameter(s), star.power);
     auto j = static_cast<std::size_t>(samples.first(s));
     for (std::size_t m = 0; m < samples.weights(s).size(); ++m, ++j) {
       const double value = samples.weights(s)[m];
-      add_to(condition, form, star.at(k, last, j), 2.0 * slope * value - part * samples.weights(s, 1)[m]);
-      add_to(condition, form, star.at(k, last - 1, j), -slope * value);
-      add_to(condition, form, star.at(next, j, last - 1), -slope * value);
+      all.add(unknowns, star.at(k, last, j), 2.0 * slope * value - part * samples.weights(s, 1)[m]);
+      all.add(unknowns, star.at(k, last - 1, j), -slope * value);
+      all.add(unknowns, star.at(next, j, last - 1), -slope * value);
     }
-    all.push_back(std::move(condition));
   }
 }
 
-std::vector<SpokeCondition> conditions_of(const Star& star, const Form& form) {
+SpokeConditions conditions_of(const Star& star, const Unknowns& unknowns) {
   constexpr int kInSpan = 8;
   std::vector<double> at;
   for (int s = 0; s < static_cast<int>(star.knots.spans().size()); ++s) {
@@ -169,29 +192,28 @@ std::vector<SpokeCondition> conditions_of(const Star& star, const Form& form) {
     at.back() = span.end;
   }
   const Samples samples = Samples::make(star.knots, at, 1);
-  std::vector<SpokeCondition> all;
-  for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) add_conditions(star, k, form, samples, all);
+  SpokeConditions all;
+  for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) add_conditions(star, k, unknowns, samples, all);
   return all;
 }
 
 /// The least of a form under conditions, as nearly as these agree: multipliers (Hestenes 1969, Powell 1969).
-Eigen::MatrixXd least(const Form& form, const std::vector<SpokeCondition>& conditions) {
+Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
   constexpr int kRounds = 12;
   constexpr double kFirm = 1e7;
-  const Index count = form.left.rows();
+  const Index count = form.right.rows();
   if (count == 0) return Eigen::MatrixXd(0, 3);
-  Eigen::MatrixXd left(static_cast<Index>(conditions.size()), count);
-  Eigen::MatrixXd right(static_cast<Index>(conditions.size()), 3);
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    left.row(static_cast<Index>(i)) = conditions[i].left;
-    right.row(static_cast<Index>(i)) = conditions[i].right;
-  }
-  const double firm = kFirm * form.left.diagonal().mean() / std::max(left.squaredNorm() / static_cast<double>(count), 1e-300);
-  const Eigen::LDLT<Eigen::MatrixXd> solver(form.left + firm * left.transpose() * left);
+  const Eigen::SparseMatrix<double> energy = form.left();
+  const Eigen::SparseMatrix<double> left = matrix_of(std::ssize(conditions.right), count, conditions.left);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(std::ssize(conditions.right), 3);
+  for (Index i = 0; i < right.rows(); ++i) add_vector(right, i, conditions.right[static_cast<std::size_t>(i)]);
+  const double firm = kFirm * energy.diagonal().mean() / std::max(left.squaredNorm() / static_cast<double>(count), 1e-300);
+  const Eigen::SparseMatrix<double> back = left.transpose();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(energy + firm * (back * left));
   Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(right.rows(), 3);
   Eigen::MatrixXd points;
   for (int round = 0; round < kRounds; ++round) {
-    points = solver.solve(form.right + left.transpose() * (firm * right - multipliers));
+    points = solver.solve(form.right + back * (firm * right - multipliers));
     multipliers += firm * (left * points - right);
   }
   return points;
@@ -213,14 +235,13 @@ std::size_t Star::at(std::size_t patch, std::size_t i, std::size_t j) const {
 
 std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,
                                     const std::vector<glm::dvec3>& expected) {
-  Index count = 0;
-  std::vector<Index> places = unknowns_of(star, given, count);
-  Form form(given, places, count);
+  const Unknowns unknowns(star, given);
+  Form form(unknowns);
   add_energy(star, expected, form);
-  const Eigen::MatrixXd found = least(form, conditions_of(star, form));
+  const Eigen::MatrixXd found = least(form, conditions_of(star, unknowns));
   std::vector<glm::dvec3> points(star.size(), glm::dvec3(0.0));
   for (std::size_t number = 0; number < star.size(); ++number) {
-    const Index place = places[number];
+    const Index place = unknowns.place(number);
     if (given[number]) {
       points[number] = *given[number];
     } else if (place >= 0) {
