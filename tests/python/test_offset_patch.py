@@ -87,6 +87,14 @@ def test_a_pole_that_rounding_has_spread_is_one(noise, size):
     assert np.abs(np.linalg.norm(at, axis=-1) - 1.1).max() <= 10 * noise + 1e-14
 
 
+def test_a_spread_pole_has_no_wall():
+    dome = build.sphere((0, 0, 0), 1.0).split("v", 0.5)[1]
+    points = np.array(dome.points)
+    points[:, -1] += 1e-10 * np.random.default_rng(2).normal(size=(len(points), 3))
+    shell, error = build.thicken(dome.with_points(points), 0.0, 0.1)
+    assert len(shell) == 3 and error <= 1e-9
+
+
 def test_thickness_is_closed():
     patch = bumpy(1, False)
     parts, error = build.thicken(patch, -0.05, 0.1, tolerance=1e-4)

@@ -26,6 +26,8 @@ namespace splinecore {
 namespace {
 
 constexpr std::array<Axis, 2> kBoth{Axis::u, Axis::v};
+constexpr double kTolerance = 0x1p-20;  ///< of the size of a patch
+constexpr double kGathered = 0x1p-4;    ///< of the tolerance: how far points of a side may be from that which it is meant to be
 
 std::string place_text(double u, double v) { return "u = " + text_of(u) + ", v = " + text_of(v); }
 
@@ -172,9 +174,8 @@ Approximation<NurbsPatch> offset(const NurbsPatch& patch, double distance, std::
   if (distance == 0.0) return {patch, 0.0};
   const NearSpace space(patch.points());
   const double unit = space.length(1.0);
-  const double within = tolerance ? *tolerance / unit : 0x1p-20;
-  constexpr double kShare = 0x1p-4;
-  const auto [near, moved] = with_gathered_poles(patch.with_points(space.enter(patch.points())), kShare * within);
+  const double within = tolerance ? *tolerance / unit : kTolerance;
+  const auto [near, moved] = with_gathered_poles(patch.with_points(space.enter(patch.points())), kGathered * within);
   require_smooth(near);
   require_room(near, distance / unit, unit);
   double error = 0.0;
@@ -184,12 +185,19 @@ Approximation<NurbsPatch> offset(const NurbsPatch& patch, double distance, std::
   return {made.with_points(space.leave(made.points())), space.length(error + moved)};
 }
 
-Approximation<std::vector<NurbsPatch>> thickened(const NurbsPatch& patch, double from, double to, std::optional<double> tolerance) {
+Approximation<std::vector<NurbsPatch>> thickened(const NurbsPatch& given, double from, double to, std::optional<double> tolerance) {
   if (from == to) throw InvalidShape("both distances are " + text_of(from) + ": there is no thickness between");
+  const double within = tolerance ? *tolerance : kTolerance * NearSpace(given.points()).length(1.0);
+  const auto [patch, moved] = with_gathered_poles(given, kGathered * within);
   const auto [low, high] = std::minmax(from, to);
-  const Approximation<NurbsPatch> inner = offset(patch, low, tolerance);
-  const Approximation<NurbsPatch> outer = offset(patch, high, tolerance);
-  const std::array<NurbsPatch, 2> both{inner.value, outer.value};
+  double error = 0.0;
+  const auto away = [&](double distance) {
+    const Approximation<NurbsPatch> made = offset(patch, distance, tolerance);
+    const GatheredPoles gathered = with_gathered_poles(made.value, kGathered * within);
+    error = std::max(error, moved + made.error + gathered.moved);
+    return gathered.patch;
+  };
+  const std::array<NurbsPatch, 2> both{away(low), away(high)};
   const std::vector<NurbsPatch> large = compatible(both);
   std::vector<NurbsPatch> made{large[1], reversed(large[0], Axis::u)};
   const double size = extent(large[1].points());
@@ -203,7 +211,7 @@ Approximation<std::vector<NurbsPatch>> thickened(const NurbsPatch& patch, double
     const NurbsPatch wall = ruled(below, above);
     made.push_back(is_backwards ? reversed(wall, Axis::u) : wall);
   }
-  return {std::move(made), std::max(inner.error, outer.error)};
+  return {std::move(made), error};
 }
 
 }  // namespace splinecore
