@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "flank.hpp"
 #include "patch/rescale.hpp"
 #include "seam_angle.hpp"
+#include "seam_jets.hpp"
 #include "splinecore/patch/join.hpp"
 
 namespace splinecore {
@@ -21,23 +21,6 @@ namespace splinecore {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// Evenly spaced in each span of either, its ends from within it.
-std::vector<SeamPlace> dense_places(const Flank& a, const Flank& b) {
-  std::vector<double> knots{0.0, 1.0};
-  for (const Flank* flank : {&a, &b}) std::ranges::copy(flank->inner_knots(), std::back_inserter(knots));
-  std::ranges::sort(knots);
-  const int count = 2 * (a.degree_along() + b.degree_along()) + 3;
-  std::vector<SeamPlace> places;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const double length = knots[i + 1] - knots[i];
-    if (length <= kSameShare) continue;
-    places.push_back({knots[i], Side::right});
-    for (int k = 1; k < count; ++k) places.push_back({knots[i] + length * k / count, Side::right});
-    places.push_back({knots[i + 1], Side::left});
-  }
-  return places;
-}
 
 std::vector<SeamPlace> given_places(std::span<const double> shares) {
   std::vector<SeamPlace> places;
@@ -50,39 +33,9 @@ std::vector<SeamPlace> given_places(std::span<const double> shares) {
   return places;
 }
 
-/// Both patches at the same places.
-struct Jets {
-  std::vector<SeamJet> a;
-  std::vector<SeamJet> b;
-};
-
-void take_normal(const SeamJet& from, SeamJet& to) {
-  to.normal = from.normal;
-  to.curvature = from.curvature;
-  to.rise = from.rise;
-}
-
-/// Where a normal is the limit of many, as at the end of a meridian, both are those a little way on along the seam,
-/// if there are such: the limit along it, nearly.
-Jets jets_at(const Flank& a, const Flank& b, std::span<const SeamPlace> places, SeamDepth depth) {
-  constexpr double kWay = 1e-3;
-  Jets here{a.jets(places, depth), b.jets(places, depth)};
-  std::vector<std::size_t> singular;
-  std::vector<SeamPlace> beside;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (here.a[i].is_regular && here.b[i].is_regular) continue;
-    const double way = kWay * std::min(a.room(places[i]), b.room(places[i]));
-    singular.push_back(i);
-    beside.push_back({places[i].share + (places[i].side == Side::right ? way : -way), places[i].side});
-  }
-  const Jets there{a.jets(beside, depth), b.jets(beside, depth)};
-  for (std::size_t i = 0; i < singular.size(); ++i) {
-    if (!there.a[i].is_regular || !there.b[i].is_regular) continue;
-    take_normal(there.a[i], here.a[singular[i]]);
-    take_normal(there.b[i], here.b[singular[i]]);
-  }
-  return here;
-}
+double gap_of(const SeamJet& a, const SeamJet& b) { return glm::length(b.point - a.point); }
+double angle_of(const SeamJet& a, const SeamJet& b) { return angle_between(a.normal, b.normal); }
+double bend_of(const SeamJet& a, const SeamJet& b) { return std::abs(b.curvature - a.curvature); }
 
 /// The larger number; one that is none does not count.
 void raise(double& largest, double value) {
@@ -101,9 +54,9 @@ struct Extremes {
 };
 
 void add(const SeamJet& a, const SeamJet& b, SeamContinuity& found, Extremes& extremes) {
-  const double gap = glm::length(b.point - a.point);
-  const double angle = angle_between(a.normal, b.normal);
-  const double bend = std::abs(b.curvature - a.curvature);
+  const double gap = gap_of(a, b);
+  const double angle = angle_of(a, b);
+  const double bend = bend_of(a, b);
   found.points.push_back(is_finite(a.point) ? a.point : glm::dvec3(kNan));
   found.gaps.push_back(gap);
   found.angles.push_back(angle);
@@ -215,11 +168,12 @@ SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPa
   const Seam seam = seam_between(a, side_a, b, side_b, reversed);
   SeamContinuity found;
   found.reversed = seam.is_reversed;
-  const std::vector<SeamPlace> chosen = places ? given_places(*places) : dense_places(seam.a, seam.b);
-  const Jets jets = jets_at(seam.a, seam.b, chosen, SeamDepth::curvatures);
+  constexpr SeamMeasure kMeasures[] = {gap_of, angle_of, bend_of};
+  const SeamJets jets = places ? seam_jets(seam.a, seam.b, given_places(*places), SeamDepth::curvatures)
+                               : dense_seam_jets(seam.a, seam.b, SeamDepth::curvatures, kMeasures);
   Extremes extremes;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    found.parameters.push_back(chosen[i].share);
+  for (std::size_t i = 0; i < jets.places.size(); ++i) {
+    found.parameters.push_back(jets.places[i].share);
     add(jets.a[i], jets.b[i], found, extremes);
   }
   std::array<double, 3> rounding = seam.a.rounding(extremes.pace);
@@ -235,10 +189,10 @@ double seam_angle(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Borde
   require_side(a, side_a, "first");
   require_side(b, side_b, "second");
   const Seam seam = seam_between(a, side_a, b, side_b, reversed);
-  const std::vector<SeamPlace> places = dense_places(seam.a, seam.b);
-  const Jets jets = jets_at(seam.a, seam.b, places, SeamDepth::normals);
+  constexpr SeamMeasure kMeasures[] = {angle_of};
+  const SeamJets jets = dense_seam_jets(seam.a, seam.b, SeamDepth::normals, kMeasures);
   double largest = 0.0;
-  for (std::size_t i = 0; i < places.size(); ++i) raise(largest, angle_between(jets.a[i].normal, jets.b[i].normal));
+  for (std::size_t i = 0; i < jets.places.size(); ++i) raise(largest, angle_of(jets.a[i], jets.b[i]));
   return largest;
 }
 

@@ -31,8 +31,8 @@ struct SeamContinuity {
   std::vector<double> curvature_differences;
 };
 
-/// Measured at places that lie close in every span of either side, its ends included, and on both sides of knots;
-/// or at the places given, in [0, 1].
+/// Measured at places that lie close in every span of either side, its ends included, and on both sides of knots, and closer
+/// where gap, angle or difference of curvatures are largest; or at the places given, in [0, 1].
 ///
 /// Places of a and b are those equally far along their parameters. Normals are those of the way from a to b and of
 /// a's side, whichever way the parameters run, so that the angle is 0 where b goes on. Patches with a common side

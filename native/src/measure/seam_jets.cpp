@@ -1,0 +1,129 @@
+#include "seam_jets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace splinecore {
+
+namespace {
+
+/// Evenly spaced in each span of either, its ends from within it.
+std::vector<SeamPlace> dense_places(const Flank& a, const Flank& b) {
+  std::vector<double> knots{0.0, 1.0};
+  for (const Flank* flank : {&a, &b}) std::ranges::copy(flank->inner_knots(), std::back_inserter(knots));
+  std::ranges::sort(knots);
+  const int count = 2 * (a.degree_along() + b.degree_along()) + 3;
+  std::vector<SeamPlace> places;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double length = knots[i + 1] - knots[i];
+    if (length <= kSameShare) continue;
+    places.push_back({knots[i], Side::right});
+    for (int k = 1; k < count; ++k) places.push_back({knots[i] + length * k / count, Side::right});
+    places.push_back({knots[i + 1], Side::left});
+  }
+  return places;
+}
+
+void take_normal(const SeamJet& from, SeamJet& to) {
+  to.normal = from.normal;
+  to.curvature = from.curvature;
+  to.rise = from.rise;
+}
+
+/// Which one is largest, if it is more than rounding.
+std::size_t largest_at(const SeamJets& jets, SeamMeasure measure) {
+  constexpr double kNegligible = 1e-9;
+  double largest = kNegligible;
+  std::size_t found = jets.places.size();
+  for (std::size_t i = 0; i < jets.places.size(); ++i) {
+    const double value = measure(jets.a[i], jets.b[i]);
+    if (!(value > largest)) continue;
+    largest = value;
+    found = i;
+  }
+  return found;
+}
+
+/// For each place whether one beside the step from there to the next one, which has a length, is the largest of a measure.
+std::vector<bool> steps_beside_largest(const SeamJets& jets, std::span<const SeamMeasure> measures) {
+  const auto& places = jets.places;
+  std::vector<bool> chosen(places.size(), false);
+  for (const SeamMeasure measure : measures) {
+    const std::size_t at = largest_at(jets, measure);
+    if (at == places.size()) continue;
+    const auto is_there = [&](std::size_t i) { return std::abs(places[i].share - places[at].share) <= kSameShare; };
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      if (is_there(i) != is_there(i + 1)) chosen[i] = true;
+    }
+  }
+  return chosen;
+}
+
+/// With more places in these steps.
+SeamJets closer(const Flank& a, const Flank& b, SeamDepth depth, const SeamJets& jets, const std::vector<bool>& steps) {
+  constexpr int kParts = 5;
+  std::vector<SeamPlace> more;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!steps[i]) continue;
+    const double from = jets.places[i].share;
+    const double length = jets.places[i + 1].share - from;
+    for (int k = 1; k < kParts; ++k) more.push_back({from + length * k / kParts, Side::right});
+  }
+  const SeamJets between = seam_jets(a, b, std::move(more), depth);
+  SeamJets all;
+  std::size_t next = 0;
+  const auto take = [&](const SeamJets& from, std::size_t i) {
+    all.places.push_back(from.places[i]);
+    all.a.push_back(from.a[i]);
+    all.b.push_back(from.b[i]);
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    take(jets, i);
+    for (int k = 1; steps[i] && k < kParts; ++k) take(between, next++);
+  }
+  return all;
+}
+
+}  // namespace
+
+// Where a normal is the limit of many, as at the end of a meridian, both are those a little way on along the seam, if there
+// are such: the limit along it, nearly.
+SeamJets seam_jets(const Flank& a, const Flank& b, std::vector<SeamPlace> places, SeamDepth depth) {
+  constexpr double kWay = 1e-3;
+  SeamJets here{std::move(places), {}, {}};
+  here.a = a.jets(here.places, depth);
+  here.b = b.jets(here.places, depth);
+  std::vector<std::size_t> singular;
+  std::vector<SeamPlace> beside;
+  for (std::size_t i = 0; i < here.places.size(); ++i) {
+    if (here.a[i].is_regular && here.b[i].is_regular) continue;
+    const SeamPlace& place = here.places[i];
+    const double way = kWay * std::min(a.room(place), b.room(place));
+    singular.push_back(i);
+    beside.push_back({place.share + (place.side == Side::right ? way : -way), place.side});
+  }
+  const std::vector<SeamJet> of_a = a.jets(beside, depth);
+  const std::vector<SeamJet> of_b = b.jets(beside, depth);
+  for (std::size_t i = 0; i < singular.size(); ++i) {
+    if (!of_a[i].is_regular || !of_b[i].is_regular) continue;
+    take_normal(of_a[i], here.a[singular[i]]);
+    take_normal(of_b[i], here.b[singular[i]]);
+  }
+  return here;
+}
+
+SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::span<const SeamMeasure> measures) {
+  constexpr int kRounds = 4;
+  SeamJets jets = seam_jets(a, b, dense_places(a, b), depth);
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<bool> steps = steps_beside_largest(jets, measures);
+    if (std::ranges::find(steps, true) == steps.end()) break;
+    jets = closer(a, b, depth, jets, steps);
+  }
+  return jets;
+}
+
+}  // namespace splinecore
