@@ -206,7 +206,7 @@ def test_it_is_of_no_matter_where_the_list_begins(weights):
         other = build.fill(order)
         there = other.patches[0].evaluate_grid(u, v)
         turned = [np.rot90(there, k) for k in range(4)] + [np.rot90(there.swapaxes(0, 1), k) for k in range(4)]
-        assert min(np.abs(here - one).max() for one in turned) <= 1e-13
+        assert min(np.abs(here - one).max() for one in turned) <= 1e-12
 
 
 def rational_sphere_patch(corners):
@@ -301,3 +301,26 @@ def test_a_hole_in_a_sphere_is_filled_with_a_dome(word, count, most):
              for i in range(count)]
     filling = build.fill(sides, tolerance=1e-4)
     assert max(np.abs(np.linalg.norm(grid(patch), axis=1) - 1).max() for patch in filling.patches) <= most
+
+
+@pytest.mark.parametrize("word", ["G0", "G1", "G2"])
+@pytest.mark.parametrize("count, knots", [(3, 12), (5, 5), (5, 20), (8, 5)])
+def test_sides_with_many_knots_are_followed(count, knots, word):
+    """Also where knots of one side come near those of another one on the same patch."""
+    around = []
+    for patch, border, _ in polygon_hole(count, word, 0.3, 1.2):
+        patch = patch.to_nurbs().refine("u", np.linspace(0, 1, knots + 2)[1:-1] * 0.97 + 0.01)
+        points = patch.points.copy()
+        points[2:-2, 0, 2] += 0.002 * np.sin(2.1 * np.arange(len(points)))[2:-2]
+        around.append((patch.with_points(points), border, word))
+    filling = build.fill(around)
+    assert filling.gap <= 2e-6 and filling.angle <= 2e-2 and filling.inner_angle <= 2e-4
+
+
+@pytest.mark.parametrize("degree", [9, 60, 200])
+def test_sides_of_high_degree_are_followed(degree):
+    t = np.linspace(0, 1, degree + 1)
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    sides = [sc.BezierCurve(np.outer(1 - t, a) + np.outer(t, b)) for a, b in zip(np.array(corners, float), np.roll(corners, -1, 0))]
+    filling = build.fill(sides)
+    assert filling.gap <= 2e-6

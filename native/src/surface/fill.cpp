@@ -123,6 +123,7 @@ Filling star_filled(const Hole& hole, const FillLimits& limits) {
     const ClaimedStar claimed = claimed_star(hole, knots.with(spans));
     Filling filling = seen_along_sides(hole, star_parts(hole), claimed.patches(), is_last ? std::nullopt : std::optional(limits));
     if (!is_last && !limits.are_met(filling)) continue;
+    if (filling.gap > limits.gap && !knots.are_most(spans)) continue;
     filling.patches = solved(hole, claimed);
     filling.inner_angle = angle_between_patches(filling.patches, Border::v_end);
     if (is_last || limits.are_met(filling)) return filling;

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "basis/gauss_legendre.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
@@ -199,8 +201,12 @@ SpokeConditions conditions_of(const Star& star, const Unknowns& unknowns) {
 
 /// The least of a form under conditions, as nearly as these agree: multipliers (Hestenes 1969, Powell 1969).
 Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
-  constexpr int kRounds = 12;
+  constexpr int kLeastRounds = 12;
+  constexpr int kMostRounds = 100;
+  constexpr double kSlow = 0.95;
   constexpr double kFirm = 1e7;
+  constexpr double kLoose = 1e-4;  // first, for conditions may hide how large the form is in their common directions
+  constexpr double kNear = 1e-13;  // to the round before, of the diagonal, for the same reason
   const Index count = form.right.rows();
   if (count == 0) return Eigen::MatrixXd(0, 3);
   const Eigen::SparseMatrix<double> energy = form.left();
@@ -209,12 +215,22 @@ Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
   for (Index i = 0; i < right.rows(); ++i) add_vector(right, i, conditions.right[static_cast<std::size_t>(i)]);
   const double firm = kFirm * energy.diagonal().mean() / std::max(left.squaredNorm() / static_cast<double>(count), 1e-300);
   const Eigen::SparseMatrix<double> back = left.transpose();
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(energy + firm * (back * left));
+  Eigen::MatrixXd points = Eigen::MatrixXd::Zero(count, 3);
   Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(right.rows(), 3);
-  Eigen::MatrixXd points;
-  for (int round = 0; round < kRounds; ++round) {
-    points = solver.solve(form.right + back * (firm * right - multipliers));
-    multipliers += firm * (left * points - right);
+  for (const double share : {kLoose, 1.0}) {
+    const Eigen::SparseMatrix<double> whole = energy + share * firm * (back * left);
+    const Eigen::VectorXd near = kNear * whole.diagonal();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(whole + Eigen::SparseMatrix<double>(near.asDiagonal()));
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kMostRounds; ++round) {
+      breathe(static_cast<std::size_t>(whole.nonZeros()));
+      points = solver.solve(form.right + back * (share * firm * right - multipliers) + near.asDiagonal() * points);
+      const Eigen::MatrixXd off = left * points - right;
+      multipliers += share * firm * off;
+      const double size = off.norm();
+      if (round >= kLeastRounds && !(size < kSlow * before)) break;
+      before = size;
+    }
   }
   return points;
 }

@@ -81,8 +81,10 @@ std::vector<PartOfSide> star_parts(const Hole& hole) {
 }
 
 StarKnots::StarKnots(const Hole& hole) : degree_(hole.continuity() == 2 ? 7 : 5), inner_(side_knots(hole, star_parts(hole), degree_)) {
-  constexpr std::size_t kMostSideKnots = 5;
-  if (inner_.size() > kMostSideKnots) inner_.clear();
+  constexpr int kMostCopies = 40;
+  int copies = 0;
+  for (const SideKnot& knot : inner_) copies += knot.copies;
+  if (copies > kMostCopies) inner_.clear();
 }
 
 KnotVector StarKnots::with(int spans) const {
@@ -98,7 +100,12 @@ KnotVector StarKnots::with(int spans) const {
 }
 
 bool StarKnots::are_all(int spans) const {
-  constexpr int kMostSpans = 8;
+  constexpr int kForAngles = 8;
+  return spans * (static_cast<int>(inner_.size()) + 1) >= kForAngles;
+}
+
+bool StarKnots::are_most(int spans) const {
+  constexpr int kMostSpans = 64;
   return spans * (static_cast<int>(inner_.size()) + 1) >= kMostSpans;
 }
 

@@ -27,8 +27,9 @@ class StarKnots {
   /// Each stretch between inner knots of sides in so many spans.
   KnotVector with(int spans) const;
 
-  /// Whether so many are as many as there may be.
+  /// Whether so many are as many as there may be for angles, or at all.
   bool are_all(int spans) const;
+  bool are_most(int spans) const;
 
  private:
   int degree_;

@@ -33,8 +33,8 @@ struct Filling {
 ///   weights and all, of degree 3 to 7. See bicubic_coons().
 /// - otherwise, and where that does not do, polynomial patches of degree 5, or 7 where curvatures are to agree, by least third
 ///   derivatives of what lies between them and what neighbours let expect, which is that Coons patch, or of other numbers of
-///   sides a polynomial over a plane (Sarraga 1987 and Greiner 1994): eight spans at most. Of four sides they are one patch;
-///   others are split from the middle of each side to a point.
+///   sides a polynomial over a plane (Sarraga 1987 and Greiner 1994): eight spans at most, and more only where sides need
+///   them. Of four sides they are one patch; others are split from the middle of each side to a point.
 /// - where all sides go on into each other without a corner: patches from each, as it is, to a point in which they all end,
 ///   u along the side; lines go there as circles would. Their common tangent plane there is what neighbours let expect.
 /// Sides that go on into each other without a corner, from neighbours, are one side where others do not; what fills the hole
@@ -46,7 +46,8 @@ struct Filling {
 ///          where weights differ much or curvatures are to go on far
 /// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it, or goes on
 ///         without a corner into one from no neighbour, or one or two corners are left, or a round hole is not seen whole from
-///         its middle, or continuity is not from 0 to 2; ToleranceNotReached where neighbouring sides' ends lie apart, or the sides are not reached
+///         its middle, or continuity is not from 0 to 2; ToleranceNotReached where neighbouring sides' ends lie
+///         apart, or the sides are not reached
 Filling fill(std::span<const FillSide> sides, const FillOptions& options = {});
 
 }  // namespace splinecore
