@@ -84,6 +84,23 @@ def test_a_hole_between_surfaces_is_filled_and_goes_on_from_them():
     assert recipes.read(ob.data).said == "4 sides, angle 0° to them"
 
 
+@pytest.mark.parametrize('continuity', ('G1', 'G2'))
+def test_two_surfaces_along_one_side_of_a_hole(continuity):
+    """They are one side: the filling is one patch, and it follows either."""
+    places = (((0, -1), (0.4, 1)), ((0.4, -1), (0.6, 1)), ((0, 1), (1, 1)), ((-1, 0), (1, 1)), ((1, 0), (1, 1)))
+    obs = [add(sc.build.plane((x, y, 0), (wide, 0, 0), (0, high, 0)), f"{x}, {y}") for (x, y), (wide, high) in places]
+    ob = make('filling', *obs, continuity=continuity)
+    patch = ob.data.splinewright.value
+    assert not isinstance(patch, sc.PatchSet) and abs(patch.area() - 1.0) < 1e-9
+    assert recipes.read(ob.data).said.startswith("5 sides, angle 0° to them")
+
+    for one in obs:
+        one.location.z = 0.5
+    bpy.context.view_layer.update()
+    points = corners_of(ob)
+    assert np.abs(points[:, 2] - 0.5).max() < 1e-6
+
+
 @pytest.mark.parametrize('continuity, bulge', (('G1', 1e-6), ('G2', 0.01)))
 def test_a_round_hole_is_closed_and_follows(continuity, bulge):
     """A cup of four walls, whose bottom is the shorter way round: a disc goes on from them there; as they bend, with G2."""

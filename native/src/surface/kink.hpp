@@ -7,6 +7,9 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
+/// What a kink that is smoothed over may take of a tolerance.
+inline constexpr double kKinkShare = 0.1;
+
 /// How far a curve's way turns at a parameter; of a periodic one also at its seam.
 double kink_angle(const NurbsCurve& curve, double u);
 

@@ -44,7 +44,6 @@ void require_options(const SweepOptions& options) {
 
 /// Angles at which a kink moves no point of a section by what is seen of a tolerance.
 double negligible_angle(std::span<const RailSection> sections, const SweepOptions& options, double tolerance) {
-  constexpr double kShare = 0.1;
   double reach = 0.0;
   for (const RailSection& section : sections) {
     for (const glm::dvec4& p : section.curve.points()) reach = std::max(reach, length_of(glm::dvec3(p)));
@@ -52,7 +51,7 @@ double negligible_angle(std::span<const RailSection> sections, const SweepOption
   reach *= std::max(1.0, options.end_scale);
   double scale = options.scales.empty() ? 1.0 : 0.0;
   for (const RailNumber& one : options.scales) scale = std::max(scale, one.value);
-  return reach * scale > 0.0 ? kShare * tolerance / (reach * scale) : 0.0;
+  return reach * scale > 0.0 ? kKinkShare * tolerance / (reach * scale) : 0.0;
 }
 
 /// A rail that closes smoothly as a periodic one, one with corners from one of them on.

@@ -187,9 +187,8 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
     }
     return rows;
   };
-  constexpr double kShare = 0.1;
   const double within = options.tolerance ? *options.tolerance / space.length(1.0) : 0x1p-20;
-  const std::vector<double> breaks = breaks_of(rails, options.up.has_value(), kShare * within);
+  const std::vector<double> breaks = breaks_of(rails, options.up.has_value(), kKinkShare * within);
   const bool goes_round = rails.first.periodic() && breaks.size() == 2;
   RowDomain domain{breaks, joints_at(rails.first.knot_vector()), goes_round ? Closing::closed : Closing::open};
   std::ranges::copy(joints_at(rails.second.knot_vector()), std::back_inserter(domain.joints));
