@@ -89,11 +89,12 @@ void bind_networks(py::module_& module) {
             "parameters at all crossings, or their weights cannot be made one there, they are run through at another pace, as\n"
             "polynomials within half the tolerance, a length, by default 2^-20 of the size; otherwise nothing is rounded, and\n"
             "curves of a patch give it back where they are as many as its control points in one direction. If all curves of\n"
-            "a direction are closed, the surface is, also through two of the others.\n\n"
+            "a direction are closed, the surface is, also through two or three of the others.\n\n"
             "neighbours are (patch, side, 'G1'): from each the surface goes on, in its tangent planes to 1e-4 radians, over the\n"
             "outermost curve that lies on that side; curves are polynomials then, and must leave it in these planes.\n\n"
-            "InvalidShape names curves that do not meet once or in the order of the others, and says how near they come, or a\n"
-            "neighbour that lies along none of the outermost curves; ToleranceNotReached.");
+            "InvalidShape names curves that do not meet once or in the order of the others, and says how near they come, that are\n"
+            "a point or cross another one where a third does, fewer than four closed ones across as few, or a neighbour\n"
+            "that lies along none of the outermost curves; ToleranceNotReached.");
 }
 
 }  // namespace bindings

@@ -65,7 +65,7 @@ void bind_extend_patch(py::module_& build) {
             "The patch made longer at a side by a length, on average along it: a NurbsPatch that keeps its parameters, the domain\n"
             "grows. how is 'natural': each line goes on by the polynomials of its last span (row S20); 'straight': along its\n"
             "tangent.\n"
-            "InvalidShape if the length is not above 0, the direction is periodic, lines stand still at the side, or run to\n"
+            "InvalidShape if the length is not above 0, or 2^40 times longer or shorter than the patch, the direction is periodic, lines stand still at the side, or run to\n"
             "infinity before that length.");
 }
 

@@ -321,6 +321,10 @@ def test_sides_with_many_knots_are_followed(count, knots, word):
 def test_sides_of_high_degree_are_followed(degree):
     t = np.linspace(0, 1, degree + 1)
     corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
-    sides = [sc.BezierCurve(np.outer(1 - t, a) + np.outer(t, b)) for a, b in zip(np.array(corners, float), np.roll(corners, -1, 0))]
+    bumps = np.sin(np.pi * t) ** 3 / 3
+    sides = [sc.BezierCurve(np.outer(1 - t, a) + np.outer(t, b) + np.outer(bumps, (0, 0, 1)))
+             for a, b in zip(np.array(corners, float), np.roll(corners, -1, 0))]
     filling = build.fill(sides)
     assert filling.gap <= 2e-6
+    points = filling.patches[0].evaluate_grid(np.linspace(0, 1, 33), np.linspace(0, 1, 33))
+    assert np.abs(points).max() <= 1 + 1e-6

@@ -30,7 +30,7 @@ CALLS = {
     "fill: a gap": lambda at, size: build.fill(at(SQUARE), tolerance=1e-6 * size),
     "coons: a gap": lambda at, size: build.coons(at(SQUARE), tolerance=1e-6 * size),
     "fill: arcs": lambda at, size: build.fill(at([ARC.part(*np.array(ends) / 3 * ARC.domain[1]) for ends in ((0, 1), (1, 2), (2, 3))]
-                                                 + [sc.BezierCurve([ARC.evaluate(ARC.domain[1]), ARC.evaluate(0.0)])]), tolerance=1e-13 * size),
+                                                 + [sc.BezierCurve([ARC.evaluate(ARC.domain[1]), ARC.evaluate(0.0)])]), tolerance=TINY * size),
     "network: no crossing": lambda at, size: build.network(at(ALONG), at(CROSSED), tolerance=1e-3 * size),
     "offset": lambda at, size: build.offset_patch(*at([BENT]), 0.01 * size, tolerance=TINY * size),
     "sweep": lambda at, size: build.sweep(*at([WAVE]), [sc.BezierCurve([(-0.1 * size, 0, 0), (0.1 * size, 0, 0)])], tolerance=TINY * size),

@@ -198,6 +198,56 @@ def test_two_ribs_are_enough_for_rings(angle, heights, is_swapped):
     assert np.abs(np.hypot(points[..., 0], points[..., 1]) - 1 - points[..., 2]).max() <= 1e-6
 
 
+@pytest.mark.parametrize("count", [3, 4, 5, 8])
+@pytest.mark.parametrize("degree", [2, 3, 4, 5])
+@pytest.mark.parametrize("is_swapped", [False, True])
+def test_bent_ribs_across_rings_of_any_degree(count, degree, is_swapped):
+    """What ribs add to the loft of the rings is where they are."""
+    rings = []
+    for height in (0, 2):
+        at = 2 * np.pi * np.arange(12) / 12
+        rings.append(sc.fit.interpolate(np.c_[np.cos(at), np.sin(at), np.full(12, height)], degree=degree, closed=True).value)
+    low, high = rings[0].domain
+    places = low + (high - low) * (np.arange(count) + 0.3) / count
+    ribs = [sc.BezierCurve([start, 0.5 * (start + end) * (1.6 + 0.2 * k, 1.6 + 0.2 * k, 1), end])
+            for k, (start, end) in enumerate(zip(*(one.evaluate(places) for one in rings)))]
+    made, error = build.network(ribs, rings) if is_swapped else build.network(rings, ribs)
+    assert error <= 1e-6
+    for one in rings + ribs:
+        points = one.evaluate(np.linspace(*one.domain, 33))
+        assert np.linalg.norm(made.nearest(points).points - points, axis=1).max() <= 1e-6
+
+
+@pytest.mark.parametrize("slant", [1e-3, 0.1, 0.6, -0.5])
+def test_two_ribs_may_cross_rings_anywhere(slant):
+    ribs = [line((1, 0, 0), (1, 0, 2)), line((math.cos(2), math.sin(2), 0), (math.cos(2 + slant), math.sin(2 + slant), 2))]
+    rings = [ring(1, 0), ring(1, 2)]
+    made, error = build.network(rings, ribs, tolerance=1e-4)
+    assert made.periodic == (True, False) and error <= 1e-4
+    for one in rings + ribs:
+        points = one.evaluate(np.linspace(*one.domain, 33))
+        assert np.linalg.norm(made.nearest(points).points - points, axis=1).max() <= 1e-4
+
+
+def test_two_closed_curves_across_two_closed_ones():
+    torus = build.torus((0, 0, 0), (0, 0, 1), 3.0, 1.0)
+    (u0, u1), (v0, v1) = torus.domain
+    around = [torus.isocurve("v", v) for v in (v0, v0 + (v1 - v0) / 2)]
+    over = [torus.isocurve("u", u) for u in (u0, u0 + (u1 - u0) / 2)]
+    with pytest.raises(sc.InvalidShape, match="fewer than four closed curves cross fewer than four closed ones"):
+        build.network(around, over)
+    for along_u, along_v in ((around, [torus.isocurve("u", u0 + (u1 - u0) * k / 4) for k in range(4)]),
+                             ([torus.isocurve("v", v0 + (v1 - v0) * k / 4) for k in range(4)], over)):
+        made, error = build.network(along_u, along_v)
+        assert made.periodic == (True, True) and error <= 1e-6
+
+
+def test_far_domains_keep_crossings_apart():
+    along_u = [sc.NurbsCurve(1, [1e12, 1e12, 1e12 + 1, 1e12 + 1], [(0, y, 0), (1, y, 0)]) for y in (0, 1)]
+    made, error = build.network(along_u, [line((x, 0, 0), (x, 1, 0)) for x in (0, 0.5, 1)])
+    assert error <= 1e-4 and np.abs(grid(made)[..., 2]).max() == 0
+
+
 def test_two_ribs_of_different_shape():
     ribs = [sc.BezierCurve([(x, 0, 0), (y, 0, 1), (x, 0, 2)]) for x, y in ((1, 2), (-1, -1.5))]
     made, error = build.network([ring(1, 0), ring(1, 2)], ribs)

@@ -87,6 +87,25 @@ def test_a_pole_that_rounding_has_spread_is_one(noise, size):
     assert np.abs(np.linalg.norm(at, axis=-1) - 1.1).max() <= 10 * noise + 1e-14
 
 
+def test_an_exact_pole_keeps_every_digit():
+    dome = build.sphere((0.3, 0.1, 0.7), 1.3).split("v", 0.5)[1]
+    shell, _ = build.thicken(dome, 0.0, 0.1)
+    assert np.array_equal(shell[1].reversed("u").points, dome.points)
+
+
+@pytest.mark.parametrize("axis", ["u", "v"])
+def test_spread_poles_of_any_side(axis):
+    """Also where the outermost knot, which decides nothing, lies elsewhere."""
+    dome = build.sphere((0, 0, 0), 1.0).split("v", 0.5)[1].reversed("v")
+    knots = dome.knots[1].copy()
+    knots[0] -= 1
+    points = dome.points.copy()
+    points[:, 0] += 1e-12 * np.random.default_rng(2).normal(size=(len(points), 3))
+    noisy = sc.NurbsPatch(dome.degree, (dome.knots[0], knots), points, dome.weights, periodic=(True, False))
+    made, error = build.offset_patch(noisy if axis == "v" else noisy.swapped(), 0.1, tolerance=1e-4)
+    assert error <= 1e-9 and made.points.shape[0] * made.points.shape[1] <= 100
+
+
 def test_a_spread_pole_has_no_wall():
     dome = build.sphere((0, 0, 0), 1.0).split("v", 0.5)[1]
     points = np.array(dome.points)

@@ -66,6 +66,52 @@ def test_neighbours_that_have_only_their_planes_in_common(word):
     assert off_quadric(filling) <= 0.2
 
 
+def strips_along(xs, word, make=lambda corners: quadric_over(corners)):
+    """Neighbours below y = -1 between these x, whose seams lean, and the other three sides of a square."""
+    a, b, c, d = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
+    words = [word] * (len(xs) - 1) if isinstance(word, str) else word
+    beyond = [np.array([x + 0.2 * k * x, -2.2]) for k, x in enumerate(xs)]
+    strips = [(make([(x, -1), (y, -1), beyond[k + 1], beyond[k]]), "v_start", words[k]) for k, (x, y) in enumerate(zip(xs, xs[1:]))]
+    last = words[-1]
+    return strips + [fanned([b, c], [(2, 2), (2, -2)], last), fanned([c, d], [(-2, 2), (2, 2)], last), fanned([d, a], [(-2, -2), (-2, 2)], last)]
+
+
+@pytest.mark.parametrize("xs", [(-1, 0, 1), (-1, -0.3, 0.5, 1), (-1, -0.7, -0.2, 0.1, 1), (-1, 0.2 + 1e-9, 1)])
+@pytest.mark.parametrize("word", ["G1", "G2"])
+def test_any_number_of_pieces(xs, word):
+    filling = build.fill(strips_along(xs, word))
+    assert len(filling.patches) == 1 and filling.gap <= 1e-12 and filling.angle <= 1e-3
+    assert off_quadric(filling) <= 0.1
+
+
+@pytest.mark.parametrize("word", ["G1", "G2"])
+def test_rational_pieces_with_more_knots_in_any_direction(word):
+    rng = np.random.default_rng(8)
+
+    def make(corners):
+        patch = quadric_over(corners).to_nurbs().moebius("u", rng.uniform(0.7, 1.4)).moebius("v", rng.uniform(0.7, 1.4))
+        return patch.refine("u", [0.4, 0.4]).refine("v", [0.6]).elevate("v")
+
+    sides = strips_along((-1, -0.2, 1), word, make)
+    turned = [(sides[0][0].swapped(), "u_start", word), (sides[1][0].reversed("v").unclamped("v").reversed("u"), "v_end", word)]
+    filling = build.fill(turned + sides[2:], angle=1e-3)
+    assert len(filling.patches) == 1 and filling.gap <= 2e-6 and filling.angle <= 5e-3
+    assert off_quadric(filling) <= 0.1
+
+
+def test_each_piece_goes_on_as_it_is_asked_to():
+    """Curvatures count beside the pieces that are to go on with curvatures."""
+    around = strips_along((-1, 0.2, 1), ["G1", "G2"])
+    bent = around[0][0].points + np.array([0, 0, 0.5]) * np.array([0, 0, 1, 3, 6])[None, :, None]
+    filling = build.fill([(around[0][0].with_points(bent), "v_start", "G1"), *around[1:]])
+    first, second = filling.patches[0].split("u", 0.6)
+    of_second = sc.seam_continuity(second, "v_start", around[1][0], "v_start").curvature_difference
+    others = [sc.seam_continuity(filling.patches[0], name, neighbour, "v_start").curvature_difference
+              for name, (neighbour, _, _) in zip(("u_end", "v_end", "u_start"), around[2:])]
+    assert filling.curvature_difference == pytest.approx(max(of_second, *others), rel=1e-6)
+    assert sc.seam_continuity(first, "v_start", around[0][0].with_points(bent), "v_start").curvature_difference > 0.5
+
+
 def test_what_it_says_is_what_is_measured():
     around = polygon_hole(4, "G1", 0.3)
     strip = parted(around[0], 0.4)

@@ -7,11 +7,12 @@ namespace splinecore {
 
 struct GatheredPoles {
   NurbsPatch patch;
-  double moved;  ///< the largest distance of a control point
+  double moved;  ///< a length: no point of the patch moved farther
 };
 
-/// The patch with sides whose points all lie so near to their middle in one point, as they were meant where rounding came
-/// between: normals along them are noise, and those of the pole that they then are are not.
+/// The patch with sides whose control points all lie within a distance, a length, of their middle in one point, as they were
+/// meant where rounding came between: normals along them are noise, and those of the pole that they then are are not. One
+/// with weights that are not positive stays as it is.
 GatheredPoles with_gathered_poles(const NurbsPatch& patch, double distance);
 
 }  // namespace splinecore

@@ -1,20 +1,13 @@
 #include "pole.hpp"
 
 #include "base/given_points.hpp"
+#include "clamped_end.hpp"
 #include "lines.hpp"
 #include "settled.hpp"
 
 namespace splinecore {
 
 namespace {
-
-/// Whether the functions of one end alone are there where the domain ends.
-bool is_clamped(const KnotVector& knots, bool at_end) {
-  if (knots.periodic()) return false;
-  const auto all = knots.knots();
-  const auto degree = static_cast<std::size_t>(knots.degree());
-  return at_end ? all[all.size() - 1 - degree] == all[all.size() - 2] : all[degree] == all[1];
-}
 
 /// Where S_u x S_v and C x C' have the same sense.
 double sense_of(Border side) { return side == Border::u_start || side == Border::v_end ? 1.0 : -1.0; }
@@ -25,7 +18,7 @@ std::optional<Pole> Pole::at(const NurbsPatch& patch, Border side) {
   const Axis axis = axis_of(side);
   const KnotVector& knots = patch.knot_vector(axis);
   const bool at_end = is_at_end(side);
-  if (!is_clamped(knots, at_end)) return std::nullopt;
+  if (!is_clamped_at(knots, at_end)) return std::nullopt;
   const Lines lines = lines_of(patch, axis);
   const auto place = [&](std::size_t line, std::size_t row) {
     return lines.at(line, at_end ? lines.size - 1 - row : row);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string>
 
 #include "base/positive_weights.hpp"
@@ -81,7 +82,9 @@ std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limi
   const auto goes_on = [](const HoleSide& side) { return side.continuity() == 1; };
   if (hole.share != 1.0 || hole.continuity() > 1 || std::ranges::none_of(hole.sides, goes_on)) return {};
   const BorderPairs borders = hole_borders(hole);
+  constexpr int kMostDegree = 64;
   const int least = least_degree(hole);
+  if (least > kMostDegree) return {};
   const int most = std::max(7, least);
   std::optional<Filling> best;
   for (int degree = least; degree <= most; ++degree) {
@@ -164,6 +167,9 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   Hole hole = hole_of(pieces);
   Filling filling = filled(hole, limits);
   if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);
+  if (filling.angle > 0.5 * std::numbers::pi) {
+    throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
+  }
   filling.gap += loop.error;
   return filling;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "base/length.hpp"
 #include "least_parts.hpp"
@@ -101,12 +102,6 @@ void agree_on_fourths(HoleSide& a, HoleSide& b) {
 
 }  // namespace
 
-void require_onward(const Hole& hole) {
-  for (const HoleSide& side : hole.sides) {
-    if (side.continuity() > 0) side.require_onward();
-  }
-}
-
 Hole hole_of(const std::vector<SidePiece>& pieces) {
   const std::vector<bool> is_joined = joined_to_next(pieces);
   const std::size_t count = pieces.size();
@@ -144,7 +139,9 @@ void agree_at_corners(Hole& hole) {
     }
   };
   at_corners(agree_on_twist);
-  require_onward(hole);
+  for (HoleSide& side : hole.sides) {
+    if (side.continuity() > 0) side.bend_onward();
+  }
   at_corners([&](HoleSide& a, HoleSide& b) { agree_on_thirds(a, b, hole.share); });
   at_corners(agree_on_fourths);
 }

@@ -32,12 +32,9 @@ Hole hole_of(const std::vector<SidePiece>& pieces);
 /// Whether a side goes on into the next one without a corner: within a degree or so, at which patches with one would fold.
 bool goes_on_at_end(const Hole& hole, std::size_t i);
 
-/// @throws InvalidShape where a side leaves back over its neighbour
-void require_onward(const Hole& hole);
-
 /// Sets how sides leave: at a corner along the next side, and so that both of a corner agree on mixed derivatives there, as
-/// nearly as their neighbours let them.
-/// @throws InvalidShape where a side with a neighbour goes on into another without a corner
+/// nearly as their neighbours let them and as none leaves back over its neighbour.
+/// @throws InvalidShape where one does at a corner, or a side with a neighbour goes on into another without a corner
 void agree_at_corners(Hole& hole);
 
 }  // namespace splinecore

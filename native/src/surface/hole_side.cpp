@@ -1,6 +1,7 @@
 #include "hole_side.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -30,7 +31,7 @@ std::vector<PlacedPiece> placed(std::vector<SidePiece> pieces) {
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const double end = k + 1 == pieces.size() ? 1.0 : ends[k] / ends.back();
     if (!(end > from)) throw InvalidShape("a side of the hole is next to nothing beside one that it goes on into");
-    found.push_back({std::move(pieces[k]), from, end - from});
+    found.push_back({std::move(pieces[k]), from, end});
     from = end;
   }
   return found;
@@ -38,7 +39,7 @@ std::vector<PlacedPiece> placed(std::vector<SidePiece> pieces) {
 
 /// At its joints at most continuously differentiable, as what leaves it is.
 NurbsCurve whole_curve(const std::vector<PlacedPiece>& pieces) {
-  const auto curve_of = [](const PlacedPiece& one) { return with_domain(one.piece.curve(), {one.from, one.end()}); };
+  const auto curve_of = [](const PlacedPiece& one) { return with_domain(one.piece.curve(), {one.from, one.to}); };
   NurbsCurve whole = curve_of(pieces.front());
   if (pieces.size() == 1) return whole;
   for (std::size_t k = 1; k < pieces.size(); ++k) whole = joined(whole, curve_of(pieces[k]), Smoothness::c0).value;
@@ -53,9 +54,9 @@ NurbsCurve whole_curve(const std::vector<PlacedPiece>& pieces) {
 std::vector<HolePlace> places_of(const PlacedPiece& one, std::span<const double> inside) {
   std::vector<HolePlace> places = one.piece.places(inside);
   for (HolePlace& place : places) {
-    place.along /= one.length;
-    place.along_2 /= one.length * one.length;
-    place.out_along /= one.length;
+    place.along /= one.length();
+    place.along_2 /= one.length() * one.length();
+    place.out_along /= one.length();
   }
   return places;
 }
@@ -66,8 +67,8 @@ struct Leaving {
   glm::dvec3 second;
 };
 
-/// D2 across a plane, as far as D decides it.
-glm::dvec3 rising(SidePiece& piece, bool is_end, const glm::dvec3& across) {
+/// The part in the neighbour's plane of what D alone makes of D2.
+glm::dvec3 sliding(SidePiece piece, bool is_end, const glm::dvec3& across) {
   piece.set_end(is_end, across, glm::dvec3(0.0));
   const auto [c, d] = piece.second_parts(is_end);
   const std::array<glm::dvec3, 2> directions = piece.directions(is_end);
@@ -75,11 +76,11 @@ glm::dvec3 rising(SidePiece& piece, bool is_end, const glm::dvec3& across) {
 }
 
 /// Along the line between neighbours: both turn alike along that.
-Leaving leaving_between(SidePiece& before, SidePiece& behind, double length) {
+Leaving leaving_between(const SidePiece& before, const SidePiece& behind, double length) {
   const glm::dvec3 a = before.directions(true)[0];
   const glm::dvec3 b = behind.directions(false)[0];
   const glm::dvec3 across = length * glm::normalize(glm::normalize(a) + glm::normalize(b));
-  return {across, 0.5 * (rising(before, true, across) + rising(behind, false, across))};
+  return {across, 0.5 * (sliding(before, true, across) + sliding(behind, false, across))};
 }
 }  // namespace
 
@@ -108,11 +109,12 @@ std::vector<Value> HoleSide::gathered(std::span<const double> s, const Given& gi
     std::vector<std::size_t> numbers;
     std::vector<double> inside;
     for (std::size_t i = 0; i < s.size(); ++i) {
-      const bool is_here = (k == 0 || s[i] >= one.from) && (k + 1 == pieces_.size() || s[i] < one.end());
+      const bool is_here = (k == 0 || s[i] >= one.from) && (k + 1 == pieces_.size() || s[i] < one.to);
       if (!is_here) continue;
       numbers.push_back(i);
-      inside.push_back((s[i] - one.from) / one.length);
+      inside.push_back((s[i] - one.from) / one.length());
     }
+    if (numbers.empty()) continue;
     const std::vector<Value> values = given(one, inside);
     for (std::size_t i = 0; i < numbers.size(); ++i) found[numbers[i]] = values[i];
   }
@@ -135,6 +137,7 @@ void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& 
 }
 
 void HoleSide::agree_at_joints() {
+  if (pieces_.size() == 1) return;
   const double ends[] = {0.0, 1.0};
   const std::vector<glm::dvec3> outer = across(ends, 1);
   for (std::size_t k = 1; k < pieces_.size(); ++k) {
@@ -148,9 +151,10 @@ void HoleSide::agree_at_joints() {
   for (std::size_t k = 1; k < pieces_.size(); ++k) turn_alike(pieces_[k - 1].piece, pieces_[k].piece);
 }
 
-void HoleSide::require_onward() const {
-  for (const PlacedPiece& one : pieces_) {
-    if (one.piece.leaves_onward()) continue;
+void HoleSide::bend_onward(double least) {
+  for (PlacedPiece& one : pieces_) {
+    const double left = one.piece.bend_onward();
+    if (left > 0.0 && left >= least) continue;
     throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
   }
 }
@@ -162,7 +166,7 @@ AcrossJet HoleSide::jet(bool is_end) const {
   for (std::size_t order = 0; order < jet.first.size(); ++order) {
     jet.first[order] *= rate;
     jet.second[order] *= rate;
-    rate /= one.length;
+    rate /= one.length();
   }
   return jet;
 }
@@ -170,25 +174,29 @@ AcrossJet HoleSide::jet(bool is_end) const {
 std::array<glm::dvec3, 2> HoleSide::directions(bool is_end) const {
   const PlacedPiece& one = piece_at(is_end);
   const std::array<glm::dvec3, 2> inside = one.piece.directions(is_end);
-  return {inside[0] / one.length, inside[1] / (one.length * one.length)};
+  return {inside[0] / one.length(), inside[1] / (one.length() * one.length())};
 }
 
 void HoleSide::bend_first(bool is_end, double a, double b) {
   PlacedPiece& one = piece_at(is_end);
-  one.piece.bend_first(is_end, a, b / one.length);
+  one.piece.bend_first(is_end, a, b / one.length());
 }
 
 void HoleSide::bend_second(bool is_end, int order, double c, double d) {
   PlacedPiece& one = piece_at(is_end);
-  const double rate = order == 1 ? 1.0 : one.length;
-  one.piece.bend_second(is_end, order, c * rate, d * rate / one.length);
+  const double rate = order == 1 ? 1.0 : one.length();
+  one.piece.bend_second(is_end, order, c * rate, d * rate / one.length());
+}
+
+const PlacedPiece& HoleSide::piece_between(double from, double to) const {
+  const double middle = 0.5 * (from + to);
+  return *std::ranges::find_if(pieces_, [&](const PlacedPiece& one) { return middle < one.to; });
 }
 
 std::optional<NurbsPatch> HoleSide::neighbour_part(double from, double to) const {
-  const double middle = 0.5 * (from + to);
-  const auto one = std::ranges::find_if(pieces_, [&](const PlacedPiece& piece) { return middle < piece.end(); });
-  const auto inside = [&](double s) { return std::clamp((s - one->from) / one->length, 0.0, 1.0); };
-  return one->piece.neighbour_part(inside(from), inside(to));
+  const PlacedPiece& one = piece_between(from, to);
+  const auto inside = [&](double s) { return std::clamp((s - one.from) / one.length(), 0.0, 1.0); };
+  return one.piece.neighbour_part(inside(from), inside(to));
 }
 
 }  // namespace splinecore

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -10,13 +11,16 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
+/// Parts of a side between which there is no more than this are one place.
+inline constexpr double kSamePlace = 1e-7;
+
 /// A piece of a side and where along the side it lies.
 struct PlacedPiece {
   SidePiece piece;
   double from;
-  double length;
+  double to;
 
-  double end() const { return from + length; }
+  double length() const { return to - from; }
 };
 
 /// Of the first and the last of those given that make a side.
@@ -58,8 +62,10 @@ class HoleSide {
   /// whose ends are set.
   void agree_at_joints();
 
-  /// @throws InvalidShape where it leaves back over a neighbour, at an end or between
-  void require_onward() const;
+  /// Bends as much less as lets it nowhere leave back over a neighbour.
+  /// @param least  what is to be left
+  /// @throws InvalidShape where less would be, or it does so at an end
+  void bend_onward(double least = 0.0);
 
   AcrossJet jet(bool is_end) const;
 
@@ -71,12 +77,14 @@ class HoleSide {
   void bend_second(bool is_end, int order, double c, double d);
 
 
-  /// The part of the neighbour along a part of one piece.
+  /// Of the one piece that a part of the side lies on: its continuity, and the part of its neighbour.
+  int continuity_between(double from, double to) const { return piece_between(from, to).piece.continuity(); }
   std::optional<NurbsPatch> neighbour_part(double from, double to) const;
 
   std::vector<glm::dvec3> across(std::span<const double> s, int order) const;
 
  private:
+  const PlacedPiece& piece_between(double from, double to) const;
   const PlacedPiece& piece_at(bool is_end) const { return is_end ? pieces_.back() : pieces_.front(); }
   PlacedPiece& piece_at(bool is_end) { return is_end ? pieces_.back() : pieces_.front(); }
 

@@ -59,6 +59,7 @@ Across across_by(const PacedFamily& along, const std::array<std::optional<NurbsC
   const std::size_t conditions = count + leaving[0].has_value() + leaving[1].has_value();
   Across across{along.wanted, 0, along.is_closed ? Closing::closed : Closing::open, {}};
   across.degree = std::min(std::max(3, knots.degree()), static_cast<int>(conditions) - 1);
+  if (along.is_closed && across.degree % 2 == 0) across.degree = 3;  // even ones have their seams between the others
   if (conditions != count || static_cast<std::size_t>(knots.count()) != count) return across;
   across.degree = knots.degree();
   across.knots.assign(knots.knots().begin(), knots.knots().end());
@@ -179,21 +180,24 @@ void make_compatible(PacedFamily& family, std::array<std::optional<NurbsCurve>, 
   family.curves = std::move(all);
 }
 
-/// Closed curves that only two others cross go round through two more of their loft, half-way between: nothing closes smoothly
-/// through two.
+/// Closed curves that only two or three others cross go round through as many more of their loft, half-way between: cubics close
+/// smoothly through four. What families were given stays without these.
 void add_others_to_closed(PacedFamily& closed, PacedFamily& others) {
-  if (!closed.is_closed || others.curves.size() != 2) return;
+  constexpr std::size_t kEnough = 4;
+  const std::size_t count = others.curves.size();
+  if (!closed.is_closed || count >= kEnough) return;
+  if (others.is_closed && closed.curves.size() < kEnough) {
+    throw InvalidShape("fewer than four closed curves cross fewer than four closed ones: four are needed in one direction");
+  }
   std::array<std::optional<NurbsCurve>, 2> none;
   make_compatible(closed, none);
   const NurbsPatch loft = through(closed, across_by(others, none), none);
-  for (const std::size_t at : {std::size_t{1}, std::size_t{3}}) {
+  for (std::size_t at = 1; at < 2 * count; at += 2) {
     const auto place = static_cast<std::ptrdiff_t>(at);
     const double middle = 0.5 * (closed.wanted[at - 1] + closed.wanted[at]);
     const NurbsCurve line = isocurve(loft, Axis::u, middle);
     closed.wanted.insert(closed.wanted.begin() + place, middle);
     others.curves.insert(others.curves.begin() + place, line);
-    others.own.insert(others.own.begin() + place, line);
-    others.given.insert(others.given.begin() + place, others.wanted);
   }
 }
 
@@ -272,21 +276,22 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within, space.length(1.0));
   GordonNet net{paced(curves.u), paced(curves.v), {}};
   said_outside(space, [&] { let_meet(net, !beyond.empty(), within); });
-  add_others_to_closed(net.u, net.v);
-  add_others_to_closed(net.v, net.u);
-  net.borders = network_borders(net.u, net.v, beyond, within, space.length(1.0));
-  make_compatible(net.u, net.borders.along_u);
-  make_compatible(net.v, net.borders.along_v);
-  NurbsPatch patch = summed(net);
+  const auto patch_of = [&](GordonNet whole) {
+    add_others_to_closed(whole.u, whole.v);
+    add_others_to_closed(whole.v, whole.u);
+    whole.borders = network_borders(whole.u, whole.v, beyond, within, space.length(1.0));
+    make_compatible(whole.u, whole.borders.along_u);
+    make_compatible(whole.v, whole.borders.along_v);
+    return summed(whole);
+  };
+  NurbsPatch patch = patch_of(net);
   if (!have_positive_weights(patch.points()) && have_positive_weights(all)) {
     said_outside(space, [&] {
       for (PacedFamily* family : {&net.u, &net.v}) {
         if (is_rational(*family)) repace(*family, 0.5 * within);
       }
     });
-    make_compatible(net.u, net.borders.along_u);
-    make_compatible(net.v, net.borders.along_v);
-    patch = summed(net);
+    patch = patch_of(net);
   }
   if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
   const double error =

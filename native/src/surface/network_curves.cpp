@@ -1,7 +1,6 @@
 #include "network_curves.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -57,21 +56,25 @@ void require_lengths(std::span<const NurbsCurve> curves, const char* name) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const auto points = curves[i].points();
     const auto is_first = [&](const glm::dvec4& p) { return distance_of(glm::dvec3(p), glm::dvec3(points.front())) <= kMet; };
-    if (std::ranges::all_of(points, is_first)) throw InvalidShape(std::string(name) + index_text(i) + " is a point: curves of a network have a length");
+    if (!std::ranges::all_of(points, is_first)) continue;
+    throw InvalidShape(std::string(name) + index_text(i) + " is a point: curves of a network have a length");
   }
 }
 
-/// @param on  where each of one family meets the others
-void require_apart(const Table& on, const char* name, const char* others) {
+/// @param on  where each of the curves meets the others
+void require_apart(std::span<const NurbsCurve> curves, const Table& on, const char* name, const char* others) {
   constexpr double kSame = 0x1p-40;
   for (std::size_t i = 0; i < on.size(); ++i) {
     const std::vector<std::size_t> order = order_of(on[i]);
-    const double size = std::max(std::abs(on[i][order.front()]), std::abs(on[i][order.back()]));
-    for (std::size_t k = 1; k < order.size(); ++k) {
-      if (on[i][order[k]] - on[i][order[k - 1]] > kSame * size) continue;
-      const auto [first, second] = std::minmax(order[k - 1], order[k]);
-      throw InvalidShape(std::string(others) + index_text(first) + " and " + others + index_text(second) + " cross " + name + index_text(i) +
-                         " in one place: they are to lie apart");
+    const double length = curves[i].domain().length();
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const bool is_last = k + 1 == order.size();
+      if (is_last && !is_closed(curves[i])) continue;
+      const std::size_t next = order[is_last ? 0 : k + 1];
+      if (on[i][next] - on[i][order[k]] + (is_last ? length : 0.0) > kSame * length) continue;
+      const auto [first, second] = std::minmax(order[k], next);
+      throw InvalidShape(std::string(others) + index_text(first) + " and " + others + index_text(second) + " cross " + name +
+                         index_text(i) + " in one place: they are to lie apart");
     }
   }
 }
@@ -196,8 +199,8 @@ NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<cons
     require_lengths(family, name);
   }
   const NetworkCrossings found = crossings_of(along_u, along_v, tolerance, unit);
-  require_apart(found.on_u, "along_u", "along_v");
-  require_apart(found.on_v, "along_v", "along_u");
+  require_apart(along_u, found.on_u, "along_u", "along_v");
+  require_apart(along_v, found.on_v, "along_v", "along_u");
   const std::vector<std::size_t> order_u = order_of(found.on_v[0]);
   const std::vector<std::size_t> order_v = order_of(found.on_u[0]);
   NetworkCurves network;

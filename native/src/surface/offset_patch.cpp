@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
@@ -192,7 +193,7 @@ Approximation<std::vector<NurbsPatch>> thickened(const NurbsPatch& given, double
   const auto [low, high] = std::minmax(from, to);
   double error = 0.0;
   const auto away = [&](double distance) {
-    const Approximation<NurbsPatch> made = offset(patch, distance, tolerance);
+    const Approximation<NurbsPatch> made = offset(patch, distance, within - moved - kGathered * within);
     const GatheredPoles gathered = with_gathered_poles(made.value, kGathered * within);
     error = std::max(error, moved + made.error + gathered.moved);
     return gathered.patch;

@@ -1,8 +1,10 @@
 #include "one_patch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -68,7 +70,8 @@ std::optional<NurbsPatch> one_patch(const NurbsPatch& first, const NurbsPatch& s
   if (!are_alike(first.knot_vector(Axis::v), second.knot_vector(Axis::v))) return {};
   const int degree = std::max(first.knot_vector(Axis::u).degree(), second.knot_vector(Axis::u).degree());
   const NurbsPatch a = elevated(with_domain(first, Axis::u, {0.0, 1.0}), Axis::u, degree - first.knot_vector(Axis::u).degree());
-  const double pace = speed_at(second, second.knot_vector(Axis::u).domain().start) * second.knot_vector(Axis::u).domain().length() / speed_at(a, 1.0);
+  const Interval domain = second.knot_vector(Axis::u).domain();
+  const double pace = speed_at(second, domain.start) * domain.length() / speed_at(a, 1.0);
   if (!(pace > kSame && pace < 1.0 / kSame)) return {};
   const NurbsPatch b = elevated(with_domain(second, Axis::u, {1.0, 1.0 + pace}), Axis::u, degree - second.knot_vector(Axis::u).degree());
   const double factor = a.points().back().w / b.points()[static_cast<std::size_t>(b.knot_vector(Axis::v).count()) - 1].w;

@@ -13,8 +13,8 @@
 #include "greville.hpp"
 #include "homogeneous_places.hpp"
 #include "raised_knots.hpp"
-#include "turned_alike.hpp"
 #include "splinecore/base/errors.hpp"
+#include "turned_alike.hpp"
 
 namespace splinecore {
 
@@ -205,7 +205,9 @@ void agree_round(Hole& hole, const Apex& apex) {
     HoleSide& next = hole.sides[hole.after(i)];
     if (side.continuity() > 0 && next.continuity() > 0) turn_alike(side, next);
   }
-  require_onward(hole);
+  for (HoleSide& side : hole.sides) {
+    if (side.continuity() > 0) side.bend_onward(1.0);
+  }
 }
 
 std::vector<NurbsPatch> round_filling(const Hole& hole, const Apex& apex, int degree) {

@@ -1,7 +1,10 @@
 #include "seen_filling.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <utility>
 
 #include "base/length.hpp"
 #include "measure/seam_angle.hpp"
@@ -12,20 +15,53 @@ namespace splinecore {
 
 namespace {
 
-double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {
-  constexpr int kPlaces = 129;
-  std::vector<double> at;
-  std::vector<double> s;
-  for (int k = 0; k < kPlaces; ++k) {
-    at.push_back(static_cast<double>(k) / (kPlaces - 1));
-    s.push_back(part.from + (part.to - part.from) * at.back());
+/// Places over [0, 1] that lie closer towards the ends of every span of a border and of its side.
+std::vector<double> gap_places(const NurbsCurve& border, const HoleSide& side, const PartOfSide& part) {
+  constexpr int kInSpan = 24;
+  std::vector<double> ends(border.knot_vector().knots().begin(), border.knot_vector().knots().end());
+  for (const double knot : side.knots().knots()) {
+    const double at = (knot - part.from) / (part.to - part.from);
+    if (at > 0.0 && at < 1.0) ends.push_back(at);
   }
-  const NurbsCurve border = boundary(patch, part.border);
-  std::vector<glm::dvec3> points(kPlaces);
+  std::ranges::sort(ends);
+  std::vector<double> places{ends.front()};
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double length = ends[i + 1] - ends[i];
+    if (!(length > 0.0)) continue;
+    for (int k = 1; k < kInSpan; ++k) places.push_back(ends[i] + length * 0.5 * (1.0 - std::cos(std::numbers::pi * k / kInSpan)));
+    places.push_back(ends[i + 1]);
+  }
+  return places;
+}
+
+/// How far a border is from its side at places of it.
+std::vector<double> gaps_at(const std::vector<double>& at, const NurbsCurve& border, const HoleSide& side, const PartOfSide& part) {
+  std::vector<double> s;
+  for (const double place : at) s.push_back(part.from + (part.to - part.from) * place);
+  std::vector<glm::dvec3> points(at.size());
   evaluate(border, at, std::span(&points.front().x, 3 * points.size()));
   const std::vector<glm::dvec3> wanted = side.points(s);
+  std::vector<double> found;
+  for (std::size_t k = 0; k < at.size(); ++k) found.push_back(distance_of(points[k], wanted[k]));
+  return found;
+}
+
+/// The largest, looked for closer and closer about where it is.
+double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {
+  constexpr int kRounds = 3;
+  constexpr int kParts = 10;
+  const NurbsCurve border = boundary(patch, part.border);
+  std::vector<double> places = gap_places(border, side, part);
   double largest = 0.0;
-  for (int k = 0; k < kPlaces; ++k) largest = std::max(largest, distance_of(points[k], wanted[k]));
+  for (int round = 0; round <= kRounds; ++round) {
+    const std::vector<double> gaps = gaps_at(places, border, side, part);
+    const auto at = static_cast<std::size_t>(std::ranges::max_element(gaps) - gaps.begin());
+    largest = std::max(largest, gaps[at]);
+    const double from = places[at > 0 ? at - 1 : 0];
+    const double to = places[std::min(at + 1, places.size() - 1)];
+    places.clear();
+    for (int k = 0; k <= kParts; ++k) places.push_back(k < kParts ? from + (to - from) * k / kParts : to);
+  }
   return largest;
 }
 
@@ -42,7 +78,7 @@ std::vector<SeenStretch> stretches_of(const HoleSide& side, const PartOfSide& pa
   const auto [low, high] = std::minmax(part.from, part.to);
   std::vector<double> cuts;
   for (const double joint : side.joints()) {
-    if (joint > low && joint < high) cuts.push_back(joint);
+    if (joint > low + kSamePlace && joint < high - kSamePlace) cuts.push_back(joint);
   }
   if (part.from > part.to) std::ranges::reverse(cuts);
   std::vector<SeenStretch> found{{part.from, part.to, patch}};
@@ -59,7 +95,7 @@ void see(Filling& filling, const HoleSide& side, Border border, const SeenStretc
   const auto [low, high] = std::minmax(stretch.from, stretch.to);
   const NurbsPatch neighbour = *side.neighbour_part(low, high);
   const bool is_reversed = stretch.from > stretch.to;
-  if (side.continuity() == 1) {
+  if (side.continuity_between(low, high) == 1) {
     filling.angle = std::max(filling.angle, seam_angle(stretch.patch, border, neighbour, Border::v_end, is_reversed));
     return;
   }

@@ -1,7 +1,5 @@
 #include "side_piece.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -37,7 +35,7 @@ std::pair<double, double> parts_of(const glm::dvec3& vector, const glm::dvec3& a
   const glm::dvec3 normal = glm::cross(a, b);
   const double square = glm::dot(normal, normal);
   if (!(square > kParallel * kParallel * glm::dot(a, a) * glm::dot(b, b))) {
-    throw InvalidShape("a neighbour stands still across its side at a corner: nothing goes on from there");
+    throw InvalidShape("a neighbour stands still across its side at an end of that: nothing goes on from there");
   }
   return {glm::dot(glm::cross(vector, b), normal) / square, glm::dot(glm::cross(a, vector), normal) / square};
 }
@@ -143,12 +141,23 @@ void SidePiece::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3&
   d_.values[is_end] = d;
 }
 
-bool SidePiece::leaves_onward() const {
+double SidePiece::bend_onward() {
   constexpr int kPlaces = 33;
+  constexpr double kLeast = 0.1;
+  if (!(a_.values[0] > 0.0 && a_.values[1] > 0.0)) return 0.0;
+  Factor line = a_;
+  line.slopes = {};
+  double share = 1.0;
   for (int k = 0; k < kPlaces; ++k) {
-    if (!(a_.at(static_cast<double>(k) / (kPlaces - 1)) > 0.0)) return false;
+    const double s = static_cast<double>(k) / (kPlaces - 1);
+    const double straight = line.at(s);
+    const double bent = a_.at(s) - straight;
+    if (straight + share * bent < kLeast * straight) share = (kLeast - 1.0) * straight / bent;
   }
-  return true;
+  for (Factor* factor : {&a_, &b_}) {
+    for (double& slope : factor->slopes) slope *= share;
+  }
+  return share;
 }
 
 AcrossJet SidePiece::jet(bool is_end) const {
@@ -200,8 +209,8 @@ std::vector<glm::dvec3> SidePiece::across(std::span<const double> s, int order) 
     const double a = a_.at(s[i]);
     const double b = b_.at(s[i]);
     const HolePlace& p = here[i];
-    found.push_back(order == 1 ? a * p.out + b * p.along
-                               : a * a * p.out_2 + 2.0 * a * b * p.out_along + b * b * p.along_2 + c_.at(s[i]) * p.out + d_.at(s[i]) * p.along);
+    const glm::dvec3 second = a * a * p.out_2 + 2.0 * a * b * p.out_along + b * b * p.along_2;
+    found.push_back(order == 1 ? a * p.out + b * p.along : second + c_.at(s[i]) * p.out + d_.at(s[i]) * p.along);
   }
   return found;
 }

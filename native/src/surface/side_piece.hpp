@@ -56,8 +56,8 @@ class SidePiece {
   /// c and d at an end.
   std::array<double, 2> second_parts(bool is_end) const { return {c_.values[is_end], d_.values[is_end]}; }
 
-  /// False where it leaves back over the neighbour, at an end or between.
-  bool leaves_onward() const;
+  /// Bends a and b as much less as lets it nowhere leave back over the neighbour. @returns what is left; 0 where it does at an end
+  double bend_onward();
 
   AcrossJet jet(bool is_end) const;
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "basis/gauss_legendre.hpp"
 #include "splinecore/base/pause.hpp"
@@ -101,7 +101,7 @@ class Form {
   void add(std::size_t a, std::size_t b, double value) {
     if (!unknowns_.is_sought(a)) return;
     if (unknowns_.is_sought(b)) {
-      entries_.emplace_back(unknowns_.place(a), unknowns_.place(b), value);
+      if (unknowns_.place(a) >= unknowns_.place(b)) entries_.emplace_back(unknowns_.place(a), unknowns_.place(b), value);
     } else {
       add_vector(right, unknowns_.place(a), -value * unknowns_.value(b));
     }
@@ -111,6 +111,7 @@ class Form {
     if (unknowns_.is_sought(a)) add_vector(right, unknowns_.place(a), value);
   }
 
+  /// Its lower half.
   Eigen::SparseMatrix<double> left() const { return matrix_of(unknowns_.count, unknowns_.count, entries_); }
 
   Eigen::MatrixXd right;
@@ -126,6 +127,7 @@ void add_energy(const Star& star, const std::vector<glm::dvec3>& expected, Form&
   const std::size_t width = star.width();
   const auto near = [&](std::size_t a, std::size_t b) { return a <= b + degree && b <= a + degree; };
   for (std::size_t k = 0; k < star.count; ++k) {
+    breathe(width * width * width * degree);
     for (std::size_t i = 0; i < width; ++i) {
       for (std::size_t j = 0; j < width; ++j) {
         for (std::size_t m = 0; m < width; ++m) {
@@ -176,9 +178,9 @@ void add_conditions(const Star& star, std::size_t k, const Unknowns& unknowns, c
     auto j = static_cast<std::size_t>(samples.first(s));
     for (std::size_t m = 0; m < samples.weights(s).size(); ++m, ++j) {
       const double value = samples.weights(s)[m];
-      all.add(unknowns, star.at(k, last, j), 2.0 * slope * value - part * samples.weights(s, 1)[m]);
-      all.add(unknowns, star.at(k, last - 1, j), -slope * value);
-      all.add(unknowns, star.at(next, j, last - 1), -slope * value);
+      all.add(unknowns, star.at(k, last, j), 2.0 * value - part / slope * samples.weights(s, 1)[m]);
+      all.add(unknowns, star.at(k, last - 1, j), -value);
+      all.add(unknowns, star.at(next, j, last - 1), -value);
     }
   }
 }
@@ -210,6 +212,7 @@ Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
   const Index count = form.right.rows();
   if (count == 0) return Eigen::MatrixXd(0, 3);
   const Eigen::SparseMatrix<double> energy = form.left();
+  if (conditions.right.empty()) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(energy).solve(form.right);
   const Eigen::SparseMatrix<double> left = matrix_of(std::ssize(conditions.right), count, conditions.left);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(std::ssize(conditions.right), 3);
   for (Index i = 0; i < right.rows(); ++i) add_vector(right, i, conditions.right[static_cast<std::size_t>(i)]);
@@ -235,6 +238,21 @@ Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
   return points;
 }
 
+/// All points, those found and those given.
+std::vector<glm::dvec3> points_by_number(const Star& star, const std::vector<std::optional<glm::dvec3>>& given, const Unknowns& unknowns,
+                                         const Eigen::MatrixXd& found) {
+  std::vector<glm::dvec3> points(star.size(), glm::dvec3(0.0));
+  for (std::size_t number = 0; number < star.size(); ++number) {
+    const Index place = unknowns.place(number);
+    if (given[number]) {
+      points[number] = *given[number];
+    } else if (place >= 0) {
+      points[number] = {found(place, 0), found(place, 1), found(place, 2)};
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 std::size_t Star::at(std::size_t patch, std::size_t i, std::size_t j) const {
@@ -254,17 +272,25 @@ std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::opt
   const Unknowns unknowns(star, given);
   Form form(unknowns);
   add_energy(star, expected, form);
-  const Eigen::MatrixXd found = least(form, conditions_of(star, unknowns));
-  std::vector<glm::dvec3> points(star.size(), glm::dvec3(0.0));
+  return points_by_number(star, given, unknowns, least(form, conditions_of(star, unknowns)));
+}
+
+std::vector<glm::dvec3> nearest_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,
+                                     const std::vector<glm::dvec3>& points) {
+  std::vector<std::optional<glm::dvec3>> changes = given;
   for (std::size_t number = 0; number < star.size(); ++number) {
-    const Index place = unknowns.place(number);
-    if (given[number]) {
-      points[number] = *given[number];
-    } else if (place >= 0) {
-      points[number] = {found(place, 0), found(place, 1), found(place, 2)};
-    }
+    if (given[number]) changes[number] = *given[number] - points[number];
   }
-  return points;
+  const Unknowns sought(star, changes);
+  Form form(sought);
+  for (std::size_t number = 0; number < star.size(); ++number) form.add(number, number, 1.0);
+  SpokeConditions conditions = conditions_of(star, sought);
+  const std::vector<std::optional<glm::dvec3>> all(points.begin(), points.end());
+  const SpokeConditions as_they_are = conditions_of(star, Unknowns(star, all));
+  for (std::size_t i = 0; i < conditions.right.size(); ++i) conditions.right[i] += as_they_are.right[i];
+  std::vector<glm::dvec3> found = points_by_number(star, changes, sought, least(form, conditions));
+  for (std::size_t number = 0; number < star.size(); ++number) found[number] = given[number] ? *given[number] : points[number] + found[number];
+  return found;
 }
 
 }  // namespace splinecore

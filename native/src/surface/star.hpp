@@ -41,5 +41,11 @@ struct Star {
 std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,
                                     const std::vector<glm::dvec3>& expected = {});
 
+/// The points of a star of which some are given and whose spokes are as those of solved_star(), as near to others as that lets them be: the
+/// sum of the squared changes is least.
+/// @param points  by number
+std::vector<glm::dvec3> nearest_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,
+                                     const std::vector<glm::dvec3>& points);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

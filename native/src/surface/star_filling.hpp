@@ -27,13 +27,13 @@ class StarKnots {
   /// Each stretch between inner knots of sides in so many spans.
   KnotVector with(int spans) const;
 
-  /// Whether so many are as many as there may be for angles, or at all.
+  /// Whether so many are as many as there may be: for smaller angles, or at all.
   bool are_all(int spans) const;
   bool are_most(int spans) const;
 
  private:
   int degree_;
-  std::vector<SideKnot> inner_;  ///< of all sides; none where these are too many
+  std::vector<SideKnot> inner_;  ///< of all sides; none where they are more than 40 with their copies
 };
 
 /// Patches that fill a hole, and what of their control points its sides decide.

@@ -66,7 +66,7 @@ glm::dvec3 height_of(const glm::dvec3& x, const glm::dvec3& towards, double at) 
 glm::dvec3 along_both(const glm::dvec3& first, const glm::dvec3& second, double at) {
   constexpr double kAgainst = 1e-7;
   const glm::dvec3 sum = first + second;
-  if (length_of(sum) > kAgainst) return sum;
+  if (!is_finite(sum) || length_of(sum) > kAgainst) return sum;
   throw InvalidShape("at " + text_of(at) + " the rails run against each other: reverse one of them");
 }
 

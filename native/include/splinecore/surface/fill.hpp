@@ -45,7 +45,7 @@ struct Filling {
 /// @returns patches, with equal control points along their common sides; with normals on one side, unless they fold, as they may
 ///          where weights differ much or curvatures are to go on far
 /// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it, or goes on
-///         without a corner into one from no neighbour, or one or two corners are left, or a round hole is not seen whole from
+///         without a corner into one from no neighbour, or beside one of next to no length, or one or two corners are left, or a round hole is not seen whole from
 ///         its middle, or continuity is not from 0 to 2; ToleranceNotReached where neighbouring sides' ends lie
 ///         apart, or the sides are not reached
 Filling fill(std::span<const FillSide> sides, const FillOptions& options = {});

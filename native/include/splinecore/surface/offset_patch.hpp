@@ -12,8 +12,8 @@ namespace splinecore {
 /// 1999).
 ///
 /// It has the weights of the patch, so that planes, cylinders, cones, spheres and tori come out exactly, but for rounding;
-/// others are met at places between which spans are halved until it lies within the tolerance. A side that is shorter than a
-/// part of the tolerance is a point, as it was meant: the error says how far it was gathered.
+/// others are met at places between which spans are halved until it lies within the tolerance. A side whose control points
+/// all lie within a sixteenth of the tolerance of their middle is a point, as it was meant; the error counts how far it went.
 /// @param tolerance  none: 2^-20 of the size of the patch
 /// @returns the offset, and how far it was found to be from where it should be
 /// @throws InvalidShape if the distance is not finite, the patch has a crease, a gap or no normal somewhere, or is more
