@@ -189,11 +189,7 @@ double seam_angle(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Borde
   require_side(a, side_a, "first");
   require_side(b, side_b, "second");
   const Seam seam = seam_between(a, side_a, b, side_b, reversed);
-  constexpr SeamMeasure kMeasures[] = {angle_of};
-  const SeamJets jets = dense_seam_jets(seam.a, seam.b, SeamDepth::normals, kMeasures);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < jets.places.size(); ++i) raise(largest, angle_of(jets.a[i], jets.b[i]));
-  return largest;
+  return largest_along(seam.a, seam.b, SeamDepth::normals, angle_of);
 }
 
 }  // namespace splinecore

@@ -105,6 +105,7 @@ SeamJets seam_jets(const Flank& a, const Flank& b, std::vector<SeamPlace> places
     singular.push_back(i);
     beside.push_back({place.share + (place.side == Side::right ? way : -way), place.side});
   }
+  if (singular.empty()) return here;
   const std::vector<SeamJet> of_a = a.jets(beside, depth);
   const std::vector<SeamJet> of_b = b.jets(beside, depth);
   for (std::size_t i = 0; i < singular.size(); ++i) {
@@ -124,6 +125,38 @@ SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::s
     jets = closer(a, b, depth, jets, steps);
   }
   return jets;
+}
+
+double largest_along(const Flank& a, const Flank& b, SeamDepth depth, SeamMeasure measure) {
+  constexpr int kParts = 3;
+  constexpr int kRounds = 3;
+  const SeamJets dense = seam_jets(a, b, dense_places(a, b), depth);
+  const std::size_t at = largest_at(dense, measure);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < dense.places.size(); ++i) largest = std::max(largest, measure(dense.a[i], dense.b[i]));
+  if (at == dense.places.size()) return largest;
+  double place = dense.places[at].share;
+  double step = 0.0;
+  for (const SeamPlace& other : dense.places) {
+    const double way = std::abs(other.share - place);
+    if (way > kSameShare && (step == 0.0 || way < step)) step = way;
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<SeamPlace> more;
+    for (int k = 1 - kParts; k < kParts; ++k) {
+      const double share = place + step * k / kParts;
+      if (k != 0 && share > 0.0 && share < 1.0) more.push_back({share, Side::right});
+    }
+    const SeamJets jets = seam_jets(a, b, std::move(more), depth);
+    for (std::size_t i = 0; i < jets.places.size(); ++i) {
+      const double value = measure(jets.a[i], jets.b[i]);
+      if (!(value > largest)) continue;
+      largest = value;
+      place = jets.places[i].share;
+    }
+    step /= kParts;
+  }
+  return largest;
 }
 
 }  // namespace splinecore

@@ -46,23 +46,20 @@ std::vector<double> gaps_at(const std::vector<double>& at, const NurbsCurve& bor
   return found;
 }
 
-/// The largest, looked for closer and closer about where it is.
+/// The largest, looked for closer about where it is if it is more than rounding.
 double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch& patch) {
-  constexpr int kRounds = 3;
-  constexpr int kParts = 10;
+  constexpr double kRounding = 1e-13;
+  constexpr int kParts = 40;
   const NurbsCurve border = boundary(patch, part.border);
-  std::vector<double> places = gap_places(border, side, part);
-  double largest = 0.0;
-  for (int round = 0; round <= kRounds; ++round) {
-    const std::vector<double> gaps = gaps_at(places, border, side, part);
-    const auto at = static_cast<std::size_t>(std::ranges::max_element(gaps) - gaps.begin());
-    largest = std::max(largest, gaps[at]);
-    const double from = places[at > 0 ? at - 1 : 0];
-    const double to = places[std::min(at + 1, places.size() - 1)];
-    places.clear();
-    for (int k = 0; k <= kParts; ++k) places.push_back(k < kParts ? from + (to - from) * k / kParts : to);
-  }
-  return largest;
+  const std::vector<double> places = gap_places(border, side, part);
+  const std::vector<double> gaps = gaps_at(places, border, side, part);
+  const auto at = static_cast<std::size_t>(std::ranges::max_element(gaps) - gaps.begin());
+  if (gaps[at] <= kRounding) return gaps[at];
+  const double from = places[at > 0 ? at - 1 : 0];
+  const double to = places[std::min(at + 1, places.size() - 1)];
+  std::vector<double> closer;
+  for (int k = 1; k < kParts; ++k) closer.push_back(from + (to - from) * k / kParts);
+  return std::max(gaps[at], std::ranges::max(gaps_at(closer, border, side, part)));
 }
 
 /// The stretch of a part that has one neighbour, and the patch along it.
