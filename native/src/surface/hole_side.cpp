@@ -82,6 +82,7 @@ Leaving leaving_between(const SidePiece& before, const SidePiece& behind, double
   const glm::dvec3 across = length * glm::normalize(glm::normalize(a) + glm::normalize(b));
   return {across, 0.5 * (sliding(before, true, across) + sliding(behind, false, across))};
 }
+
 }  // namespace
 
 HoleSide::HoleSide(std::vector<SidePiece> pieces, SideNumbers numbers)
