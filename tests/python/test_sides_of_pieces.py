@@ -173,6 +173,16 @@ def test_random_pieces_are_followed(inputs):
         assert filling.gap <= 1e-9 and filling.angle <= 1e-3 and filling.inner_angle <= 1e-3
 
 
+@pytest.mark.parametrize("kink", [0.01, 0.019, 0.021, 0.03, 0.1])
+def test_joints_that_stand_up_a_little_are_no_corners(kink):
+    """Planes beside them cannot both be a corner's: from there a surface would turn back. It is off by the kink, more or less."""
+    around = polygon_hole(4, "G1", 0.3)
+    first, second = parted(around[0], 0.5)
+    points = second[0].points + np.array([0, 0, kink]) * (np.linspace(0, 1, 5) * np.linspace(1, 0, 5))[:, None, None]
+    filling = build.fill([first, (second[0].with_points(points), "v_start", "G1"), *around[1:]])
+    assert len(filling.patches) == 1 and filling.angle <= 2 * kink
+
+
 def test_a_piece_without_a_neighbour_is_refused():
     around = polygon_hole(4, "G1")
     first, second = parted(around[0], 0.5)

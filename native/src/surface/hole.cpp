@@ -20,13 +20,28 @@ bool is_straight_on(const glm::dvec3& here, const glm::dvec3& there) {
   return length_of(glm::cross(here, there)) <= kStraight * length_of(here) * length_of(there) && glm::dot(here, there) > 0.0;
 }
 
+/// Whether a corner that is nearly straight stands up from a neighbour's tangent plane: none could go on from there as a corner.
+bool stands_up(const HolePlace& end, const HolePlace& start) {
+  constexpr double kNearlyStraight = 0.3;
+  constexpr double kUpright = 0.1;
+  const glm::dvec3 turn = glm::cross(end.along, start.along);
+  if (length_of(turn) > kNearlyStraight * length_of(end.along) * length_of(start.along) || glm::dot(end.along, start.along) <= 0.0) return false;
+  const auto is_off = [&](const HolePlace& place) {
+    const glm::dvec3 normal = glm::cross(place.out, place.along);
+    return length_of(glm::cross(turn, normal)) > kUpright * length_of(turn) * length_of(normal);
+  };
+  return is_off(end) || is_off(start);
+}
+
 /// For each piece whether it is of one side with the next one.
 std::vector<bool> joined_to_next(const std::vector<SidePiece>& pieces) {
   std::vector<bool> found;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const SidePiece& next = pieces[(i + 1) % pieces.size()];
+    const HolePlace end = pieces[i].place(1.0);
+    const HolePlace start = next.place(0.0);
     const bool go_on = pieces[i].continuity() > 0 && next.continuity() > 0;
-    found.push_back(go_on && is_straight_on(pieces[i].place(1.0).along, next.place(0.0).along));
+    found.push_back(go_on && (is_straight_on(end.along, start.along) || stands_up(end, start)));
   }
   constexpr int kLeastCorners = 3;
   if (std::ranges::count(found, false) < kLeastCorners) found.assign(pieces.size(), false);
