@@ -173,6 +173,53 @@ def test_random_pieces_are_followed(inputs):
         assert filling.gap <= 1e-9 and filling.angle <= 1e-3 and filling.inner_angle <= 1e-3
 
 
+def joint_in_quadric(count, word, at, kink=0.0):
+    """A hole in the quadric with a joint on its first side, whose neighbours' seam leans, and a kink in plan there."""
+    angles = 2 * np.pi * np.arange(count) / count + 0.3
+    inner = list(np.c_[np.cos(angles), np.sin(angles)])
+    way = inner[1] - inner[0]
+    middle = inner[0] + at * way + kink * at * (1 - at) * np.array([way[1], -way[0]])
+    loop = [inner[0], middle, *inner[1:]]
+    beyond = [2 * point for point in loop]
+    beyond[1] = 2 * middle + 0.3 * way
+    return [(quadric_over([loop[i], loop[(i + 1) % len(loop)], beyond[(i + 1) % len(loop)], beyond[i]]), "v_start", word)
+            for i in range(len(loop))]
+
+
+@pytest.mark.parametrize("at", [0.51, 0.501, 0.5001, 0.50001, 0.500001, 0.5000001])
+@pytest.mark.parametrize("count, word", [(5, "G1"), (3, "G2"), (4, "G2")])
+def test_joints_near_knots_of_the_filling(count, word, at):
+    filling = build.fill(joint_in_quadric(count, word, at))
+    assert filling.gap <= 1e-12 and filling.angle <= 1e-6 and filling.inner_angle <= 1e-4
+    assert off_quadric(filling) <= 0.1
+
+
+@pytest.mark.parametrize("off", [1e-2, 1e-3, 1e-4, 1e-5])
+def test_knots_near_the_middle_of_a_side(off):
+    around = polygon_hole(5, "G1", 0.3)
+    sides = [(around[0][0].to_nurbs().insert_knot("u", 0.5 + off), "v_start", "G1"), *around[1:]]
+    assert off_quadric(build.fill(sides)) <= 1e-3
+
+
+@pytest.mark.parametrize("kink", [1e-9, 1e-6, 1e-3, 0.01])
+@pytest.mark.parametrize("count, word, at", [(5, "G1", 0.2), (5, "G1", 0.35), (4, "G1", 0.35), (4, "G2", 0.2), (5, "G2", 0.35)])
+def test_kinks_at_joints_are_in_the_filling(count, word, at, kink):
+    filling = build.fill(joint_in_quadric(count, word, at, kink))
+    assert len(filling.patches) == (1 if count == 4 else count)
+    assert filling.gap <= 1e-10 and filling.angle <= 1e-6 and filling.inner_angle <= 1e-3 and off_quadric(filling) <= 0.1
+
+
+@pytest.mark.parametrize("pace", [2, 4, 16, 50])
+def test_paces_that_change_fast_are_followed_or_refused(pace):
+    sides = joint_in_quadric(4, "G1", 0.5)
+    try:
+        filling = build.fill([(sides[0][0].to_nurbs().moebius("u", pace), "v_start", "G1"), *sides[1:]])
+    except sc.InvalidShape as error:
+        assert pace > 4 and "turn" in str(error)
+        return
+    assert off_quadric(filling) <= 0.5 and filling.angle <= 1e-3
+
+
 @pytest.mark.parametrize("kink", [0.01, 0.019, 0.021, 0.03, 0.1])
 def test_joints_that_stand_up_a_little_are_no_corners(kink):
     """Planes beside them cannot both be a corner's: from there a surface would turn back. It is off by the kink, more or less."""
