@@ -52,7 +52,7 @@ def test_squares_at_an_angle(angle):
     """pi / 2 is a corner of a box; at pi one is folded onto the other."""
     found = measure(square(), "u_end", turned(angle), "u_start")
     assert abs(found.angle - angle) <= 1e-15 and (found.c, found.g) == (0, 0)
-    assert found.gap == 0 and found.curvature_difference <= 1e-30
+    assert found.gap == 0 and found.curvature_difference == 0
     assert abs(found.first_difference - 2 * math.sin(angle / 2)) <= 1e-15 and found.second_difference == 0
 
 
@@ -70,7 +70,8 @@ def test_the_largest_between_places_is_found(pace):
         found = measure(a, "u_end", b, "u_start")
         dense = sc.seam_continuity(a, "u_end", b, "u_start", parameters=np.linspace(0, 1, 20001), reversed=False)
         assert dense.angle * (1 - 1e-3) <= found.angle <= dense.angle * (1 + 1e-3) + 1e-9
-        assert dense.curvature_difference * (1 - 1e-2) <= found.curvature_difference or pace > 1
+        if pace == 1:
+            assert dense.curvature_difference * (1 - 1e-2) <= found.curvature_difference
 
 
 def test_two_sides_that_lie_apart():

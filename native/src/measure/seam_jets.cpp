@@ -47,13 +47,21 @@ std::size_t largest_at(const SeamJets& jets, SeamMeasure measure) {
   return found;
 }
 
+/// Whether a measure is the same, but for rounding, at both places beside one.
+bool is_level_at(const SeamJets& jets, SeamMeasure measure, std::size_t at) {
+  constexpr double kRounding = 1e-12;
+  const double value = measure(jets.a[at], jets.b[at]);
+  const auto is_same = [&](std::size_t i) { return std::abs(measure(jets.a[i], jets.b[i]) - value) <= kRounding * value; };
+  return (at == 0 || is_same(at - 1)) && (at + 1 == jets.places.size() || is_same(at + 1));
+}
+
 /// For each place whether one beside the step from there to the next one, which has a length, is the largest of a measure.
 std::vector<bool> steps_beside_largest(const SeamJets& jets, std::span<const SeamMeasure> measures) {
   const auto& places = jets.places;
   std::vector<bool> chosen(places.size(), false);
   for (const SeamMeasure measure : measures) {
     const std::size_t at = largest_at(jets, measure);
-    if (at == places.size()) continue;
+    if (at == places.size() || is_level_at(jets, measure, at)) continue;
     const auto is_there = [&](std::size_t i) { return std::abs(places[i].share - places[at].share) <= kSameShare; };
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
       if (is_there(i) != is_there(i + 1)) chosen[i] = true;
