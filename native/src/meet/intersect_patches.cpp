@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
+#include <vector>
 
 #include "base/length.hpp"
+#include "branch_search.hpp"
 #include "patch/tolerance.hpp"
 #include "patch_march.hpp"
 #include "patch_pairs.hpp"
@@ -11,30 +12,11 @@
 #include "plane_patch.hpp"
 #include "section_curve.hpp"
 #include "splinecore/meet/sections.hpp"
+#include "traced_steps.hpp"
 
 namespace splinecore {
 
 namespace {
-
-/// Places in which a pair of places is the same one: in the pieces beyond sides that it is on.
-std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot) {
-  std::vector<PatchSpot> twins{spot};
-  for (const Axis axis : {Axis::u, Axis::v}) {
-    const std::size_t k = axis == Axis::u ? 0 : 1;
-    const std::size_t count = twins.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const bool is_end : {false, true}) {
-        if (std::abs(twins[i].at[k] - (is_end ? 1.0 : 0.0)) > kOnSide) continue;
-        const auto next = pieces.beyond(twins[i].piece, {axis, is_end});
-        if (!next) continue;
-        PatchSpot twin{*next, twins[i].at};
-        twin.at[k] = is_end ? 0.0 : 1.0;
-        twins.push_back(twin);
-      }
-    }
-  }
-  return twins;
-}
 
 /// How far curves may be from the patches, in their space.
 double section_tolerance(const NearSpace& space, std::optional<double> tolerance) {
@@ -49,32 +31,35 @@ class SectionSearch {
  public:
   SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance)
       : space_(together(a.points(), b.points())), a_(a, space_), b_(b, space_),
-        tolerance_(section_tolerance(space_, tolerance)), touching_({a_, b_}, tolerance_) {}
+        tolerance_(section_tolerance(space_, tolerance)), touching_({a_, b_}, tolerance_),
+        crossing_({a_, b_}, tolerance_) {}
 
   Sections found() {
     constexpr double kRounding = 0x1p-48;
     constexpr double kSmallest = 0x1p-26;
     constexpr double kOfTolerance = 0x1p-4;  // a loop ten tolerances wide is told from a point
     const IsPairKnown is_known = [&](const PatchPart& a, const PatchPart& b) { return touching_.knows(a, b); };
-    const PatchPairFindings pairs = find_pairs(patches(), std::max(kOfTolerance * tolerance_, kSmallest),
-                                               kRounding + 2.0 * space_.rounding(), is_known);
+    const double smallest = std::max(kOfTolerance * tolerance_, kSmallest);
+    const double rounding = kRounding + 2.0 * space_.rounding();
+    const PatchPairFindings pairs = find_pairs(patches(), smallest, rounding, is_known);
     for (const PatchSpots& middle : pairs.touching) touch(middle);
-    for (const PatchSpots& middle : pairs.crossing) trace(middle);
+    BranchSearch search(patches(), crossing_, smallest, rounding);
+    search.on_seed = [&](const SectionPlace& seed) { return trace(seed); };
+    search.on_contact = [&](const PatchSpots& at) { contacts_.push_back({at, a_.at(at.a).point}); };
+    for (const CrossingRanges& ranges : pairs.crossing) search.explore(ranges.of(patches()));
     Sections found;
     found.are_one = touching_.are_one();
-    put(traces_, SectionKind::crossing, found);
+    put(crossing_.traces(), SectionKind::crossing, found);
     put(touching_.traces(), SectionKind::touching, found);
     put(touching_.borders(), SectionKind::border, found);
     for (const SectionTouch& touch : near_touches_) add_lonely(touch, found);
+    for (const SectionTouch& contact : contacts_) {
+      if (!crossing_.are_near(contact.point, 4.0 * smallest)) add_lonely(contact, found);
+    }
     return found;
   }
 
  private:
-  struct StepOfTrace {
-    std::size_t trace;
-    std::size_t step;
-  };
-
   TwoPatches patches() const { return {a_, b_}; }
 
   static double length_of(const SectionTrace& trace) {
@@ -93,71 +78,19 @@ class SectionSearch {
     }
   }
 
-  void trace(const PatchSpots& middle) {
-    const std::optional<SectionPlace> seed = seed_near(middle);
-    if (!seed || touching_.is_near(seed->point, 4.0 * tolerance_) || is_traced(*seed)) return;
-    traces_.push_back(traced(patches(), *seed, {{}, touches_, 0.5 * tolerance_}));
-    const std::vector<SectionPlace>& places = traces_.back().places;
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      if (!places[i].has_pieces_of(places[i + 1])) continue;
-      steps_[{places[i].at.a.piece, places[i].at.b.piece}].push_back({traces_.size() - 1, i});
-    }
+  SeedFate trace(const SectionPlace& seed) {
+    if (touching_.is_near(seed.point, 4.0 * tolerance_) || is_near_touch(seed.point)) return SeedFate::known;
+    crossing_.add(traced(patches(), seed, {{}, touches_, 0.5 * tolerance_}));
+    return SeedFate::traced;
   }
 
-  /// The place of both patches nearest to the middles of parts, in their pieces; where it lies beyond, on their sides.
-  std::optional<SectionPlace> seed_near(const PatchSpots& middle) const {
-    const PatchMeeting there = meeting_at(patches(), middle);
-    const double sine = glm::length(there.along);
-    if (!(sine > 0.0)) return {};
-    const InPlane plane{there.a.point + 0.5 * there.b.offset, there.along / sine};
-    std::optional<PatchSpots> at = place_near(patches(), middle, plane);
-    if (!at) return {};
-    if (enters(*at)) return section_place(patches(), *at);
-    for (std::size_t i = 0; i < 4; ++i) {
-      if ((*at)[i] >= 0.0 && (*at)[i] <= 1.0) continue;
-      auto on_side = place_near(patches(), *at, OnFace{i, (*at)[i] > 1.0 ? 1.0 : 0.0});
-      if (on_side && enters(*on_side)) return section_place(patches(), *on_side);
-    }
-    return {};
-  }
-
-  bool is_traced(const SectionPlace& seed) const {
-    // Nothing is to be told of what lies so near to a place where the patches touch, or to a pole.
+  /// Nothing is to be told of what lies so near to a place where the patches touch, or to a pole.
+  bool is_near_touch(const glm::dvec3& point) const {
     constexpr double kNear = 0x1p-14;
     const double near = std::max(kNear, 16.0 * tolerance_);
-    const auto is_near = [&](const SectionTouch& touch) { return glm::distance(touch.point, seed.point) <= near; };
-    if (std::ranges::any_of(near_touches_, is_near)) return true;
-    for (const PatchSpot& in_a : twins_of(a_, seed.at.a)) {
-      for (const PatchSpot& in_b : twins_of(b_, seed.at.b)) {
-        const auto steps = steps_.find({in_a.piece, in_b.piece});
-        if (steps == steps_.end()) continue;
-        if (std::ranges::any_of(steps->second, [&](const StepOfTrace& step) { return is_on(step, seed); })) return true;
-      }
-    }
-    return false;
-  }
-
-  /// Whether Newton's method comes to a place from the step of a trace beside it: where surfaces cross at a small angle a
-  /// step may be far from the place, within the tolerance of both.
-  bool is_on(const StepOfTrace& which, const SectionPlace& place) const {
-    const SectionTrace& trace = traces_[which.trace];
-    const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
-    const glm::dvec3 chord = step.to.point - step.from.point;
-    const double square = glm::dot(chord, chord);
-    if (!(square > 0.0)) return false;
-    const double s = glm::dot(place.point - step.from.point, chord) / square;
-    const double beyond = 1e-6 + tolerance_ / step.length;
-    if (s < -beyond || s > 1.0 + beyond) return false;
-    constexpr double kBeside = 0.25;
-    const glm::dvec3 beside = step.point(std::clamp(s, 0.0, 1.0));
-    if (glm::distance(beside, place.point) > kBeside * step.length + tolerance_) return false;
-    const std::optional<PatchSpots> at =
-        place_near(patches(), step.spots(std::clamp(s, 0.0, 1.0)), InPlane{place.point, place.tangent});
-    if (!at) return false;
-    constexpr double kSame = 0x1p-26;
-    constexpr double kRounding = 0x1p-44;
-    const double sine = glm::length(meeting_at(patches(), place.at).along);
-    return glm::distance(a_.at(at->a).point, place.point) <= kSame * step.length + kRounding / sine;
+    return std::ranges::any_of(near_touches_, [&](const SectionTouch& touch) {
+      return glm::distance(touch.point, point) <= near;
+    });
   }
 
   /// Notes where patches touch in parts, or may do: at a pole nothing tells where normals are parallel.
@@ -193,7 +126,7 @@ class SectionSearch {
     const auto is_here = [&](const SectionPlace& place) {
       return glm::distance(place.point, touch.point) <= 4.0 * tolerance_;
     };
-    const bool is_on_curve = std::ranges::any_of(traces_, [&](const SectionTrace& trace) {
+    const bool is_on_curve = std::ranges::any_of(crossing_.traces(), [&](const SectionTrace& trace) {
       return std::ranges::any_of(trace.places, is_here);
     });
     if (is_on_curve || touching_.is_near(touch.point, 4.0 * tolerance_)) return;
@@ -211,8 +144,8 @@ class SectionSearch {
   TouchingCurves touching_;
   std::vector<SectionTouch> near_touches_;  ///< where the patches touch, or a pole is
   std::vector<SectionTouch> touches_;       ///< where normals are parallel, in every piece
-  std::vector<SectionTrace> traces_;
-  std::map<std::array<std::size_t, 2>, std::vector<StepOfTrace>> steps_;
+  std::vector<SectionTouch> contacts_;      ///< where patches that cross have but a point in common
+  TracedSteps crossing_;
 };
 
 }  // namespace

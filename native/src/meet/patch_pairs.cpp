@@ -37,10 +37,12 @@ class PatchPairSearch {
     breathe(64 * (a.net.values.size() + b.net.values.size()));
     if (++pairs_ > kMostPairs) refuse();
     if (is_lost(a) || is_lost(b) || are_apart(a, b, slack_)) return;
-    if (do_normals_differ(a, b)) return add(found_.crossing, a, b);
+    if (const auto crossing = crossing_part(a, b)) {
+      return found_.crossing.push_back({a.piece, a.range, b.piece, b.range, crossing->signs, crossing->lead});
+    }
     if (a.is_boxed && b.is_boxed && is_known_(a, b)) return;
     if (a.is_boxed && b.is_boxed && std::max(a.largest_size(), b.largest_size()) <= smallest_) {
-      add(found_.touching, a, b);
+      found_.touching.push_back({{a.piece, a.middle()}, {b.piece, b.middle()}});
       if (found_.touching.size() > kMostTouching) refuse();
       return;
     }
@@ -48,10 +50,6 @@ class PatchPairSearch {
     const auto [first, second] = (halves_a ? a : b).halves();
     halves_a ? pair(first, b) : pair(a, first);
     halves_a ? pair(second, b) : pair(a, second);
-  }
-
-  static void add(std::vector<PatchSpots>& to, const PatchPart& a, const PatchPart& b) {
-    to.push_back({{a.piece, a.middle()}, {b.piece, b.middle()}});
   }
 
   [[noreturn]] void refuse() const {

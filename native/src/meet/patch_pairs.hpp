@@ -1,18 +1,33 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
+#include "crossing_part.hpp"
 #include "patch_approach.hpp"
-#include "patch_part.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// Of pairs of parts that are not known to be apart the middles.
+/// A crossing part without its nets.
+struct CrossingRanges {
+  std::size_t piece_a;
+  std::array<Interval, 2> a;
+  std::size_t piece_b;
+  std::array<Interval, 2> b;
+  std::array<int, 4> signs;
+  std::size_t lead;
+
+  CrossingPart of(const TwoPatches& patches) const {
+    return {part_of(piece_a, patches.a.piece(piece_a), a), part_of(piece_b, patches.b.piece(piece_b), b), signs, lead};
+  }
+};
+
+/// Pairs of parts that are not known to be apart.
 struct PatchPairFindings {
-  std::vector<PatchSpots> crossing;  ///< whose normals differ, so that they meet in one line at most
-  std::vector<PatchSpots> touching;  ///< as small as is asked, whose normals do not
+  std::vector<CrossingRanges> crossing;
+  std::vector<PatchSpots> touching;  ///< of those as small as is asked, whose normals do not differ, the middles
 };
 
 /// Whether all that two parts may have in common is known.

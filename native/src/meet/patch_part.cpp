@@ -85,16 +85,21 @@ PatchPart::PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_ran
   size = {size_along(net, points, Axis::u), size_along(net, points, Axis::v)};
 }
 
-/// Tangents along u within `a`, along v within `b` of two unit vectors whose cross product is as long as the sine of their
-/// angle: the normal is that, and what their deviations add.
-VectorCone PatchPart::normal_cone() const {
+VectorCone PatchPart::tangent_cone(Axis axis) const {
   if (!is_boxed) return {};
   const std::size_t last_row = points.size() - net.columns;
   const glm::dvec3 centre = 0.25 * (points.front() + points[net.columns - 1] + points[last_row] + points.back());
   double square = 0.0;
   for (const glm::dvec3& p : points) square = std::max(square, glm::dot(p - centre, p - centre));
-  const VectorCone u = cone_along(net, Axis::u, centre, std::sqrt(square));
-  const VectorCone v = cone_along(net, Axis::v, centre, std::sqrt(square));
+  return cone_along(net, axis, centre, std::sqrt(square));
+}
+
+/// Tangents along u within `a`, along v within `b` of two unit vectors whose cross product is as long as the sine of their
+/// angle: the normal is that, and what their deviations add.
+VectorCone PatchPart::normal_cone() const {
+  if (!is_boxed) return {};
+  const VectorCone& u = tangents(Axis::u);
+  const VectorCone& v = tangents(Axis::v);
   const glm::dvec3 cross = glm::cross(u.along, v.along);
   const double sine = glm::length(cross);
   if (!(sine > 0.0)) return {};
@@ -113,6 +118,25 @@ std::pair<PatchPart, PatchPart> PatchPart::halves() const {
   behind[is_u ? 0 : 1].start = cut.middle();
   cut.end = cut.middle();
   return {PatchPart(piece, before, std::move(first)), PatchPart(piece, behind, std::move(second))};
+}
+
+PatchPart PatchPart::within(Axis axis, const Interval& kept) const {
+  const std::size_t k = axis == Axis::u ? 0 : 1;
+  const Interval& own = range[k];
+  BernsteinNet<glm::dvec4> part = net;
+  BernsteinNet<glm::dvec4> other;
+  if (kept.end < own.end) part.cut(axis, (kept.end - own.start) / own.length(), other);
+  if (kept.start > own.start) {
+    part.cut(axis, (kept.start - own.start) / (kept.end - own.start), other);
+    std::swap(part, other);
+  }
+  std::array<Interval, 2> of_part = range;
+  of_part[k] = kept;
+  return PatchPart(piece, of_part, std::move(part));
+}
+
+PatchPart part_of(std::size_t piece, const BernsteinNet<glm::dvec4>& net, const std::array<Interval, 2>& range) {
+  return PatchPart(piece, {}, net).within(Axis::u, range[0]).within(Axis::v, range[1]);
 }
 
 bool are_apart(const PatchPart& a, const PatchPart& b, double distance) {

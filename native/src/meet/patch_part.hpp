@@ -37,17 +37,32 @@ struct PatchPart {
     return *normals_;
   }
 
+  /// Of all derivatives along an axis.
+  const VectorCone& tangents(Axis axis) const {
+    std::optional<VectorCone>& cone = tangents_[axis == Axis::u ? 0 : 1];
+    if (!cone) cone = tangent_cone(axis);
+    return *cone;
+  }
+
   /// Halves along the longer direction.
   std::pair<PatchPart, PatchPart> halves() const;
+
+  /// What lies within a range of an axis.
+  PatchPart within(Axis axis, const Interval& kept) const;
 
   double largest_size() const noexcept { return size[0] > size[1] ? size[0] : size[1]; }
   std::array<double, 2> middle() const noexcept { return {range[0].middle(), range[1].middle()}; }
 
  private:
   VectorCone normal_cone() const;
+  VectorCone tangent_cone(Axis axis) const;
 
   mutable std::optional<VectorCone> normals_;  ///< for most parts nobody asks
+  mutable std::array<std::optional<VectorCone>, 2> tangents_;
 };
+
+/// A part of a piece of a patch.
+PatchPart part_of(std::size_t piece, const BernsteinNet<glm::dvec4>& net, const std::array<Interval, 2>& range);
 
 /// Whether hulls are farther apart than that, as seen along some axes of both.
 bool are_apart(const PatchPart& a, const PatchPart& b, double distance);

@@ -1,0 +1,215 @@
+#include "traced_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+FourParameters between(const FourParameters& a, const FourParameters& b, double share) {
+  FourParameters at;
+  for (std::size_t i = 0; i < 4; ++i) at[i] = std::lerp(a[i], b[i], share);
+  return at;
+}
+
+double slack_of(const Interval& range) {
+  constexpr double kSlack = 0x1p-24;
+  return kSlack * range.length() + kOnSide;
+}
+
+/// What of a straight line is in a part (Liang and Barsky 1984).
+std::optional<Interval> clipped(const CrossingPart& part, const FourParameters& from, const FourParameters& to) {
+  Interval kept;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double low = part.range(i).start - slack_of(part.range(i));
+    const double high = part.range(i).end + slack_of(part.range(i));
+    const double way = to[i] - from[i];
+    if (way == 0.0) {
+      if (from[i] < low || from[i] > high) return {};
+      continue;
+    }
+    const double enters = ((way > 0.0 ? low : high) - from[i]) / way;
+    const double leaves = ((way > 0.0 ? high : low) - from[i]) / way;
+    kept = {std::max(kept.start, enters), std::min(kept.end, leaves)};
+    if (!(kept.start <= kept.end)) return {};
+  }
+  return kept;
+}
+
+/// Whether a curve that goes on from a place, the leading parameter rising or falling, is beyond the part for good: a
+/// parameter is at its end there and goes one way.
+bool leaves_for_good(const CrossingPart& part, const FourParameters& at, bool is_rising) {
+  const int way = is_rising ? part.signs[part.lead] : -part.signs[part.lead];
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (i == part.lead || part.signs[i] == 0) continue;
+    const double slack = 2.0 * slack_of(part.range(i));
+    const bool goes_up = part.signs[i] * way > 0;
+    if (goes_up ? at[i] >= part.range(i).end - slack : at[i] <= part.range(i).start + slack) return true;
+  }
+  return false;
+}
+
+/// The values of the leading parameter for which the part has nothing but what is known between two places of a curve.
+Interval settled_range(const CrossingPart& part, FourParameters first, FourParameters second) {
+  const std::size_t lead = part.lead;
+  if (first[lead] > second[lead]) std::swap(first, second);
+  Interval settled{first[lead], second[lead]};
+  if (leaves_for_good(part, first, false)) settled.start = part.range(lead).start;
+  if (leaves_for_good(part, second, true)) settled.end = part.range(lead).end;
+  return settled;
+}
+
+}  // namespace
+
+std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot) {
+  std::vector<PatchSpot> twins{spot};
+  for (const Axis axis : {Axis::u, Axis::v}) {
+    const std::size_t k = axis == Axis::u ? 0 : 1;
+    const std::size_t count = twins.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const bool is_end : {false, true}) {
+        if (std::abs(twins[i].at[k] - (is_end ? 1.0 : 0.0)) > kOnSide) continue;
+        const auto next = pieces.beyond(twins[i].piece, {axis, is_end});
+        if (!next) continue;
+        PatchSpot twin{*next, twins[i].at};
+        twin.at[k] = is_end ? 0.0 : 1.0;
+        twins.push_back(twin);
+      }
+    }
+  }
+  return twins;
+}
+
+void TracedSteps::add(SectionTrace trace) {
+  traces_.push_back(std::move(trace));
+  const std::vector<SectionPlace>& places = traces_.back().places;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    if (!places[i].has_pieces_of(places[i + 1])) continue;
+    const SectionStep step(places[i], places[i + 1]);
+    Step made{traces_.size() - 1, i, {}};
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      made.at[k] = parameters_of(step.spots(static_cast<double>(k) / static_cast<double>(kSamples - 1)));
+    }
+    put({places[i].at.a.piece, places[i].at.b.piece}, made);
+  }
+}
+
+/// Where a step runs along the side of a piece it is in the one beyond, too.
+void TracedSteps::put(const Pieces& pieces, const Step& step) {
+  std::vector<std::pair<Pieces, Step>> all{{pieces, step}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t count = all.size();
+    for (std::size_t known = 0; known < count; ++known) {
+      for (const bool is_end : {false, true}) {
+        const double side = is_end ? 1.0 : 0.0;
+        const auto is_on_side = [&](const FourParameters& at) { return std::abs(at[i] - side) <= kOnSide; };
+        if (!std::ranges::all_of(all[known].second.at, is_on_side)) continue;
+        const PatchPieces& of = i < 2 ? patches_.a : patches_.b;
+        const auto next = of.beyond(all[known].first[i / 2], {i % 2 == 0 ? Axis::u : Axis::v, is_end});
+        if (!next) continue;
+        auto [there, twin] = all[known];
+        there[i / 2] = *next;
+        for (FourParameters& at : twin.at) at[i] = 1.0 - side;
+        all.emplace_back(there, twin);
+      }
+    }
+  }
+  for (const auto& [there, twin] : all) steps_[there].push_back(twin);
+}
+
+const std::vector<TracedSteps::Step>* TracedSteps::steps_in(const Pieces& pieces) const {
+  const auto found = steps_.find(pieces);
+  return found == steps_.end() ? nullptr : &found->second;
+}
+
+bool TracedSteps::holds(const SectionPlace& place) const {
+  for (const PatchSpot& in_a : twins_of(patches_.a, place.at.a)) {
+    for (const PatchSpot& in_b : twins_of(patches_.b, place.at.b)) {
+      const std::vector<Step>* const steps = steps_in({in_a.piece, in_b.piece});
+      if (steps && std::ranges::any_of(*steps, [&](const Step& step) { return is_on(step, place); })) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether Newton's method comes to a place from the step of a trace beside it: where surfaces cross at a small angle a
+/// step may be far from the place, within the tolerance of both.
+bool TracedSteps::is_on(const Step& which, const SectionPlace& place) const {
+  const SectionTrace& trace = traces_[which.trace];
+  const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
+  const glm::dvec3 chord = step.to.point - step.from.point;
+  const double square = glm::dot(chord, chord);
+  if (!(square > 0.0)) return false;
+  const double s = glm::dot(place.point - step.from.point, chord) / square;
+  const double beyond = 1e-6 + tolerance_ / step.length;
+  if (s < -beyond || s > 1.0 + beyond) return false;
+  constexpr double kBeside = 0.25;
+  const glm::dvec3 beside = step.point(std::clamp(s, 0.0, 1.0));
+  if (glm::distance(beside, place.point) > kBeside * step.length + tolerance_) return false;
+  const std::optional<PatchSpots> at =
+      place_near(patches_, step.spots(std::clamp(s, 0.0, 1.0)), InPlane{place.point, place.tangent});
+  if (!at) return false;
+  constexpr double kSame = 0x1p-26;
+  constexpr double kRounding = 0x1p-44;
+  const double sine = glm::length(meeting_at(patches_, place.at).along);
+  return glm::distance(patches_.a.at(at->a).point, place.point) <= kSame * step.length + kRounding / sine;
+}
+
+bool TracedSteps::are_near(const glm::dvec3& point, double distance) const {
+  constexpr int kRounds = 4;
+  const auto is_near = [&](const SectionPlace& from, const SectionPlace& to) {
+    const SectionStep step(from, to);
+    if (std::min(glm::distance(from.point, point), glm::distance(to.point, point)) > step.length + distance) return false;
+    const glm::dvec3 chord = to.point - from.point;
+    const double square = glm::dot(chord, chord);
+    if (!(square > 0.0)) return true;
+    double s = 0.5;
+    for (int i = 0; i < kRounds; ++i) s = std::clamp(s + glm::dot(point - step.point(s), chord) / square, 0.0, 1.0);
+    return glm::distance(step.point(s), point) <= distance;
+  };
+  return std::ranges::any_of(traces_, [&](const SectionTrace& trace) {
+    breathe(8 * trace.places.size());
+    for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
+      if (is_near(trace.places[i], trace.places[i + 1])) return true;
+    }
+    return false;
+  });
+}
+
+std::vector<Interval> TracedSteps::gaps(const CrossingPart& part) const {
+  constexpr double kNothing = 0x1p-3;  // of the tolerance
+  const Interval& whole = part.range(part.lead);
+  std::vector<Interval> settled;
+  if (const std::vector<Step>* const steps = steps_in({part.a.piece, part.b.piece})) {
+    breathe(64 * steps->size());
+    for (const Step& step : *steps) {
+      for (std::size_t k = 0; k + 1 < kSamples; ++k) {
+        const auto inside = clipped(part, step.at[k], step.at[k + 1]);
+        if (!inside) continue;
+        settled.push_back(settled_range(part, between(step.at[k], step.at[k + 1], inside->start),
+                                        between(step.at[k], step.at[k + 1], inside->end)));
+      }
+    }
+  }
+  std::ranges::sort(settled, {}, &Interval::start);
+  std::vector<Interval> gaps;
+  const double length = part.length_along(part.lead);
+  const auto add = [&](double start, double end) {
+    const bool counts = (end - start) * length > kNothing * tolerance_ * whole.length();
+    if (counts && end - start > slack_of(whole)) gaps.push_back({start, end});
+  };
+  double at = whole.start;
+  for (const Interval& range : settled) {
+    add(at, std::min(range.start, whole.end));
+    at = std::max(at, range.end);
+  }
+  add(at, whole.end);
+  return gaps;
+}
+
+}  // namespace splinecore
