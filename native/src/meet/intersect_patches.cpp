@@ -110,8 +110,8 @@ class SectionSearch {
       *known = {*at, point};
     }
     if (!is_exact) return;
-    for (const PatchSpot& in_a : twins_of(a_, at->a)) {
-      for (const PatchSpot& in_b : twins_of(b_, at->b)) {
+    for (const PatchSpot& in_a : a_.twins(at->a, kOnSide)) {
+      for (const PatchSpot& in_b : b_.twins(at->b, kOnSide)) {
         const PatchSpots twin{in_a, in_b};
         const auto is_this = [&](const SectionTouch& other) {
           return other.at.a.piece == in_a.piece && other.at.b.piece == in_b.piece && is_here(other);

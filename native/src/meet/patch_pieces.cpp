@@ -1,6 +1,7 @@
 #include "patch_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "boxed_pieces.hpp"
 
@@ -50,6 +51,25 @@ std::optional<std::size_t> PatchPieces::beyond(std::size_t piece, const PieceSid
   }
   const std::size_t before = at == 0 ? piece + step * (count - 1) : piece - step;
   return goes_on_[2 * before + which] ? std::optional(before) : std::nullopt;
+}
+
+std::vector<PatchSpot> PatchPieces::twins(const PatchSpot& spot, double near) const {
+  std::vector<PatchSpot> twins{spot};
+  for (const Axis axis : {Axis::u, Axis::v}) {
+    const std::size_t k = axis == Axis::u ? 0 : 1;
+    const std::size_t count = twins.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const bool is_end : {false, true}) {
+        if (std::abs(twins[i].at[k] - (is_end ? 1.0 : 0.0)) > near) continue;
+        const auto next = beyond(twins[i].piece, {axis, is_end});
+        if (!next) continue;
+        PatchSpot twin{*next, twins[i].at};
+        twin.at[k] = is_end ? 0.0 : 1.0;
+        twins.push_back(twin);
+      }
+    }
+  }
+  return twins;
 }
 
 std::array<double, 2> PatchPieces::parameters(const PatchSpot& spot) const {

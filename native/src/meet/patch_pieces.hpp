@@ -33,6 +33,9 @@ class PatchPieces {
   /// The piece that goes on at a side of this one, over the seam of a closed patch; none at a border and at a gap.
   std::optional<std::size_t> beyond(std::size_t piece, const PieceSide& side) const noexcept;
 
+  /// A place, and the same one in the pieces beyond the sides that it is so near to.
+  std::vector<PatchSpot> twins(const PatchSpot& spot, double near) const;
+
   /// Whether a side of a piece is a single point.
   bool is_pole(std::size_t piece, const PieceSide& side) const noexcept { return poles_[4 * piece + number(side)]; }
 

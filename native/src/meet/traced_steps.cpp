@@ -64,26 +64,20 @@ Interval settled_range(const CrossingPart& part, FourParameters first, FourParam
   return settled;
 }
 
-}  // namespace
-
-std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot) {
-  std::vector<PatchSpot> twins{spot};
-  for (const Axis axis : {Axis::u, Axis::v}) {
-    const std::size_t k = axis == Axis::u ? 0 : 1;
-    const std::size_t count = twins.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const bool is_end : {false, true}) {
-        if (std::abs(twins[i].at[k] - (is_end ? 1.0 : 0.0)) > kOnSide) continue;
-        const auto next = pieces.beyond(twins[i].piece, {axis, is_end});
-        if (!next) continue;
-        PatchSpot twin{*next, twins[i].at};
-        twin.at[k] = is_end ? 0.0 : 1.0;
-        twins.push_back(twin);
-      }
-    }
-  }
-  return twins;
+/// Whether a step is so near to a point.
+bool is_beside(const SectionStep& step, const glm::dvec3& point, double distance) {
+  constexpr int kRounds = 4;
+  const double nearer = std::min(glm::distance(step.from.point, point), glm::distance(step.to.point, point));
+  if (nearer > step.length + distance) return false;
+  const glm::dvec3 chord = step.to.point - step.from.point;
+  const double square = glm::dot(chord, chord);
+  if (!(square > 0.0)) return true;
+  double s = 0.5;
+  for (int i = 0; i < kRounds; ++i) s = std::clamp(s + glm::dot(point - step.point(s), chord) / square, 0.0, 1.0);
+  return glm::distance(step.point(s), point) <= distance;
 }
+
+}  // namespace
 
 void TracedSteps::add(SectionTrace trace) {
   traces_.push_back(std::move(trace));
@@ -128,13 +122,34 @@ const std::vector<TracedSteps::Step>* TracedSteps::steps_in(const Pieces& pieces
 }
 
 bool TracedSteps::holds(const SectionPlace& place) const {
-  for (const PatchSpot& in_a : twins_of(patches_.a, place.at.a)) {
-    for (const PatchSpot& in_b : twins_of(patches_.b, place.at.b)) {
-      const std::vector<Step>* const steps = steps_in({in_a.piece, in_b.piece});
-      if (steps && std::ranges::any_of(*steps, [&](const Step& step) { return is_on(step, place); })) return true;
+  const auto is_on_any = [&](const Pieces& pieces, auto test) {
+    const std::vector<Step>* const steps = steps_in(pieces);
+    return steps && std::ranges::any_of(*steps, [&](const Step& step) { return (this->*test)(step, place); });
+  };
+  for (const PatchSpot& in_a : patches_.a.twins(place.at.a, kOnSide)) {
+    for (const PatchSpot& in_b : patches_.b.twins(place.at.b, kOnSide)) {
+      if (is_on_any({in_a.piece, in_b.piece}, &TracedSteps::is_on)) return true;
+    }
+  }
+  // Beside a side that the curve grazes a step may be in the piece beyond, within the tolerance.
+  constexpr double kBeside = 0x1p-5;
+  for (const PatchSpot& in_a : patches_.a.twins(place.at.a, kBeside)) {
+    for (const PatchSpot& in_b : patches_.b.twins(place.at.b, kBeside)) {
+      if (is_on_any({in_a.piece, in_b.piece}, &TracedSteps::is_within)) return true;
     }
   }
   return false;
+}
+
+/// Whether a place is within the tolerance of both patches beside a step that goes the same way.
+bool TracedSteps::is_within(const Step& which, const SectionPlace& place) const {
+  constexpr double kAlong = 0.9;
+  constexpr double kShare = 0x1p-4;
+  const SectionTrace& trace = traces_[which.trace];
+  const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
+  if (std::abs(glm::dot(step.from.tangent, place.tangent)) < kAlong) return false;
+  const double sine = glm::length(meeting_at(patches_, place.at).along);
+  return is_beside(step, place.point, std::min(tolerance_ / sine, kShare * step.length + tolerance_));
 }
 
 /// Whether Newton's method comes to a place from the step of a trace beside it: where surfaces cross at a small angle a
@@ -161,21 +176,10 @@ bool TracedSteps::is_on(const Step& which, const SectionPlace& place) const {
 }
 
 bool TracedSteps::are_near(const glm::dvec3& point, double distance) const {
-  constexpr int kRounds = 4;
-  const auto is_near = [&](const SectionPlace& from, const SectionPlace& to) {
-    const SectionStep step(from, to);
-    if (std::min(glm::distance(from.point, point), glm::distance(to.point, point)) > step.length + distance) return false;
-    const glm::dvec3 chord = to.point - from.point;
-    const double square = glm::dot(chord, chord);
-    if (!(square > 0.0)) return true;
-    double s = 0.5;
-    for (int i = 0; i < kRounds; ++i) s = std::clamp(s + glm::dot(point - step.point(s), chord) / square, 0.0, 1.0);
-    return glm::distance(step.point(s), point) <= distance;
-  };
   return std::ranges::any_of(traces_, [&](const SectionTrace& trace) {
     breathe(8 * trace.places.size());
     for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
-      if (is_near(trace.places[i], trace.places[i + 1])) return true;
+      if (is_beside(SectionStep(trace.places[i], trace.places[i + 1]), point, distance)) return true;
     }
     return false;
   });

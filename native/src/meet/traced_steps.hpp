@@ -41,15 +41,13 @@ class TracedSteps {
   void put(const Pieces& pieces, const Step& step);
   const std::vector<Step>* steps_in(const Pieces& pieces) const;
   bool is_on(const Step& which, const SectionPlace& place) const;
+  bool is_within(const Step& which, const SectionPlace& place) const;
 
   TwoPatches patches_;
   double tolerance_;
   std::vector<SectionTrace> traces_;
   std::map<Pieces, std::vector<Step>> steps_;
 };
-
-/// Places in which a pair of places is the same one: in the pieces beyond sides that it is on.
-std::vector<PatchSpot> twins_of(const PatchPieces& pieces, const PatchSpot& spot);
 
 }  // namespace splinecore
 #pragma GCC visibility pop
