@@ -80,7 +80,8 @@ class SectionSearch {
 
   SeedFate trace(const SectionPlace& seed) {
     if (touching_.is_near(seed.point, 4.0 * tolerance_) || is_near_touch(seed.point)) return SeedFate::known;
-    crossing_.add(traced(patches(), seed, {{}, touches_, 0.5 * tolerance_}));
+    const auto is_known = [&](const SectionPlace& place) { return crossing_.holds_along(place); };
+    crossing_.add(traced(patches(), seed, {{}, touches_, 0.5 * tolerance_, is_known}));
     return SeedFate::traced;
   }
 

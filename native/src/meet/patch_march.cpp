@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <map>
 #include <span>
 
 #include "splinecore/base/errors.hpp"
@@ -37,7 +38,7 @@ class March {
  public:
   March(const TwoPatches& patches, const SectionPlace& seed, double way, const MarchLimits& limits)
       : patches_(patches), seed_(seed), way_(way), contact_(limits.contact), touches_(limits.touches),
-        tolerance_(limits.tolerance) {
+        tolerance_(limits.tolerance), is_known_(limits.is_known) {
     trace_.places.push_back(turned(seed));
   }
 
@@ -108,7 +109,7 @@ class March {
   /// @returns whether the curve goes on
   bool step() {
     breathe(2048);
-    if (length_ < kLeastStep) return false;
+    if (length_ < kLeastStep || is_lost_in_rounding()) return false;
     if (const auto end = touching_end()) return finish(*end);
     keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
@@ -117,8 +118,19 @@ class March {
     if (leaves_by_pole(*at)) return leave(*at);
     std::optional<SectionPlace> next = place(*at);
     if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return shorter(0.5);
-    if (glm::distance(next->point, last().point) > 2.0 * length_) return shorter(0.5);
+    const double far = glm::distance(next->point, last().point);
+    if (far > 2.0 * length_ || far < 0.5 * length_) return shorter(0.5);
     return enters(next->at) ? take(*next) : leave(next->at);
+  }
+
+  /// Whether the step is so short that rounding, where the patches nearly touch, sends its end anywhere.
+  bool is_lost_in_rounding() const {
+    constexpr double kShort = 0x1p-20;
+    constexpr double kRounding = 0x1p-44;
+    constexpr double kRoundingOfTouches = 0x1p-26;  // places where normals are parallel have half the digits
+    if (length_ > kShort) return false;
+    if (contact_.kind != PatchContact::Kind::crossing) return length_ < kRoundingOfTouches;
+    return length_ * glm::length(meeting_at(patches_, last().at).along) < kRounding;
   }
 
   bool shorter(double share) {
@@ -290,8 +302,44 @@ class March {
     if (!there) return false;
     // Where the surfaces are folded the curve may come back through the same side: there it ends.
     if (!runs_out(*there, i, is_end)) return false;
+    if (is_known_ && is_known_(*there)) return false;
+    if (const auto before = visit_before(*there)) return end_at_itself(*before);
+    visits_[{at.a.piece, at.b.piece}].push_back(trace_.places.size());
     trace_.places.push_back(*there);
     return true;
+  }
+
+  /// When the curve came into a piece here before.
+  std::optional<std::size_t> visit_before(const SectionPlace& place) const {
+    const auto visits = visits_.find({place.at.a.piece, place.at.b.piece});
+    if (visits == visits_.end()) return {};
+    const auto found = std::ranges::find_if(visits->second, [&](std::size_t i) {
+      const SectionPlace& other = trace_.places[i];
+      return glm::distance(other.point, place.point) <= kSame && glm::dot(other.tangent, place.tangent) > kTurn;
+    });
+    return found == visits->second.end() ? std::nullopt : std::optional(*found);
+  }
+
+  /// The curve came to a loop, which it went round: what leads to it stays, or, if it was begun on it, the loop.
+  bool end_at_itself(std::size_t first) {
+    std::vector<SectionPlace>& places = trace_.places;
+    const auto is_on_loop = [&](const SectionPlace& place) {
+      for (std::size_t i = first; i + 1 < places.size(); ++i) {
+        if (SectionStep(places[i], places[i + 1]).is_near(place.point, tolerance_)) return true;
+      }
+      return false;
+    };
+    std::size_t joint = first;
+    while (joint > 0 && is_on_loop(places[joint - 1])) --joint;
+    if (joint > 0) {
+      places.resize(joint + 1);
+      return false;
+    }
+    const SectionPlace start = places[first];
+    places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(first));
+    places.push_back(start);
+    trace_.is_closed = true;
+    return false;
   }
 
   /// The place ahead where the patches touch that the next step comes near, if the curve goes there.
@@ -325,6 +373,8 @@ class March {
   PatchContact contact_;
   std::span<const SectionTouch> touches_;
   double tolerance_;
+  const std::function<bool(const SectionPlace&)>& is_known_;
+  std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> visits_;  ///< of each pair of pieces the places of entry
   double length_ = kFirstStep;
   double travelled_ = 0.0;
   int hops_ = 0;
@@ -397,6 +447,17 @@ bool is_curve(const Parting& parting) {
   return std::abs(parting.across) > kBent && std::abs(parting.along) <= kAlong * std::abs(parting.across);
 }
 
+bool SectionStep::is_near(const glm::dvec3& place, double distance) const noexcept {
+  constexpr int kRounds = 4;
+  if (std::min(glm::distance(from.point, place), glm::distance(to.point, place)) > length + distance) return false;
+  const glm::dvec3 chord = to.point - from.point;
+  const double square = glm::dot(chord, chord);
+  if (!(square > 0.0)) return true;
+  double s = 0.5;
+  for (int i = 0; i < kRounds; ++i) s = std::clamp(s + glm::dot(place - point(s), chord) / square, 0.0, 1.0);
+  return glm::distance(point(s), place) <= distance;
+}
+
 SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits) {
   SectionTrace forward = March(patches, seed, 1.0, limits).done();
   if (forward.is_closed) return forward;
@@ -407,6 +468,7 @@ SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const M
     for (double& slope : place->slopes) slope = -slope;
     places.push_back(*place);
   }
+  if (back.is_closed) return {std::move(places), true};
   places.insert(places.end(), forward.places.begin() + 1, forward.places.end());
   return {std::move(places), false};
 }

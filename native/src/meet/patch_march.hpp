@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -51,6 +52,9 @@ struct SectionStep {
   glm::dvec3 point(double s) const noexcept;
   PatchSpots spots(double s) const noexcept;
 
+  /// Whether it comes so near to a point.
+  bool is_near(const glm::dvec3& place, double distance) const noexcept;
+
   const SectionPlace& from;
   const SectionPlace& to;
   double length;
@@ -69,10 +73,11 @@ struct MarchLimits {
   PatchContact contact;                   ///< how the patches meet along it
   std::span<const SectionTouch> touches;  ///< where curves end
   double tolerance;                       ///< how far they are from the patches
+  std::function<bool(const SectionPlace&)> is_known{};  ///< of a place on the side of a piece: where it is known curves end
 };
 
-/// The whole curve through a place: both ways, to borders, poles, places where the patches touch, and where one of them is
-/// folded or has no normal for another reason; or round.
+/// The whole curve through a place: both ways, to borders, poles, places where the patches touch, where one of them is
+/// folded or has no normal for another reason, and where it comes to a curve that is known or to itself; or round.
 SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits);
 
 }  // namespace splinecore

@@ -11,6 +11,9 @@ namespace splinecore {
 
 namespace {
 
+/// Places so near are one.
+constexpr double kRoundingOfPlaces = 0x1p-36;
+
 FourParameters between(const FourParameters& a, const FourParameters& b, double share) {
   FourParameters at;
   for (std::size_t i = 0; i < 4; ++i) at[i] = std::lerp(a[i], b[i], share);
@@ -62,19 +65,6 @@ Interval settled_range(const CrossingPart& part, FourParameters first, FourParam
   if (leaves_for_good(part, first, false)) settled.start = part.range(lead).start;
   if (leaves_for_good(part, second, true)) settled.end = part.range(lead).end;
   return settled;
-}
-
-/// Whether a step is so near to a point.
-bool is_beside(const SectionStep& step, const glm::dvec3& point, double distance) {
-  constexpr int kRounds = 4;
-  const double nearer = std::min(glm::distance(step.from.point, point), glm::distance(step.to.point, point));
-  if (nearer > step.length + distance) return false;
-  const glm::dvec3 chord = step.to.point - step.from.point;
-  const double square = glm::dot(chord, chord);
-  if (!(square > 0.0)) return true;
-  double s = 0.5;
-  for (int i = 0; i < kRounds; ++i) s = std::clamp(s + glm::dot(point - step.point(s), chord) / square, 0.0, 1.0);
-  return glm::distance(step.point(s), point) <= distance;
 }
 
 }  // namespace
@@ -141,6 +131,19 @@ bool TracedSteps::holds(const SectionPlace& place) const {
   return false;
 }
 
+bool TracedSteps::holds_along(const SectionPlace& place) const {
+  constexpr double kSame = 1e-3;
+  const std::vector<Step>* const steps = steps_in({place.at.a.piece, place.at.b.piece});
+  return steps && std::ranges::any_of(*steps, [&](const Step& which) {
+    const SectionTrace& trace = traces_[which.trace];
+    const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
+    if (!step.is_near(place.point, kRoundingOfPlaces)) return false;
+    const SectionPlace& nearer = glm::distance(step.from.point, place.point) < glm::distance(step.to.point, place.point)
+                                     ? step.from : step.to;
+    return glm::length(glm::cross(nearer.tangent, place.tangent)) <= kSame;
+  });
+}
+
 /// Whether a place is within the tolerance of both patches beside a step that goes the same way.
 bool TracedSteps::is_within(const Step& which, const SectionPlace& place) const {
   constexpr double kAlong = 0.9;
@@ -149,7 +152,7 @@ bool TracedSteps::is_within(const Step& which, const SectionPlace& place) const 
   const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
   if (std::abs(glm::dot(step.from.tangent, place.tangent)) < kAlong) return false;
   const double sine = glm::length(meeting_at(patches_, place.at).along);
-  return is_beside(step, place.point, std::min(tolerance_ / sine, kShare * step.length + tolerance_));
+  return step.is_near(place.point, std::min(tolerance_ / sine, kShare * step.length + tolerance_));
 }
 
 /// Whether Newton's method comes to a place from the step of a trace beside it: where surfaces cross at a small angle a
@@ -179,7 +182,7 @@ bool TracedSteps::are_near(const glm::dvec3& point, double distance) const {
   return std::ranges::any_of(traces_, [&](const SectionTrace& trace) {
     breathe(8 * trace.places.size());
     for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
-      if (is_beside(SectionStep(trace.places[i], trace.places[i + 1]), point, distance)) return true;
+      if (SectionStep(trace.places[i], trace.places[i + 1]).is_near(point, distance)) return true;
     }
     return false;
   });

@@ -22,6 +22,9 @@ class TracedSteps {
   /// Whether a place is on one of the curves.
   bool holds(const SectionPlace& place) const;
 
+  /// Whether one of the curves goes through a place and has its tangent there.
+  bool holds_along(const SectionPlace& place) const;
+
   /// Whether a curve is so near to a point.
   bool are_near(const glm::dvec3& point, double distance) const;
 
