@@ -126,7 +126,7 @@ class March {
   /// Whether the step is so short that rounding, where the patches nearly touch, sends its end anywhere.
   bool is_lost_in_rounding() const {
     constexpr double kShort = 0x1p-20;
-    constexpr double kRounding = 0x1p-44;
+    constexpr double kRounding = 0x1p-50;
     constexpr double kRoundingOfTouches = 0x1p-26;  // places where normals are parallel have half the digits
     if (length_ > kShort) return false;
     if (contact_.kind != PatchContact::Kind::crossing) return length_ < kRoundingOfTouches;

@@ -20,17 +20,21 @@ FourParameters between(const FourParameters& a, const FourParameters& b, double 
   return at;
 }
 
+/// What is no more than rounding of a range.
 double slack_of(const Interval& range) {
   constexpr double kSlack = 0x1p-24;
   return kSlack * range.length() + kOnSide;
 }
 
-/// What of a straight line is in a part (Liang and Barsky 1984).
+/// What of a straight line is in a part (Liang and Barsky 1984), or a little beside it: also there a value of the leading
+/// parameter has one place at most.
 std::optional<Interval> clipped(const CrossingPart& part, const FourParameters& from, const FourParameters& to) {
+  constexpr double kBeside = 0x1p-4;
   Interval kept;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double low = part.range(i).start - slack_of(part.range(i));
-    const double high = part.range(i).end + slack_of(part.range(i));
+    const double slack = i == part.lead ? slack_of(part.range(i)) : kBeside * part.range(i).length() + kOnSide;
+    const double low = part.range(i).start - slack;
+    const double high = part.range(i).end + slack;
     const double way = to[i] - from[i];
     if (way == 0.0) {
       if (from[i] < low || from[i] > high) return {};
