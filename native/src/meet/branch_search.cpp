@@ -21,7 +21,7 @@ void BranchSearch::explore(const CrossingPart& part) {
     throw InvalidShape("the shapes are nearly one where they cross: more than " + std::to_string(kMostLooks) +
                        " pairs of parts are neither apart nor on a curve that was found");
   }
-  if (are_apart(part.a, part.b, slack_)) return;
+  if (are_apart(part.a, part.b, slack_) || are_edges_apart(part.a, part.b, slack_)) return;
   const std::vector<Interval> gaps = traced_.gaps(part);
   if (gaps.size() == 1 && gaps.front() == part.range(part.lead)) return search(part);
   for (const Interval& gap : gaps) explore(within(part, part.lead, gap));

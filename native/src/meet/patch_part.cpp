@@ -149,6 +149,17 @@ bool are_apart(const PatchPart& a, const PatchPart& b, double distance) {
   return are_apart_along(a.points, b.points, axes, distance);
 }
 
+bool are_edges_apart(const PatchPart& a, const PatchPart& b, double distance) {
+  if (!a.is_boxed || !b.is_boxed) return false;
+  std::array<glm::dvec3, 4> axes;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec3& of_a = a.tangents(i < 2 ? Axis::u : Axis::v).along;
+    const glm::dvec3& of_b = b.tangents(i % 2 == 0 ? Axis::u : Axis::v).along;
+    axes[i] = unit(glm::cross(of_a, of_b));
+  }
+  return are_apart_along(a.points, b.points, axes, distance);
+}
+
 bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
   if (!a.is_boxed || !b.is_boxed) return false;
   if (are_boxes_apart(a.points, b.points, distance)) return true;

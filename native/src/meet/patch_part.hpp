@@ -68,6 +68,10 @@ PatchPart part_of(std::size_t piece, const BernsteinNet<glm::dvec4>& net, const 
 bool are_apart(const PatchPart& a, const PatchPart& b, double distance);
 bool are_apart(const CurvePart& a, const PatchPart& b, double distance);
 
+/// The same, seen along what is at right angles to an edge of each, too: of flat parts it is so just where they are apart
+/// (the separating axes of polygons).
+bool are_edges_apart(const PatchPart& a, const PatchPart& b, double distance);
+
 /// Whether no normal of one is parallel to one of the other, by a margin: then they meet in one line at most, which goes
 /// one way.
 bool do_normals_differ(const PatchPart& a, const PatchPart& b);
