@@ -75,7 +75,7 @@ class March {
     if (here.distance() > tolerance_) return {};
     std::optional<glm::dvec3> way;
     if (contact_.kind == PatchContact::Kind::grazing) {
-      if (const auto parting = parting_at(here); parting && is_curve(*parting)) way = parting->way;
+      way = way_of_touch(here);
     } else {
       const std::size_t other = contact_.border.parameter ^ 1U;
       const glm::dvec3& slope = other < 2 ? here.a.first[other] : here.b.first[other - 2];
@@ -86,6 +86,26 @@ class March {
     SectionPlace found{at, here.a.point + 0.5 * here.b.offset, *way, slopes_along(here, *way)};
     if (contact_.kind == PatchContact::Kind::border) found.slopes[contact_.border.parameter] = 0.0;
     return found;
+  }
+
+  /// The tangent of a curve of touch. Where patches part so little, as a tube and the bend that it goes on in do at two
+  /// points of their circle, that nothing tells, the curve goes on straight.
+  std::optional<glm::dvec3> way_of_touch(const PatchMeeting& here) const {
+    constexpr double kWeak = 0x1p-6;
+    const std::optional<Parting> parting = parting_at(here);
+    if (!parting) return {};
+    if (is_curve(*parting)) return parting->way;
+    if (std::abs(parting->across) > kWeak) return {};
+    const glm::dvec3 flat = last().tangent - glm::dot(last().tangent, here.normal_a) * here.normal_a;
+    return glm::length(flat) > kTurn ? std::optional(glm::normalize(flat)) : std::nullopt;
+  }
+
+  /// The place of a face that a curve of touch comes to going straight on, if patches are within the tolerance there.
+  std::optional<PatchSpots> straight_on(const PatchSpots& start, std::size_t i) const {
+    if (contact_.kind != PatchContact::Kind::grazing) return {};
+    if (i < 2) return foot_near(patches_, start);
+    const auto foot = foot_near({patches_.b, patches_.a}, {start.b, start.a});
+    return foot ? std::optional(PatchSpots{foot->b, foot->a}) : std::nullopt;
   }
 
   PatchSpots ahead(double length) const {
@@ -246,7 +266,11 @@ class March {
     PatchSpots start = last().at;
     for (std::size_t k = 0; k < 4; ++k) start[k] += share * (out[k] - start[k]);
     std::optional<PatchSpots> at = contact_near(patches_, start, contact_, last().tangent, OnFace{i, value});
-    if (!at || !enters(*at)) return {};
+    if (!at || !enters(*at)) {
+      start[i] = value;
+      at = straight_on(start, i);
+      if (!at || !enters(*at)) return {};
+    }
     (*at)[i] = value;
     return place(*at);
   }

@@ -19,6 +19,8 @@ PatchPieces::PatchPieces(const NurbsPatch& patch, const NearSpace& space)
     }
   }
   tree_.emplace(boxes);
+  const TreeBox all = around(boxes);
+  extent_ = std::max({all.high.x - all.low.x, all.high.y - all.low.y, all.high.z - all.low.z});
   for (std::size_t i = 0; i < size(); ++i) {
     for (const Axis axis : {Axis::u, Axis::v}) {
       const std::size_t step = axis == Axis::u ? spans(Axis::v) : 1;

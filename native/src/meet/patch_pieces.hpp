@@ -30,6 +30,9 @@ class PatchPieces {
   const BernsteinNet<glm::dvec4>& piece(std::size_t i) const noexcept { return pieces_[i]; }
   const BoxTree& tree() const noexcept { return *tree_; }
 
+  /// The largest side of the box about all pieces.
+  double extent() const noexcept { return extent_; }
+
   /// The piece that goes on at a side of this one, over the seam of a closed patch; none at a border and at a gap.
   std::optional<std::size_t> beyond(std::size_t piece, const PieceSide& side) const noexcept;
 
@@ -67,6 +70,7 @@ class PatchPieces {
   std::vector<bool> goes_on_;  ///< behind each piece along u, and along v
   std::vector<bool> poles_;    ///< sides of each piece
   std::optional<BoxTree> tree_;
+  double extent_ = 0.0;
 };
 
 }  // namespace splinecore

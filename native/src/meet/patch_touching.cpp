@@ -33,6 +33,9 @@ bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
   const PartLook seen = look(a, b);
   if (seen.is_explained || (find_near(a, b) && look(a, b).is_explained)) return true;
   if (!seen.is_near || !is_one(a, b)) return false;
+  // Where surfaces touch more closely in a point of a curve they are within the tolerance about it, and not one.
+  constexpr double kSmall = 0x1p-6;
+  if (std::max(a.largest_size(), b.largest_size()) < kSmall * std::min(patches_.a.extent(), patches_.b.extent())) return true;
   are_one_ = true;
   find_borders(a, b);
   return true;
