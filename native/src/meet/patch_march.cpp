@@ -117,13 +117,27 @@ class March {
   /// By how much a step leaves the patches.
   double error(const SectionStep& step) const {
     double most = 0.0;
-    for (const double s : {0.25, 0.5, 0.75}) {
+    for (const double s : {0.15, 0.33, 0.5, 0.67, 0.85}) {
       const glm::dvec3 point = step.point(s);
       const PatchSpots at = step.spots(s);
       most = std::max({most, glm::length(patches_.a.at(at.a, point).offset),
                        glm::length(patches_.b.at(at.b, point).offset)});
     }
     return most;
+  }
+
+  /// Whether between its ends a step is beyond a side of its pieces by more than the tolerance.
+  bool bulges_out(const SectionStep& step) const {
+    for (const double s : {0.125, 0.25, 0.5, 0.75, 0.875}) {
+      const PatchSpots at = step.spots(s);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double out = std::max(-at[i], at[i] - 1.0);
+        if (out <= 0.0) continue;
+        const Slopes<2> there = i < 2 ? patches_.a.at(at.a) : patches_.b.at(at.b);
+        if (out * glm::length(there.first[i % 2]) > tolerance_) return true;
+      }
+    }
+    return false;
   }
 
   /// @returns whether the curve goes on
@@ -163,6 +177,7 @@ class March {
     const double off = error(step);
     const double share = std::clamp(0.9 * std::sqrt(std::sqrt(0.5 * tolerance_ / std::max(off, 1e-300))), 0.2, 2.0);
     if (off > tolerance_) return shorter(std::min(share, 0.7));
+    if (bulges_out(step)) return shorter(0.5);
     if (closes(step)) return false;
     travelled_ += step.length;
     trace_.places.push_back(next);
@@ -218,7 +233,7 @@ class March {
     if (least > kOnSide) {
       if (glm::dot(first->tangent, last().tangent) < kTurn) return shorter(0.5);
       const SectionStep step(last(), *first);
-      if (error(step) > tolerance_) return shorter(0.7);
+      if (error(step) > tolerance_ || bulges_out(step)) return shorter(0.7);
       if (closes(step)) return false;
       travelled_ += step.length;
       trace_.places.push_back(*first);

@@ -53,8 +53,17 @@ class PatchPairSearch {
   }
 
   [[noreturn]] void refuse() const {
-    throw InvalidShape("the shapes nearly touch along a curve, or are nearly one in a part: more than " + std::to_string(pairs_ - 1) +
-                       " pairs of parts are not apart");
+    const auto is_unbounded = [](const PatchPieces& pieces) {
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (!PatchPart(i, {}, pieces.piece(i)).is_boxed) return true;
+      }
+      return false;
+    };
+    const std::string pairs = ": more than " + std::to_string(pairs_ - 1) + " pairs of parts are not apart";
+    if (is_unbounded(patches_.a) || is_unbounded(patches_.b)) {
+      throw InvalidShape("a shape has weights of both signs and may run through infinity where the other one is" + pairs);
+    }
+    throw InvalidShape("the shapes nearly touch along a curve, or are nearly one in a part" + pairs);
   }
 
   TwoPatches patches_;
