@@ -41,9 +41,9 @@ class PierceOutcome {
     std::vector<Place> places;
     for (const Cluster& cluster : clusters) add(cluster, found, places);
     for (const PierceSpot& crossing : pairs.crossings) {
-      const double at = CurvePieces::place(crossing.curve);
+      const double at = curve_.place(crossing.curve);
       const bool is_known = std::ranges::any_of(clusters, [&](const Cluster& c) {
-        return curve_.are_beside(c.along, {at, at}, tolerance_);
+        return are_beside(c.along, {at, at});
       });
       if (!is_known) places.push_back({crossing, false});
     }
@@ -60,18 +60,25 @@ class PierceOutcome {
   CurveAndPatch shapes() const { return {curve_, patch_}; }
 
   std::vector<Cluster> clusters_of(std::vector<CurveOnPatch> stretches) const {
-    const auto along = [](const CurveOnPatch& s) {
-      return Interval{CurvePieces::place({s.piece, s.range.start}), CurvePieces::place({s.piece, s.range.end})};
+    const auto along = [this](const CurveOnPatch& s) {
+      return Interval{curve_.place({s.piece, s.range.start}), curve_.place({s.piece, s.range.end})};
     };
     sort_by(stretches, [&](const CurveOnPatch& s) { return along(s).start; });
     std::vector<Cluster> clusters;
     for (const CurveOnPatch& stretch : stretches) {
       const Interval own = along(stretch);
-      if (clusters.empty() || !curve_.are_beside(clusters.back().along, own, tolerance_)) clusters.push_back({own, {}});
+      if (clusters.empty() || !are_beside(clusters.back().along, own)) clusters.push_back({own, {}});
       clusters.back().along.end = std::max(clusters.back().along.end, own.end);
       clusters.back().feet.emplace_back(own.middle(), stretch.patch);
     }
     return clusters;
+  }
+
+  /// Whether the curve stays within the tolerance from one stretch to the other.
+  bool are_beside(const Interval& one, const Interval& other) const {
+    const double before = std::min(one.end, other.end);
+    const double behind = std::max(one.start, other.start);
+    return behind <= before || behind - before <= curve_.reach(before, 1.0, tolerance_);
   }
 
   Beside beside(const Cluster& cluster, double place) const {
