@@ -28,21 +28,6 @@ glm::dvec3 across(const glm::dvec3& unit) {
   return glm::normalize(glm::cross(unit, axis));
 }
 
-/// Whether a part, of weights with any signs, is nowhere between two planes across an axis: its distances to both have one
-/// sign, by the weight's.
-bool is_outside(const CurvePart& part, const glm::dvec3& axis, const Interval& slab) {
-  bool is_above = true;
-  bool is_below = true;
-  for (const glm::dvec4& h : part.net.values) {
-    const double along = glm::dot(glm::dvec3(h), axis);
-    const double over = along - h.w * slab.end;
-    const double under = along - h.w * slab.start;
-    is_above = is_above && over > 0.0 && under > 0.0;
-    is_below = is_below && over < 0.0 && under < 0.0;
-  }
-  return is_above || is_below;
-}
-
 constexpr std::array<glm::dvec3, 3> kAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
 
 /// Whether a part that runs through infinity is apart from one with a box.
@@ -50,11 +35,8 @@ bool is_outside(const CurvePart& part, const CurvePart& boxed, double distance) 
   const glm::dvec3 beside = across(boxed.along);
   const std::array<glm::dvec3, 3> own{boxed.along, beside, glm::cross(boxed.along, beside)};
   const auto is_apart = [&](const glm::dvec3& axis) {
-    Interval slab{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const glm::dvec3& p : boxed.points) {
-      slab = {std::min(slab.start, glm::dot(p, axis)), std::max(slab.end, glm::dot(p, axis))};
-    }
-    return is_outside(part, axis, {slab.start - distance, slab.end + distance});
+    const Interval slab = extent_along(boxed.points, axis, glm::dvec3(0.0));
+    return is_outside_slab(part.net.values, axis, {slab.start - distance, slab.end + distance});
   };
   return std::ranges::any_of(kAxes, is_apart) || std::ranges::any_of(own, is_apart);
 }
@@ -115,7 +97,7 @@ bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& a
 bool is_far_out(const CurvePart& part) {
   constexpr double kFar = 0x1p20;
   return !part.is_boxed &&
-         std::ranges::any_of(kAxes, [&](const glm::dvec3& axis) { return is_outside(part, axis, {-kFar, kFar}); });
+         std::ranges::any_of(kAxes, [&](const glm::dvec3& axis) { return is_outside_slab(part.net.values, axis, {-kFar, kFar}); });
 }
 
 bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance) {

@@ -39,6 +39,7 @@ struct PatchPart {
 
   /// Halves along the longer direction.
   std::pair<PatchPart, PatchPart> halves() const;
+  std::pair<PatchPart, PatchPart> halves(Axis axis) const;
 
   double largest_size() const noexcept { return size[0] > size[1] ? size[0] : size[1]; }
   std::array<double, 2> middle() const noexcept { return {range[0].middle(), range[1].middle()}; }
