@@ -142,14 +142,14 @@ class PierceSearch {
     if (goes_through(curve, patch) && cross(curve, patch)) return;
     const bool are_boxed = curve.is_boxed && patch.is_boxed;
     const bool are_gentle = are_boxed && std::max(curve.spread, patch.normals().spread) <= kGentle;
-    const Lying lying = are_gentle ? how_lies(curve, patch) : Lying::off;
-    if (lying == Lying::on) return add(curve, patch);
-    if (lying == Lying::begins && is_behind(curve, patch, false)) return;
-    if (lying == Lying::ends && is_behind(curve, patch, true)) return;
+    const Lying lying = are_gentle ? how_lies(curve, patch) : Lying{};
+    if (lying.how == Lying::How::on) return add(curve, patch);
+    if (lying.how == Lying::How::apart) return;
+    if (lying.how == Lying::How::partly && take_part(curve, patch, lying)) return;
     const bool is_small = are_boxed && std::max(curve.size, patch.largest_size()) <= kSmall * tolerance_;
     if (is_small || curve.range.length() <= kNarrow) return add(curve, patch);
     const bool is_larger = curve.is_boxed == patch.is_boxed ? curve.size >= patch.largest_size() : !curve.is_boxed;
-    if (is_larger || lying == Lying::leaves) {
+    if (is_larger || lying.how == Lying::How::leaves) {
       const auto [first, second] = curve.halves();
       pair(first, patch);
       pair(second, patch);
@@ -205,71 +205,126 @@ class PierceSearch {
     return false;
   }
 
-  /// How a part lies beside a part of a patch.
-  enum class Lying {
-    on,      ///< so many places are within the tolerance of it that the part is one with it
-    leaves,  ///< so it does where it is not beside its borders
-    begins,  ///< it is near where it begins, and else beside its borders
-    ends,    ///< likewise where it ends
-    off
+  /// How a part lies beside a part of a patch: so many places of it are looked at.
+  struct Lying {
+    enum class How {
+      on,      ///< all are within the tolerance: the part is one with it
+      partly,  ///< some are, and the others are beside its borders
+      leaves,  ///< none is, and some are not beside its borders
+      apart,
+      off
+    };
+    How how = How::off;
+    Interval near{};  ///< the first stretch of places that are near, and those next to it
+    Interval around{};
+    PatchSpot foot{};  ///< of one of them
   };
+
+  PierceSpot with_foot(const CurvePart& curve, double t, const PatchPart& patch, const PatchSpot& from) const {
+    const CurveSpot spot{curve.piece, t};
+    return {spot, foot_in(shapes_.patch, from, patch.range, shapes_.curve.at(spot).point)};
+  }
 
   Lying how_lies(const CurvePart& curve, const PatchPart& patch) {
     constexpr std::size_t kMost = 33;
     const std::size_t count = std::min(curve.net.rows * (patch.net.rows + patch.net.columns), kMost);
     pairs_ += kLook;
-    PatchSpot foot{patch.piece, patch.middle()};
+    Lying lying;
+    PierceSpot at{{curve.piece, curve.range.start}, {patch.piece, patch.middle()}};
+    PierceSpot nearest = at;
+    double least = std::numeric_limits<double>::infinity();
+    double before = curve.range.start;
     std::size_t near = 0;
+    bool is_first = true;
     bool is_inside = false;
-    bool begins = false;
-    bool ends = false;
+    bool is_off = false;
     for (std::size_t i = 0; i < count; ++i) {
-      const double t = curve.range.start + curve.range.length() * static_cast<double>(i) / static_cast<double>(count - 1);
-      const glm::dvec3 point = shapes_.curve.at({curve.piece, t}).point;
-      foot = foot_in(shapes_.patch, foot, patch.range, point);
-      const bool is_near = glm::length(shapes_.patch.at(foot, point).offset) <= tolerance_;
-      const bool is_held = held_at_border(foot, patch.range);
-      if (!is_near && !is_held) return Lying::off;
+      const double t = i + 1 == count ? curve.range.end
+                                      : curve.range.start + curve.range.length() * static_cast<double>(i) /
+                                                                static_cast<double>(count - 1);
+      at = with_foot(curve, t, patch, at.patch);
+      const double distance = shapes_.distance(at);
+      const bool is_held = held_at_border(at.patch, patch.range);
+      const bool is_near = distance <= tolerance_;
+      if (distance < least) nearest = at;
+      least = std::min(least, distance);
+      if (is_near && near == 0) lying = {Lying::How::off, {t, t}, {before, t}, at.patch};
+      if (is_near && is_first) lying.near.end = t;
+      if (is_near && is_first) lying.around.end = t;
+      if (!is_near && near > 0 && is_first) {
+        lying.around.end = t;
+        is_first = false;
+      }
       near += is_near ? 1 : 0;
-      begins = begins || (is_near && i == 0);
-      ends = ends || (is_near && i + 1 == count);
       is_inside = is_inside || !is_held;
+      is_off = is_off || (!is_near && !is_held);
+      before = t;
+      if (is_off && near > 0) break;
     }
-    if (near == count) return Lying::on;
-    if (near == 1 && (begins || ends)) return begins ? Lying::begins : Lying::ends;
-    return is_inside ? Lying::leaves : Lying::off;
+    if (near == count) {
+      lying.how = Lying::How::on;
+    } else if (near > 0) {
+      lying.how = is_off ? Lying::How::off : Lying::How::partly;
+    } else if (are_apart_by(curve, patch, nearest)) {
+      lying.how = Lying::How::apart;
+    } else if (is_inside && !is_off) {
+      lying.how = Lying::How::leaves;
+    }
+    return lying;
   }
 
-  /// Of a part that begins, or ends, on the border of a patch and leaves it there adds what is near. @returns false if it
-  /// is not known that the rest is not
-  bool is_behind(const CurvePart& curve, const PatchPart& patch, bool at_end) {
+  /// From a place that is near to one that is not: the last one that is, and the first that is so much farther away that
+  /// what follows may be known to be apart.
+  Interval parted(const CurvePart& curve, const PatchPart& patch, const Lying& lying, double near, double far) const {
     constexpr int kHalvings = 50;
-    const double end = at_end ? curve.range.end : curve.range.start;
-    const auto foot_at = [&](double t, const PatchSpot& from) {
-      return foot_in(shapes_.patch, from, patch.range, shapes_.curve.at({curve.piece, t}).point);
-    };
-    const PatchSpot first = foot_at(end, {patch.piece, patch.middle()});
-    const auto parted = [&](double distance) {
-      Interval parts{end, at_end ? curve.range.start : curve.range.end};  // near, and farther than that
-      for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (parts.start + parts.end);
-        const PierceSpot at{{curve.piece, middle}, foot_at(middle, first)};
-        (shapes_.distance(at) <= distance ? parts.start : parts.end) = middle;
-      }
-      return parts;
-    };
-    const double far = parted(2.0 * tolerance_).end;
-    const PierceSpot there{{curve.piece, far}, foot_at(far, first)};
-    const double share = (far - curve.range.start) / curve.range.length();
+    constexpr double kFine = 0x1p-4;
+    constexpr double kClear = 1.5;
+    const auto point = [&](double t) { return shapes_.curve.at({curve.piece, t}).point; };
+    const auto distance = [&](double t) { return shapes_.distance(with_foot(curve, t, patch, lying.foot)); };
+    const double last = far;
+    for (int i = 0; i < kHalvings && glm::distance(point(near), point(far)) > kFine * tolerance_; ++i) {
+      const double middle = 0.5 * (near + far);
+      (distance(middle) <= tolerance_ ? near : far) = middle;
+    }
+    double step = far - near;
+    while (std::abs(far - near) < std::abs(last - near) && distance(far) < kClear * tolerance_) {
+      far += step;
+      step *= 2.0;
+    }
+    return {near, std::abs(far - near) < std::abs(last - near) ? far : last};
+  }
+
+  /// Of a part that lies on a patch, and goes on over its borders, adds the first stretch and looks at the rest. @returns
+  /// false where it is not so
+  bool take_part(const CurvePart& curve, const PatchPart& patch, const Lying& lying) {
+    const Interval& in = curve.range;
+    const bool begins = lying.near.start == in.start;
+    const bool ends = lying.near.end == in.end;
+    const Interval before = begins ? Interval{in.start, in.start}
+                                   : parted(curve, patch, lying, lying.near.start, lying.around.start);
+    const Interval behind = ends ? Interval{in.end, in.end}
+                                 : parted(curve, patch, lying, lying.near.end, lying.around.end);
+    constexpr int kPlaces = 16;
+    const Interval own{before.start, behind.start};
+    PierceSpot at{{curve.piece, own.start}, lying.foot};
+    for (int i = 0; i <= kPlaces; ++i) {
+      at = with_foot(curve, own.start + own.length() * i / kPlaces, patch, at.patch);
+      if (!(shapes_.distance(at) <= tolerance_)) return false;
+    }
+    found_.stretches.push_back({curve.piece, own, lying.foot});
+    if (!begins) pair(part_of(curve, {in.start, before.end}), patch);
+    if (!ends) pair(part_of(curve, {behind.end, in.end}), patch);
+    return true;
+  }
+
+  /// Of a part what is before or behind a place.
+  static CurvePart part_of(const CurvePart& curve, const Interval& range) {
+    const bool is_start = range.start == curve.range.start;
+    const double t = is_start ? range.end : range.start;
     BernsteinNet<glm::dvec4> before = curve.net;
     BernsteinNet<glm::dvec4> behind;
-    before.cut(Axis::u, share, behind);
-    const CurvePart rest = at_end ? CurvePart(curve.piece, {curve.range.start, far}, std::move(before))
-                                  : CurvePart(curve.piece, {far, curve.range.end}, std::move(behind));
-    if (!rest.is_boxed || !are_apart_by(rest, patch, there)) return false;
-    const double near = parted(tolerance_).start;
-    found_.stretches.push_back({curve.piece, {std::min(end, near), std::max(end, near)}, first});
-    return true;
+    before.cut(Axis::u, (t - curve.range.start) / curve.range.length(), behind);
+    return CurvePart(curve.piece, range, std::move(is_start ? before : behind));
   }
 
   static bool held_at_border(const PatchSpot& foot, const std::array<Interval, 2>& range) {
