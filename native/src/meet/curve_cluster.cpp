@@ -88,6 +88,15 @@ void CurveCluster::add(const LaidStretch& laid) {
   stretches_.push_back(laid);
 }
 
+void CurveCluster::add_ends(std::vector<double>& places) const {
+  constexpr std::size_t kMost = 64;
+  const std::size_t step = stretches_.size() / kMost + 1;
+  for (std::size_t i = 0; i < stretches_.size(); i += step) {
+    places.push_back(stretches_[i].a.start);
+    places.push_back(stretches_[i].a.end);
+  }
+}
+
 SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
   // What goes round a closed curve begins anywhere.
   const bool is_round = curves.a.is_closed() && a_.length() >= curves.a.turn();
@@ -110,21 +119,30 @@ SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
   return {spot, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, curves.a.at(spot).point)}};
 }
 
+/// Most of the length of the first curve, whatever its pace: looked at between the ends of stretches, too.
 bool is_overlap(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
   // Curves that only touch are nearly a tolerance apart along most of a cluster.
   constexpr double kOne = 0x1p-6;
   if (!cluster.has_stretches()) return false;
-  std::size_t near = 0;
+  const auto uniform = places_of(cluster);
+  std::vector<double> places(uniform.begin(), uniform.end());
+  cluster.add_ends(places);
+  std::ranges::sort(places);
+  double near = 0.0;
   double length = 0.0;
   glm::dvec3 before(0.0);
-  for (const double place : places_of(cluster)) {
-    const SpotPair at = cluster.at(curves, place);
-    near += curves.distance(at) <= kOne * tolerance ? 1 : 0;
+  bool was_near = false;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const SpotPair at = cluster.at(curves, places[i]);
     const glm::dvec3 point = curves.a.at(at.a).point;
-    if (place > cluster.a().start) length += glm::distance(point, before);
+    const bool is_near = curves.distance(at) <= kOne * tolerance;
+    const double step = i > 0 ? glm::distance(point, before) : 0.0;
+    length += step;
+    if (is_near && was_near) near += step;
+    was_near = is_near;
     before = point;
   }
-  return length > 8.0 * tolerance && 4 * near >= 3 * kCount;
+  return length > 8.0 * tolerance && 4.0 * near >= 3.0 * length;
 }
 
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {

@@ -40,6 +40,9 @@ class CurveCluster {
   /// Whether a curve goes on from one of the parts to the other.
   bool is_trivial() const noexcept { return is_trivial_; }
 
+  /// Adds where stretches end along the first curve, of many every so many.
+  void add_ends(std::vector<double>& places) const;
+
   /// The nearest place of the second curve to a place of the first one.
   SpotPair at(const TwoCurves& curves, double place) const;
 

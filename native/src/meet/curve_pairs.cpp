@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -93,7 +92,7 @@ class PairSearch {
 
   /// A part with itself.
   void own(const CurvePart& part) {
-    if (part.spread < 0.5 * std::numbers::pi || is_narrow(part) || is_lost(part)) return;
+    if (is_monotone(part) || is_narrow(part) || is_lost(part)) return;
     if (part.is_boxed && part.size <= kSmall * tolerance_) return;
     const auto [first, second] = part.halves();
     own(first);

@@ -28,6 +28,9 @@ glm::dvec3 across(const glm::dvec3& unit) {
   return glm::normalize(glm::cross(unit, axis));
 }
 
+/// A right angle, less what angles are rounded by.
+constexpr double kBelowRight = 0.5 * std::numbers::pi - 0x1p-20;
+
 constexpr std::array<glm::dvec3, 3> kAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
 
 /// Whether a part that runs through infinity is apart from one with a box.
@@ -108,10 +111,12 @@ bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance)
   return angle > kMargin * (a.spread + b.spread) && angle * std::min(a.size, b.size) > distance;
 }
 
+bool is_monotone(const CurvePart& part) { return part.is_boxed && part.spread < kBelowRight; }
+
 bool are_monotone(const CurvePart& a, const CurvePart& b) {
   if (!a.is_boxed || !b.is_boxed) return false;
   const double between = angle_between(a.along, b.along, 1.0);
-  return 0.5 * between + std::max(a.spread, b.spread) < 0.5 * std::numbers::pi;
+  return 0.5 * between + std::max(a.spread, b.spread) < kBelowRight;
 }
 
 }  // namespace splinecore

@@ -41,6 +41,9 @@ bool is_far_out(const CurvePart& part);
 /// distance over the length of the shorter one: then they cross once at most.
 bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance);
 
+/// Whether all tangents are within a right angle of one direction: then the part does not cross itself.
+bool is_monotone(const CurvePart& part);
+
 /// Whether all tangents of both together are within a right angle of one direction: then the parts, one after the other,
 /// do not cross themselves.
 bool are_monotone(const CurvePart& a, const CurvePart& b);
