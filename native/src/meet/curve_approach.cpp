@@ -173,6 +173,33 @@ bool are_joined(const TwoCurves& curves, const std::array<double, 2>& from, cons
   return true;
 }
 
+bool turns_back(const CurvePieces& curve, double low, double high, double distance) {
+  constexpr int kPlaces = 32;
+  constexpr int kThirds = 64;
+  const glm::dvec3 from = curve.at(curve.spot(low)).point;
+  const auto far = [&](double place) { return glm::length(curve.at(curve.spot(place), from).offset); };
+  const double step = (high - low) / kPlaces;
+  double farthest = low;
+  for (int i = 1; i < kPlaces; ++i) {
+    const double place = low + step * i;
+    if (far(place) > far(farthest)) farthest = place;
+  }
+  // What is nearer than a step at most is the only place that is farthest.
+  Interval in{std::max(farthest - step, low), std::min(farthest + step, high)};
+  const TwoCurves twice{curve, curve};
+  if (!are_joined(twice, {low, high}, {in.start, in.end}, distance)) return false;
+  for (int i = 0; i < kThirds; ++i) {
+    const double first = in.start + in.length() / 3.0;
+    const double second = in.end - in.length() / 3.0;
+    if (far(first) < far(second)) {
+      in.start = first;
+    } else {
+      in.end = second;
+    }
+  }
+  return are_joined(twice, {low, high}, {in.middle(), in.middle()}, distance);
+}
+
 double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point) {
   constexpr int kMost = 100;
   double low = range.start;

@@ -35,6 +35,9 @@ SpotPair settled(const TwoCurves& curves, SpotPair at);
 /// Whether curves stay within a distance of each other from a pair of their places, as numbers, to another one.
 bool are_joined(const TwoCurves& curves, const std::array<double, 2>& from, const std::array<double, 2>& to, double distance);
 
+/// Whether a curve goes away from one place and comes back to another one beside the way that it went, up to a distance.
+bool turns_back(const CurvePieces& curve, double low, double high, double distance);
+
 /// Of a part of a piece whose tangents differ by less than a right angle the nearest place to a point.
 double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point);
 

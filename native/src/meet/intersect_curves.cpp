@@ -49,10 +49,10 @@ class IntersectionSearch {
   /// Of places that are one, along the first curve next to each other, the one that curves touch at, or are nearest.
   std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
     if (!b_) {
-      std::erase_if(places, [&](const Place& p) { return a_.are_one(p.at.a, p.at.b, tolerance_); });
       for (Place& p : places) {
         if (a_.place(p.at.a) > a_.place(p.at.b)) std::swap(p.at.a, p.at.b);
       }
+      std::erase_if(places, [&](const Place& p) { return is_neighbourhood(p.at); });
     }
     sort_by(places, [&](const Place& p) { return SortKey{a_.place(p.at.a), b().place(p.at.b)}; });
     std::vector<Place> known;
@@ -78,6 +78,16 @@ class IntersectionSearch {
     for (const Place& place : known) found.push_back(intersection(place));
     sort_by(found, [](const CurveIntersection& place) { return SortKey{place.a, place.b}; });
     return found;
+  }
+
+  /// Whether the curve goes from one of two places of it to the other, or over its end, without leaving itself by more than
+  /// the tolerance, as at a cusp.
+  bool is_neighbourhood(const SpotPair& at) const {
+    if (a_.are_one(at.a, at.b, tolerance_)) return true;
+    const double low = a_.place(at.a);
+    const double high = a_.place(at.b);
+    if (turns_back(a_, low, high, tolerance_)) return true;
+    return a_.is_closed() && turns_back(a_, high, low + a_.turn(), tolerance_);
   }
 
   bool are_one(const Place& one, const Place& other) const {
