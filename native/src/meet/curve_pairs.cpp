@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "curve_bundles.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "tree_pairs.hpp"
 
 namespace splinecore {
 
@@ -38,7 +38,11 @@ class PairSearch {
   }
 
   PairFindings found() {
-    for_near_pairs(curves_.a.tree(), curves_.b.tree(), tolerance_, [&](std::size_t i, std::size_t j) { pieces(i, j); });
+    const CurveBundles bundles_a(parts_a_);
+    std::optional<CurveBundles> bundles_b;
+    if (!is_one_) bundles_b.emplace(parts_b_);
+    const auto work = [&](std::size_t i, std::size_t j) { pieces(i, j); };
+    BundlePairs(bundles_a, is_one_ ? bundles_a : *bundles_b, tolerance_, work).visit();
     return std::move(found_);
   }
 
