@@ -1,5 +1,4 @@
-"""Crossings that no look at parts may lose: tiny loops, folds, slanted and touching lines, poles, knot lines; and random
-pairs that are moved, scaled, reversed, refined and split, with polylines and polynomials as second judges."""
+"""Crossings that no look at parts may lose: tiny loops, folds, slanted lines, poles, knot lines; and random moved, scaled, reversed, refined and split, with polylines and polynomials as second judges."""
 
 import numpy as np
 import pytest
@@ -46,7 +45,8 @@ def test_slanted_segments_overlap(way):
     assert len(found.parameters) == 0 and found.reversed.tolist() == [False]
     assert found.overlaps == pytest.approx(np.array([[[1 / 3, 1], [0, 0.5]]]), abs=1e-9)
     back = line(5 * way / 3, way / 3).intersections(line(0 * way, way))
-    assert back.overlaps == pytest.approx(np.array([[[0.5, 1], [1 / 3, 1]]]), abs=1e-9) and back.reversed.tolist() == [True]
+    assert back.overlaps == pytest.approx(np.array([[[0.5, 1], [1 / 3, 1]]]), abs=1e-9)
+    assert back.reversed.tolist() == [True]
     end = line(0 * way, way).intersections(line(way, 2 * way))
     assert end.parameters == pytest.approx(np.array([[1, 0]])) and not len(end.overlaps)
 
@@ -79,6 +79,19 @@ def test_what_folds_lies_on_itself():
         assert found.reversed.tolist() == [True] and not len(found.parameters)
         on_line = fold.intersections(line((-1, -0.7), (2, 1.4)))
         assert len(on_line.overlaps) == 2 and sorted(on_line.reversed.tolist()) == [False, True]
+
+
+def test_a_closed_curve_that_is_but_a_segment_crosses_each_line_twice():
+    way = np.array([2 / 3, 1 / 3, 0])
+    there_and_back = sc.NurbsCurve(2, [0, 1, 2], [[0, 0, 0], way], periodic=True)
+    for share in (0.3, 0.5, 0.6):
+        at = share * way
+        for out in ([0.1, 1, 0], [1, -1, 0], [0.3, 0.2, 0.5]):
+            out = np.array(out)
+            for other in (line(at - out, at + out), sc.BezierCurve([at - out, at - out / 3, at + out / 3, at + out])):
+                found = there_and_back.intersections(other)
+                assert len(found.parameters) == 2 and np.abs(found.points - at).max() < 1e-12
+    assert len(there_and_back.self_intersections().overlaps) > 0
 
 
 def test_a_curve_and_itself_are_one_and_cross_at_its_double_points():
@@ -195,7 +208,8 @@ def polylines_cross(a, b, each=60):
         t = (gap[..., 0] * s[..., 1] - gap[..., 1] * s[..., 0]) / cross
         w = (gap[..., 0] * r[..., 1] - gap[..., 1] * r[..., 0]) / cross
         sine = np.abs(cross) / (np.linalg.norm(r, axis=-1) * np.linalg.norm(s, axis=-1))
-    i, j = np.nonzero((t >= 0) & (t < 1) & (w >= 0) & (w < 1) & (sine > 0.05) & ((a is not b) | (u[:-1, None] < v[None, :-1])))
+    is_pair = (a is not b) | (u[:-1, None] < v[None, :-1])
+    i, j = np.nonzero((t >= 0) & (t < 1) & (w >= 0) & (w < 1) & (sine > 0.05) & is_pair)
     return np.c_[u[i] + t[i, j] * np.diff(u)[i], v[j] + w[i, j] * np.diff(v)[j]]
 
 

@@ -27,13 +27,15 @@ struct TwoCurves {
 
 /// Of parts of two pieces the places where they are nearest, of those around a pair: by Newton's method without the second
 /// derivatives, on borders along them. @returns none where it does not converge
-std::optional<SpotPair> nearest_pair(const TwoCurves& curves, SpotPair at, const Interval& range_a, const Interval& range_b);
+std::optional<SpotPair> nearest_pair(const TwoCurves& curves, SpotPair at, const Interval& range_a,
+                                     const Interval& range_b);
 
 /// The same on the whole curves, across the ends of pieces.
 SpotPair settled(const TwoCurves& curves, SpotPair at);
 
 /// Whether curves stay within a distance of each other from a pair of their places, as numbers, to another one.
-bool are_joined(const TwoCurves& curves, const std::array<double, 2>& from, const std::array<double, 2>& to, double distance);
+bool are_joined(const TwoCurves& curves, const std::array<double, 2>& from, const std::array<double, 2>& to,
+                double distance);
 
 /// Whether a curve goes away from one place and comes back to another one beside the way that it went, up to a distance.
 bool turns_back(const CurvePieces& curve, double low, double high, double distance);

@@ -17,11 +17,12 @@ glm::dvec3 middle_of(const CurvePart& part) {
   return part.is_boxed ? 0.5 * part.points.front() + 0.5 * part.points.back() : glm::dvec3(0.0);
 }
 
-/// A direction across a unit vector, that of another one if it is not along it.
+/// A direction across a unit vector, that of another one unless what is across in it is rounding.
 glm::dvec3 across(const glm::dvec3& unit, const glm::dvec3& other) {
   const glm::dvec3 beside = other - glm::dot(other, unit) * unit;
   const double length = glm::length(beside);
-  if (length > 0.0) {
+  constexpr double kRounding = 0x1p-26;
+  if (length > kRounding * glm::length(other)) {
     const glm::dvec3 one = beside / length;
     return glm::normalize(one - glm::dot(one, unit) * unit);
   }
@@ -43,14 +44,14 @@ std::array<glm::dvec3, 3> axes_of(std::span<const CurvePart> parts, std::span<co
   const double length = glm::length(sum);
   const glm::dvec3 along = length > 0.0 ? sum / length : parts[some.front()].along;
   const glm::dvec3 from = middle_of(parts[some.front()]);
-  glm::dvec3 farthest(0.0);
+  glm::dvec3 farthest(0.0);  // as seen along them
   double most = 0.0;
   for (const std::size_t i : some) {
     const glm::dvec3 offset = middle_of(parts[i]) - from;
     const glm::dvec3 beside = offset - glm::dot(offset, along) * along;
     if (!(glm::dot(beside, beside) > most)) continue;
     most = glm::dot(beside, beside);
-    farthest = beside;
+    farthest = offset;
   }
   const glm::dvec3 second = across(along, farthest);
   return {along, second, glm::cross(along, second)};

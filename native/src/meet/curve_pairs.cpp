@@ -141,7 +141,8 @@ class PairSearch {
   /// A place that curves have in common where it is nearest, beyond the ends of parts, too.
   SpotPair lowest(const SpotPair& near) const {
     const SpotPair at = settled(curves_, near);
-    const bool is_one = curves_.a.are_one(at.a, near.a, 2.0 * tolerance_) && curves_.b.are_one(at.b, near.b, 2.0 * tolerance_);
+    const double far = 2.0 * tolerance_;
+    const bool is_one = curves_.a.are_one(at.a, near.a, far) && curves_.b.are_one(at.b, near.b, far);
     return is_one || are_joined(curves_, curves_.places(near), curves_.places(at), tolerance_) ? at : near;
   }
 

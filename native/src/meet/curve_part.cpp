@@ -99,8 +99,10 @@ bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& a
 
 bool is_far_out(const CurvePart& part) {
   constexpr double kFar = 0x1p20;
-  return !part.is_boxed &&
-         std::ranges::any_of(kAxes, [&](const glm::dvec3& axis) { return is_outside_slab(part.net.values, axis, {-kFar, kFar}); });
+  const auto is_outside_along = [&](const glm::dvec3& axis) {
+    return is_outside_slab(part.net.values, axis, {-kFar, kFar});
+  };
+  return !part.is_boxed && std::ranges::any_of(kAxes, is_outside_along);
 }
 
 bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance) {

@@ -24,8 +24,8 @@ constexpr double kNarrow = 0x1p-50;
 constexpr double kNarrowPatchAtInfinity = 0x1p-24;
 /// Radians by which tangents, and normals, of parts may differ that are looked at as a line beside a plane.
 constexpr double kGentle = 0.25;
-/// Parts of this part of the tolerance are points.
-constexpr double kSmall = 0.5;
+/// Parts of so many tolerances are points: what a finding is is measured where it is.
+constexpr double kSmall = 2.0;
 /// A look at how parts lie counts as so many pairs.
 constexpr std::size_t kLook = 16;
 constexpr std::size_t kMostPairs = std::size_t{1} << 20;

@@ -33,7 +33,8 @@ struct Beside {
 class PierceOutcome {
  public:
   PierceOutcome(const NurbsCurve& curve, const NurbsPatch& patch, std::optional<double> tolerance)
-      : space_(together(curve.points(), patch.points())), curve_(curve, space_), patch_(patch, space_), domain_(curve.domain()) {
+      : space_(together(curve.points(), patch.points())), curve_(curve, space_), patch_(patch, space_),
+        domain_(curve.domain()) {
     tolerance_ = place_tolerance(space_, tolerance);
   }
 
@@ -56,7 +57,8 @@ class PierceOutcome {
 
   Cluster cluster_of(const CurveOnPatch& s) const {
     const Interval own{curve_.place({s.piece, s.range.start}), curve_.place({s.piece, s.range.end})};
-    const Interval wide{own.start - curve_.reach(own.start, -1.0, tolerance_), own.end + curve_.reach(own.end, 1.0, tolerance_)};
+    const Interval wide{own.start - curve_.reach(own.start, -1.0, tolerance_),
+                        own.end + curve_.reach(own.end, 1.0, tolerance_)};
     return {own, wide, {{own.middle(), s.patch}}, {}, true};
   }
 
@@ -142,7 +144,7 @@ class PierceOutcome {
   /// At a pole, where the patch stands still along an axis, the normal a little inside.
   glm::dvec3 normal_at(const PatchSpot& foot, const Slopes<2>& there) const {
     constexpr double kStill = 0x1p-30;
-    constexpr double kInside = 0x1p-16;
+    constexpr double kInside = 0x1p-26;
     const double u = glm::length(there.first[0]);
     const double v = glm::length(there.first[1]);
     if (std::min(u, v) > kStill * std::max(u, v)) return glm::cross(there.first[0], there.first[1]);
