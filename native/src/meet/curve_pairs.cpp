@@ -74,8 +74,7 @@ class PairSearch {
     if (do_tangents_differ(a, b, tolerance_) && cross(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;
     if (are_boxed && std::max(a.spread, b.spread) <= kGentle && are_together(a, b)) return;
-    const bool is_small = are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_;
-    if (is_small || (is_narrow(a) && is_narrow(b))) return add(a, a.range, b, b.range, 0, false);
+    if (is_point(a) && is_point(b)) return add(a, a.range, b, b.range, 0, false);
     if (halves_first(a, b)) {
       const auto [first, second] = a.halves();
       pair(first, b);
@@ -87,9 +86,14 @@ class PairSearch {
     }
   }
 
-  static bool halves_first(const CurvePart& a, const CurvePart& b) {
-    if (is_narrow(b)) return true;
-    if (is_narrow(a)) return false;
+  /// Whether a part is not halved any more.
+  bool is_point(const CurvePart& part) const {
+    return is_narrow(part) || (part.is_boxed && part.size <= kSmall * tolerance_);
+  }
+
+  bool halves_first(const CurvePart& a, const CurvePart& b) const {
+    if (is_point(b)) return true;
+    if (is_point(a)) return false;
     if (a.is_boxed != b.is_boxed) return !a.is_boxed;
     return a.is_boxed ? a.size >= b.size : a.range.length() >= b.range.length();
   }
