@@ -119,11 +119,12 @@ void bind_curve(const CurveClasses& cls) {
           "Where the curve and another one, of any kind, are at most tolerance apart, as Intersections: places where\n"
           "their distance is least, ends included, in the order of the parameters of this one, and stretches that\n"
           "they have in common. tolerance is a length, by default 2^-33 of the size of both.\n\n"
-          "Curves that cross are found however near the crossings are to each other; of places that the curves join\n"
-          "within the tolerance there is one. Of a curve that ends where it begins places are in [start, end). Parts\n"
-          "that run through infinity meet nothing. Pairs of Bernstein pieces on two trees of boxes are halved until\n"
-          "their hulls are apart, their tangents differ so that they cross once at most (Sederberg and Meyers 1988),\n"
-          "or they lie together. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
+          "Curves that cross are found however near the crossings are to each other; places are one only where both\n"
+          "curves stay within the tolerance of each other from one to the other. What folds has an overlap for each\n"
+          "way. Of a curve that ends where it begins places are in [start, end). What lies farther away than 2^20\n"
+          "times the size, where a curve runs through infinity, meets nothing. Pairs of Bernstein pieces on two trees\n"
+          "of boxes are halved until their hulls are apart, their tangents differ so that they cross once at most\n"
+          "(Sederberg and Meyers 1988), or they lie together. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
           "InvalidShape if the tolerance is below 0, or where more than 2^22 pairs of parts are within it.");
   cls.def("self_intersections", [](const AnyCurve& self, const py::object& tolerance, const py::object& cancel) {
             const auto most = tolerance_of(tolerance);
@@ -131,7 +132,8 @@ void bind_curve(const CurveClasses& cls) {
           },
           py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
           "Where the curve meets itself, as intersections() has it of two: the first parameter is the smaller one.\n\n"
-          "Without places next to each other along the curve, as at a cusp, and where it ends at its beginning.");
+          "Without places next to each other along the curve, as at a cusp, and where it ends at its beginning; where it\n"
+          "folds it lies on itself.");
 }
 
 void bind_result(py::module_& module) {

@@ -140,6 +140,66 @@ SpotPair settled(const TwoCurves& curves, SpotPair at) {
   return at;
 }
 
+namespace {
+
+/// Of a curve the place between two others at which it goes neither to a point nor away, by halving.
+double foot_between(const CurvePieces& curve, double low, double high, const glm::dvec3& point) {
+  constexpr int kHalvings = 52;
+  for (int i = 0; i < kHalvings && low < high; ++i) {
+    breathe(32);
+    const double middle = 0.5 * (low + high);
+    const Slopes<1> s = curve.at(curve.spot(middle), point);
+    (glm::dot(s.offset, s.first[0]) < 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+bool are_joined(const TwoCurves& curves, const std::array<double, 2>& from, const std::array<double, 2>& to,
+                double distance) {
+  constexpr int kPlaces = 16;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const CurvePieces& curve = k == 0 ? curves.a : curves.b;
+    const CurvePieces& other = k == 0 ? curves.b : curves.a;
+    const double low = std::min(from[1 - k], to[1 - k]);
+    const double high = std::max(from[1 - k], to[1 - k]);
+    for (int i = 1; i < kPlaces && from[k] != to[k]; ++i) {
+      const glm::dvec3 point = curve.at(curve.spot(from[k] + (to[k] - from[k]) * i / kPlaces)).point;
+      const double foot = foot_between(other, low, high, point);
+      if (!(glm::length(other.at(other.spot(foot), point).offset) <= distance)) return false;
+    }
+  }
+  return true;
+}
+
+bool turns_back(const CurvePieces& curve, double low, double high, double distance) {
+  constexpr int kPlaces = 32;
+  constexpr int kThirds = 64;
+  const glm::dvec3 from = curve.at(curve.spot(low)).point;
+  const auto far = [&](double place) { return glm::length(curve.at(curve.spot(place), from).offset); };
+  const double step = (high - low) / kPlaces;
+  double farthest = low;
+  for (int i = 1; i < kPlaces; ++i) {
+    const double place = low + step * i;
+    if (far(place) > far(farthest)) farthest = place;
+  }
+  // What is nearer than a step at most is the only place that is farthest.
+  Interval in{std::max(farthest - step, low), std::min(farthest + step, high)};
+  const TwoCurves twice{curve, curve};
+  if (!are_joined(twice, {low, high}, {in.start, in.end}, distance)) return false;
+  for (int i = 0; i < kThirds; ++i) {
+    const double first = in.start + in.length() / 3.0;
+    const double second = in.end - in.length() / 3.0;
+    if (far(first) < far(second)) {
+      in.start = first;
+    } else {
+      in.end = second;
+    }
+  }
+  return are_joined(twice, {low, high}, {in.middle(), in.middle()}, distance);
+}
+
 double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point) {
   constexpr int kMost = 100;
   double low = range.start;
@@ -149,8 +209,11 @@ double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& rang
     const double slope = glm::dot(s.offset, s.first[0]);
     return std::pair(slope, glm::dot(s.first[0], s.first[0]) + glm::dot(s.offset, s.second[0]));
   };
-  if (slope_at(low).first >= 0.0) return low;
-  if (slope_at(high).first <= 0.0) return high;
+  // At an end where the curve stands still it is asked a little inside.
+  const double inside = 0x1p-16 * range.length();
+  const auto stands = [&](double t) { return !(glm::length(curve.at({piece, t}).first[0]) > 0.0); };
+  if (slope_at(stands(low) ? low + inside : low).first >= 0.0) return low;
+  if (slope_at(stands(high) ? high - inside : high).first <= 0.0) return high;
   double t = 0.5 * (low + high);
   for (int round = 0; round < kMost; ++round) {
     breathe(32);

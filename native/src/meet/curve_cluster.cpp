@@ -1,9 +1,9 @@
-#include "base/sort_by.hpp"
 #include "curve_cluster.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "zero_between.hpp"
 
@@ -11,26 +11,7 @@ namespace splinecore {
 
 namespace {
 
-double place_a(const CurveStretch& s, double t) { return CurvePieces::place({s.piece_a, t}); }
-double place_b(const CurveStretch& s, double t) { return CurvePieces::place({s.piece_b, t}); }
-Interval along_a(const CurveStretch& s) { return {place_a(s, s.a.start), place_a(s, s.a.end)}; }
-Interval along_b(const CurveStretch& s) { return {place_b(s, s.b.start), place_b(s, s.b.end)}; }
-
-Interval joined(const Interval& a, const Interval& b) { return {std::min(a.start, b.start), std::max(a.end, b.end)}; }
-
-Interval moved(const Interval& in, double by) { return {in.start + by, in.end + by}; }
-
-/// How many places further a stretch lies beside another one; on a closed curve it may be a turn further.
-std::optional<double> turn_beside(const CurvePieces& curve, const Interval& in, const Interval& stretch,
-                                  double tolerance) {
-  if (curve.are_beside(in, stretch, tolerance)) return 0.0;
-  if (!curve.is_closed()) return {};
-  const auto turn = static_cast<double>(curve.size());
-  for (const double turns : {1.0, -1.0, 2.0}) {
-    if (curve.are_beside(in, moved(stretch, turns * turn), tolerance)) return turns * turn;
-  }
-  return {};
-}
+constexpr std::size_t kCount = 33;
 
 /// How curves lie at a pair of places.
 struct Crossing {
@@ -56,119 +37,22 @@ Crossing crossing_at(const TwoCurves& curves, const SpotPair& at) {
           curvature_vector(b.first[0], b.second[0]) - curvature_vector(a.first[0], a.second[0])};
 }
 
-/// A cluster with all of others that it reaches, which are taken out of them.
-CurveCluster merged(const TwoCurves& curves, CurveCluster cluster, std::vector<CurveCluster>& others, double tolerance) {
-  std::vector<CurveCluster> rest;
-  for (CurveCluster& other : others) {
-    if (const auto turns = other.reaches(curves, cluster.a(), cluster.b(), tolerance)) {
-      other.add(cluster, *turns);
-      cluster = std::move(other);
-    } else {
-      rest.push_back(std::move(other));
-    }
-  }
-  others = std::move(rest);
-  return cluster;
-}
-
-/// Of a closed first curve those that go on from its end to its start put together.
-std::vector<CurveCluster> merged_at_seam(const TwoCurves& curves, std::vector<CurveCluster> clusters, double tolerance) {
-  const auto end = static_cast<double>(curves.a.size());
-  const auto is_at_start = [&](const CurveCluster& c) { return curves.a.are_beside(c.a(), {0.0, 0.0}, tolerance); };
-  const auto inner = std::partition(clusters.begin(), clusters.end(), is_at_start);
-  std::vector<CurveCluster> found(std::make_move_iterator(inner), std::make_move_iterator(clusters.end()));
-  clusters.erase(inner, clusters.end());
-  sort_by(found, [](const CurveCluster& c) { return -c.a().end; });
-  for (CurveCluster& cluster : clusters) {
-    const auto goes_on = [&](const CurveCluster& c) {
-      return curves.a.are_beside(c.a(), {end, end}, tolerance) &&
-             c.reaches(curves, cluster.a(), cluster.b(), tolerance).has_value();
-    };
-    const auto before = std::ranges::find_if(found, goes_on);
-    if (before == found.end()) {
-      found.push_back(std::move(cluster));
-    } else {
-      before->add(cluster, *before->reaches(curves, cluster.a(), cluster.b(), tolerance));
-    }
-  }
-  return found;
-}
-
-}  // namespace
-
-CurveCluster::CurveCluster(const CurveStretch& first)
-    : stretches_{{first, {}}}, a_(along_a(first)), b_(along_b(first)), is_trivial_(first.is_trivial) {}
-
-std::optional<Turns> CurveCluster::reaches(const TwoCurves& curves, const Interval& a, const Interval& b,
-                                           double tolerance) const {
-  const std::optional<double> of_a = turn_beside(curves.a, a_, a, tolerance);
-  if (!of_a) return {};
-  const std::optional<double> of_b = turn_beside(curves.b, b_, b, tolerance);
-  if (!of_b) return {};
-  return Turns{*of_a, *of_b};
-}
-
-void CurveCluster::add(const CurveCluster& other, const Turns& turns) {
-  for (const Laid& laid : other.stretches_) {
-    stretches_.push_back({laid.stretch, {laid.turns.a + turns.a, laid.turns.b + turns.b}});
-  }
-  a_ = joined(a_, moved(other.a_, turns.a));
-  b_ = joined(b_, moved(other.b_, turns.b));
-  is_trivial_ = is_trivial_ || other.is_trivial_;
-}
-
-SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
-  const auto distance_to = [&](const Laid& laid) {
-    const Interval in = moved(along_a(laid.stretch), laid.turns.a);
-    return std::max({in.start - place, place - in.end, 0.0});
-  };
-  const Laid& nearest = *std::ranges::min_element(stretches_, {}, distance_to);
-  const CurveStretch& on = nearest.stretch;
-  const double t = place - nearest.turns.a - static_cast<double>(on.piece_a);
-  const CurveSpot spot{on.piece_a, std::clamp(t, on.a.start, on.a.end)};
-  return {spot, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, curves.a.at(spot).point)}};
-}
-
-std::vector<CurveCluster> clusters_of(const TwoCurves& curves, std::vector<CurveStretch> stretches, double tolerance) {
-  sort_by(stretches, [](const CurveStretch& s) { return along_a(s).start; });
-  std::vector<CurveCluster> done;
-  std::vector<CurveCluster> open;
-  for (const CurveStretch& stretch : stretches) {
-    const auto behind = std::partition(open.begin(), open.end(), [&](const CurveCluster& cluster) {
-      return curves.a.are_beside(cluster.a(), along_a(stretch), tolerance);
-    });
-    std::move(behind, open.end(), std::back_inserter(done));
-    open.erase(behind, open.end());
-    open.push_back(merged(curves, CurveCluster(stretch), open, tolerance));
-  }
-  std::move(open.begin(), open.end(), std::back_inserter(done));
-  return curves.a.is_closed() ? merged_at_seam(curves, std::move(done), tolerance) : done;
-}
-
-bool holds(const CurveCluster& cluster, const TwoCurves& curves, const SpotPair& at, double tolerance) {
-  const double a = CurvePieces::place(at.a);
-  const double b = CurvePieces::place(at.b);
-  return cluster.reaches(curves, {a, a}, {b, b}, tolerance).has_value();
-}
-
-ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
-  constexpr std::size_t kCount = 33;
-  // Curves that only touch are nearly a tolerance apart along most of a cluster.
-  constexpr double kOne = 0x1p-6;
+std::array<double, kCount> places_of(const CurveCluster& cluster) {
   std::array<double, kCount> places;
-  std::array<double, kCount> distances;
-  std::size_t near = 0;
-  double length = 0.0;
   for (std::size_t i = 0; i < kCount; ++i) {
     places[i] = cluster.a().start + cluster.a().length() * static_cast<double>(i) / (kCount - 1);
-    const SpotPair at = cluster.at(curves, places[i]);
-    distances[i] = curves.distance(at);
-    near += distances[i] <= kOne * tolerance ? 1 : 0;
-    const auto point = [&](std::size_t k) { return curves.a.at(curves.a.spot(places[k])).point; };
-    if (i > 0) length += glm::distance(point(i), point(i - 1));
   }
-  const auto best = static_cast<std::size_t>(std::ranges::min_element(distances) - distances.begin());
-  const bool is_overlap = length > 8.0 * tolerance && 4 * near >= 3 * kCount;
+  return places;
+}
+
+/// The place that curves touch or cross at of those of a cluster.
+struct Meeting {
+  double place;
+  bool touches;
+};
+
+Meeting meeting_of(const CurveCluster& cluster, const TwoCurves& curves, const std::array<double, kCount>& places,
+                   std::size_t best) {
   const auto gap = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).gap; };
   const auto normal = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).normal; };
   const auto bend = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).bend; };
@@ -190,7 +74,96 @@ ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, doub
   } else if (turns_in(normal, around)) {
     place = zero_between(around, normal);
   }
-  return {is_overlap, cluster.at(curves, place), is_parallel(place)};
+  return {place, is_parallel(place)};
+}
+
+}  // namespace
+
+void CurveCluster::add(const LaidStretch& laid) {
+  const auto joined = [](const Interval& a, const Interval& b) {
+    return Interval{std::min(a.start, b.start), std::max(a.end, b.end)};
+  };
+  a_ = stretches_.empty() ? laid.a : joined(a_, laid.a);
+  b_ = stretches_.empty() ? laid.b : joined(b_, laid.b);
+  stretches_.push_back(laid);
+}
+
+void CurveCluster::add_ends(std::vector<double>& places) const {
+  constexpr std::size_t kMost = 64;
+  const std::size_t step = stretches_.size() / kMost + 1;
+  for (std::size_t i = 0; i < stretches_.size(); i += step) {
+    places.push_back(stretches_[i].a.start);
+    places.push_back(stretches_[i].a.end);
+  }
+}
+
+SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
+  // What goes round a closed curve begins anywhere.
+  const bool is_round = curves.a.is_closed() && a_.length() >= curves.a.turn();
+  const double turn = is_round ? curves.a.turn() : 0.0;
+  const LaidStretch* nearest = nullptr;
+  double t = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double further : {0.0, turn, -turn}) {
+    for (const LaidStretch& laid : stretches_) {
+      const double distance = std::max({laid.a.start - place - further, place + further - laid.a.end, 0.0});
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = &laid;
+      t = place + further - laid.turns.a - curves.a.place({laid.stretch.piece_a, 0.0});
+    }
+    if (!is_round || least == 0.0) break;
+  }
+  const CurveStretch& on = nearest->stretch;
+  const CurveSpot spot{on.piece_a, std::clamp(t, on.a.start, on.a.end)};
+  return {spot, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, curves.a.at(spot).point)}};
+}
+
+/// Most of the length of the first curve, whatever its pace: looked at between the ends of stretches, too.
+bool is_overlap(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
+  // Curves that only touch are nearly a tolerance apart along most of a cluster.
+  constexpr double kOne = 0x1p-6;
+  if (!cluster.has_stretches()) return false;
+  const auto uniform = places_of(cluster);
+  std::vector<double> places(uniform.begin(), uniform.end());
+  cluster.add_ends(places);
+  std::ranges::sort(places);
+  double near = 0.0;
+  double length = 0.0;
+  glm::dvec3 before(0.0);
+  bool was_near = false;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const SpotPair at = cluster.at(curves, places[i]);
+    const glm::dvec3 point = curves.a.at(at.a).point;
+    const bool is_near = curves.distance(at) <= kOne * tolerance;
+    const double step = i > 0 ? glm::distance(point, before) : 0.0;
+    length += step;
+    if (is_near && was_near) near += step;
+    was_near = is_near;
+    before = point;
+  }
+  return length > 8.0 * tolerance && 4.0 * near >= 3.0 * length;
+}
+
+ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
+  if (is_overlap(cluster, curves, tolerance)) return {true, {}, true};
+  if (cluster.has_stretches()) {
+    const auto places = places_of(cluster);
+    const auto distance_at = [&](double place) { return curves.distance(cluster.at(curves, place)); };
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(places, {}, distance_at) - places.begin());
+    const Meeting meeting = meeting_of(cluster, curves, places, best);
+    for (const SpotPair& at : {cluster.at(curves, meeting.place), cluster.at(curves, places[best])}) {
+      if (curves.distance(at) <= tolerance) return {false, at, meeting.touches};
+    }
+    const SpotPair lowest = settled(curves, cluster.at(curves, places[best]));
+    const SpotPair from = cluster.at(curves, places[best]);
+    if (curves.distance(lowest) <= tolerance && curves.a.are_one(from.a, lowest.a, 4.0 * tolerance)) {
+      return {false, lowest, meeting.touches};
+    }
+  }
+  if (cluster.crossings().empty()) return {false, {}, false};
+  const auto distance = [&](const SpotPair& at) { return curves.distance(at); };
+  return {false, *std::ranges::min_element(cluster.crossings(), {}, distance), false};
 }
 
 }  // namespace splinecore

@@ -16,48 +16,56 @@ struct Turns {
   double b = 0.0;
 };
 
-/// Stretches that follow each other on both curves, on closed ones beyond their ends.
+/// A stretch of both curves where it is counted, as places.
+struct LaidStretch {
+  CurveStretch stretch;
+  Turns turns;
+  Interval a;
+  Interval b;
+};
+
+/// What two curves have in common that hangs together: they are within the tolerance of each other all the way.
 class CurveCluster {
  public:
-  explicit CurveCluster(const CurveStretch& first);
+  void add(const LaidStretch& laid);
+  void add(const SpotPair& crossing) { crossings_.push_back(crossing); }
+  void set_trivial() noexcept { is_trivial_ = true; }
 
-  /// The turns by which a stretch, or another cluster, goes on where this one is, up to the tolerance.
-  std::optional<Turns> reaches(const TwoCurves& curves, const Interval& a, const Interval& b, double tolerance) const;
-  void add(const CurveCluster& other, const Turns& turns);
-
-  /// Places, as numbers, of both curves.
+  /// Places, as numbers, of both curves: on closed ones beyond their ends.
   const Interval& a() const noexcept { return a_; }
   const Interval& b() const noexcept { return b_; }
+  bool has_stretches() const noexcept { return !stretches_.empty(); }
+  const std::vector<SpotPair>& crossings() const noexcept { return crossings_; }
+
+  /// Whether a curve goes on from one of the parts to the other.
   bool is_trivial() const noexcept { return is_trivial_; }
+
+  /// Adds where stretches end along the first curve, of many every so many.
+  void add_ends(std::vector<double>& places) const;
 
   /// The nearest place of the second curve to a place of the first one.
   SpotPair at(const TwoCurves& curves, double place) const;
 
  private:
-  struct Laid {
-    CurveStretch stretch;
-    Turns turns;
-  };
-
-  std::vector<Laid> stretches_;
+  std::vector<LaidStretch> stretches_;
+  std::vector<SpotPair> crossings_;
   Interval a_;
   Interval b_;
-  bool is_trivial_;
+  bool is_trivial_ = false;
 };
 
-/// Stretches put together, in no order.
-std::vector<CurveCluster> clusters_of(const TwoCurves& curves, std::vector<CurveStretch> stretches, double tolerance);
+/// All findings put together, in no order.
+std::vector<CurveCluster> clusters_of(const TwoCurves& curves, const PairFindings& findings, double tolerance);
 
-/// Whether a place of both curves is one of a cluster.
-bool holds(const CurveCluster& cluster, const TwoCurves& curves, const SpotPair& at, double tolerance);
-
-/// What a cluster is: a stretch that the curves have in common, or a place that they touch or cross at.
+/// What a cluster is: a stretch that the curves have in common, or a place that they touch or cross at; or nothing, for
+/// parts may be near though no places are.
 struct ClusterShape {
   bool is_overlap;
-  SpotPair at;   ///< the place
-  bool touches;  ///< whether tangents are parallel there
+  std::optional<SpotPair> at;  ///< the place
+  bool touches;                ///< whether tangents are parallel there
 };
 
+bool is_overlap(const CurveCluster& cluster, const TwoCurves& curves, double tolerance);
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance);
 
 }  // namespace splinecore

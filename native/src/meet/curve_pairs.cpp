@@ -3,23 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "curve_bundles.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "tree_pairs.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// So narrow parts of a piece, by its parameter, are not halved; nor so narrow ones with weights of both signs, which run
-/// to infinity.
+/// So narrow parts of a piece, by its parameter, are not halved.
 constexpr double kNarrow = 0x1p-50;
-constexpr double kNarrowAtInfinity = 0x1p-14;
 /// Radians by which tangents of parts may differ that are looked at as one line.
 constexpr double kGentle = 0.25;
 /// Parts of this part of the tolerance are points.
@@ -41,7 +38,11 @@ class PairSearch {
   }
 
   PairFindings found() {
-    for_near_pairs(curves_.a.tree(), curves_.b.tree(), tolerance_, [&](std::size_t i, std::size_t j) { pieces(i, j); });
+    const CurveBundles bundles_a(parts_a_);
+    std::optional<CurveBundles> bundles_b;
+    if (!is_one_) bundles_b.emplace(parts_b_);
+    const auto work = [&](std::size_t i, std::size_t j) { pieces(i, j); };
+    BundlePairs(bundles_a, is_one_ ? bundles_a : *bundles_b, tolerance_, work).visit();
     return std::move(found_);
   }
 
@@ -64,16 +65,16 @@ class PairSearch {
     return !are_apart(a, b, tolerance_);
   }
 
-  static bool is_lost(const CurvePart& part) { return !part.is_boxed && part.range.length() <= kNarrowAtInfinity; }
+  /// Whether a part runs through infinity, or has no points but where weights are zero.
+  static bool is_lost(const CurvePart& part) { return !part.is_boxed && (is_narrow(part) || is_far_out(part)); }
   static bool is_narrow(const CurvePart& part) { return part.range.length() <= kNarrow; }
 
   void pair(const CurvePart& a, const CurvePart& b) {
     if (is_lost(a) || is_lost(b) || !are_near(a, b)) return;
-    if (do_tangents_differ(a, b) && cross(a, b)) return;
+    if (do_tangents_differ(a, b, tolerance_) && cross(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;
     if (are_boxed && std::max(a.spread, b.spread) <= kGentle && are_together(a, b)) return;
-    const bool is_small = are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_;
-    if (is_small || (is_narrow(a) && is_narrow(b))) return add(a, a.range, b, b.range, false);
+    if (is_point(a) && is_point(b)) return add(a, a.range, b, b.range, 0, false);
     if (halves_first(a, b)) {
       const auto [first, second] = a.halves();
       pair(first, b);
@@ -85,16 +86,21 @@ class PairSearch {
     }
   }
 
-  static bool halves_first(const CurvePart& a, const CurvePart& b) {
-    if (is_narrow(b)) return true;
-    if (is_narrow(a)) return false;
+  /// Whether a part is not halved any more.
+  bool is_point(const CurvePart& part) const {
+    return is_narrow(part) || (part.is_boxed && part.size <= kSmall * tolerance_);
+  }
+
+  bool halves_first(const CurvePart& a, const CurvePart& b) const {
+    if (is_point(b)) return true;
+    if (is_point(a)) return false;
     if (a.is_boxed != b.is_boxed) return !a.is_boxed;
     return a.is_boxed ? a.size >= b.size : a.range.length() >= b.range.length();
   }
 
   /// A part with itself.
   void own(const CurvePart& part) {
-    if (part.spread < 0.5 * std::numbers::pi || is_narrow(part) || is_lost(part)) return;
+    if (is_monotone(part) || is_narrow(part) || is_lost(part)) return;
     if (part.is_boxed && part.size <= kSmall * tolerance_) return;
     const auto [first, second] = part.halves();
     own(first);
@@ -111,7 +117,7 @@ class PairSearch {
     if (b_follows != a_follows && are_monotone(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;
     const bool is_small = are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_;
-    if (is_small || is_narrow(a) || is_narrow(b)) return add(a, a.range, b, b.range, true);
+    if (is_small || is_narrow(a) || is_narrow(b)) return add(a, a.range, b, b.range, 0, true);
     const auto of_a = a.halves();
     const auto of_b = b.halves();
     for (const CurvePart* in_a : {&of_a.first, &of_a.second}) {
@@ -124,13 +130,24 @@ class PairSearch {
     return a.range.end == 1.0 && b.range.start == 0.0 && curves_.a.after(a.piece) == b.piece;
   }
 
-  /// Finds where parts cross whose tangents differ. @returns false if Newton's method does not
+  /// Finds where parts cross whose tangents differ. @returns false if neither a place nor a gap is found
   bool cross(const CurvePart& a, const CurvePart& b) {
     const SpotPair middle{{a.piece, a.range.middle()}, {b.piece, b.range.middle()}};
     const std::optional<SpotPair> near = nearest_pair(curves_, middle, a.range, b.range);
     if (!near) return false;
-    if (curves_.distance(*near) <= tolerance_) found_.crossings.push_back(settled(curves_, *near));
+    const glm::dvec3 gap = curves_.b.at(near->b, curves_.a.at(near->a).point).offset;
+    const double distance = glm::length(gap);
+    if (!(distance <= tolerance_)) return are_apart_along(a, b, gap / distance, tolerance_);
+    found_.crossings.push_back(lowest(*near));
     return true;
+  }
+
+  /// A place that curves have in common where it is nearest, beyond the ends of parts, too.
+  SpotPair lowest(const SpotPair& near) const {
+    const SpotPair at = settled(curves_, near);
+    const double far = 2.0 * tolerance_;
+    const bool is_one = curves_.a.are_one(at.a, near.a, far) && curves_.b.are_one(at.b, near.b, far);
+    return is_one || are_joined(curves_, curves_.places(near), curves_.places(at), tolerance_) ? at : near;
   }
 
   /// Whether nearly straight parts, where they lie side by side, are within the tolerance; they are one then if so many
@@ -154,7 +171,7 @@ class PairSearch {
       const double foot = foot_of(curves_.b, b.piece, b.range, point);
       if (glm::length(curves_.b.at({b.piece, foot}, point).offset) > tolerance_) return false;
     }
-    add(a, in_a, b, in_b, false);
+    add(a, in_a, b, in_b, glm::dot(a.along, b.along) < 0.0 ? -1 : 1, false);
     return true;
   }
 
@@ -163,12 +180,13 @@ class PairSearch {
     const SpotPair ends{{a.piece, end_a}, {b.piece, end_b}};
     const std::optional<SpotPair> near = nearest_pair(curves_, ends, a.range, b.range);
     if (!near || near->a.t != end_a || near->b.t != end_b) return false;
-    if (curves_.distance(ends) <= tolerance_) add(a, {end_a, end_a}, b, {end_b, end_b}, false);
+    if (curves_.distance(ends) <= tolerance_) add(a, {end_a, end_a}, b, {end_b, end_b}, 0, false);
     return true;
   }
 
-  void add(const CurvePart& a, const Interval& in_a, const CurvePart& b, const Interval& in_b, bool is_trivial) {
-    found_.stretches.push_back({a.piece, in_a, b.piece, in_b, is_trivial});
+  void add(const CurvePart& a, const Interval& in_a, const CurvePart& b, const Interval& in_b, int way,
+           bool is_trivial) {
+    found_.stretches.push_back({a.piece, in_a, b.piece, in_b, way, is_trivial});
   }
 
   TwoCurves curves_;

@@ -14,6 +14,7 @@ struct CurveStretch {
   Interval a;
   std::size_t piece_b;
   Interval b;
+  int way;          ///< whether the second one goes on as the first one does, 1, or back, -1; 0 where they are points
   bool is_trivial;  ///< where a curve goes on from one part to the other
 };
 

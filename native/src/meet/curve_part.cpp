@@ -28,6 +28,22 @@ glm::dvec3 across(const glm::dvec3& unit) {
   return glm::normalize(glm::cross(unit, axis));
 }
 
+/// A right angle, less what angles are rounded by.
+constexpr double kBelowRight = 0.5 * std::numbers::pi - 0x1p-20;
+
+constexpr std::array<glm::dvec3, 3> kAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+
+/// Whether a part that runs through infinity is apart from one with a box.
+bool is_outside(const CurvePart& part, const CurvePart& boxed, double distance) {
+  const glm::dvec3 beside = across(boxed.along);
+  const std::array<glm::dvec3, 3> own{boxed.along, beside, glm::cross(boxed.along, beside)};
+  const auto is_apart = [&](const glm::dvec3& axis) {
+    const Interval slab = extent_along(boxed.points, axis, glm::dvec3(0.0));
+    return is_outside_slab(part.net.values, axis, {slab.start - distance, slab.end + distance});
+  };
+  return std::ranges::any_of(kAxes, is_apart) || std::ranges::any_of(own, is_apart);
+}
+
 }  // namespace
 
 /// Tangents of a rational piece with weights of one sign are in the cone of its polygon's legs: each step of de
@@ -62,7 +78,9 @@ std::pair<CurvePart, CurvePart> CurvePart::halves() const {
 }
 
 bool are_apart(const CurvePart& a, const CurvePart& b, double distance) {
-  if (!a.is_boxed || !b.is_boxed) return false;
+  if (!a.is_boxed && !b.is_boxed) return false;
+  if (!a.is_boxed) return is_outside(a, b, distance);
+  if (!b.is_boxed) return is_outside(b, a, distance);
   if (are_boxes_apart(a.points, b.points, distance)) return true;
   // What lies beside each other along a slope is told apart by axes along and across it.
   const glm::dvec3 offset = b.points.front() - a.points.front();
@@ -75,17 +93,32 @@ bool are_apart(const CurvePart& a, const CurvePart& b, double distance) {
   });
 }
 
-bool do_tangents_differ(const CurvePart& a, const CurvePart& b) {
+bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& axis, double distance) {
+  return are_apart_along(a.points, b.points, std::array{axis}, distance);
+}
+
+bool is_far_out(const CurvePart& part) {
+  constexpr double kFar = 0x1p20;
+  const auto is_outside_along = [&](const glm::dvec3& axis) {
+    return is_outside_slab(part.net.values, axis, {-kFar, kFar});
+  };
+  return !part.is_boxed && std::ranges::any_of(kAxes, is_outside_along);
+}
+
+bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance) {
   if (!a.is_boxed || !b.is_boxed) return false;
   constexpr double kMargin = 1.25;
-  const double angle = angle_between(a.along, b.along, 1.0);
-  return std::min(angle, std::numbers::pi - angle) > kMargin * (a.spread + b.spread);
+  const double between = angle_between(a.along, b.along, 1.0);
+  const double angle = std::min(between, std::numbers::pi - between);
+  return angle > kMargin * (a.spread + b.spread) && angle * std::min(a.size, b.size) > distance;
 }
+
+bool is_monotone(const CurvePart& part) { return part.is_boxed && part.spread < kBelowRight; }
 
 bool are_monotone(const CurvePart& a, const CurvePart& b) {
   if (!a.is_boxed || !b.is_boxed) return false;
   const double between = angle_between(a.along, b.along, 1.0);
-  return 0.5 * between + std::max(a.spread, b.spread) < 0.5 * std::numbers::pi;
+  return 0.5 * between + std::max(a.spread, b.spread) < kBelowRight;
 }
 
 }  // namespace splinecore

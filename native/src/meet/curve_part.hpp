@@ -26,11 +26,23 @@ struct CurvePart {
   std::pair<CurvePart, CurvePart> halves() const;
 };
 
-/// Whether hulls are farther apart than that, as seen along some axes of both.
+/// Whether hulls are farther apart than that, as seen along some axes of both. Of a part that runs through infinity the
+/// hull is what lies outside of a slab about the other one.
 bool are_apart(const CurvePart& a, const CurvePart& b, double distance);
 
-/// Whether no tangent of one is parallel to one of the other, by a margin: then they cross once at most.
-bool do_tangents_differ(const CurvePart& a, const CurvePart& b);
+/// Whether the hulls of parts with boxes are farther apart than that, as seen along an axis.
+bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& axis, double distance);
+
+/// Whether a part that runs through infinity lies as far outside as coordinates are less exact than places: farther than
+/// 2^20 times the size of the shapes.
+bool is_far_out(const CurvePart& part);
+
+/// Whether no tangent of one is parallel to one of the other, by a margin, so that they leave each other by more than a
+/// distance over the length of the shorter one: then they cross once at most.
+bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance);
+
+/// Whether all tangents are within a right angle of one direction: then the part does not cross itself.
+bool is_monotone(const CurvePart& part);
 
 /// Whether all tangents of both together are within a right angle of one direction: then the parts, one after the other,
 /// do not cross themselves.

@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "curve_approach.hpp"
 #include "curve_part.hpp"
+#include "hull_extent.hpp"
 #include "patch_part.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -18,12 +20,12 @@ namespace splinecore {
 namespace {
 
 constexpr double kNarrow = 0x1p-50;
-constexpr double kNarrowAtInfinity = 0x1p-14;
-constexpr double kNarrowPatchAtInfinity = 0x1p-8;
+/// So narrow parts of a patch that run through infinity have no points but where weights are zero.
+constexpr double kNarrowPatchAtInfinity = 0x1p-24;
 /// Radians by which tangents, and normals, of parts may differ that are looked at as a line beside a plane.
 constexpr double kGentle = 0.25;
-/// Parts of this part of the tolerance are points.
-constexpr double kSmall = 0.5;
+/// Parts of so many tolerances are points: what a finding is is measured where it is.
+constexpr double kSmall = 2.0;
 /// A look at how parts lie counts as so many pairs.
 constexpr std::size_t kLook = 16;
 constexpr std::size_t kMostPairs = std::size_t{1} << 20;
@@ -72,6 +74,44 @@ PatchSpot foot_in(const PatchPieces& patch, PatchSpot at, const std::array<Inter
   return at;
 }
 
+/// How much the directions of the legs of a net turn from one to the next, along u and along v.
+std::array<double, 2> turns_along(const PatchPart& patch) {
+  const std::size_t rows = patch.net.rows;
+  const std::size_t columns = patch.net.columns;
+  std::array<double, 2> turns{0.0, 0.0};
+  const auto leg = [&](std::size_t i, std::size_t j, Axis axis) {
+    const std::size_t k = i * columns + j;
+    const glm::dvec3 way = patch.points[k + (axis == Axis::u ? columns : 1)] - patch.points[k];
+    const double length = glm::length(way);
+    return length > 0.0 ? way / length : way;
+  };
+  for (const Axis axis : {Axis::u, Axis::v}) {
+    const std::size_t last_row = axis == Axis::u ? rows - 1 : rows;
+    const std::size_t last_column = axis == Axis::v ? columns - 1 : columns;
+    for (std::size_t i = 0; i < last_row; ++i) {
+      for (std::size_t j = 0; j < last_column; ++j) {
+        const glm::dvec3 here = leg(i, j, axis);
+        const auto turn_to = [&](const glm::dvec3& next) {
+          const bool are_ways = glm::dot(here, here) > 0.0 && glm::dot(next, next) > 0.0;
+          return are_ways ? glm::distance(here, next) : 0.0;
+        };
+        if (i + 1 < last_row) turns[0] = std::max(turns[0], turn_to(leg(i + 1, j, axis)));
+        if (j + 1 < last_column) turns[1] = std::max(turns[1], turn_to(leg(i, j + 1, axis)));
+      }
+    }
+  }
+  return turns;
+}
+
+/// Whether homogeneous points that run through infinity are apart from a hull, as seen along an axis of coordinates.
+bool is_outside(std::span<const glm::dvec4> through, std::span<const glm::dvec3> hull, double distance) {
+  const std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+  return std::ranges::any_of(axes, [&](const glm::dvec3& axis) {
+    const Interval slab = extent_along(hull, axis, glm::dvec3(0.0));
+    return is_outside_slab(through, axis, {slab.start - distance, slab.end + distance});
+  });
+}
+
 class PierceSearch {
  public:
   PierceSearch(const CurveAndPatch& shapes, double tolerance) : shapes_(shapes), tolerance_(tolerance) {}
@@ -84,7 +124,9 @@ class PierceSearch {
   }
 
  private:
-  static bool is_lost(const CurvePart& part) { return !part.is_boxed && part.range.length() <= kNarrowAtInfinity; }
+  static bool is_lost(const CurvePart& part) {
+    return !part.is_boxed && (part.range.length() <= kNarrow || is_far_out(part));
+  }
   static bool is_lost(const PatchPart& part) {
     return !part.is_boxed && std::max(part.range[0].length(), part.range[1].length()) <= kNarrowPatchAtInfinity;
   }
@@ -96,80 +138,193 @@ class PierceSearch {
                          " pairs of parts are within the tolerance: "
                          "the curve lies on too much of the patch, or it is too small");
     }
-    if (is_lost(curve) || is_lost(patch) || are_apart(curve, patch, tolerance_)) return;
+    if (is_lost(curve) || is_lost(patch) || are_parts_apart(curve, patch)) return;
     if (goes_through(curve, patch) && cross(curve, patch)) return;
     const bool are_boxed = curve.is_boxed && patch.is_boxed;
     const bool are_gentle = are_boxed && std::max(curve.spread, patch.normals().spread) <= kGentle;
-    const Lying lying = are_gentle ? how_lies(curve, patch) : Lying::off;
-    if (lying == Lying::on) return add(curve, patch);
+    const Lying lying = are_gentle ? how_lies(curve, patch) : Lying{};
+    if (lying.how == Lying::How::on) return add(curve, patch);
+    if (lying.how == Lying::How::apart) return;
+    if (lying.how == Lying::How::partly && take_part(curve, patch, lying)) return;
     const bool is_small = are_boxed && std::max(curve.size, patch.largest_size()) <= kSmall * tolerance_;
     if (is_small || curve.range.length() <= kNarrow) return add(curve, patch);
     const bool is_larger = curve.is_boxed == patch.is_boxed ? curve.size >= patch.largest_size() : !curve.is_boxed;
-    if (is_larger || lying == Lying::leaves) {
+    if (is_larger || lying.how == Lying::How::leaves) {
       const auto [first, second] = curve.halves();
       pair(first, patch);
       pair(second, patch);
     } else {
-      const auto [first, second] = patch.halves();
+      const auto [first, second] = patch.halves(axis_to_halve(patch));
       pair(curve, first);
       pair(curve, second);
     }
   }
 
-  /// Finds where a part goes through. @returns false if Newton's method does not
+  /// Of a part that bends much the axis along which it does, else the longer one.
+  static Axis axis_to_halve(const PatchPart& patch) {
+    if (!patch.is_boxed) return patch.range[0].length() >= patch.range[1].length() ? Axis::u : Axis::v;
+    const Axis longer = patch.size[0] >= patch.size[1] ? Axis::u : Axis::v;
+    if (patch.normals().spread <= kGentle) return longer;
+    const std::array<double, 2> turns = turns_along(patch);
+    constexpr double kEven = 4.0;
+    constexpr double kThin = 0.25;
+    const bool is_u = turns[0] > kEven * turns[1] && patch.size[0] > kThin * patch.size[1];
+    const bool is_v = turns[1] > kEven * turns[0] && patch.size[1] > kThin * patch.size[0];
+    return is_u ? Axis::u : is_v ? Axis::v : longer;
+  }
+
+  bool are_parts_apart(const CurvePart& curve, const PatchPart& patch) const {
+    if (curve.is_boxed && patch.is_boxed) return are_apart(curve, patch, tolerance_);
+    if (curve.is_boxed) return is_outside(patch.net.values, curve.points, tolerance_);
+    return patch.is_boxed && is_outside(curve.net.values, patch.points, tolerance_);
+  }
+
+  bool are_apart_by(const CurvePart& curve, const PatchPart& patch, const PierceSpot& at) const {
+    const glm::dvec3 gap = shapes_.patch.at(at.patch, shapes_.curve.at(at.curve).point).offset;
+    const double length = glm::length(gap);
+    return length > 0.0 && are_apart_along(curve.points, patch.points, std::array{gap / length}, tolerance_);
+  }
+
+  /// Finds where a part goes through. @returns false if neither a place nor a gap is found
   bool cross(const CurvePart& curve, const PatchPart& patch) {
     const PierceSpot middle{{curve.piece, curve.range.middle()}, {patch.piece, patch.middle()}};
     const std::optional<PierceSpot> through = pierced(shapes_, middle);
     if (!through) return false;
-    if (is_beyond(*through, curve, patch)) return true;
     PierceSpot at{{curve.piece, held(through->curve.t, curve.range)},
                   {patch.piece, held(through->patch.at, patch.range)}};
-    at.patch = foot_in(shapes_.patch, at.patch, patch.range, shapes_.curve.at(at.curve).point);
-    if (shapes_.distance(at) <= tolerance_) found_.crossings.push_back(at);
-    return true;
-  }
-
-  /// Whether a place is one of a part that goes on where one of these ends.
-  bool is_beyond(const PierceSpot& at, const CurvePart& curve, const PatchPart& patch) const {
-    constexpr double kSame = 0x1p-30;
-    const double t = at.curve.t;
-    if (t < curve.range.start - kSame && (curve.range.start > 0.0 || shapes_.curve.before(curve.piece))) return true;
-    if (t > curve.range.end + kSame && (curve.range.end < 1.0 || shapes_.curve.after(curve.piece))) return true;
-    for (const Axis axis : {Axis::u, Axis::v}) {
-      const std::size_t k = axis == Axis::u ? 0 : 1;
-      const Interval& range = patch.range[k];
-      const auto goes_on = [&](bool is_end) { return shapes_.patch.beyond(patch.piece, {axis, is_end}).has_value(); };
-      if (at.patch.at[k] < range.start - kSame && (range.start > 0.0 || goes_on(false))) return true;
-      if (at.patch.at[k] > range.end + kSame && (range.end < 1.0 || goes_on(true))) return true;
+    constexpr int kRounds = 4;
+    for (int round = 0; round < kRounds; ++round) {
+      at.patch = foot_in(shapes_.patch, at.patch, patch.range, shapes_.curve.at(at.curve).point);
+      if (shapes_.distance(at) <= tolerance_) {
+        found_.crossings.push_back(at);
+        return true;
+      }
+      if (are_apart_by(curve, patch, at)) return true;
+      at.curve.t = foot_of(shapes_.curve, curve.piece, curve.range, shapes_.patch.at(at.patch).point);
     }
     return false;
   }
 
-  /// How a part lies beside a part of a patch.
-  enum class Lying {
-    on,      ///< so many places are within the tolerance of it that the part is one with it
-    leaves,  ///< so it does where it is not beside its borders
-    off
+  /// How a part lies beside a part of a patch: so many places of it are looked at.
+  struct Lying {
+    enum class How {
+      on,      ///< all are within the tolerance: the part is one with it
+      partly,  ///< some are, and the others are beside its borders
+      leaves,  ///< none is, and some are not beside its borders
+      apart,
+      off
+    };
+    How how = How::off;
+    Interval near{};  ///< the first stretch of places that are near, and those next to it
+    Interval around{};
+    PatchSpot foot{};  ///< of one of them
   };
+
+  PierceSpot with_foot(const CurvePart& curve, double t, const PatchPart& patch, const PatchSpot& from) const {
+    const CurveSpot spot{curve.piece, t};
+    return {spot, foot_in(shapes_.patch, from, patch.range, shapes_.curve.at(spot).point)};
+  }
 
   Lying how_lies(const CurvePart& curve, const PatchPart& patch) {
     constexpr std::size_t kMost = 33;
     const std::size_t count = std::min(curve.net.rows * (patch.net.rows + patch.net.columns), kMost);
     pairs_ += kLook;
-    PatchSpot foot{patch.piece, patch.middle()};
-    bool is_on = true;
+    Lying lying;
+    PierceSpot at{{curve.piece, curve.range.start}, {patch.piece, patch.middle()}};
+    PierceSpot nearest = at;
+    double least = std::numeric_limits<double>::infinity();
+    double before = curve.range.start;
+    std::size_t near = 0;
+    bool is_first = true;
     bool is_inside = false;
+    bool is_off = false;
     for (std::size_t i = 0; i < count; ++i) {
-      const double t = curve.range.start + curve.range.length() * static_cast<double>(i) / static_cast<double>(count - 1);
-      const glm::dvec3 point = shapes_.curve.at({curve.piece, t}).point;
-      foot = foot_in(shapes_.patch, foot, patch.range, point);
-      const bool is_near = glm::length(shapes_.patch.at(foot, point).offset) <= tolerance_;
-      const bool is_held = held_at_border(foot, patch.range);
-      if (!is_near && !is_held) return Lying::off;
-      is_on = is_on && is_near;
+      const double t = i + 1 == count ? curve.range.end
+                                      : curve.range.start + curve.range.length() * static_cast<double>(i) /
+                                                                static_cast<double>(count - 1);
+      at = with_foot(curve, t, patch, at.patch);
+      const double distance = shapes_.distance(at);
+      const bool is_held = held_at_border(at.patch, patch.range);
+      const bool is_near = distance <= tolerance_;
+      if (distance < least) nearest = at;
+      least = std::min(least, distance);
+      if (is_near && near == 0) lying = {Lying::How::off, {t, t}, {before, t}, at.patch};
+      if (is_near && is_first) lying.near.end = t;
+      if (is_near && is_first) lying.around.end = t;
+      if (!is_near && near > 0 && is_first) {
+        lying.around.end = t;
+        is_first = false;
+      }
+      near += is_near ? 1 : 0;
       is_inside = is_inside || !is_held;
+      is_off = is_off || (!is_near && !is_held);
+      before = t;
+      if (is_off && near > 0) break;
     }
-    return is_on ? Lying::on : is_inside ? Lying::leaves : Lying::off;
+    if (near == count) {
+      lying.how = Lying::How::on;
+    } else if (near > 0) {
+      lying.how = is_off ? Lying::How::off : Lying::How::partly;
+    } else if (are_apart_by(curve, patch, nearest)) {
+      lying.how = Lying::How::apart;
+    } else if (is_inside && !is_off) {
+      lying.how = Lying::How::leaves;
+    }
+    return lying;
+  }
+
+  /// From a place that is near to one that is not: the last one that is, and the first that is so much farther away that
+  /// what follows may be known to be apart.
+  Interval parted(const CurvePart& curve, const PatchPart& patch, const Lying& lying, double near, double far) const {
+    constexpr int kHalvings = 50;
+    constexpr double kFine = 0x1p-4;
+    constexpr double kClear = 1.5;
+    const auto point = [&](double t) { return shapes_.curve.at({curve.piece, t}).point; };
+    const auto distance = [&](double t) { return shapes_.distance(with_foot(curve, t, patch, lying.foot)); };
+    const double last = far;
+    for (int i = 0; i < kHalvings && glm::distance(point(near), point(far)) > kFine * tolerance_; ++i) {
+      const double middle = 0.5 * (near + far);
+      (distance(middle) <= tolerance_ ? near : far) = middle;
+    }
+    double step = far - near;
+    while (std::abs(far - near) < std::abs(last - near) && distance(far) < kClear * tolerance_) {
+      far += step;
+      step *= 2.0;
+    }
+    return {near, std::abs(far - near) < std::abs(last - near) ? far : last};
+  }
+
+  /// Of a part that lies on a patch, and goes on over its borders, adds the first stretch and looks at the rest. @returns
+  /// false where it is not so
+  bool take_part(const CurvePart& curve, const PatchPart& patch, const Lying& lying) {
+    const Interval& in = curve.range;
+    const bool begins = lying.near.start == in.start;
+    const bool ends = lying.near.end == in.end;
+    const Interval before = begins ? Interval{in.start, in.start}
+                                   : parted(curve, patch, lying, lying.near.start, lying.around.start);
+    const Interval behind = ends ? Interval{in.end, in.end}
+                                 : parted(curve, patch, lying, lying.near.end, lying.around.end);
+    constexpr int kPlaces = 16;
+    const Interval own{before.start, behind.start};
+    PierceSpot at{{curve.piece, own.start}, lying.foot};
+    for (int i = 0; i <= kPlaces; ++i) {
+      at = with_foot(curve, own.start + own.length() * i / kPlaces, patch, at.patch);
+      if (!(shapes_.distance(at) <= tolerance_)) return false;
+    }
+    found_.stretches.push_back({curve.piece, own, lying.foot});
+    if (!begins) pair(part_of(curve, {in.start, before.end}), patch);
+    if (!ends) pair(part_of(curve, {behind.end, in.end}), patch);
+    return true;
+  }
+
+  /// Of a part what is before or behind a place.
+  static CurvePart part_of(const CurvePart& curve, const Interval& range) {
+    const bool is_start = range.start == curve.range.start;
+    const double t = is_start ? range.end : range.start;
+    BernsteinNet<glm::dvec4> before = curve.net;
+    BernsteinNet<glm::dvec4> behind;
+    before.cut(Axis::u, (t - curve.range.start) / curve.range.length(), behind);
+    return CurvePart(curve.piece, range, std::move(is_start ? before : behind));
   }
 
   static bool held_at_border(const PatchSpot& foot, const std::array<Interval, 2>& range) {

@@ -24,6 +24,7 @@ CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)
   tree_.emplace(boxes);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec4& next = pieces_[(i + 1) % count].values.front();
+    starts_.push_back(i == 0 ? 0.0 : starts_.back() + (goes_on_.back() ? 1.0 : 2.0));
     goes_on_.push_back(splinecore::are_one(pieces_[i].values.back(), next, space.rounding()));
   }
 }
@@ -41,27 +42,39 @@ double CurvePieces::parameter(const CurveSpot& spot) const {
   return parameter_at(knots_.span_interval(static_cast<int>(spot.piece)), spot.t);
 }
 
-bool CurvePieces::are_beside(const Interval& a, const Interval& b, double tolerance) const noexcept {
-  const double before = std::min(a.end, b.end);
-  const double behind = std::max(a.start, b.start);
-  if (behind <= before) return true;
-  constexpr double kNext = 0.5;  // of a piece
-  if (behind - before > kNext) return false;
-  return glm::length(at(spot(behind), at(spot(before)).point).offset) <= tolerance;
+bool CurvePieces::are_one(const CurveSpot& a, const CurveSpot& b, double tolerance) const {
+  if (!(glm::length(at(b, at(a).point).offset) <= tolerance)) return false;
+  const double low = std::min(place(a), place(b));
+  const double high = std::max(place(a), place(b));
+  if (high - low <= reach(low, 1.0, tolerance)) return true;
+  return is_closed() && low + turn() - high <= reach(high, 1.0, tolerance);
 }
 
-bool CurvePieces::are_one(const CurveSpot& a, const CurveSpot& b, double tolerance) const noexcept {
-  constexpr double kNext = 0.25;  // of a piece
-  double apart = std::abs(place(a) - place(b));
-  if (is_closed()) apart = std::min(apart, std::abs(static_cast<double>(size()) - apart));
-  return apart < kNext && glm::length(at(b, at(a).point).offset) <= tolerance;
+double CurvePieces::reach(double place, double way, double distance) const {
+  constexpr double kShortest = 0x1p-48;
+  const CurveSpot from = spot(place);
+  const Slopes<1> here = at(from);
+  const double speed = glm::length(here.first[0]);
+  double far = std::clamp(0.125 * distance / speed, kShortest, 0.125);
+  if (!(speed > 0.0)) far = kShortest;
+  std::size_t piece = from.piece;
+  double end = way > 0.0 ? 1.0 - from.t : from.t;  // of the pieces looked at
+  for (;; far *= 2.0) {
+    while (far >= end) {
+      const std::optional<std::size_t> next = way > 0.0 ? after(piece) : before(piece);
+      if (!next || end >= turn()) return end;
+      piece = *next;
+      end += 1.0;
+    }
+    if (!(glm::length(at(spot(place + way * far), here.point).offset) <= distance)) return far;
+  }
 }
 
 CurveSpot CurvePieces::spot(double place) const noexcept {
-  const auto turn = static_cast<double>(pieces_.size());
-  if (is_closed() && (place < 0.0 || place > turn)) place -= std::floor(place / turn) * turn;
-  const std::size_t piece = std::min(static_cast<std::size_t>(std::max(place, 0.0)), pieces_.size() - 1);
-  return {piece, std::clamp(place - static_cast<double>(piece), 0.0, 1.0)};
+  if (is_closed() && (place < 0.0 || place > turn())) place -= std::floor(place / turn()) * turn();
+  const auto behind = std::ranges::upper_bound(starts_, place);
+  const std::size_t piece = behind == starts_.begin() ? 0 : static_cast<std::size_t>(behind - starts_.begin()) - 1;
+  return {piece, std::clamp(place - starts_[piece], 0.0, 1.0)};
 }
 
 }  // namespace splinecore

@@ -43,22 +43,27 @@ class CurvePieces {
 
   double parameter(const CurveSpot& spot) const;
 
-  /// Whether stretches of places are next to each other, and not farther apart than that.
-  bool are_beside(const Interval& a, const Interval& b, double tolerance) const noexcept;
+  /// Whether places are one up to a tolerance: the curve stays as near from one to the other, of a closed curve over its
+  /// end, too.
+  bool are_one(const CurveSpot& a, const CurveSpot& b, double tolerance) const;
 
-  /// Whether places are next to each other, over the end of a closed curve, too, and as near.
-  bool are_one(const CurveSpot& a, const CurveSpot& b, double tolerance) const noexcept;
+  /// How far the places behind one, or before it (`way` -1), are within a distance of it: at most twice as far as to the
+  /// first one that is not, and never over a gap.
+  double reach(double place, double way, double distance) const;
 
-  /// Piece and t as one number, which rises along the curve.
-  static double place(const CurveSpot& spot) noexcept { return static_cast<double>(spot.piece) + spot.t; }
+  /// Piece and t as one number, which rises along the curve; after a gap it is one higher.
+  double place(const CurveSpot& spot) const noexcept { return starts_[spot.piece] + spot.t; }
   /// Of a closed curve on any of its turns.
   CurveSpot spot(double place) const noexcept;
+  /// By how much places of a closed curve rise in a turn.
+  double turn() const noexcept { return starts_.back() + 1.0; }
 
  private:
   const Kernels& kernels_;
   KnotVector knots_;
   std::vector<BernsteinNet<glm::dvec4>> pieces_;
   std::vector<bool> goes_on_;  ///< after each piece, after the last one at the first
+  std::vector<double> starts_;  ///< places of the starts of pieces
   std::optional<BoxTree> tree_;
 };
 

@@ -5,11 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "splinecore/base/interval.hpp"
-
 namespace splinecore {
-
-namespace {
 
 Interval extent_along(std::span<const glm::dvec3> points, const glm::dvec3& axis, const glm::dvec3& origin) {
   Interval extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -21,7 +17,18 @@ Interval extent_along(std::span<const glm::dvec3> points, const glm::dvec3& axis
   return extent;
 }
 
-}  // namespace
+bool is_outside_slab(std::span<const glm::dvec4> points, const glm::dvec3& axis, const Interval& slab) {
+  bool is_above = true;
+  bool is_below = true;
+  for (const glm::dvec4& h : points) {
+    const double along = glm::dot(glm::dvec3(h), axis);
+    const double over = along - h.w * slab.end;
+    const double under = along - h.w * slab.start;
+    is_above = is_above && over > 0.0 && under > 0.0;
+    is_below = is_below && over < 0.0 && under < 0.0;
+  }
+  return is_above || is_below;
+}
 
 bool are_apart_along(std::span<const glm::dvec3> a, std::span<const glm::dvec3> b, std::span<const glm::dvec3> axes,
                      double distance) {

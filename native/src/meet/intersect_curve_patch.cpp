@@ -14,10 +14,13 @@ namespace splinecore {
 
 namespace {
 
-/// Stretches of a curve that follow each other, as places of it, and the patch beside their middles.
+/// What a curve and a patch have in common that hangs together, as places of the curve, and places of the patch there.
 struct Cluster {
   Interval along;
+  Interval wide;  ///< with those around that may be within the tolerance
   std::vector<std::pair<double, PatchSpot>> feet;
+  std::vector<PierceSpot> crossings;
+  bool has_stretches = false;
 };
 
 /// How a curve lies beside a patch.
@@ -30,23 +33,16 @@ struct Beside {
 class PierceOutcome {
  public:
   PierceOutcome(const NurbsCurve& curve, const NurbsPatch& patch, std::optional<double> tolerance)
-      : space_(together(curve.points(), patch.points())), curve_(curve, space_), patch_(patch, space_), domain_(curve.domain()) {
+      : space_(together(curve.points(), patch.points())), curve_(curve, space_), patch_(patch, space_),
+        domain_(curve.domain()) {
     tolerance_ = place_tolerance(space_, tolerance);
   }
 
   PatchIntersections found() const {
     const PiercePairFindings pairs = find_pairs(shapes(), tolerance_);
-    const std::vector<Cluster> clusters = clusters_of(pairs.stretches);
     PatchIntersections found;
     std::vector<Place> places;
-    for (const Cluster& cluster : clusters) add(cluster, found, places);
-    for (const PierceSpot& crossing : pairs.crossings) {
-      const double at = CurvePieces::place(crossing.curve);
-      const bool is_known = std::ranges::any_of(clusters, [&](const Cluster& c) {
-        return curve_.are_beside(c.along, {at, at}, tolerance_);
-      });
-      if (!is_known) places.push_back({crossing, false});
-    }
+    for (const Cluster& cluster : clusters_of(pairs)) add(cluster, found, places);
     found.places = once_each(std::move(places));
     return found;
   }
@@ -59,19 +55,77 @@ class PierceOutcome {
 
   CurveAndPatch shapes() const { return {curve_, patch_}; }
 
-  std::vector<Cluster> clusters_of(std::vector<CurveOnPatch> stretches) const {
-    const auto along = [](const CurveOnPatch& s) {
-      return Interval{CurvePieces::place({s.piece, s.range.start}), CurvePieces::place({s.piece, s.range.end})};
-    };
-    sort_by(stretches, [&](const CurveOnPatch& s) { return along(s).start; });
+  Cluster cluster_of(const CurveOnPatch& s) const {
+    const Interval own{curve_.place({s.piece, s.range.start}), curve_.place({s.piece, s.range.end})};
+    const Interval wide{own.start - curve_.reach(own.start, -1.0, tolerance_),
+                        own.end + curve_.reach(own.end, 1.0, tolerance_)};
+    return {own, wide, {{own.middle(), s.patch}}, {}, true};
+  }
+
+  /// Where a curve goes through it is within the tolerance as far as a straight line is.
+  Cluster cluster_of(const PierceSpot& at) const {
+    constexpr double kMost = 0.5;
+    const double place = curve_.place(at.curve);
+    const Slopes<1> c = curve_.at(at.curve);
+    const Slopes<2> s = patch_.at(at.patch);
+    const glm::dvec3 normal = glm::cross(s.first[0], s.first[1]);
+    const double rise = std::abs(glm::dot(c.first[0], normal));
+    const double far = rise > 0.0 ? std::min(tolerance_ * glm::length(normal) / rise, kMost) : kMost;
+    return {{place, place}, {place - far, place + far}, {{place, at.patch}}, {at}, false};
+  }
+
+  /// Along the curve each finding joins those that it hangs together with.
+  std::vector<Cluster> clusters_of(const PiercePairFindings& pairs) const {
+    std::vector<Cluster> parts;
+    for (const CurveOnPatch& stretch : pairs.stretches) parts.push_back(cluster_of(stretch));
+    for (const PierceSpot& crossing : pairs.crossings) parts.push_back(cluster_of(crossing));
+    sort_by(parts, [](const Cluster& part) { return SortKey{part.wide.start, part.along.start}; });
     std::vector<Cluster> clusters;
-    for (const CurveOnPatch& stretch : stretches) {
-      const Interval own = along(stretch);
-      if (clusters.empty() || !curve_.are_beside(clusters.back().along, own, tolerance_)) clusters.push_back({own, {}});
-      clusters.back().along.end = std::max(clusters.back().along.end, own.end);
-      clusters.back().feet.emplace_back(own.middle(), stretch.patch);
+    std::vector<Cluster> open;
+    for (Cluster& part : parts) {
+      const auto behind = std::stable_partition(open.begin(), open.end(), [&](const Cluster& other) {
+        return other.wide.end >= part.wide.start;
+      });
+      std::move(behind, open.end(), std::back_inserter(clusters));
+      open.erase(behind, open.end());
+      std::vector<Cluster> rest;
+      for (Cluster& other : open) {
+        if (are_joined(other, part)) {
+          join(part, other);
+        } else {
+          rest.push_back(std::move(other));
+        }
+      }
+      open = std::move(rest);
+      open.push_back(std::move(part));
     }
+    std::move(open.begin(), open.end(), std::back_inserter(clusters));
     return clusters;
+  }
+
+  static void join(Cluster& into, const Cluster& other) {
+    const auto both = [](const Interval& a, const Interval& b) {
+      return Interval{std::min(a.start, b.start), std::max(a.end, b.end)};
+    };
+    into.along = both(into.along, other.along);
+    into.wide = both(into.wide, other.wide);
+    into.feet.insert(into.feet.end(), other.feet.begin(), other.feet.end());
+    into.crossings.insert(into.crossings.end(), other.crossings.begin(), other.crossings.end());
+    into.has_stretches = into.has_stretches || other.has_stretches;
+  }
+
+  /// Whether the curve stays within the tolerance of the patch, or of a place, from one to the other.
+  bool are_joined(const Cluster& one, const Cluster& other) const {
+    const double before = std::min(one.along.end, other.along.end);
+    const double behind = std::max(one.along.start, other.along.start);
+    if (behind <= before || behind - before <= curve_.reach(before, 1.0, tolerance_)) return true;
+    constexpr int kPlaces = 16;
+    for (int i = 1; i < kPlaces; ++i) {
+      const double place = before + (behind - before) * i / kPlaces;
+      const auto is_near = [&](const Cluster& from) { return shapes().distance(beside(from, place).at) <= tolerance_; };
+      if (!is_near(one) && !is_near(other)) return false;
+    }
+    return true;
   }
 
   Beside beside(const Cluster& cluster, double place) const {
@@ -80,15 +134,29 @@ class PierceOutcome {
     const auto from = [&](const auto& foot) { return std::abs(foot.first - place); };
     const PatchSpot foot = patch_foot(patch_, std::ranges::min_element(cluster.feet, {}, from)->second, c.point);
     const Slopes<2> s = patch_.at(foot, c.point);
-    const glm::dvec3 normal = glm::cross(s.first[0], s.first[1]);
+    const glm::dvec3 normal = normal_at(foot, s);
     const double length = glm::length(normal);
     const double speed = glm::length(c.first[0]);
     if (!(length > 0.0 && speed > 0.0)) return {{spot, foot}, 0.0, 1.0};
     return {{spot, foot}, -glm::dot(s.offset, normal) / length, glm::dot(c.first[0], normal) / (length * speed)};
   }
 
+  /// At a pole, where the patch stands still along an axis, the normal a little inside.
+  glm::dvec3 normal_at(const PatchSpot& foot, const Slopes<2>& there) const {
+    constexpr double kStill = 0x1p-30;
+    constexpr double kInside = 0x1p-26;
+    const double u = glm::length(there.first[0]);
+    const double v = glm::length(there.first[1]);
+    if (std::min(u, v) > kStill * std::max(u, v)) return glm::cross(there.first[0], there.first[1]);
+    PatchSpot inside = foot;
+    for (double& t : inside.at) t += kInside * (0.5 - t);
+    const Slopes<2> s = patch_.at(inside);
+    return glm::cross(s.first[0], s.first[1]);
+  }
+
   /// An overlap, or the place where a curve touches the patch or goes through it at a small angle.
   void add(const Cluster& cluster, PatchIntersections& found, std::vector<Place>& places) const {
+    if (!cluster.has_stretches) return add_crossing(cluster, places);
     constexpr std::size_t kCount = 33;
     // Curves that only touch are nearly a tolerance apart along most of a cluster.
     constexpr double kOne = 0x1p-6;
@@ -119,25 +187,33 @@ class PierceOutcome {
     Beside there = beside(cluster, place);
     // Where the patch is but a line its normals are noise, and so are heights.
     if (shapes().distance(there.at) > tolerance_) there = beside(cluster, at[best]);
-    if (shapes().distance(there.at) > tolerance_) return;
+    if (shapes().distance(there.at) > tolerance_) {
+      if (!cluster.crossings.empty()) add_crossing(cluster, places);
+      return;
+    }
     constexpr double kParallel = 1e-6;
     const double at_ends = std::max(std::abs(slope(at.front())), std::abs(slope(at.back())));
     places.push_back({there.at, std::abs(there.slope) <= std::max(0.5 * at_ends, kParallel)});
+  }
+
+  void add_crossing(const Cluster& cluster, std::vector<Place>& places) const {
+    const auto distance = [&](const PierceSpot& at) { return shapes().distance(at); };
+    places.push_back({*std::ranges::min_element(cluster.crossings, {}, distance), false});
   }
 
   double parameter(double place) const { return curve_.parameter(curve_.spot(place)); }
 
   std::vector<PatchIntersection> once_each(std::vector<Place> places) const {
     sort_by(places, [&](const Place& p) { return SortKey{p.touches ? 0.0 : 1.0, shapes().distance(p.at)}; });
-    std::vector<PierceSpot> known;
+    std::vector<double> known;
     std::vector<PatchIntersection> found;
     for (const Place& place : places) {
       const glm::dvec3 on_curve = curve_.at(place.at.curve).point;
-      const bool is_known = std::ranges::any_of(known, [&](const PierceSpot& other) {
-        return curve_.are_one(place.at.curve, other.curve, tolerance_);
+      const bool is_known = std::ranges::any_of(known, [&](double other) {
+        return curve_.are_one(place.at.curve, curve_.spot(other), tolerance_);
       });
       if (is_known) continue;
-      known.push_back(place.at);
+      known.push_back(curve_.place(place.at.curve));
       const glm::dvec3 gap = patch_.at(place.at.patch, on_curve).offset;
       const double t = curve_.parameter(place.at.curve);
       found.push_back({curve_.is_closed() && t >= domain_.end ? domain_.start : t, patch_.parameters(place.at.patch),

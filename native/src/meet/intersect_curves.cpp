@@ -22,21 +22,14 @@ class IntersectionSearch {
 
   CurveIntersections found() const {
     const PairFindings pairs = b_ ? find_pairs(a_, *b_, tolerance_) : find_own_pairs(a_, tolerance_);
-    const std::vector<CurveCluster> clusters = clusters_of(curves(), pairs.stretches, tolerance_);
     CurveIntersections found;
     std::vector<Place> places;
-    for (const CurveCluster& cluster : clusters) {
-      if (cluster.is_trivial()) continue;
+    for (const CurveCluster& cluster : clusters_of(curves(), pairs, tolerance_)) {
       const ClusterShape shape = shape_of(cluster, curves(), tolerance_);
       if (shape.is_overlap) {
         found.overlaps.push_back(overlap(cluster));
-      } else if (curves().distance(shape.at) <= tolerance_) {
-        places.push_back({shape.at, shape.touches});
-      }
-    }
-    for (const SpotPair& crossing : pairs.crossings) {
-      if (std::ranges::none_of(clusters, [&](const auto& c) { return holds(c, curves(), crossing, tolerance_); })) {
-        places.push_back({crossing, false});
+      } else if (shape.at && !cluster.is_trivial()) {
+        places.push_back({*shape.at, shape.touches});
       }
     }
     found.places = once_each(std::move(places));
@@ -53,23 +46,82 @@ class IntersectionSearch {
   const CurvePieces& b() const { return b_ ? *b_ : a_; }
   TwoCurves curves() const { return {a_, b()}; }
 
+  /// Of places that are one, along the first curve next to each other, the one that curves touch at, or are nearest.
   std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
-    std::vector<CurveIntersection> found;
-    std::vector<SpotPair> known;
-    const auto rank = [&](const Place& place) { return SortKey{place.touches ? 0.0 : 1.0, curves().distance(place.at)}; };
-    sort_by(places, rank);
-    for (Place place : places) {
-      if (!b_ && a_.are_one(place.at.a, place.at.b, tolerance_)) continue;
-      if (!b_ && CurvePieces::place(place.at.a) > CurvePieces::place(place.at.b)) std::swap(place.at.a, place.at.b);
-      const bool is_known = std::ranges::any_of(known, [&](const SpotPair& other) {
-        return a_.are_one(place.at.a, other.a, tolerance_) && b().are_one(place.at.b, other.b, tolerance_);
-      });
-      if (is_known) continue;
-      known.push_back(place.at);
-      found.push_back(intersection(place));
+    if (!b_) {
+      for (Place& p : places) {
+        if (a_.place(p.at.a) > a_.place(p.at.b)) std::swap(p.at.a, p.at.b);
+      }
+      std::erase_if(places, [&](const Place& p) { return is_neighbourhood(p.at); });
     }
+    sort_by(places, [&](const Place& p) { return SortKey{a_.place(p.at.a), b().place(p.at.b)}; });
+    std::vector<Place> known;
+    std::vector<std::size_t> open;
+    const auto take = [&](const Place& place) {
+      const double at = a_.place(place.at.a);
+      std::erase_if(open, [&](std::size_t i) {
+        const double from = a_.place(known[i].at.a);
+        return at - from > a_.reach(from, 1.0, tolerance_);
+      });
+      const auto same = std::ranges::find_if(open, [&](std::size_t i) { return are_one(known[i], place); });
+      if (same == open.end()) {
+        open.push_back(known.size());
+        known.push_back(place);
+      } else if (is_before(place, known[*same])) {
+        known[*same] = place;
+      }
+    };
+    for (const Place& place : places) take(place);
+    join_at_seams(known);
+    std::vector<CurveIntersection> found;
+    found.reserve(known.size());
+    for (const Place& place : known) found.push_back(intersection(place));
     sort_by(found, [](const CurveIntersection& place) { return SortKey{place.a, place.b}; });
     return found;
+  }
+
+  /// Whether the curve goes from one of two places of it to the other, or over its end, without leaving itself by more than
+  /// the tolerance, as at a cusp.
+  bool is_neighbourhood(const SpotPair& at) const {
+    if (a_.are_one(at.a, at.b, tolerance_)) return true;
+    const double low = a_.place(at.a);
+    const double high = a_.place(at.b);
+    if (turns_back(a_, low, high, tolerance_)) return true;
+    return a_.is_closed() && turns_back(a_, high, low + a_.turn(), tolerance_);
+  }
+
+  bool are_one(const Place& one, const Place& other) const {
+    return a_.are_one(one.at.a, other.at.a, tolerance_) && b().are_one(one.at.b, other.at.b, tolerance_);
+  }
+
+  bool is_before(const Place& one, const Place& other) const {
+    if (one.touches != other.touches) return one.touches;
+    return curves().distance(one.at) < curves().distance(other.at);
+  }
+
+  /// Of a closed curve places next to its end are those next to its start.
+  void join_at_seams(std::vector<Place>& places) const {
+    if (!a_.is_closed() || places.empty()) return;
+    const double far_at_start = a_.reach(0.0, 1.0, 2.0 * tolerance_);
+    const double far_at_end = a_.turn() - a_.reach(0.0, -1.0, 2.0 * tolerance_);
+    std::vector<std::size_t> starts;
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const bool is_end = a_.place(places[i].at.a) >= far_at_end || (!b_ && a_.place(places[i].at.b) >= far_at_end);
+      if (is_end) ends.push_back(i);
+      if (a_.place(places[i].at.a) <= far_at_start) starts.push_back(i);
+    }
+    std::vector<bool> is_double(places.size(), false);
+    for (const std::size_t start : starts) {
+      for (const std::size_t end : ends) {
+        if (start == end || is_double[start] || is_double[end]) continue;
+        const Place swapped{{places[end].at.b, places[end].at.a}, places[end].touches};
+        if (!are_one(places[start], places[end]) && (b_ || !are_one(places[start], swapped))) continue;
+        is_double[is_before(places[end], places[start]) ? start : end] = true;
+      }
+    }
+    std::size_t i = 0;
+    std::erase_if(places, [&](const Place&) { return is_double[i++]; });
   }
 
   CurveIntersection intersection(const Place& place) const {
@@ -88,11 +140,13 @@ class IntersectionSearch {
 
   CurveOverlap overlap(const CurveCluster& cluster) const {
     constexpr int kSteps = 64;
-    const auto turn_a = static_cast<double>(a_.size());
-    const auto turn_b = static_cast<double>(b().size());
-    const double length = std::min(cluster.a().length(), turn_a);
+    const double turn_a = a_.turn();
+    const double turn_b = b().turn();
+    const bool is_round = a_.is_closed() && cluster.a().length() >= turn_a;
+    const double from = is_round ? 0.0 : cluster.a().start;
+    const double length = is_round ? turn_a : cluster.a().length();
     const auto place_b = [&](int i) {
-      return CurvePieces::place(cluster.at(curves(), cluster.a().start + length * i / kSteps).b);
+      return b().place(cluster.at(curves(), from + length * i / kSteps).b);
     };
     const double start = place_b(0);
     double end = start;
@@ -100,13 +154,13 @@ class IntersectionSearch {
       const double step = place_b(i) - end;
       end += b().is_closed() ? step - std::round(step / turn_b) * turn_b : step;
     }
-    return {parameters(a_, domain_a_, {cluster.a().start, cluster.a().start + length}),
+    return {parameters(a_, domain_a_, {from, from + length}),
             parameters(b(), domain_b_, {std::min(start, end), std::max(start, end)}), start > end};
   }
 
   /// On a closed curve the end may be a turn further.
   static Interval parameters(const CurvePieces& curve, const Interval& domain, const Interval& places) {
-    const auto turn = static_cast<double>(curve.size());
+    const double turn = curve.turn();
     const double before = curve.is_closed() ? std::floor(places.start / turn) * turn : 0.0;
     const double start = places.start - before;
     const double end = places.end - before;

@@ -109,9 +109,14 @@ VectorCone PatchPart::normal_cone() const {
 
 std::pair<PatchPart, PatchPart> PatchPart::halves() const {
   const bool is_u = is_boxed ? size[0] >= size[1] : range[0].length() >= range[1].length();
+  return halves(is_u ? Axis::u : Axis::v);
+}
+
+std::pair<PatchPart, PatchPart> PatchPart::halves(Axis axis) const {
+  const bool is_u = axis == Axis::u;
   BernsteinNet<glm::dvec4> first = net;
   BernsteinNet<glm::dvec4> second;
-  first.halve(is_u ? Axis::u : Axis::v, second);
+  first.halve(axis, second);
   std::array<Interval, 2> before = range;
   std::array<Interval, 2> behind = range;
   Interval& cut = before[is_u ? 0 : 1];

@@ -46,6 +46,7 @@ struct PatchPart {
 
   /// Halves along the longer direction.
   std::pair<PatchPart, PatchPart> halves() const;
+  std::pair<PatchPart, PatchPart> halves(Axis axis) const;
 
   /// What lies within a range of an axis.
   PatchPart within(Axis axis, const Interval& kept) const;

@@ -48,19 +48,20 @@ struct PatchIntersections {
 };
 
 /// Where two curves are at most `tolerance` apart: places where their distance is least, ends included, and stretches
-/// that they have in common. Curves that cross are found however close the crossings are; of places that the curves
-/// join within the tolerance there is one. Of a curve that ends where it begins places are in [start, end). Parts that
-/// run through infinity meet nothing.
+/// that they have in common, one for each way that a curve which folds takes. Curves that cross are found however close
+/// the crossings are; places are one only where both curves stay within the tolerance of each other from one to the
+/// other. Of a curve that ends where it begins places are in [start, end). What is farther away than 2^20 times the size,
+/// where a curve runs through infinity, meets nothing.
 ///
-/// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart, their tangents differ so that
-/// they cross once at most (Sederberg and Meyers 1988), which Newton's method finds, or they lie within the tolerance of
-/// each other. S18.
+/// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
+/// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
+/// a gap shows not to be, or they lie within the tolerance of each other. S18.
 /// @param tolerance  none: 2^-33 of the size of both
 /// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^22 pairs.
 CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance = {});
 
 /// Where a curve meets itself: places with a < b, without those that its neighbourhood is always within the tolerance
-/// of, as at a cusp.
+/// of, as at a cusp; where it folds it lies on itself.
 CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance = {});
 
 /// Where a curve and a patch are at most `tolerance` apart: places where their distance is least, the ends of the curve

@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/sort_by.hpp"
+#include "curve_cluster.hpp"
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// A finding: a stretch, or a crossing.
+struct Node {
+  const CurveStretch* stretch;
+  const SpotPair* crossing;
+  Interval a;  ///< places
+  Interval b;
+  Interval wide_a;  ///< with those around that may be within the tolerance
+  Interval wide_b;
+
+  int way() const noexcept { return stretch ? stretch->way : 0; }
+  bool is_trivial() const noexcept { return stretch && stretch->is_trivial; }
+};
+
+/// Another finding that goes on where one is, if it is counted so many places further.
+struct Link {
+  std::size_t to;
+  Turns turns;
+};
+
+Interval moved(const Interval& in, double by) { return {in.start + by, in.end + by}; }
+bool do_touch(const Interval& a, const Interval& b) { return a.start <= b.end && b.start <= a.end; }
+
+class Gathering {
+ public:
+  Gathering(const TwoCurves& curves, const PairFindings& findings, double tolerance)
+      : curves_(curves), tolerance_(tolerance) {
+    nodes_.reserve(findings.stretches.size() + findings.crossings.size());
+    for (const CurveStretch& stretch : findings.stretches) nodes_.push_back(node_of(stretch));
+    for (const SpotPair& crossing : findings.crossings) nodes_.push_back(node_of(crossing));
+    links_.resize(nodes_.size());
+    cluster_.assign(nodes_.size(), kNone);
+    turns_.resize(nodes_.size());
+  }
+
+  std::vector<CurveCluster> clusters() {
+    link_all();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].way() != 0) gather(i);
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) gather(i);
+    merge();
+    std::vector<CurveCluster> found;
+    for (const std::vector<std::size_t>& members : members_) {
+      if (!members.empty()) found.push_back(made_of(members));
+    }
+    return found;
+  }
+
+ private:
+  Interval widened(const CurvePieces& curve, const Interval& in) const {
+    return {in.start - curve.reach(in.start, -1.0, tolerance_), in.end + curve.reach(in.end, 1.0, tolerance_)};
+  }
+
+  Node node_of(const CurveStretch& s) const {
+    breathe(256);
+    const auto along = [](const CurvePieces& curve, std::size_t piece, const Interval& in) {
+      const double start = curve.place({piece, 0.0});
+      return Interval{start + in.start, start + in.end};
+    };
+    const Interval a = along(curves_.a, s.piece_a, s.a);
+    const Interval b = along(curves_.b, s.piece_b, s.b);
+    return {&s, nullptr, a, b, widened(curves_.a, a), widened(curves_.b, b)};
+  }
+
+  /// Curves that cross are within the tolerance as far as straight lines are.
+  Node node_of(const SpotPair& at) const {
+    const glm::dvec3 a = curves_.a.at(at.a).first[0];
+    const glm::dvec3 b = curves_.b.at(at.b).first[0];
+    const double area = glm::length(glm::cross(a, b));
+    const auto far = [&](double speed) {
+      constexpr double kMost = 0.5;
+      return area > 0.0 ? std::min(tolerance_ * speed / area, kMost) : kMost;
+    };
+    const auto [place_a, place_b] = curves_.places(at);
+    const double of_a = far(glm::length(b));
+    const double of_b = far(glm::length(a));
+    return {nullptr, &at, {place_a, place_a}, {place_b, place_b}, {place_a - of_a, place_a + of_a},
+            {place_b - of_b, place_b + of_b}};
+  }
+
+  /// Along the first curve each finding is compared with those that are not yet behind.
+  void link_all() {
+    struct Laid {
+      std::size_t node;
+      double turn;
+    };
+    std::vector<Laid> order;
+    const double turn = curves_.a.is_closed() ? curves_.a.turn() : 0.0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      order.push_back({i, 0.0});
+      if (turn > 0.0 && nodes_[i].wide_a.start <= 0.0) order.push_back({i, turn});
+    }
+    sort_by(order, [&](const Laid& laid) { return nodes_[laid.node].wide_a.start + laid.turn; });
+    std::vector<Laid> open;
+    for (const Laid& laid : order) {
+      breathe(16 * (open.size() + 1));
+      const Interval wide = moved(nodes_[laid.node].wide_a, laid.turn);
+      std::erase_if(open, [&](const Laid& other) {
+        return nodes_[other.node].wide_a.end + other.turn < wide.start;
+      });
+      for (const Laid& other : open) {
+        if (other.node != laid.node) link(other.node, laid.node, laid.turn - other.turn);
+      }
+      open.push_back(laid);
+    }
+  }
+
+  void link(std::size_t i, std::size_t j, double turn_a) {
+    const Node& one = nodes_[i];
+    const Node& other = nodes_[j];
+    const double turn_b = curves_.b.is_closed() ? curves_.b.turn() : 0.0;
+    for (const double turns : {0.0, 1.0, -1.0}) {
+      if (turns != 0.0 && turn_b == 0.0) break;
+      const Turns by{turn_a, turns * turn_b};
+      if (!do_touch(one.wide_b, moved(other.wide_b, by.b)) || !do_meet(one, other, by)) continue;
+      links_[i].push_back({j, by});
+      links_[j].push_back({i, {-by.a, -by.b}});
+      return;
+    }
+  }
+
+  /// Whether findings whose surroundings touch are one: stretches are, crossings where the curves are near all the way.
+  bool do_meet(const Node& one, const Node& other, const Turns& by) const {
+    if (one.stretch && other.stretch) return true;
+    const auto nearest = [](const Interval& in, const Interval& to) {
+      return std::clamp(to.start, in.start, in.end);
+    };
+    const Interval other_a = moved(other.a, by.a);
+    const Interval other_b = moved(other.b, by.b);
+    const std::array<double, 2> from{nearest(one.a, other_a), nearest(one.b, other_b)};
+    const std::array<double, 2> to{nearest(other_a, one.a), nearest(other_b, one.b)};
+    constexpr double kSame = 0x1p-40;
+    if (std::max(std::abs(from[0] - to[0]), std::abs(from[1] - to[1])) <= kSame) return true;
+    return are_joined(curves_, from, to, tolerance_);
+  }
+
+  /// A new cluster of a finding and all that hang together with it, and do not go the other way.
+  void gather(std::size_t first) {
+    if (cluster_[first] != kNone) return;
+    const int way = nodes_[first].way();
+    const std::size_t own = members_.size();
+    members_.push_back({first});
+    cluster_[first] = own;
+    turns_[first] = {};
+    for (std::size_t k = 0; k < members_[own].size(); ++k) {
+      const std::size_t i = members_[own][k];
+      for (const Link& link : links_[i]) {
+        const bool is_against = nodes_[link.to].way() * way < 0;
+        if (cluster_[link.to] != kNone || is_against) continue;
+        cluster_[link.to] = own;
+        turns_[link.to] = {turns_[i].a + link.turns.a, turns_[i].b + link.turns.b};
+        members_[own].push_back(link.to);
+      }
+    }
+  }
+
+  /// Clusters that hang together and go opposite ways are two only where both are overlaps.
+  void merge() {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (const Link& link : links_[i]) {
+        const std::size_t into = cluster_[i];
+        const std::size_t from = cluster_[link.to];
+        if (into == from || (is_overlap(into) && is_overlap(from))) continue;
+        const Turns by{turns_[i].a + link.turns.a - turns_[link.to].a, turns_[i].b + link.turns.b - turns_[link.to].b};
+        for (const std::size_t member : members_[from]) {
+          cluster_[member] = into;
+          turns_[member] = {turns_[member].a + by.a, turns_[member].b + by.b};
+          members_[into].push_back(member);
+        }
+        members_[from].clear();
+      }
+    }
+  }
+
+  bool is_overlap(std::size_t cluster) const {
+    return splinecore::is_overlap(made_of(members_[cluster]), curves_, tolerance_);
+  }
+
+  CurveCluster made_of(const std::vector<std::size_t>& members) const {
+    CurveCluster cluster;
+    for (const std::size_t i : members) {
+      const Node& node = nodes_[i];
+      if (node.is_trivial()) cluster.set_trivial();
+      if (node.crossing) {
+        cluster.add(*node.crossing);
+      } else {
+        cluster.add(LaidStretch{*node.stretch, turns_[i], moved(node.a, turns_[i].a), moved(node.b, turns_[i].b)});
+      }
+    }
+    return cluster;
+  }
+
+  TwoCurves curves_;
+  double tolerance_;
+  std::vector<Node> nodes_;
+  std::vector<std::vector<Link>> links_;
+  std::vector<std::vector<std::size_t>> members_;  ///< of clusters
+  std::vector<std::size_t> cluster_;               ///< of nodes
+  std::vector<Turns> turns_;                       ///< of nodes in their clusters
+};
+
+}  // namespace
+
+std::vector<CurveCluster> clusters_of(const TwoCurves& curves, const PairFindings& findings, double tolerance) {
+  return Gathering(curves, findings, tolerance).clusters();
+}
+
+}  // namespace splinecore
