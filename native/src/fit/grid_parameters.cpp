@@ -6,6 +6,7 @@
 
 #include "base/length.hpp"
 #include "base/require.hpp"
+#include "calm_steps.hpp"
 #include "grid.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -28,8 +29,8 @@ class Steps {
  public:
   static constexpr std::size_t kTogether = 16;  ///< lines, that lie side by side in memory along u
 
-  Steps(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing)
-      : grid_(grid), axis_(axis), kind_(kind), count_(grid.count(axis)),
+  Steps(const PointGrid& grid, Axis axis, int roots, Closing closing)
+      : grid_(grid), axis_(axis), roots_(roots), count_(grid.count(axis)),
         sums_(closing == Closing::closed ? count_ : count_ - 1), steps_(kTogether * sums_.size()) {}
 
   void add_lines(std::size_t begin, std::size_t end) {
@@ -39,8 +40,8 @@ class Steps {
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       const std::size_t next = i + 1 < count_ ? i + 1 : 0;
       for (std::size_t k = 0; k < number; ++k) {
-        const double distance = distance_of(at(i, begin + k), at(next, begin + k));
-        const double step = kind_ == Parametrisation::chordal ? distance : std::sqrt(distance);
+        double step = distance_of(at(i, begin + k), at(next, begin + k));
+        for (int root = 0; root < roots_; ++root) step = std::sqrt(step);
         steps_[kTogether * i + k] = step;
         lengths[k] += step;
       }
@@ -81,7 +82,7 @@ class Steps {
 
   const PointGrid& grid_;
   Axis axis_;
-  Parametrisation kind_;
+  int roots_;  ///< that are taken of a distance
   std::size_t count_;
   std::vector<double> sums_;
   std::vector<double> steps_;  ///< of the lines that are together
@@ -89,21 +90,54 @@ class Steps {
   double lines_ = 0.0;
 };
 
-}  // namespace
+std::vector<double> equal_steps(std::size_t count, Closing closing) {
+  std::vector<double> numbers(count + (closing == Closing::closed ? 1 : 0));
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  return numbers;
+}
 
-std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing) {
-  require_grid(grid);
-  if (kind == Parametrisation::uniform || grid.count(axis) == 1) {
-    std::vector<double> numbers(grid.count(axis) + (closing == Closing::closed ? 1 : 0));
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    return numbers;
+/// Of the lines along an axis that are no points.
+double mean_length(const PointGrid& grid, Axis axis, Closing closing) {
+  const std::size_t count = grid.count(axis);
+  const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
+  const std::size_t steps = closing == Closing::closed ? count : count - 1;
+  const auto at = [&](std::size_t i, std::size_t line) {
+    return grid.points[axis == Axis::u ? i * grid.count_v + line : line * grid.count_v + i];
+  };
+  double mean = 0.0;
+  double number = 0.0;
+  for (std::size_t line = 0; line < lines; ++line) {
+    breathe(8 * steps);
+    double length = 0.0;
+    for (std::size_t i = 0; i < steps; ++i) length += distance_of(at(i, line), at((i + 1) % count, line));
+    if (!(length > 0.0)) continue;
+    number += 1.0;
+    mean += (length - mean) / number;
   }
-  Steps steps(grid, axis, kind, closing);
+  return mean;
+}
+
+std::vector<double> by_roots(const PointGrid& grid, Axis axis, int roots, Closing closing) {
+  require_grid(grid);
+  if (roots == kNoRoots || grid.count(axis) == 1) return equal_steps(grid.count(axis), closing);
+  Steps steps(grid, axis, roots, closing);
   const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
   for (std::size_t line = 0; line < lines; line += Steps::kTogether) {
     steps.add_lines(line, std::min(line + Steps::kTogether, lines));
   }
   return steps.parameters();
+}
+
+}  // namespace
+
+std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing) {
+  if (kind == Parametrisation::uniform) return by_roots(grid, axis, kNoRoots, closing);
+  return by_roots(grid, axis, kind == Parametrisation::chordal ? 0 : 1, closing);
+}
+
+std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree, Closing closing) {
+  std::vector<double> parameters = by_roots(grid, axis, calm_roots(degree), closing);
+  return ending_at(std::move(parameters), mean_length(grid, axis, closing));
 }
 
 }  // namespace splinecore

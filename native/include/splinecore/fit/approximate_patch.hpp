@@ -35,7 +35,9 @@ struct NearDirection {
 Approximation<NurbsPatch> approximate(const PointGrid& grid, const NearDirection& u, const NearDirection& v,
                                       bool fixed_ends = true);
 
-/// The same with as few control points in each direction as come within the tolerance; count is the most.
+/// The same with as few control points in each direction as come within the tolerance; count is the most. A patch that
+/// leaves its points in between, by more than the size of a place's neighborhood, `degree` points on each side, is not
+/// taken. Where a direction has no parameters they are chordal, or calm_parameters() where patches would swing at those.
 /// @throws ToleranceNotReached if they do not; InvalidShape unless it is positive.
 Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance,
                                              bool fixed_ends = true);

@@ -35,6 +35,9 @@ struct FitDirection {
 std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind,
                                   Closing closing = Closing::open);
 
+/// The same with the steps of calm_parameters() of curves.
+std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree, Closing closing = Closing::open);
+
 /// The polynomial spline patch through all points (The NURBS Book, §9.2.5; lecture row S20): linear in their number.
 ///
 /// One banded system a direction, for all lines at once.
