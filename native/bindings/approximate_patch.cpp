@@ -141,10 +141,13 @@ void bind_approximate_patch(py::module_& module) {
           "one for both, on even knots around the parameters. knots: a pair, all of them. tolerance: few control points\n"
           "within it, counts at most, or 100. weights: (n,) positive, of the squares. smoothing: weight of the energy of\n"
           "a thin plate, the integral of S_uu² + 2 S_uv² + S_vv², of points in a box of size 1, beside the mean of the\n"
-          "squares; it decides where there are no points. corrections: so often at most, while it helps, parameters move.\n\n"
+          "squares; it decides where there are no points. With a tolerance as much of it as that leaves room for is taken\n"
+          "where the points do not decide alone, of nets with no more control points than points.\n"
+          "corrections: so often at most, while it helps, parameters move.\n\n"
           "cancel: a callable without arguments that ends the call by returning true.\n\n"
           "Raises ToleranceNotReached, and InvalidShape where the points lie on a line, leave a control point undecided, or\n"
-          "decide so little about one that it would be a million times as far away as they are.");
+          "decide so little about one that it would be a million times as far away as they are, or the patch more than four\n"
+          "times the size of the box around them.");
 }
 
 }  // namespace bindings

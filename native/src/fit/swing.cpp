@@ -31,6 +31,7 @@ struct Extent {
     high = glm::max(high, point);
   }
   double size() const { return distance_of(low, high); }
+  double distance_to(const glm::dvec3& point) const { return distance_of(point, glm::clamp(point, low, high)); }
 };
 
 /// Indices first - reach … last + reach of `count` rows: of closed ones around the seam.
@@ -71,6 +72,16 @@ double size_around(const PointGrid& grid, const Window& along_u, const Window& a
     }
   }
   return extent.size();
+}
+
+std::vector<double> places_of(const KnotVector& knots) {
+  std::vector<double> places;
+  for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+    const Interval span = knots.span_interval(i);
+    add_places<kPatchPlaces>(places, span.start, span.end);
+  }
+  places.push_back(knots.domain().end);
+  return places;
 }
 
 }  // namespace
@@ -138,6 +149,21 @@ bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const 
       const Window along_u(i, reach_u, grid.count_u, patch.knot_vector(Axis::u).periodic());
       const Window along_v(j, reach_v, grid.count_v, patch.knot_vector(Axis::v).periodic());
       if (!(farthest <= swing.tolerance + swing.most * size_around(grid, along_u, along_v))) return false;
+    }
+  }
+  return true;
+}
+
+bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most) {
+  Extent extent(points.front());
+  for (const glm::dvec3& point : points) extent.add(point);
+  const double reach = most * extent.size();
+  const std::vector<double> across = places_of(patch.knot_vector(Axis::v));
+  std::vector<glm::dvec3> found(across.size());
+  for (const double u : places_of(patch.knot_vector(Axis::u))) {
+    evaluate_grid(patch, {&u, 1}, across, {&found.front().x, 3 * found.size()});
+    for (const glm::dvec3& point : found) {
+      if (!(extent.distance_to(point) <= reach)) return false;
     }
   }
   return true;

@@ -31,5 +31,8 @@ bool stays_near(const NurbsCurve& curve, std::span<const glm::dvec3> points, std
 bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,
                 const Swing& swing);
 
+/// Whether a patch stays near scattered points: no farther from the box around them than so many times its size.
+bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

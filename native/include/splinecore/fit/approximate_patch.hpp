@@ -59,7 +59,8 @@ std::vector<glm::dvec2> plane_parameters(std::span<const glm::dvec3> points);
 /// @param parameters  one for each point, in the domain
 /// @returns the patch, and the largest distance of a point from it
 /// @throws InvalidShape if the directions are periodic, or the points do not determine the patch: not at all, or so little
-/// that control points would lie a million times as far away.
+/// that control points would lie a million times as far away, or the patch leaves the box around them by more than four
+/// times its size.
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                       const KnotVector& u, const KnotVector& v, const ScatteredOptions& options = {});
 
@@ -75,7 +76,9 @@ struct NetSize {
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                       const NetSize& size, const ScatteredOptions& options = {});
 
-/// The same with few control points within a tolerance; size has the most.
+/// The same with few control points within a tolerance; size has the most. Where the points do not decide alone, or the
+/// patch would leave the box around them by more than its size, the energy of a thin plate decides, as much of it as the
+/// tolerance leaves room for, of nets that have no more control points than there are points.
 /// @throws ToleranceNotReached if they do not come within the tolerance; InvalidShape unless it is positive.
 Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                              const NetSize& size, double tolerance,
