@@ -167,11 +167,13 @@ void bind_functions(py::module_& fit) {
           py::arg("fixed_ends") = false, py::arg("closed") = false, py::arg("cancel") = py::none(),
           "The orthogonal projection of a function on the splines with these knots, as an Approximation of a NurbsCurve:\n"
           "the integral of what is left times a basis function is zero. Lecture row S17.\n\n"
-          "function: takes parameters (m,) and gives points (m, 2 or 3); smooth between knots, for integrals are taken by\n"
-          "16 nodes of Gauss and Legendre on each span, or degree + 8. fixed_ends: the curve begins and ends where the\n"
-          "function does; the knots are clamped then. The error is the largest distance at the nodes and at 64 even\n"
-          "parameters of each span. cancel: a callable that ends the call by returning true.\n\n"
-          "Raises InvalidShape where a value is not finite, and for knots that belong to no curve.");
+          "function: takes parameters (m,) and gives points (m, 2 or 3). Integrals are taken by 16 nodes of Gauss and\n"
+          "Legendre, or degree + 8, on quarters of spans and on ever smaller parts until these tell the function, so that\n"
+          "kinks and jumps count; what is narrower than the distances of 128 nodes in a span may be missed. fixed_ends: the\n"
+          "curve begins and ends where the function does; the knots are clamped then. The error is the largest distance\n"
+          "that is found, from all nodes and 64 even parameters of each span uphill. cancel: a callable that ends the call\n"
+          "by returning true.\n\n"
+          "Raises InvalidShape where a value is not finite, for noise, and for knots that belong to no curve.");
 }
 
 void bind_curves_nearby(const CurveClasses& cls) {

@@ -140,7 +140,7 @@ Approximation<NurbsPatch> approximate(const PointGrid& grid, const NearDirection
 namespace {
 
 /// What was found of a patch within a tolerance.
-struct Search {
+struct GridSearch {
   std::optional<Approximation<NurbsPatch>> found;
   double least = std::numeric_limits<double>::infinity();  ///< error of a patch that stays near its points
   bool is_swinging = false;                                 ///< others do not
@@ -148,7 +148,7 @@ struct Search {
 
 void grow(NearDirection& given, std::size_t most) { given.count = std::min(most, given.count + given.count / 4 + 1); }
 
-Search search(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance, bool fixed_ends) {
+GridSearch search(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance, bool fixed_ends) {
   constexpr double kShareOfEach = 0.5;
   const NearDirection most_u = u;
   const NearDirection most_v = v;
@@ -158,7 +158,7 @@ Search search(const PointGrid& grid, NearDirection u, NearDirection v, double to
   const auto columns = transposed(rows, grid.count_u, grid.count_v);
   u.count = sufficient_count(most_u, grid.count_u, rows, kShareOfEach * tolerance, fixed_ends);
   v.count = sufficient_count(most_v, grid.count_v, columns, kShareOfEach * tolerance, fixed_ends);
-  Search made;
+  GridSearch made;
   for (;; grow(u, most_u.count), grow(v, most_v.count)) {
     if (auto patch = tried(grid, u, v, fixed_ends)) {
       if (!stays_near(patch->value, grid, u.parameters, v.parameters, {kCalm, tolerance})) {
@@ -195,7 +195,7 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   const std::size_t choices = u.parameters.empty() || v.parameters.empty() ? 2 : 1;
   const auto choices_u = choices_of(grid, Axis::u, u);
   const auto choices_v = choices_of(grid, Axis::v, v);
-  Search made;
+  GridSearch made;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < choices && (i == 0 || made.is_swinging); ++i) {
     made = search(grid, choices_u[i], choices_v[i], tolerance, fixed_ends);

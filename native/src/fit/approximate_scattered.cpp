@@ -176,7 +176,7 @@ std::vector<glm::dvec2> parameters_of(std::span<const glm::dvec3> points, std::s
 std::size_t larger(std::size_t count, std::size_t most) { return std::min(most, count + count / 3 + 1); }
 
 /// Points near 1 and what is asked of a patch, on ever larger nets.
-struct Task {
+struct ScatteredTask {
   std::span<const glm::dvec3> points;
   std::vector<glm::dvec2> parameters;  ///< corrected as nets grow
   Domain domain;
@@ -184,7 +184,7 @@ struct Task {
   double tolerance;
 };
 
-ScatteredFit fit_of(const Task& task, const NetSize& size, double smoothing, double most_swing) {
+ScatteredFit fit_of(const ScatteredTask& task, const NetSize& size, double smoothing, double most_swing) {
   const auto [u, v] = even_knots_of(size, task.domain);
   ScatteredOptions options = task.options;
   options.smoothing = smoothing;
@@ -193,7 +193,7 @@ ScatteredFit fit_of(const Task& task, const NetSize& size, double smoothing, dou
 
 /// Where the points do not decide alone: with as much energy of a thin plate as the tolerance leaves room for.
 /// @returns the nearest patch, if there is one; none for nets with more control points than points
-std::optional<ScatteredFit> stiffened(const Task& task, const NetSize& size) {
+std::optional<ScatteredFit> stiffened(const ScatteredTask& task, const NetSize& size) {
   constexpr std::array kSmoothings{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
   std::optional<ScatteredFit> best;
   if (size.count_u * size.count_v > task.points.size()) return best;
@@ -212,7 +212,7 @@ std::optional<ScatteredFit> stiffened(const Task& task, const NetSize& size) {
 }
 
 /// @param reason  takes why the points do not decide alone
-std::optional<ScatteredFit> plain(const Task& task, const NetSize& size, double most_swing, std::string& reason) {
+std::optional<ScatteredFit> plain(const ScatteredTask& task, const NetSize& size, double most_swing, std::string& reason) {
   try {
     reason.clear();
     return fit_of(task, size, task.options.smoothing, most_swing);
@@ -223,7 +223,7 @@ std::optional<ScatteredFit> plain(const Task& task, const NetSize& size, double 
 }
 
 /// By the points alone, or with energy; where both swing by the points alone as far as is still taken.
-std::optional<ScatteredFit> nearest_of(const Task& task, const NetSize& size, std::string& reason) {
+std::optional<ScatteredFit> nearest_of(const ScatteredTask& task, const NetSize& size, std::string& reason) {
   auto made = plain(task, size, kCalm, reason);
   if (!made) made = stiffened(task, size);
   if (!made) made = plain(task, size, kWide, reason);
@@ -258,7 +258,7 @@ Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points,
   along("v", [&] { require_count(size.count_v, size.degree_v, false); });
   const Domain domain = around(at);
   const UnitPoints unit = unit_points(points);
-  Task task{unit.points, std::move(at), domain, scaled(options), std::ldexp(tolerance, -unit.exponent)};
+  ScatteredTask task{unit.points, std::move(at), domain, scaled(options), std::ldexp(tolerance, -unit.exponent)};
   NetSize now = size;
   now.count_u = static_cast<std::size_t>(size.degree_u) + 1;
   now.count_v = static_cast<std::size_t>(size.degree_v) + 1;

@@ -21,11 +21,11 @@ constexpr std::size_t kPatchPlaces = 3;
 glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) { return a + share * (b - a); }
 
 /// A box around points.
-struct Extent {
+struct PointBox {
   glm::dvec3 low;
   glm::dvec3 high;
 
-  explicit Extent(const glm::dvec3& point) : low(point), high(point) {}
+  explicit PointBox(const glm::dvec3& point) : low(point), high(point) {}
   void add(const glm::dvec3& point) {
     low = glm::min(low, point);
     high = glm::max(high, point);
@@ -35,11 +35,11 @@ struct Extent {
 };
 
 /// Indices first - reach … last + reach of `count` rows: of closed ones around the seam.
-struct Window {
+struct PointWindow {
   std::size_t first;
   std::size_t number;
 
-  Window(std::size_t at, std::size_t reach, std::size_t count, bool is_closed) {
+  PointWindow(std::size_t at, std::size_t reach, std::size_t count, bool is_closed) {
     const std::size_t wanted = 2 * reach + 2;
     if (wanted >= count) {
       first = 0;
@@ -63,8 +63,8 @@ void add_places(std::vector<double>& places, double from, double to) {
 }
 
 /// What lies around a cell of a grid.
-double size_around(const PointGrid& grid, const Window& along_u, const Window& along_v) {
-  Extent extent(grid.points[along_u.first * grid.count_v + along_v.first]);
+double size_around(const PointGrid& grid, const PointWindow& along_u, const PointWindow& along_v) {
+  PointBox extent(grid.points[along_u.first * grid.count_v + along_v.first]);
   for (std::size_t a = 0; a < along_u.number; ++a) {
     const std::size_t i = (along_u.first + a) % grid.count_u;
     for (std::size_t b = 0; b < along_v.number; ++b) {
@@ -107,8 +107,8 @@ bool stays_near(const NurbsCurve& curve, std::span<const glm::dvec3> points, std
         farthest = std::max(farthest, distance_of(found[(i - first) * (kCurvePlaces + 1) + k], wanted));
       }
       if (farthest <= swing.tolerance) continue;
-      const Window window(i, reach, count, curve.periodic());
-      Extent extent(points[window.first]);
+      const PointWindow window(i, reach, count, curve.periodic());
+      PointBox extent(points[window.first]);
       breathe(8 * window.number);
       for (std::size_t k = 1; k < window.number; ++k) extent.add(points[(window.first + k) % count]);
       if (!(farthest <= swing.tolerance + swing.most * extent.size())) return false;
@@ -146,8 +146,8 @@ bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const 
       }
       if (farthest <= swing.tolerance) continue;
       breathe(16 * (reach_u + 1) * (reach_v + 1));
-      const Window along_u(i, reach_u, grid.count_u, patch.knot_vector(Axis::u).periodic());
-      const Window along_v(j, reach_v, grid.count_v, patch.knot_vector(Axis::v).periodic());
+      const PointWindow along_u(i, reach_u, grid.count_u, patch.knot_vector(Axis::u).periodic());
+      const PointWindow along_v(j, reach_v, grid.count_v, patch.knot_vector(Axis::v).periodic());
       if (!(farthest <= swing.tolerance + swing.most * size_around(grid, along_u, along_v))) return false;
     }
   }
@@ -155,7 +155,7 @@ bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const 
 }
 
 bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most) {
-  Extent extent(points.front());
+  PointBox extent(points.front());
   for (const glm::dvec3& point : points) extent.add(point);
   const double reach = most * extent.size();
   const std::vector<double> across = places_of(patch.knot_vector(Axis::v));
