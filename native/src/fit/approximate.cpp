@@ -37,7 +37,13 @@ KnotVector averaged_knots(std::span<const double> parameters, std::size_t points
   const bool is_each = count == points;
   const std::vector<double> around = is_each ? std::vector<double>(parameters.begin(), parameters.end())
                                              : even_places(parameters, count + (is_closed ? 1 : 0));
-  return knots_for(std::span(around).first(count), around, options);
+  KnotVector knots = knots_for(std::span(around).first(count), around, options);
+  if (!is_closed || knots.domain().start == parameters.front()) return knots;
+  // Half-way between places, of even degrees: the period begins at the first parameter all the same.
+  std::vector<double> moved(knots.knots().begin(), knots.knots().end());
+  moved.front() = parameters.front();
+  moved.back() = parameters.back();
+  return KnotVector::make(degree, std::move(moved), true);
 }
 
 KnotVector even_share_knots(std::span<const double> parameters, std::size_t points, int degree, std::size_t spans,

@@ -197,14 +197,16 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   const auto choices_v = choices_of(grid, Axis::v, v);
   GridSearch made;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < choices && (i == 0 || made.is_swinging); ++i) {
+  bool is_swinging = false;
+  for (std::size_t i = 0; i < choices; ++i) {
     made = search(grid, choices_u[i], choices_v[i], tolerance, fixed_ends);
+    is_swinging |= made.is_swinging;
     if (made.found) return *std::move(made.found);
     least = std::min(least, made.least);
   }
   throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(choices_u.front().count) + " x " +
                                 std::to_string(choices_v.front().count) + " control points" +
-                                and_smoothing(u.smoothing > 0.0 || v.smoothing > 0.0) + without_swings(made.is_swinging),
+                                and_smoothing(u.smoothing > 0.0 || v.smoothing > 0.0) + without_swings(is_swinging),
                             tolerance, least);
 }
 

@@ -245,20 +245,25 @@ std::optional<Approximation<NurbsCurve>> refined(const KnotVector& knots, std::s
 }
 
 /// The first curve that is found, of those that stay near their points rather than of those that swing wide.
-/// @param choices  of parameters, the better ones first: others are tried where curves swing
+/// @param choices  of parameters, the better ones first
+/// @throws InvalidShape where the points decide about no curve at the last of them
 Approximation<NurbsCurve> within(std::span<const glm::dvec3> points, std::span<const std::vector<double>> choices,
                                  int degree, Closing closing, double tolerance, std::size_t most,
                                  const ApproximationOptions& options) {
   double least = std::numeric_limits<double>::infinity();
-  bool is_swinging = true;
+  bool is_swinging = false;
   for (const double swing : {kCalm, kWide}) {
-    for (std::size_t i = 0; i < choices.size() && is_swinging; ++i) {
-      const std::span<const double> parameters = choices[i];
+    if (swing == kWide && !is_swinging) break;
+    for (const std::vector<double>& parameters : choices) {
       const KnotVector knots = coarsest(parameters, points.size(), degree, closing, most, options);
       Task task{points, {parameters.begin(), parameters.begin() + std::ssize(points)}, options, tolerance,
                 most, parameters.front(), parameters.back(), swing};
-      if (auto made = refined(knots, parameters, closing, task, least)) return *std::move(made);
-      is_swinging = task.is_swinging;
+      try {
+        if (auto made = refined(knots, parameters, closing, task, least)) return *std::move(made);
+      } catch (const InvalidShape&) {
+        if (&parameters == &choices.back()) throw;
+      }
+      is_swinging |= task.is_swinging;
     }
   }
   throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(most) + " control points" +

@@ -13,13 +13,13 @@ namespace splinecore {
 
 namespace {
 
-/// From values at the nodes of an interval to those of its polynomial at the nodes of both halves, by the barycentric
-/// formula (Berrut and Trefethen 2004).
+/// From values at the nodes of an interval to those of its polynomial at the nodes of both halves and at all ends, by the
+/// barycentric formula (Berrut and Trefethen 2004). A kink between the last node and the end shows at the end alone.
 class NodeHalves {
  public:
-  explicit NodeHalves(int count) : nodes_(gauss_legendre(count).nodes) {
+  explicit NodeHalves(int count) : nodes_(gauss_legendre(count).nodes), places_(places_of(nodes_)) {
     const std::vector<double> factors = barycentric_factors();
-    for (const double node : at_halves()) {
+    for (const double node : places_) {
       std::vector<double> row;
       double sum = 0.0;
       for (std::size_t k = 0; k < nodes_.size(); ++k) {
@@ -35,24 +35,27 @@ class NodeHalves {
   }
 
   std::size_t count() const noexcept { return nodes_.size(); }
+
+  /// Of the interval from 0 to 1: where it is compared.
+  std::span<const double> places() const noexcept { return places_; }
   std::span<const double> nodes() const noexcept { return nodes_; }
 
-  /// The largest distance of the polynomial from the values at the nodes of both halves.
-  double miss(std::span<const glm::dvec3> whole, std::span<const glm::dvec3> halves) const {
+  /// The largest distance of the polynomial from the values at all places.
+  double miss(std::span<const glm::dvec3> whole, std::span<const glm::dvec3> there) const {
     double largest = 0.0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       glm::dvec3 value(0.0);
       for (std::size_t k = 0; k < whole.size(); ++k) value += rows_[i][k] * whole[k];
-      largest = std::max(largest, distance_of(value, halves[i]));
+      largest = std::max(largest, distance_of(value, there[i]));
     }
     return largest;
   }
 
  private:
-  std::vector<double> at_halves() const {
-    std::vector<double> places;
+  static std::vector<double> places_of(std::span<const double> nodes) {
+    std::vector<double> places{0.0, 0.5, 1.0};
     for (const double start : {0.0, 0.5}) {
-      for (const double node : nodes_) places.push_back(start + 0.5 * node);
+      for (const double node : nodes) places.push_back(start + 0.5 * node);
     }
     return places;
   }
@@ -69,6 +72,7 @@ class NodeHalves {
   }
 
   std::vector<double> nodes_;
+  std::vector<double> places_;
   std::vector<std::vector<double>> rows_;
 };
 
@@ -76,7 +80,6 @@ struct FunctionPart {
   double start;
   double end;
   double share;  ///< of its span of knots
-  std::vector<glm::dvec3> values;
 
   double middle() const { return start + 0.5 * (end - start); }
   bool can_be_halved() const { return middle() > start && middle() < end; }
@@ -88,17 +91,16 @@ double largest_of(std::span<const glm::dvec3> values) {
   return largest;
 }
 
-/// Writes values at the nodes of all parts.
-void look(const CurveFunction& function, std::span<const double> nodes, std::span<FunctionPart> parts) {
+/// Values at the same places of all parts, part after part.
+std::vector<glm::dvec3> looked_at(const CurveFunction& function, std::span<const double> places,
+                                  std::span<const FunctionPart> parts) {
   std::vector<double> parameters;
   for (const FunctionPart& part : parts) {
-    for (const double node : nodes) parameters.push_back(std::min(part.start + node * (part.end - part.start), part.end));
+    for (const double place : places) {
+      parameters.push_back(std::min(part.start + place * (part.end - part.start), part.end));
+    }
   }
-  const std::vector<glm::dvec3> values = values_of(function, parameters);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * nodes.size());
-    parts[i].values.assign(from, from + static_cast<std::ptrdiff_t>(nodes.size()));
-  }
+  return values_of(function, parameters);
 }
 
 std::vector<FunctionPart> first_parts(std::span<const double> breaks) {
@@ -109,7 +111,7 @@ std::vector<FunctionPart> first_parts(std::span<const double> breaks) {
     for (int k = 1; k <= kEach; ++k) {
       const double end = k == kEach ? breaks[i + 1] : breaks[i] + (breaks[i + 1] - breaks[i]) * k / kEach;
       if (!(end > start)) continue;
-      parts.push_back({start, end, 1.0 / kEach, {}});
+      parts.push_back({start, end, 1.0 / kEach});
       start = end;
     }
   }
@@ -135,31 +137,23 @@ std::vector<double> function_breaks(const CurveFunction& function, std::span<con
   const NodeHalves halves(nodes);
   std::vector<double> found(breaks.begin(), breaks.end());
   std::vector<FunctionPart> parts = first_parts(breaks);
-  look(function, halves.nodes(), parts);
-  double size = 0.0;
-  for (const FunctionPart& part : parts) {
-    found.push_back(part.end);
-    size = std::max(size, largest_of(part.values));
-  }
+  for (const FunctionPart& part : parts) found.push_back(part.end);
   const std::size_t fewest = found.size();
+  double size = 0.0;
   while (!parts.empty()) {
-    std::erase_if(parts, [](const FunctionPart& part) { return !part.can_be_halved(); });
-    std::vector<FunctionPart> next;
-    for (const FunctionPart& part : parts) {
-      next.push_back({part.start, part.middle(), 0.5 * part.share, {}});
-      next.push_back({part.middle(), part.end, 0.5 * part.share, {}});
-    }
-    look(function, halves.nodes(), next);
+    const std::vector<glm::dvec3> values = looked_at(function, halves.nodes(), parts);
+    const std::vector<glm::dvec3> others = looked_at(function, halves.places(), parts);
+    size = std::max({size, largest_of(values), largest_of(others)});
     std::vector<FunctionPart> rough;
     for (std::size_t i = 0; i < parts.size(); ++i) {
+      const FunctionPart& part = parts[i];
       breathe(4 * halves.count() * halves.count());
-      std::vector<glm::dvec3> values = next[2 * i].values;
-      values.insert(values.end(), next[2 * i + 1].values.begin(), next[2 * i + 1].values.end());
-      size = std::max(size, largest_of(values));
-      if (halves.miss(parts[i].values, values) * parts[i].share <= kRounding * size) continue;
-      found.push_back(parts[i].middle());
-      rough.push_back(std::move(next[2 * i]));
-      rough.push_back(std::move(next[2 * i + 1]));
+      const double miss = halves.miss(std::span(values).subspan(i * halves.count(), halves.count()),
+                                      std::span(others).subspan(i * halves.places().size(), halves.places().size()));
+      if (miss * part.share <= kRounding * size || !part.can_be_halved()) continue;
+      found.push_back(part.middle());
+      rough.push_back({part.start, part.middle(), 0.5 * part.share});
+      rough.push_back({part.middle(), part.end, 0.5 * part.share});
     }
     parts = std::move(rough);
     if (found.size() - fewest <= kMostParts) continue;

@@ -29,8 +29,8 @@ class Steps {
  public:
   static constexpr std::size_t kTogether = 16;  ///< lines, that lie side by side in memory along u
 
-  Steps(const PointGrid& grid, Axis axis, int roots, Closing closing)
-      : grid_(grid), axis_(axis), roots_(roots), count_(grid.count(axis)),
+  Steps(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing)
+      : grid_(grid), axis_(axis), kind_(kind), count_(grid.count(axis)),
         sums_(closing == Closing::closed ? count_ : count_ - 1), steps_(kTogether * sums_.size()) {}
 
   void add_lines(std::size_t begin, std::size_t end) {
@@ -40,8 +40,8 @@ class Steps {
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       const std::size_t next = i + 1 < count_ ? i + 1 : 0;
       for (std::size_t k = 0; k < number; ++k) {
-        double step = distance_of(at(i, begin + k), at(next, begin + k));
-        for (int root = 0; root < roots_; ++root) step = std::sqrt(step);
+        const double distance = distance_of(at(i, begin + k), at(next, begin + k));
+        const double step = kind_ == Parametrisation::chordal ? distance : std::sqrt(distance);
         steps_[kTogether * i + k] = step;
         lengths[k] += step;
       }
@@ -82,7 +82,7 @@ class Steps {
 
   const PointGrid& grid_;
   Axis axis_;
-  int roots_;  ///< that are taken of a distance
+  Parametrisation kind_;
   std::size_t count_;
   std::vector<double> sums_;
   std::vector<double> steps_;  ///< of the lines that are together
@@ -96,31 +96,45 @@ std::vector<double> equal_steps(std::size_t count, Closing closing) {
   return numbers;
 }
 
-/// Of the lines along an axis that are no points.
-double mean_length(const PointGrid& grid, Axis axis, Closing closing) {
-  const std::size_t count = grid.count(axis);
-  const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
-  const std::size_t steps = closing == Closing::closed ? count : count - 1;
-  const auto at = [&](std::size_t i, std::size_t line) {
-    return grid.points[axis == Axis::u ? i * grid.count_v + line : line * grid.count_v + i];
-  };
-  double mean = 0.0;
-  double number = 0.0;
-  for (std::size_t line = 0; line < lines; ++line) {
-    breathe(8 * steps);
-    double length = 0.0;
-    for (std::size_t i = 0; i < steps; ++i) length += distance_of(at(i, line), at((i + 1) % count, line));
-    if (!(length > 0.0)) continue;
-    number += 1.0;
-    mean += (length - mean) / number;
+/// The farthest that two neighbouring rows of points lie apart in a line, and the mean length of the lines that are no points.
+struct RowDistances {
+  std::vector<double> largest;
+  double length = 0.0;
+
+  RowDistances(const PointGrid& grid, Axis axis, Closing closing) {
+    const std::size_t count = grid.count(axis);
+    const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
+    const auto at = [&](std::size_t i, std::size_t line) {
+      return grid.points[axis == Axis::u ? i * grid.count_v + line : line * grid.count_v + i];
+    };
+    largest.assign(closing == Closing::closed ? count : count - 1, 0.0);
+    double number = 0.0;
+    for (std::size_t line = 0; line < lines; ++line) {
+      breathe(8 * largest.size());
+      double sum = 0.0;
+      for (std::size_t i = 0; i < largest.size(); ++i) {
+        const double distance = distance_of(at(i, line), at((i + 1) % count, line));
+        largest[i] = std::max(largest[i], distance);
+        sum += distance;
+      }
+      if (!(sum > 0.0)) continue;
+      number += 1.0;
+      length += (sum - length) / number;
+    }
   }
-  return mean;
+};
+
+[[noreturn]] void refuse_step(Axis axis, std::size_t line, std::size_t count) {
+  throw InvalidShape("points along " + std::string(axis == Axis::u ? "u" : "v") + ": line " + std::to_string(line % count) +
+                     " is too close to line " + std::to_string(line - 1) + ": their distance is no step of the parameter");
 }
 
-std::vector<double> by_roots(const PointGrid& grid, Axis axis, int roots, Closing closing) {
+}  // namespace
+
+std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing) {
   require_grid(grid);
-  if (roots == kNoRoots || grid.count(axis) == 1) return equal_steps(grid.count(axis), closing);
-  Steps steps(grid, axis, roots, closing);
+  if (kind == Parametrisation::uniform || grid.count(axis) == 1) return equal_steps(grid.count(axis), closing);
+  Steps steps(grid, axis, kind, closing);
   const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
   for (std::size_t line = 0; line < lines; line += Steps::kTogether) {
     steps.add_lines(line, std::min(line + Steps::kTogether, lines));
@@ -128,16 +142,23 @@ std::vector<double> by_roots(const PointGrid& grid, Axis axis, int roots, Closin
   return steps.parameters();
 }
 
-}  // namespace
-
-std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing) {
-  if (kind == Parametrisation::uniform) return by_roots(grid, axis, kNoRoots, closing);
-  return by_roots(grid, axis, kind == Parametrisation::chordal ? 0 : 1, closing);
-}
-
 std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree, Closing closing) {
-  std::vector<double> parameters = by_roots(grid, axis, calm_roots(degree), closing);
-  return ending_at(std::move(parameters), mean_length(grid, axis, closing));
+  require_grid(grid);
+  // Twice as many as of curves: rows that crowd along u and along v share the distances of their points.
+  const int roots = calm_roots(degree) == kNoRoots ? kNoRoots : 2 * calm_roots(degree);
+  const RowDistances distances(grid, axis, closing);
+  if (roots == kNoRoots || grid.count(axis) == 1) {
+    return ending_at(equal_steps(grid.count(axis), closing), distances.length);
+  }
+  const bool is_length = distances.length > 0.0 && std::isfinite(distances.length);
+  if (!is_length) return parameters_of(grid, axis, Parametrisation::centripetal, closing);
+  std::vector<double> found{0.0};
+  for (double step : distances.largest) {
+    for (int root = 0; root < roots; ++root) step = std::sqrt(step);
+    found.push_back(found.back() + step);
+    if (!(found.back() > found[found.size() - 2])) refuse_step(axis, found.size() - 1, grid.count(axis));
+  }
+  return ending_at(std::move(found), distances.length);
 }
 
 }  // namespace splinecore
