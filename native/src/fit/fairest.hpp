@@ -23,7 +23,7 @@ template <class Shape, class Faired>
 std::optional<Approximation<Shape>> fairest(const Shape& same, double tolerance, const Faired& faired) {
   constexpr double kWeakest = -70.0;
   constexpr double kStrongest = 10.0;
-  constexpr double kNear = 0x1p-7;  // rounding may turn the last decisions: by less than a hundredth of the move
+  constexpr double kNear = 0.125;
   Approximation<Shape> best{same, 0.0};
   double low = kWeakest;
   double high = kStrongest + kNear;
