@@ -22,6 +22,7 @@ using splinecore::Closing;
 using splinecore::InvalidShape;
 using splinecore::KeptEnds;
 using splinecore::KnotVector;
+using splinecore::Parametrisation;
 
 namespace {
 
@@ -52,10 +53,13 @@ AnyApproximation approximate(const py::object& points, const py::object& count, 
   const std::optional<std::size_t> number = count.is_none() ? std::nullopt : std::optional(count_of(count, "count"));
   if (!knots.is_none() && (number || within)) throw InvalidShape("knots are given, and so neither count nor tolerance");
   if (knots.is_none() && !number && !within) throw InvalidShape("count, knots or tolerance is needed");
-  const std::vector<double> at = parameters_of(rows, parameters, closing, "parameters");
+  const bool are_chosen = parameters.is_none();
+  const std::vector<double> at = are_chosen ? splinecore::parameters_of(rows, Parametrisation::chordal, closing)
+                                            : curve_parameters(rows, parameters, order, closing);
   return wrap(unlocked([&] {
     if (within) {
       const std::size_t most = number.value_or(rows.size() + options.start.size() + options.end.size());
+      if (are_chosen) return splinecore::approximate_within(rows, order, closing, *within, most, options);
       return splinecore::approximate_within(rows, at, order, closing, *within, most, options);
     }
     if (number) return splinecore::approximate(rows, at, order, *number, closing, options);
@@ -140,16 +144,19 @@ AnyApproximation fair_patch(const AnyPatch& self, const py::object& tolerance, c
 
 void bind_functions(py::module_& fit) {
   fit.def("approximate", &approximate, py::arg("points"), py::arg("count") = py::none(), py::arg("degree") = 3,
-          py::arg("parameters") = "chordal", py::kw_only(), py::arg("tolerance") = py::none(),
+          py::arg("parameters") = py::none(), py::kw_only(), py::arg("tolerance") = py::none(),
           py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("fixed_ends") = true,
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::arg("closed") = false,
           py::arg("smoothing") = 0.0, py::arg("corrections") = 0, py::arg("cancel") = py::none(),
           "The polynomial NurbsCurve near points (n, 2 or 3), as an Approximation: its error is the largest distance of\n"
           "a point from the curve's point at its parameter, and so no less than from the curve. Least sum of squares, in\n"
           "time linear in n (The NURBS Book, §9.4.1). Lecture row S17.\n\n"
-          "count: of control points, with knots by eq. 9.68, 9.69. knots: all of them, of a closed curve one period.\n"
-          "tolerance: knots are put where points are farther away, and taken away where they are not missed; count is\n"
-          "then the most control points. parameters: as of interpolate().\n\n"
+          "count: of control points, with knots by eq. 9.68, 9.69, or averaged ones (eq. 9.8) where spans have fewer points\n"
+          "than degree + 1. knots: all of them, of a closed curve one period. tolerance: knots are put where points are\n"
+          "farther away, and taken away where they are not missed; count is then the most control points. A curve that\n"
+          "leaves its points in between by more than the size of a place's neighborhood, degree points on each side, is\n"
+          "not taken, or where no other is found by four times as much. parameters: as of interpolate(); None takes\n"
+          "'chordal' ones, and with a tolerance 'calm' ones where curves would swing at those.\n\n"
           "weights: (n,) positive, of the squares. fixed_ends: an open curve begins at the first point and ends at the\n"
           "last; start, end: its derivatives 1, 2, … by the parameter there (k, 2 or 3), or the first (2 or 3,).\n"
           "smoothing: weight of the integral of the squared second derivative beside the sum of squares (Reinsch 1967).\n"
@@ -160,11 +167,13 @@ void bind_functions(py::module_& fit) {
           py::arg("fixed_ends") = false, py::arg("closed") = false, py::arg("cancel") = py::none(),
           "The orthogonal projection of a function on the splines with these knots, as an Approximation of a NurbsCurve:\n"
           "the integral of what is left times a basis function is zero. Lecture row S17.\n\n"
-          "function: takes parameters (m,) and gives points (m, 2 or 3); smooth between knots, for integrals are taken by\n"
-          "16 nodes of Gauss and Legendre on each span, or degree + 8. fixed_ends: the curve begins and ends where the\n"
-          "function does; the knots are clamped then. The error is the largest distance at the nodes and at 64 even\n"
-          "parameters of each span. cancel: a callable that ends the call by returning true.\n\n"
-          "Raises InvalidShape where a value is not finite, and for knots that belong to no curve.");
+          "function: takes parameters (m,) and gives points (m, 2 or 3). Integrals are taken by 16 nodes of Gauss and\n"
+          "Legendre, or degree + 8, on quarters of spans and on ever smaller parts until these tell the function, so that\n"
+          "kinks and jumps count; what is narrower than the distances of 128 nodes in a span may be missed. fixed_ends: the\n"
+          "curve begins and ends where the function does; the knots are clamped then. The error is the largest distance\n"
+          "that is found, from all nodes and 64 even parameters of each span uphill. cancel: a callable that ends the call\n"
+          "by returning true.\n\n"
+          "Raises InvalidShape where a value is not finite, for noise, and for knots that belong to no curve.");
 }
 
 void bind_curves_nearby(const CurveClasses& cls) {

@@ -56,7 +56,7 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   options.end = derivatives_of(end, "end");
   options.tangents = tangents_of(tangents, rows.size());
   options.knots = optional_numbers(knots, "knots");
-  const std::vector<double> at = parameters_of(rows, parameters, options.closing, "parameters");
+  const std::vector<double> at = curve_parameters(rows, parameters, options.degree, options.closing);
   return wrap(unlocked([&] { return splinecore::interpolate(rows, at, options); }));
 }
 
@@ -81,12 +81,15 @@ AnyApproximation interpolate_patch(const py::object& points, const py::object& d
 
 void bind_fit(py::module_& module) {
   py::module_ fit = module.def_submodule("fit", "Curves and patches through points.");
-  fit.def("interpolate", &interpolate, py::arg("points"), py::arg("degree") = 3, py::arg("parameters") = "chordal",
+  fit.def("interpolate", &interpolate, py::arg("points"), py::arg("degree") = 3, py::arg("parameters") = "calm",
           py::arg("knots") = py::none(), py::arg("ends") = "averaged", py::arg("start") = py::none(),
           py::arg("end") = py::none(), py::arg("tangents") = py::none(), py::arg("closed") = false,
           "The polynomial NurbsCurve through points (n, 2 or 3), in time linear in n, as an Approximation: its error is\n"
           "the largest distance from a point that rounding left. Lecture row S17.\n\n"
-          "parameters: 'uniform', 'centripetal', 'chordal' or increasing ones, for each point and if closed one more.\n"
+          "parameters: 'calm', steps with which the curve stays near its points however uneven their distances are: the\n"
+          "roots of the distances up to degree 3 (Lee 1989), fourth roots of degree 4, eighth roots of degree 5, equal ones\n"
+          "above, all in such proportion that they end at the length of the polygon;\n"
+          "'uniform', 'centripetal', 'chordal' or increasing ones, for each point and if closed one more.\n"
           "knots: all of them, where closed one period; else they are chosen by ends: 'averaged', averages of degree\n"
           "parameters each (The NURBS Book, eq. 9.8); 'not_a_knot', at the points but for those next to the ends;\n"
           "'natural', at the points, with derivatives (degree + 1)/2 … degree - 1 zero at both ends, of odd degrees.\n"
@@ -98,13 +101,15 @@ void bind_fit(py::module_& module) {
           "Raises InvalidShape with fewer points than the degree needs, where points coincide and their distance is the\n"
           "step of the parameter, and for knots that have too many points between them (Schoenberg and Whitney 1953).");
   fit.def("interpolate_patch", &interpolate_patch, py::arg("points"), py::arg("degrees") = 3,
-          py::arg("parameters") = "chordal", py::arg("knots") = py::none(), py::arg("ends") = "averaged",
+          py::arg("parameters") = "calm", py::arg("knots") = py::none(), py::arg("ends") = "averaged",
           py::arg("closed") = false, py::kw_only(), py::arg("cancel") = py::none(),
           "The polynomial NurbsPatch through a grid of points (nu, nv, 2 or 3), as an Approximation: its error is the\n"
           "largest distance from a point that rounding left. In time linear in the points, by one banded system a\n"
           "direction (The NURBS Book, §9.2.5). Lecture rows S17, S20.\n\n"
           "Every other argument is one value for both directions or a pair, for u and v, of what interpolate() takes.\n"
-          "parameters: 'uniform', or 'centripetal' or 'chordal', whose shares are averaged over the rows that are not\n"
+          "parameters: 'calm', by those points of two rows that lie farthest apart, steps of fourth roots up to degree 3,\n"
+          "16th roots of degree 4, 64th roots of degree 5, equal ones above; 'uniform'; or 'centripetal' or\n"
+          "'chordal', whose shares are averaged over the rows that are not\n"
           "a single point and end at their mean length (A9.3), or increasing numbers for each row, (nu,) and (nv,), and\n"
           "where closed one more. knots, ends, closed: as of interpolate(); None chooses knots by ends.\n\n"
           "cancel: a callable without arguments that ends the call by returning true.\n\n"

@@ -29,10 +29,34 @@ std::optional<double> positive(const py::object& value, const char* name) {
   throw InvalidShape(std::string(name) + " = " + splinecore::text_of(number) + " is not a positive number");
 }
 
-std::vector<double> grid_parameters(const PointGrid& grid, const py::object& parameters, Axis axis, Closing closing) {
+namespace {
+
+/// None of 'calm'.
+std::optional<Parametrisation> kind_of(const py::object& word) {
+  using Kind = std::optional<Parametrisation>;
+  return chosen<Kind>(word, "parameters", {{"calm", Kind()}, {"centripetal", Kind(Parametrisation::centripetal)},
+                                           {"chordal", Kind(Parametrisation::chordal)},
+                                           {"uniform", Kind(Parametrisation::uniform)}});
+}
+
+}  // namespace
+
+std::vector<double> curve_parameters(std::span<const glm::dvec3> points, const py::object& parameters, int degree,
+                                     Closing closing) {
+  if (!py::isinstance<py::str>(parameters)) return parameters_of(points, parameters, closing, "parameters");
+  const auto kind = kind_of(parameters);
+  return kind ? splinecore::parameters_of(points, *kind, closing) : splinecore::calm_parameters(points, degree, closing);
+}
+
+std::vector<double> grid_parameters(const PointGrid& grid, const py::object& parameters, Axis axis, int degree,
+                                    Closing closing) {
+  if (parameters.is_none()) return {};
   if (!py::isinstance<py::str>(parameters)) return numbers(parameters, "parameters");
-  const Parametrisation kind = parametrisation_of(parameters, "parameters");
-  return unlocked([&] { return splinecore::parameters_of(grid, axis, kind, closing); });
+  const auto kind = kind_of(parameters);
+  return unlocked([&] {
+    return kind ? splinecore::parameters_of(grid, axis, *kind, closing)
+                : splinecore::calm_parameters(grid, axis, degree, closing);
+  });
 }
 
 GridArguments::GridArguments(const PointGrid& grid, const py::object& degrees, const py::object& parameters,

@@ -15,9 +15,13 @@ std::size_t count_of(const py::object& value, const char* name);
 /// A number above 0; None for none.
 std::optional<double> positive(const py::object& value, const char* name);
 
-/// A word, or the parameters of a grid's rows themselves.
+/// A word, 'calm' for the parameters that suit the degree, or the parameters themselves.
+std::vector<double> curve_parameters(std::span<const glm::dvec3> points, const py::object& parameters, int degree,
+                                     splinecore::Closing closing);
+
+/// The same of a grid's rows; none for None.
 std::vector<double> grid_parameters(const splinecore::PointGrid& grid, const py::object& parameters,
-                                    splinecore::Axis axis, splinecore::Closing closing);
+                                    splinecore::Axis axis, int degree, splinecore::Closing closing);
 
 /// What all fits of a grid take: one value for both directions or a pair.
 class GridArguments {
@@ -32,7 +36,7 @@ class GridArguments {
     made.degree = integer(of(degrees_, axis), "degrees");
     made.closing = boolean(of(closed_, axis), "closed") ? splinecore::Closing::closed : splinecore::Closing::open;
     made.knots = optional_numbers(of(knots_, axis), "knots");
-    made.parameters = grid_parameters(grid_, of(parameters_, axis), axis, made.closing);
+    made.parameters = grid_parameters(grid_, of(parameters_, axis), axis, made.degree, made.closing);
     return made;
   }
 

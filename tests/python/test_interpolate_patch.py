@@ -186,7 +186,7 @@ BAD = [
     (dict(points=np.sign(sheet(6, 5) - 2) * 1.7e308), 'far apart along u'),
     (dict(degrees=(3, 0)), 'along v: degree = 0'),
     (dict(degrees=300), 'along u: degree = 300'),
-    (dict(degrees=(3, 4), closed=True, points=sheet(6, 4)), 'along v: 4 conditions are too few'),
+    (dict(degrees=(3, 4), closed=True, points=sheet(6, 3)), 'along v: 3 conditions are too few'),
     (dict(parameters=(range(6), [0, 1, 1, 2, 3])), r'along v: parameters\[2\]'),
     (dict(parameters=(range(6), [0, 1, 2, 3, np.inf])), 'along v: parameters'),
     (dict(parameters=(range(6), range(6))), 'along v: parameters has 6 values, 5'),

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "splinecore/fit/approximate.hpp"
 #include "splinecore/fit/approximate_patch.hpp"
 #include "splinecore/patch/evaluate.hpp"
+#include "swing.hpp"
 #include "tensor_fit.hpp"
 
 namespace splinecore {
@@ -135,13 +137,19 @@ Approximation<NurbsPatch> approximate(const PointGrid& grid, const NearDirection
   return fitted(grid, along_u, along_v);
 }
 
-Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance,
-                                             bool fixed_ends) {
+namespace {
+
+/// What was found of a patch within a tolerance.
+struct GridSearch {
+  std::optional<Approximation<NurbsPatch>> found;
+  double least = std::numeric_limits<double>::infinity();  ///< error of a patch that stays near its points
+  bool is_swinging = false;                                 ///< others do not
+};
+
+void grow(NearDirection& given, std::size_t most) { given.count = std::min(most, given.count + given.count / 4 + 1); }
+
+GridSearch search(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance, bool fixed_ends) {
   constexpr double kShareOfEach = 0.5;
-  require_tolerance(tolerance);
-  require_grid(grid);
-  u.count = std::min(u.count, grid.count_u);
-  v.count = std::min(v.count, grid.count_v);
   const NearDirection most_u = u;
   const NearDirection most_v = v;
   static_cast<void>(along("u", [&] { return axis_of(with_least(u), grid.count_u, fixed_ends); }));
@@ -150,16 +158,56 @@ Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirectio
   const auto columns = transposed(rows, grid.count_u, grid.count_v);
   u.count = sufficient_count(most_u, grid.count_u, rows, kShareOfEach * tolerance, fixed_ends);
   v.count = sufficient_count(most_v, grid.count_v, columns, kShareOfEach * tolerance, fixed_ends);
-  Approximation<NurbsPatch> made = approximate(grid, u, v, fixed_ends);
-  while (made.error > tolerance && (u.count < most_u.count || v.count < most_v.count)) {
-    u.count = std::min(most_u.count, u.count + u.count / 4 + 1);
-    v.count = std::min(most_v.count, v.count + v.count / 4 + 1);
-    if (auto next = tried(grid, u, v, fixed_ends)) made = *std::move(next);
+  GridSearch made;
+  for (;; grow(u, most_u.count), grow(v, most_v.count)) {
+    if (auto patch = tried(grid, u, v, fixed_ends)) {
+      if (!stays_near(patch->value, grid, u.parameters, v.parameters, {kCalm, tolerance})) {
+        made.is_swinging = true;
+      } else if (patch->error <= tolerance) {
+        made.found = std::move(patch);
+        return made;
+      } else {
+        made.least = std::min(made.least, patch->error);
+      }
+    }
+    if (u.count == most_u.count && v.count == most_v.count) break;
   }
-  if (made.error <= tolerance) return made;
-  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(u.count) + " x " +
-                                std::to_string(v.count) + " control points" + and_smoothing(u.smoothing > 0.0 || v.smoothing > 0.0),
-                            tolerance, made.error);
+  if (std::isinf(made.least)) made.least = approximate(grid, with_least(most_u), with_least(most_v), fixed_ends).error;
+  return made;
+}
+
+/// The parameters that are given, or others of which the better ones come first.
+std::vector<NearDirection> choices_of(const PointGrid& grid, Axis axis, NearDirection given) {
+  given.count = std::min(given.count, grid.count(axis));
+  if (!given.parameters.empty()) return {given, given};
+  NearDirection calm = given;
+  given.parameters = parameters_of(grid, axis, Parametrisation::chordal, given.closing);
+  calm.parameters = calm_parameters(grid, axis, given.degree, given.closing);
+  return {given, calm};
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance,
+                                             bool fixed_ends) {
+  require_tolerance(tolerance);
+  require_grid(grid);
+  const std::size_t choices = u.parameters.empty() || v.parameters.empty() ? 2 : 1;
+  const auto choices_u = choices_of(grid, Axis::u, u);
+  const auto choices_v = choices_of(grid, Axis::v, v);
+  GridSearch made;
+  double least = std::numeric_limits<double>::infinity();
+  bool is_swinging = false;
+  for (std::size_t i = 0; i < choices; ++i) {
+    made = search(grid, choices_u[i], choices_v[i], tolerance, fixed_ends);
+    is_swinging |= made.is_swinging;
+    if (made.found) return *std::move(made.found);
+    least = std::min(least, made.least);
+  }
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(choices_u.front().count) + " x " +
+                                std::to_string(choices_v.front().count) + " control points" +
+                                and_smoothing(u.smoothing > 0.0 || v.smoothing > 0.0) + without_swings(is_swinging),
+                            tolerance, least);
 }
 
 }  // namespace splinecore

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "along.hpp"
@@ -13,6 +15,7 @@
 #include "splinecore/base/errors.hpp"
 #include "splinecore/fit/approximate_patch.hpp"
 #include "splinecore/meet/nearest.hpp"
+#include "swing.hpp"
 #include "thin_plate_fit.hpp"
 #include "unit_points.hpp"
 
@@ -92,24 +95,30 @@ NurbsPatch least_squares(std::span<const glm::dvec3> points, std::span<const glm
 }
 
 /// Of points near 1.
+/// @throws InvalidShape where the patch leaves the points by more than their size `most_swing` times
 ScatteredFit fitted_once(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
-                         const KnotVector& u, const KnotVector& v, std::span<const double> weights, double energy) {
+                         const KnotVector& u, const KnotVector& v, std::span<const double> weights, double energy,
+                         double most_swing) {
   ScatteredFit made{least_squares(points, parameters, u, v, weights, energy),
                     {parameters.begin(), parameters.end()}, 0.0, 0.0};
+  if (!stays_near(made.patch, points, most_swing)) {
+    throw InvalidShape("the points hardly determine the patch, which swings too widely between them or beside them: fewer "
+                       "control points or more smoothing are needed");
+  }
   project(points, weights, made);
   return made;
 }
 
 ScatteredFit fitted(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters, const KnotVector& u,
-                    const KnotVector& v, const ScatteredOptions& options) {
+                    const KnotVector& v, const ScatteredOptions& options, double most_swing) {
   constexpr double kBetter = 0.999;
   const double mass = options.weights.empty() ? static_cast<double>(points.size())
                                               : std::accumulate(options.weights.begin(), options.weights.end(), 0.0);
   const double energy = options.smoothing * mass;
-  ScatteredFit best = fitted_once(points, parameters, u, v, options.weights, energy);
+  ScatteredFit best = fitted_once(points, parameters, u, v, options.weights, energy, most_swing);
   for (int i = 0; i < options.corrections; ++i) {
     try {
-      ScatteredFit next = fitted_once(points, best.parameters, u, v, options.weights, energy);
+      ScatteredFit next = fitted_once(points, best.parameters, u, v, options.weights, energy, most_swing);
       const bool is_better = next.squares < kBetter * best.squares;
       if (next.squares < best.squares) best = std::move(next);
       if (!is_better) break;
@@ -166,6 +175,61 @@ std::vector<glm::dvec2> parameters_of(std::span<const glm::dvec3> points, std::s
 
 std::size_t larger(std::size_t count, std::size_t most) { return std::min(most, count + count / 3 + 1); }
 
+/// Points near 1 and what is asked of a patch, on ever larger nets.
+struct ScatteredTask {
+  std::span<const glm::dvec3> points;
+  std::vector<glm::dvec2> parameters;  ///< corrected as nets grow
+  Domain domain;
+  ScatteredOptions options;
+  double tolerance;
+};
+
+ScatteredFit fit_of(const ScatteredTask& task, const NetSize& size, double smoothing, double most_swing) {
+  const auto [u, v] = even_knots_of(size, task.domain);
+  ScatteredOptions options = task.options;
+  options.smoothing = smoothing;
+  return fitted(task.points, task.parameters, u, v, options, most_swing);
+}
+
+/// Where the points do not decide alone: with as much energy of a thin plate as the tolerance leaves room for.
+/// @returns the nearest patch, if there is one; none for nets with more control points than points
+std::optional<ScatteredFit> stiffened(const ScatteredTask& task, const NetSize& size) {
+  constexpr std::array kSmoothings{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
+  std::optional<ScatteredFit> best;
+  if (size.count_u * size.count_v > task.points.size()) return best;
+  for (const double smoothing : kSmoothings) {
+    if (smoothing <= task.options.smoothing) break;
+    try {
+      ScatteredFit made = fit_of(task, size, smoothing, kCalm);
+      const bool is_within = made.error <= task.tolerance;
+      if (!best || made.error < best->error) best = std::move(made);
+      if (is_within) break;
+    } catch (const InvalidShape&) {
+      continue;  // the energy hides the points, or is too little for them; the caller has the reason of the plain patch
+    }
+  }
+  return best;
+}
+
+/// @param reason  takes why the points do not decide alone
+std::optional<ScatteredFit> plain(const ScatteredTask& task, const NetSize& size, double most_swing, std::string& reason) {
+  try {
+    reason.clear();
+    return fit_of(task, size, task.options.smoothing, most_swing);
+  } catch (const InvalidShape& refused) {
+    reason = refused.what();
+    return {};
+  }
+}
+
+/// By the points alone, or with energy; where both swing by the points alone as far as is still taken.
+std::optional<ScatteredFit> nearest_of(const ScatteredTask& task, const NetSize& size, std::string& reason) {
+  auto made = plain(task, size, kCalm, reason);
+  if (!made) made = stiffened(task, size);
+  if (!made) made = plain(task, size, kWide, reason);
+  return made;
+}
+
 }  // namespace
 
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
@@ -173,7 +237,7 @@ Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::s
   require_options(points, options);
   require_scattered(points, parameters, u, v);
   const UnitPoints unit = unit_points(points);
-  return in_place(fitted(unit.points, parameters, u, v, scaled(options)), unit);
+  return in_place(fitted(unit.points, parameters, u, v, scaled(options), kWide), unit);
 }
 
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
@@ -194,34 +258,32 @@ Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points,
   along("v", [&] { require_count(size.count_v, size.degree_v, false); });
   const Domain domain = around(at);
   const UnitPoints unit = unit_points(points);
-  const ScatteredOptions near = scaled(options);
-  const double within = std::ldexp(tolerance, -unit.exponent);
-  const auto fit_of = [&](std::size_t count_u, std::size_t count_v) {
-    const auto [u, v] = even_knots_of({size.degree_u, size.degree_v, count_u, count_v}, domain);
-    return fitted(unit.points, at, u, v, near);
-  };
-  std::size_t count_u = static_cast<std::size_t>(size.degree_u) + 1;
-  std::size_t count_v = static_cast<std::size_t>(size.degree_v) + 1;
-  ScatteredFit fit = fit_of(count_u, count_v);
-  double least = fit.error;
+  ScatteredTask task{unit.points, std::move(at), domain, scaled(options), std::ldexp(tolerance, -unit.exponent)};
+  NetSize now = size;
+  now.count_u = static_cast<std::size_t>(size.degree_u) + 1;
+  now.count_v = static_cast<std::size_t>(size.degree_v) + 1;
   std::string reason;
-  while (fit.error > within && (count_u < size.count_u || count_v < size.count_v)) {
-    at = fit.parameters;
-    const std::size_t more_u = larger(count_u, size.count_u);
-    const std::size_t more_v = larger(count_v, size.count_v);
-    try {
-      fit = fit_of(more_u, more_v);
-    } catch (const InvalidShape& more) {
-      reason = ", and of " + std::to_string(more_u) + " x " + std::to_string(more_v) + " " + more.what();
-      break;
+  auto found = nearest_of(task, now, reason);
+  if (!found) throw InvalidShape(reason);
+  ScatteredFit fit = *std::move(found);
+  double least = fit.error;
+  while (fit.error > task.tolerance && (now.count_u < size.count_u || now.count_v < size.count_v)) {
+    task.parameters = fit.parameters;
+    NetSize next = now;
+    next.count_u = larger(now.count_u, size.count_u);
+    next.count_v = larger(now.count_v, size.count_v);
+    found = nearest_of(task, next, reason);
+    if (!reason.empty()) {
+      reason = ", and of " + std::to_string(next.count_u) + " x " + std::to_string(next.count_v) + " " + reason;
     }
-    count_u = more_u;
-    count_v = more_v;
+    if (!found) break;
+    fit = *std::move(found);
+    now = next;
     least = std::min(least, fit.error);
   }
-  if (fit.error <= within) return in_place(fit, unit);
-  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(count_u) + " x " +
-                                std::to_string(count_v) + " control points" + and_smoothing(options.smoothing > 0.0) + reason,
+  if (fit.error <= task.tolerance) return in_place(fit, unit);
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(now.count_u) + " x " +
+                                std::to_string(now.count_v) + " control points" + and_smoothing(options.smoothing > 0.0) + reason,
                             tolerance, std::ldexp(least, unit.exponent));
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -13,6 +15,7 @@
 #include "least_squares_options.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/fit/interpolate.hpp"
+#include "swing.hpp"
 
 namespace splinecore {
 
@@ -25,9 +28,23 @@ struct Task {
   const ApproximationOptions& options;
   double tolerance;
   std::size_t most;
+  double start;              ///< the first parameter that was given
+  double end;                ///< the last one, where closed of the return
+  double most_swing;         ///< as of Swing
+  bool is_swinging = false;  ///< a curve was within the tolerance, and far from the points in between
 };
 
-bool is_within(const FittedPoints& fit, const Task& task) { return fit.error <= task.tolerance; }
+bool is_near(const NurbsCurve& curve, Task& task) {
+  std::vector<double> around = task.parameters;
+  if (curve.periodic()) around.push_back(around.front() + (task.end - task.start));
+  if (stays_near(curve, task.points, around, {task.most_swing, task.tolerance})) return true;
+  task.is_swinging = true;
+  return false;
+}
+
+bool is_within(const FittedPoints& fit, Task& task) {
+  return fit.error <= task.tolerance && is_near(fit.curve(), task);
+}
 
 /// The distinct knots of the domain.
 std::vector<double> breaks_of(const KnotVector& knots) {
@@ -47,9 +64,9 @@ KnotVector on_breaks(const KnotVector& like, std::span<const double> breaks) {
 
 /// Where a span is halved: between the two of its points in the middle, if some are left on each side:
 /// with fewer the curve swings between them.
-std::optional<double> halving_place(const Task& task, std::size_t begin, std::size_t end) {
-  constexpr std::size_t kFewest = 4;
-  if (end - begin < kFewest) return {};
+std::optional<double> halving_place(const Task& task, std::size_t begin, std::size_t end, int degree) {
+  const auto fewest = static_cast<std::size_t>(std::max(4, degree + 1));
+  if (end - begin < fewest) return {};
   const std::size_t i = begin + (end - begin) / 2;
   const double place = task.parameters[i - 1] + 0.5 * (task.parameters[i] - task.parameters[i - 1]);
   if (place > task.parameters[i - 1] && place < task.parameters[i]) return place;
@@ -67,7 +84,7 @@ std::optional<KnotVector> finer(const FittedPoints& fit, const Task& task) {
     const bool is_last = s + 1 == fit.span_errors.size();
     while (i < task.parameters.size() && (is_last || task.parameters[i] < breaks[s + 1])) ++i;
     if (fit.span_errors[s] <= task.tolerance) continue;
-    if (const auto place = halving_place(task, begin, i)) places.emplace_back(fit.span_errors[s], *place);
+    if (const auto place = halving_place(task, begin, i, fit.knots.degree())) places.emplace_back(fit.span_errors[s], *place);
   }
   const auto count = static_cast<std::size_t>(fit.knots.count());
   if (places.empty() || count >= task.most) return {};
@@ -175,8 +192,9 @@ std::optional<Approximation<NurbsCurve>> through_all(std::span<const double> par
     Approximation<NurbsCurve> made = interpolate(task.points, parameters, exact);
     if (made.error > task.tolerance) return {};
     task.parameters.assign(parameters.begin(), parameters.begin() + static_cast<std::ptrdiff_t>(task.points.size()));
+    const bool is_taken = is_near(made.value, task);
     auto fit = fit_on(made.value.knot_vector(), task);
-    if (!fit || !is_within(*fit, task)) return made;
+    if (!fit || !is_within(*fit, task)) return is_taken ? std::optional(std::move(made)) : std::nullopt;
     fit = thinned(*std::move(fit), task);
     return Approximation<NurbsCurve>{fit->curve(), fit->error};
   } catch (const InvalidShape&) {
@@ -202,6 +220,57 @@ KnotVector coarsest(std::span<const double> parameters, std::size_t points, int 
   return approximating_knots(parameters, degree, std::max(least, 2 + derivatives), closing);
 }
 
+/// Knots where they are needed; where that does not help the curve through all points.
+/// @param least  takes the least error of what was near the points
+std::optional<Approximation<NurbsCurve>> refined(const KnotVector& knots, std::span<const double> parameters,
+                                                 Closing closing, Task& task, double& least) {
+  FittedPoints fit = corrected_fit(task.points, task.parameters, knots, task.options);
+  bool is_done = is_within(fit, task);
+  while (!is_done) {
+    least = std::min(least, std::max(fit.error, task.tolerance));
+    const auto next = finer(fit, task);
+    if (!next) break;
+    auto made = fit_on(*next, task);
+    if (!made) break;
+    fit = *std::move(made);
+    is_done = is_within(fit, task);
+  }
+  if (is_done) {
+    fit = thinned(std::move(fit), task);
+    return Approximation<NurbsCurve>{fit.curve(), fit.error};
+  }
+  const std::size_t conditions = task.points.size() + task.options.start.size() + task.options.end.size();
+  if (task.most < conditions || task.options.smoothing > 0.0) return {};
+  return through_all(parameters, knots.degree(), closing, task);
+}
+
+/// The first curve that is found, of those that stay near their points rather than of those that swing wide.
+/// @param choices  of parameters, the better ones first
+/// @throws InvalidShape where the points decide about no curve at the last of them
+Approximation<NurbsCurve> within(std::span<const glm::dvec3> points, std::span<const std::vector<double>> choices,
+                                 int degree, Closing closing, double tolerance, std::size_t most,
+                                 const ApproximationOptions& options) {
+  double least = std::numeric_limits<double>::infinity();
+  bool is_swinging = false;
+  for (const double swing : {kCalm, kWide}) {
+    if (swing == kWide && !is_swinging) break;
+    for (const std::vector<double>& parameters : choices) {
+      const KnotVector knots = coarsest(parameters, points.size(), degree, closing, most, options);
+      Task task{points, {parameters.begin(), parameters.begin() + std::ssize(points)}, options, tolerance,
+                most, parameters.front(), parameters.back(), swing};
+      try {
+        if (auto made = refined(knots, parameters, closing, task, least)) return *std::move(made);
+      } catch (const InvalidShape&) {
+        if (&parameters == &choices.back()) throw;
+      }
+      is_swinging |= task.is_swinging;
+    }
+  }
+  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(most) + " control points" +
+                                and_smoothing(options.smoothing > 0.0) + without_swings(is_swinging),
+                            tolerance, least);
+}
+
 }  // namespace
 
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,
@@ -209,27 +278,17 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
                                              const ApproximationOptions& options) {
   require_tolerance(tolerance);
   require_approximation(points, parameters, closing, options);
-  Task task{points, {parameters.begin(), parameters.begin() + std::ssize(points)}, options, tolerance,
-            most};
-  const KnotVector knots = coarsest(parameters, points.size(), degree, closing, most, options);
-  FittedPoints fit = corrected_fit(points, task.parameters, knots, options);
-  while (!is_within(fit, task)) {
-    const auto next = finer(fit, task);
-    if (!next) break;
-    auto made = fit_on(*next, task);
-    if (!made) break;
-    fit = *std::move(made);
-  }
-  if (is_within(fit, task)) {
-    fit = thinned(std::move(fit), task);
-    return {fit.curve(), fit.error};
-  }
-  if (most >= points.size() + options.start.size() + options.end.size() && options.smoothing == 0.0) {
-    if (auto exact = through_all(parameters, degree, closing, task)) return *std::move(exact);
-  }
-  throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(most) + " control points" +
-                                and_smoothing(options.smoothing > 0.0),
-                            tolerance, fit.error);
+  const std::vector<double> given(parameters.begin(), parameters.end());
+  return within(points, {&given, 1}, degree, closing, tolerance, most, options);
+}
+
+Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, int degree, Closing closing,
+                                             double tolerance, std::size_t most, const ApproximationOptions& options) {
+  require_tolerance(tolerance);
+  const std::array choices{parameters_of(points, Parametrisation::chordal, closing),
+                           calm_parameters(points, degree, closing)};
+  require_approximation(points, choices.front(), closing, options);
+  return within(points, choices, degree, closing, tolerance, most, options);
 }
 
 }  // namespace splinecore

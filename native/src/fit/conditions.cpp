@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/require.hpp"
+#include "control_counts.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -138,7 +139,7 @@ std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::sp
     all.push_back({parameters[i], 0, points[i], i});
     if (!derivatives.empty()) all.push_back({parameters[i], 1, derivatives[0], i});
   }
-  const auto needed = static_cast<std::size_t>(options.degree) + 1;
+  const std::size_t needed = least_count(options.degree, is_closed(options));
   if (all.size() < needed) {
     throw InvalidShape(std::to_string(all.size()) + " conditions are too few for degree " +
                        std::to_string(options.degree) + ", which needs at least " + std::to_string(needed));

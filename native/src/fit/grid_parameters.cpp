@@ -6,6 +6,7 @@
 
 #include "base/length.hpp"
 #include "base/require.hpp"
+#include "calm_steps.hpp"
 #include "grid.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -89,21 +90,75 @@ class Steps {
   double lines_ = 0.0;
 };
 
+std::vector<double> equal_steps(std::size_t count, Closing closing) {
+  std::vector<double> numbers(count + (closing == Closing::closed ? 1 : 0));
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  return numbers;
+}
+
+/// The farthest that two neighbouring rows of points lie apart in a line, and the mean length of the lines that are no points.
+struct RowDistances {
+  std::vector<double> largest;
+  double length = 0.0;
+
+  RowDistances(const PointGrid& grid, Axis axis, Closing closing) {
+    const std::size_t count = grid.count(axis);
+    const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
+    const auto at = [&](std::size_t i, std::size_t line) {
+      return grid.points[axis == Axis::u ? i * grid.count_v + line : line * grid.count_v + i];
+    };
+    largest.assign(closing == Closing::closed ? count : count - 1, 0.0);
+    double number = 0.0;
+    for (std::size_t line = 0; line < lines; ++line) {
+      breathe(8 * largest.size());
+      double sum = 0.0;
+      for (std::size_t i = 0; i < largest.size(); ++i) {
+        const double distance = distance_of(at(i, line), at((i + 1) % count, line));
+        largest[i] = std::max(largest[i], distance);
+        sum += distance;
+      }
+      if (!(sum > 0.0)) continue;
+      number += 1.0;
+      length += (sum - length) / number;
+    }
+  }
+};
+
+[[noreturn]] void refuse_step(Axis axis, std::size_t line, std::size_t count) {
+  throw InvalidShape("points along " + std::string(axis == Axis::u ? "u" : "v") + ": line " + std::to_string(line % count) +
+                     " is too close to line " + std::to_string(line - 1) + ": their distance is no step of the parameter");
+}
+
 }  // namespace
 
 std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing) {
   require_grid(grid);
-  if (kind == Parametrisation::uniform || grid.count(axis) == 1) {
-    std::vector<double> numbers(grid.count(axis) + (closing == Closing::closed ? 1 : 0));
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    return numbers;
-  }
+  if (kind == Parametrisation::uniform || grid.count(axis) == 1) return equal_steps(grid.count(axis), closing);
   Steps steps(grid, axis, kind, closing);
   const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
   for (std::size_t line = 0; line < lines; line += Steps::kTogether) {
     steps.add_lines(line, std::min(line + Steps::kTogether, lines));
   }
   return steps.parameters();
+}
+
+std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree, Closing closing) {
+  require_grid(grid);
+  // Twice as many as of curves: rows that crowd along u and along v share the distances of their points.
+  const int roots = calm_roots(degree) == kNoRoots ? kNoRoots : 2 * calm_roots(degree);
+  const RowDistances distances(grid, axis, closing);
+  if (roots == kNoRoots || grid.count(axis) == 1) {
+    return ending_at(equal_steps(grid.count(axis), closing), distances.length);
+  }
+  const bool is_length = distances.length > 0.0 && std::isfinite(distances.length);
+  if (!is_length) return parameters_of(grid, axis, Parametrisation::centripetal, closing);
+  std::vector<double> found{0.0};
+  for (double step : distances.largest) {
+    for (int root = 0; root < roots; ++root) step = std::sqrt(step);
+    found.push_back(found.back() + step);
+    if (!(found.back() > found[found.size() - 2])) refuse_step(axis, found.size() - 1, grid.count(axis));
+  }
+  return ending_at(std::move(found), distances.length);
 }
 
 }  // namespace splinecore

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "base/length.hpp"
@@ -12,6 +14,7 @@
 #include "near_points.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
+#include "splinecore/curve/evaluate.hpp"
 #include "system.hpp"
 
 namespace splinecore {
@@ -21,15 +24,79 @@ namespace {
 /// Of a solution without exchanges: the largest distance beside the largest coordinate.
 constexpr double kAccurate = 1e-13;
 
-std::vector<glm::dvec4> solved(const KnotVector& knots, System system) {
-  solve(knots, system.rows, system.right, 3);
-  std::vector<glm::dvec4> points(system.rows.count());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double* const row = system.right.data() + 3 * i;
-    points[i] = {row[0], row[1], row[2], 1.0};
-    require_control_point(glm::dvec3(points[i]));
+/// Larger ones are no numbers any more beside others.
+constexpr double kMostValue = 1e150;
+
+/// A solution and what is known of it.
+struct Solved {
+  std::vector<glm::dvec4> points;
+  double size;         ///< the largest coordinate of a point or control point
+  double uncertainty;  ///< how far rounding may have moved the curve
+};
+
+/// The largest value of the function with these coefficients, at some places of each span.
+double largest_value(const KnotVector& knots, std::span<const glm::dvec4> coefficients) {
+  constexpr int kEach = 4;
+  std::vector<double> places;
+  for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+    const Interval span = knots.span_interval(i);
+    for (int k = 0; k < kEach; ++k) places.push_back(span.start + (k + 0.5) / kEach * (span.end - span.start));
   }
-  return points;
+  std::vector<glm::dvec3> values(places.size());
+  evaluate(NurbsCurve::make(knots, {coefficients.begin(), coefficients.end()}), places,
+           {&values.front().x, 3 * values.size()});
+  double largest = 0.0;
+  for (const glm::dvec3& value : values) largest = std::max(largest, std::abs(value.x));
+  return largest;
+}
+
+/// 1 and -1 without a pattern, the same in every call.
+double sign_of(std::size_t i) noexcept {
+  const auto mixed = static_cast<std::uint64_t>(i + 1) * 0x9E3779B97F4A7C15u;
+  return ((mixed ^ (mixed >> 29)) * 0xBF58476D1CE4E5B9u >> 63) == 0 ? 1.0 : -1.0;
+}
+
+/// Beside the points the function of ones without a pattern is found. Rounding changes values as much as it is, times
+/// their rounding.
+Solved solved(const KnotVector& knots, const System& system, double largest) {
+  constexpr std::size_t kColumns = 4;
+  const std::size_t count = system.rows.count();
+  std::vector<double> right(kColumns * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::copy_n(&system.right[3 * i], 3, &right[kColumns * i]);
+    right[kColumns * i + 3] = sign_of(i);
+  }
+  solve(knots, system.rows, right, kColumns);
+  Solved made{std::vector<glm::dvec4>(count), largest, 0.0};
+  std::vector<glm::dvec4> signs(count);
+  bool is_told = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* const row = &right[kColumns * i];
+    made.points[i] = {row[0], row[1], row[2], 1.0};
+    require_control_point(glm::dvec3(made.points[i]));
+    made.size = std::max({made.size, std::abs(row[0]), std::abs(row[1]), std::abs(row[2])});
+    signs[i] = {row[3], 0.0, 0.0, 1.0};
+    is_told &= std::abs(row[3]) < kMostValue;
+  }
+  made.uncertainty = is_told ? largest_value(knots, signs) * std::numeric_limits<double>::epsilon() * made.size
+                             : std::numeric_limits<double>::infinity();
+  return made;
+}
+
+/// Of the curve from its points, as it is evaluated.
+double measured_distance(const NurbsCurve& curve, std::span<const Condition> conditions) {
+  std::vector<double> places;
+  std::vector<glm::dvec3> wanted;
+  for (const Condition& condition : conditions) {
+    if (condition.order > 0) continue;
+    places.push_back(condition.parameter);
+    wanted.push_back(condition.value);
+  }
+  std::vector<glm::dvec3> found(places.size());
+  evaluate(curve, places, {&found.front().x, 3 * found.size()});
+  double largest = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) largest = std::max(largest, distance_of(found[i], wanted[i]));
+  return largest;
 }
 
 /// Of the curve from its points.
@@ -141,14 +208,40 @@ std::optional<Approximation<NurbsCurve>> near_curve(std::span<const glm::dvec3> 
   return Approximation<NurbsCurve>{NurbsCurve::make(std::move(knots), std::move(found->points)), found->error};
 }
 
+/// Whether steps beside each other are so even that values of such a degree are hardly made larger between them.
+bool are_even(std::span<const double> parameters, int degree) {
+  const double most = std::exp2(30.0 / degree);
+  const auto window = static_cast<std::size_t>(degree) + 1;
+  const auto step = [&](std::size_t i) { return parameters[i + 1] - parameters[i]; };
+  double low = step(0);
+  double high = low;
+  for (std::size_t i = 1; i + 1 < parameters.size(); ++i) {
+    low = std::min(low, step(i));
+    high = std::max(high, step(i));
+  }
+  if (high <= most * low) return true;
+  for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+    low = high = step(i);
+    for (std::size_t k = i + 1; k < std::min(i + window, parameters.size() - 1); ++k) {
+      low = std::min(low, step(k));
+      high = std::max(high, step(k));
+    }
+    if (high > most * low) return false;
+  }
+  return true;
+}
+
 /// By a general system.
 Approximation<NurbsCurve> general_curve(std::span<const glm::dvec3> points, std::span<const double> parameters,
-                                        const InterpolationOptions& options) {
+                                        const InterpolationOptions& options, double largest) {
   const std::vector<Condition> conditions = conditions_of(points, parameters, options);
   const KnotVector knots = knots_for(sites_of(conditions), parameters, options);
   const System system = system_of(knots, conditions);
-  NurbsCurve curve = NurbsCurve::make(knots, solved(knots, system));
-  const double error = largest_distance(curve, system.rows, conditions);
+  Solved made = solved(knots, system, largest);
+  NurbsCurve curve = NurbsCurve::make(knots, std::move(made.points));
+  const double error = std::max(largest_distance(curve, system.rows, conditions), measured_distance(curve, conditions));
+  require_passing(error, largest);
+  require_passing(made.uncertainty, made.size);
   return {std::move(curve), error};
 }
 
@@ -158,11 +251,11 @@ Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::s
                                       const InterpolationOptions& options) {
   require_interpolation(points.size(), parameters, options);
   const double largest = largest_coordinate(points);
-  auto near = near_curve(points, parameters, options, largest);
-  if (near && near->error <= kAccurate * largest) return *std::move(near);
-  Approximation<NurbsCurve> curve = general_curve(points, parameters, options);
-  require_passing(curve.error, largest);
-  return curve;
+  if (are_even(parameters, options.degree)) {
+    auto near = near_curve(points, parameters, options, largest);
+    if (near && near->error <= kAccurate * largest) return *std::move(near);
+  }
+  return general_curve(points, parameters, options, largest);
 }
 
 }  // namespace splinecore

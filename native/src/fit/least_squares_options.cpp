@@ -26,6 +26,10 @@ void require_smoothing(double smoothing) {
 
 const char* and_smoothing(bool is_smoothed) noexcept { return is_smoothed ? " and this much smoothing" : ""; }
 
+const char* without_swings(bool is_swinging) noexcept {
+  return is_swinging ? " without swinging far from them in between" : "";
+}
+
 void require_corrections(int corrections) {
   constexpr int kMost = 1000;
   if (corrections >= 0 && corrections <= kMost) return;

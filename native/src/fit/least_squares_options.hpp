@@ -15,6 +15,9 @@ void require_smoothing(double smoothing);
 /// What control points do not reach alone, in a sentence.
 const char* and_smoothing(bool is_smoothed) noexcept;
 
+/// That shapes were near the points and were not taken, for they leave them in between; in a sentence.
+const char* without_swings(bool is_swinging) noexcept;
+
 /// @throws InvalidShape unless it is from 0 to 1000.
 void require_corrections(int corrections);
 

@@ -79,7 +79,7 @@ void require_passing(double error, double largest) {
   constexpr double kRounding = 1e-6;
   if (error <= kRounding * largest) return;
   throw InvalidShape("rounding leaves the shape " + text_of(error) +
-                     " from its points: the conditions hardly determine it, or its degree is too high for them");
+                     " from where it should be: the conditions hardly determine it, or its degree is too high for them");
 }
 
 double largest_coordinate(std::span<const glm::dvec3> points) {

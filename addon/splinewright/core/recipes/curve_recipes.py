@@ -43,7 +43,7 @@ _MOST_MISSED = 1e-3
 
 
 def _interpolating(points, degree, parametrisation, knots, closed):
-    most = degree if knots == 'natural' and not closed else len(points) - 1
+    most = len(points) if closed else degree if knots == 'natural' else len(points) - 1
     curve, missed = sc.fit.interpolate(points, min(degree, most), parametrisation, ends=knots, closed=closed)
     return Result(curve, _if_seen(missed, points))
 

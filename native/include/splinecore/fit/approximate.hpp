@@ -22,7 +22,10 @@ struct ApproximationOptions {
 };
 
 /// Knots for a curve with so many control points: about as many parameters between each two (The NURBS Book, eq. 9.68,
-/// 9.69); of a closed curve, where parameters end with the return to the first point, periodic ones.
+/// 9.69). Where those are fewer than degree + 1: averages of `degree` places each (eq. 9.8), of as many places as there are
+/// control points with as many parameters between each two; else single parameters would decide about control points that
+/// they hardly move, and noise would swing the curve. With as many control points as points, those of interpolate(). Of a
+/// closed curve, where parameters end with the return to the first point, periodic ones.
 /// @throws InvalidShape if the control points are fewer than the degree needs, or more than the points.
 KnotVector approximating_knots(std::span<const double> parameters, int degree, std::size_t count,
                                Closing closing = Closing::open);
@@ -42,11 +45,18 @@ Approximation<NurbsCurve> approximate(std::span<const glm::dvec3> points, std::s
                                       const ApproximationOptions& options = {});
 
 /// The same with knots where they are needed: spans that are too far from a point are halved, then knots that are not
-/// missed are taken away.
+/// missed are taken away. Curves that leave their points in between are not taken: by more than the size of a place's
+/// neighborhood, that is of `degree` points on each side, or where no others are found by four times as much.
 /// @param most  so many control points at most
+/// @returns the curve, and the largest distance of a point from the curve's point at its parameter
 /// @throws ToleranceNotReached if they do not come within the tolerance; InvalidShape unless it is positive.
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                              int degree, Closing closing, double tolerance, std::size_t most,
+                                             const ApproximationOptions& options = {});
+
+/// The same at chordal parameters, or at calm_parameters() where curves would swing at those.
+Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, int degree, Closing closing,
+                                             double tolerance, std::size_t most,
                                              const ApproximationOptions& options = {});
 
 }  // namespace splinecore

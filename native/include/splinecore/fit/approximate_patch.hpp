@@ -35,7 +35,9 @@ struct NearDirection {
 Approximation<NurbsPatch> approximate(const PointGrid& grid, const NearDirection& u, const NearDirection& v,
                                       bool fixed_ends = true);
 
-/// The same with as few control points in each direction as come within the tolerance; count is the most.
+/// The same with as few control points in each direction as come within the tolerance; count is the most. A patch that
+/// leaves its points in between, by more than the size of a place's neighborhood, `degree` points on each side, is not
+/// taken. Where a direction has no parameters they are chordal, or calm_parameters() where patches would swing at those.
 /// @throws ToleranceNotReached if they do not; InvalidShape unless it is positive.
 Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance,
                                              bool fixed_ends = true);
@@ -57,7 +59,8 @@ std::vector<glm::dvec2> plane_parameters(std::span<const glm::dvec3> points);
 /// @param parameters  one for each point, in the domain
 /// @returns the patch, and the largest distance of a point from it
 /// @throws InvalidShape if the directions are periodic, or the points do not determine the patch: not at all, or so little
-/// that control points would lie a million times as far away.
+/// that control points would lie a million times as far away, or the patch leaves the box around them by more than four
+/// times its size.
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                       const KnotVector& u, const KnotVector& v, const ScatteredOptions& options = {});
 
@@ -73,7 +76,9 @@ struct NetSize {
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                       const NetSize& size, const ScatteredOptions& options = {});
 
-/// The same with few control points within a tolerance; size has the most.
+/// The same with few control points within a tolerance; size has the most. Where the points do not decide alone, or the
+/// patch would leave the box around them by more than its size, the energy of a thin plate decides, as much of it as the
+/// tolerance leaves room for, of nets that have no more control points than there are points.
 /// @throws ToleranceNotReached if they do not come within the tolerance; InvalidShape unless it is positive.
 Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                              const NetSize& size, double tolerance,

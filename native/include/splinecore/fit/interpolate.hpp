@@ -33,6 +33,14 @@ struct InterpolationOptions {
   std::vector<double> knots;           ///< all of them, one period where closed; empty: chosen
 };
 
+/// Parameters 0, … for a curve of this degree on averaged knots that stays near its points however uneven their distances
+/// are: steps are the roots of the distances up to degree 3 (centripetal: Lee 1989), fourth roots of degree 4, eighth roots
+/// of degree 5, and equal above. With steps nearer to the distances, points that crowd set high derivatives, with which the curve swings
+/// over the long spans beside them. They end at the length of the polygon; where closed one more, of the return to the
+/// first.
+/// @throws InvalidShape as parameters_of(); only equal steps take two points in one place.
+std::vector<double> calm_parameters(std::span<const glm::dvec3> points, int degree, Closing closing = Closing::open);
+
 /// The polynomial spline through all points, with these derivatives (lecture row S17): linear in the number of points.
 ///
 /// Each condition is a row of a banded system. Where derivatives are given a parameter counts once for each when knots

@@ -35,6 +35,12 @@ struct FitDirection {
 std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind,
                                   Closing closing = Closing::open);
 
+/// As calm_parameters() of curves: between two rows by the points of them that lie farthest apart, so that no line sets
+/// higher derivatives than it has room for, and with twice as many roots, for where rows crowd in both directions their
+/// points' distances serve both. They end at the mean length of the lines that are no points.
+/// @throws InvalidShape as parameters_of(); only equal steps take two rows in one place.
+std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree, Closing closing = Closing::open);
+
 /// The polynomial spline patch through all points (The NURBS Book, §9.2.5; lecture row S20): linear in their number.
 ///
 /// One banded system a direction, for all lines at once.

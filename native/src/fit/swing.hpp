@@ -1,0 +1,38 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "splinecore/curve/nurbs_curve.hpp"
+#include "splinecore/fit/interpolate_patch.hpp"
+#include "splinecore/patch/nurbs_patch.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// How far a shape may lie from its points between them, beside the size of their neighborhood.
+struct Swing {
+  double most;
+  double tolerance;  ///< is added
+};
+
+/// What is looked for first, and what is taken where nothing else is found.
+inline constexpr double kCalm = 1.0;
+inline constexpr double kWide = 4.0;
+
+/// Whether a curve stays near the polygon of its points between them. The neighborhood of a place are `degree` points on
+/// each side of it. What swings farther follows rounding or noise, not the points.
+/// @param parameters  of the points, in order; where closed one more for the return
+bool stays_near(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::span<const double> parameters,
+                const Swing& swing);
+
+/// The same of a patch beside the bilinear pieces between the points of a grid.
+/// @param u, v  as many parameters as rows of points, and where closed one more for the return
+bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,
+                const Swing& swing);
+
+/// Whether a patch stays near scattered points: no farther from the box around them than so many times its size.
+bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most);
+
+}  // namespace splinecore
+#pragma GCC visibility pop
