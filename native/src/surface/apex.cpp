@@ -69,13 +69,13 @@ Eigen::Vector3d solved(const std::vector<Expectation>& all, const HolePlane& pla
   return found;
 }
 
-void require_seen(const std::vector<Expectation>& all, const HolePlane& plane) {
+bool is_seen_whole(const std::vector<Expectation>& all, const HolePlane& plane) {
   constexpr double kRounding = 1e-9;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const glm::dvec3& next = all[(i + 1) % all.size()].way;
-    if (glm::dot(glm::cross(all[i].way, next), plane.normal) > -kRounding * plane.size * plane.size) continue;
-    throw InvalidShape("the hole is round, but not seen whole from its middle: surfaces that run together there would fold");
+    if (!(glm::dot(glm::cross(all[i].way, next), plane.normal) > -kRounding * plane.size * plane.size)) return false;
   }
+  return true;
 }
 
 /// The derivative at an end of a circle's arc as a cubic, by the part of its chord along that, from how far the arc turns.
@@ -113,6 +113,12 @@ Apex apex_of(const Hole& hole) {
   for (const HoleSide& side : hole.sides) sides.push_back(places_along(side, kPlaces));
   const std::optional<HolePlane> plane = plane_of(sides);
   if (!plane) throw InvalidShape("the hole is round, but lies over no plane");
+  const std::optional<Apex> apex = apex_over(*plane, sides);
+  if (apex) return *apex;
+  throw InvalidShape("the hole is round, but not seen whole from its middle: surfaces that run together there would fold");
+}
+
+std::optional<Apex> apex_over(const HolePlane& plane, const std::vector<std::vector<HolePlace>>& sides) {
   std::vector<HolePlace> places;
   std::vector<double> lengths;
   for (const auto& side : sides) {
@@ -121,10 +127,10 @@ Apex apex_of(const Hole& hole) {
     lengths.insert(lengths.end(), of_side.begin(), of_side.end());
   }
   std::vector<Expectation> all;
-  for (std::size_t k = 0; k < places.size(); ++k) all.push_back(expectation_at(places[k], lengths[k], *plane));
-  require_seen(all, *plane);
-  const Eigen::Vector3d found = solved(all, *plane);
-  Apex apex{plane->origin + found[0] * plane->normal, plane->normal, found[1] * plane->x + found[2] * plane->y};
+  for (std::size_t k = 0; k < places.size(); ++k) all.push_back(expectation_at(places[k], lengths[k], plane));
+  if (!is_seen_whole(all, plane)) return {};
+  const Eigen::Vector3d found = solved(all, plane);
+  Apex apex{plane.origin + found[0] * plane.normal, plane.normal, found[1] * plane.x + found[2] * plane.y};
   double sum = 0.0;
   double length = 0.0;
   for (std::size_t k = 0; k < places.size(); ++k) {

@@ -2,8 +2,11 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
 
 #include "hole.hpp"
+#include "hole_plane.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
@@ -35,6 +38,9 @@ glm::dvec3 leaving(const HolePlace& place, const Apex& apex);
 /// to it along circles, as nearly as one point and one tangent plane allow.
 /// @throws InvalidShape where the hole lies over no plane, or is not seen whole from its middle
 Apex apex_of(const Hole& hole);
+
+/// The same of sides over a plane, seen at places_along() each; none where these are not seen whole from its origin.
+std::optional<Apex> apex_over(const HolePlane& plane, const std::vector<std::vector<HolePlace>>& sides);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

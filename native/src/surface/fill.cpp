@@ -9,6 +9,8 @@
 #include "base/positive_weights.hpp"
 #include "border_loop.hpp"
 #include "build/fit_options.hpp"
+#include "fairness.hpp"
+#include "guided_points.hpp"
 #include "hole.hpp"
 #include "hole_borders.hpp"
 #include "meet/near_space.hpp"
@@ -119,7 +121,7 @@ Filling round_filled(Hole& hole, const FillLimits& limits) {
 }
 
 /// Patches round a point, or one; with the most spans where the limits are not met.
-Filling star_filled(const Hole& hole, const FillLimits& limits) {
+Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& limits) {
   const StarKnots knots(hole);
   for (int spans = 1;; spans *= 2) {
     const bool is_last = knots.are_all(spans);
@@ -127,21 +129,69 @@ Filling star_filled(const Hole& hole, const FillLimits& limits) {
     Filling filling = seen_along_sides(hole, star_parts(hole), claimed.patches(), is_last ? std::nullopt : std::optional(limits));
     if (!is_last && !limits.are_met(filling)) continue;
     if (filling.gap > limits.gap && !knots.are_most(spans)) continue;
-    filling.patches = solved(hole, claimed);
+    filling.patches = solved(hole, claimed, guide);
     filling.inner_angle = angle_between_patches(filling.patches, Border::v_end);
     if (is_last || limits.are_met(filling)) return filling;
   }
 }
 
+/// A filling to choose from.
+struct Candidate {
+  Filling filling;
+  bool is_folded;
+  double bending;
+};
+
+Candidate candidate_of(Filling filling) {
+  constexpr double kUpright = 0.5 * std::numbers::pi;
+  const bool folds = filling.inner_angle > kUpright || std::ranges::any_of(filling.patches, is_folded);
+  const double bending = folds ? 0.0 : bending_of(filling.patches);
+  return {std::move(filling), folds, bending};
+}
+
+/// How much more a plain filling may bend than one that a guide leads.
+constexpr double kFair = 1.01;
+
+/// Of two stars the plain one, unless the other one is fairer.
+Filling fairer(Candidate plain, Candidate guided, const FillLimits& limits) {
+  const bool is_reached = guided.filling.gap <= limits.gap;
+  const bool is_near = limits.are_met(guided.filling) || !limits.are_met(plain.filling);
+  const bool is_fairer = plain.is_folded || plain.bending > kFair * guided.bending;
+  return is_reached && !guided.is_folded && is_near && is_fairer ? std::move(guided.filling) : std::move(plain.filling);
+}
+
+/// Patches round a point, that go by a guide where that bends less.
+Filling fairest_star(const Hole& plain_hole, Hole guided_hole, const FillLimits& limits) {
+  Candidate plain = candidate_of(star_filled(plain_hole, nullptr, limits));
+  const std::optional<HoleGuide> guide = HoleGuide::of(guided_hole);
+  if (!guide) return std::move(plain.filling);
+  const double least = guided_bending(guided_hole, *guide);
+  if (!plain.is_folded && plain.bending <= kFair * least) return std::move(plain.filling);
+  agree_at_corners(guided_hole, &*guide);
+  return fairer(std::move(plain), candidate_of(star_filled(guided_hole, &*guide, limits)), limits);
+}
+
 Filling filled(Hole& hole, const FillLimits& limits) {
   const bool goes_on = std::ranges::any_of(hole.sides, [](const HoleSide& side) { return side.continuity() > 0; });
   if (goes_on && is_round(hole)) return round_filled(hole, limits);
-  agree_at_corners(hole);
+  const Hole given = hole;
+  agree_at_corners(hole, nullptr);
   std::optional<Filling> exact = exactly_bordered(hole, limits);
-  if (exact && limits.are_met(*exact)) return *exact;
-  Filling star = star_filled(hole, limits);
-  const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !exact || star.angle < exact->angle);
+  const bool is_sound = exact && !std::ranges::any_of(exact->patches, is_folded);
+  if (is_sound && limits.are_met(*exact)) return *exact;
+  const bool has_guide = goes_on && hole.share < 1.0;
+  Filling star = has_guide ? fairest_star(hole, given, limits) : star_filled(hole, nullptr, limits);
+  const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !is_sound || star.angle < exact->angle);
   return exact && !is_better ? *exact : star;
+}
+
+void require_unfolded(const Filling& filling) {
+  constexpr double kUpright = 0.5 * std::numbers::pi;
+  if (filling.angle > kUpright) {
+    throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
+  }
+  if (filling.inner_angle <= kUpright && std::ranges::none_of(filling.patches, is_folded)) return;
+  throw InvalidShape("the filling would fold: its sides, or what goes on from their neighbours, run over each other");
 }
 
 /// Of the borders, not of what lies beyond.
@@ -167,9 +217,7 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   Hole hole = hole_of(pieces);
   Filling filling = filled(hole, limits);
   if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);
-  if (filling.angle > 0.5 * std::numbers::pi) {
-    throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
-  }
+  require_unfolded(filling);
   filling.gap += loop.error;
   return filling;
 }

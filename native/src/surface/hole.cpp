@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "hole_guide.hpp"
 #include "least_parts.hpp"
 #include "splinecore/base/errors.hpp"
 
@@ -115,6 +116,14 @@ void agree_on_fourths(HoleSide& a, HoleSide& b) {
   b.bend_second(true, 2, parts[2], parts[3]);
 }
 
+void bulge_towards(const HoleGuide& guide, Hole& hole) {
+  for (const int order : {1, 2}) {
+    for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+      hole.sides[i].bulge_towards([&](std::span<const double> s) { return guide.across_on_surface(hole, i, s, order); }, order, hole.continuity() + 1);
+    }
+  }
+}
+
 }  // namespace
 
 Hole hole_of(const std::vector<SidePiece>& pieces) {
@@ -143,9 +152,16 @@ bool goes_on_at_end(const Hole& hole, std::size_t i) {
   return is_straight_on(hole.sides[i].place(1.0).along, hole.sides[hole.after(i)].place(0.0).along);
 }
 
-void agree_at_corners(Hole& hole) {
+void agree_at_corners(Hole& hole, const HoleGuide* guide) {
   set_ends(hole);
-  for (HoleSide& side : hole.sides) side.agree_at_joints();
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+    HoleSide& side = hole.sides[i];
+    std::vector<double> lengths;
+    if (guide) {
+      for (const glm::dvec3& d : guide->across_on_surface(hole, i, side.joints(), 1)) lengths.push_back(length_of(d));
+    }
+    side.agree_at_joints(lengths);
+  }
   const auto at_corners = [&](const auto& agree) {
     for (std::size_t i = 0; i < hole.sides.size(); ++i) {
       HoleSide& side = hole.sides[i];
@@ -157,6 +173,7 @@ void agree_at_corners(Hole& hole) {
   for (HoleSide& side : hole.sides) {
     if (side.continuity() > 0) side.bend_onward();
   }
+  if (guide) bulge_towards(*guide, hole);
   at_corners([&](HoleSide& a, HoleSide& b) { agree_on_thirds(a, b, hole.share); });
   at_corners(agree_on_fourths);
 }
