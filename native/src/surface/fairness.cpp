@@ -27,8 +27,14 @@ std::vector<double> places_in(const KnotVector& knots, std::span<const double> s
   return found;
 }
 
-/// The area element and the sum of squared curvatures times it.
-double bending_at(const glm::dvec3* d) {
+/// Of a surface, or a place of it: the area, and times that the sum of both curvatures, and of their squares.
+struct Integrals {
+  double area = 0.0;
+  double curvatures = 0.0;
+  double squares = 0.0;
+};
+
+Integrals integrals_at(const glm::dvec3* d) {
   const glm::dvec3& u = d[3];
   const glm::dvec3& v = d[1];
   const glm::dvec3 normal = glm::cross(u, v);
@@ -37,13 +43,13 @@ double bending_at(const glm::dvec3* d) {
   const double f = glm::dot(u, v);
   const double g = glm::dot(v, v);
   const double square = area * area;
-  if (!(square > 0.0)) return 0.0;
+  if (!(square > 0.0)) return {};
   const double l = glm::dot(d[6], normal) / area;
   const double m = glm::dot(d[4], normal) / area;
   const double n = glm::dot(d[2], normal) / area;
   const double twice_mean = (e * n - 2.0 * f * m + g * l) / square;
   const double gauss = (l * n - m * m) / square;
-  return (twice_mean * twice_mean - 2.0 * gauss) * area;
+  return {area, twice_mean * area, (twice_mean * twice_mean - 2.0 * gauss) * area};
 }
 
 glm::dvec3 normal_at(const NurbsPatch& patch, double u, double v) {
@@ -92,8 +98,8 @@ bool turns_round(const NurbsPatch& patch, const Cell& cell, int halvings) {
 
 }  // namespace
 
-double bending_of(std::span<const NurbsPatch> patches) {
-  double sum = 0.0;
+Bending bending_of(std::span<const NurbsPatch> patches) {
+  Integrals sum;
   for (const NurbsPatch& patch : patches) {
     std::array<std::vector<double>, 2> at;
     std::array<std::vector<double>, 2> weights;
@@ -111,10 +117,17 @@ double bending_of(std::span<const NurbsPatch> patches) {
       breathe(line.size());
       const std::vector<double> u(at[1].size(), at[0][i]);
       derivatives(patch, u, at[1], 2, std::span(&line.front().x, 3 * line.size()));
-      for (std::size_t k = 0; k < at[1].size(); ++k) sum += weights[0][i] * weights[1][k] * bending_at(&line[9 * k]);
+      for (std::size_t k = 0; k < at[1].size(); ++k) {
+        const double weight = weights[0][i] * weights[1][k];
+        const Integrals here = integrals_at(&line[9 * k]);
+        sum.area += weight * here.area;
+        sum.curvatures += weight * here.curvatures;
+        sum.squares += weight * here.squares;
+      }
     }
   }
-  return sum;
+  if (!(sum.area > 0.0)) return {};
+  return {sum.squares, sum.squares - 0.5 * sum.curvatures * sum.curvatures / sum.area};
 }
 
 bool is_folded(const NurbsPatch& patch) {

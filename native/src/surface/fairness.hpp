@@ -7,8 +7,13 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// The integral of the sum of both squared principal curvatures: the same however patches are run through, moved or scaled.
-double bending_of(std::span<const NurbsPatch> patches);
+/// How patches bend: the same however they are run through, moved or scaled.
+struct Bending {
+  double whole = 0.0;   ///< the integral of the sum of both squared principal curvatures
+  double uneven = 0.0;  ///< of that what a sphere with the same area and the same mean curvature has less; 0 for parts of spheres
+};
+
+Bending bending_of(std::span<const NurbsPatch> patches);
 
 /// Whether the normals of a patch turn round inside of a span, from one place to one right beside it.
 bool is_folded(const NurbsPatch& patch);

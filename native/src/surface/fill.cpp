@@ -102,10 +102,10 @@ std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limi
 }
 
 /// Patches from the sides of a round hole to one point; with the highest degree where the limits are not met.
-Filling round_filled(Hole& hole, const FillLimits& limits) {
+Filling round_filled(Hole hole, const FillLimits& limits, Leaving leaving) {
   constexpr int kMostDegree = 9;
   constexpr int kForCurvatures = 7;
-  const Apex apex = apex_of(hole);
+  const Apex apex = apex_of(hole, leaving);
   agree_round(hole, apex);
   std::vector<PartOfSide> parts;
   for (std::size_t i = 0; i < hole.sides.size(); ++i) parts.push_back({i, 0.0, 1.0, i, Border::v_start});
@@ -118,6 +118,18 @@ Filling round_filled(Hole& hole, const FillLimits& limits) {
     filling.patches = std::move(patches);
     if (is_last || limits.are_met(filling)) return filling;
   }
+}
+
+/// Whether normals turn round in a patch, or from one to the next.
+bool is_folded(const Filling& filling) {
+  constexpr double kUpright = 0.5 * std::numbers::pi;
+  return filling.inner_angle > kUpright || std::ranges::any_of(filling.patches, [](const NurbsPatch& patch) { return is_folded(patch); });
+}
+
+/// In the second way where the first one folds.
+Filling round_filled(const Hole& hole, const FillLimits& limits) {
+  Filling filling = round_filled(hole, limits, Leaving::straight_on);
+  return is_folded(filling) ? round_filled(hole, limits, Leaving::nearest) : filling;
 }
 
 /// Patches round a point, or one; with the most spans where the limits are not met.
@@ -139,24 +151,26 @@ Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& 
 struct Candidate {
   Filling filling;
   bool is_folded;
-  double bending;
+  Bending bending;
 };
 
 Candidate candidate_of(Filling filling) {
-  constexpr double kUpright = 0.5 * std::numbers::pi;
-  const bool folds = filling.inner_angle > kUpright || std::ranges::any_of(filling.patches, is_folded);
-  const double bending = folds ? 0.0 : bending_of(filling.patches);
+  const bool folds = is_folded(filling);
+  const Bending bending = folds ? Bending() : bending_of(filling.patches);
   return {std::move(filling), folds, bending};
 }
 
-/// How much more a plain filling may bend than one that a guide leads.
-constexpr double kFair = 1.01;
+/// Whether a plain filling bends about as evenly as what a guide leads.
+bool is_fair(const Bending& plain, const Bending& guided) {
+  constexpr double kSlight = 0.01;
+  return plain.uneven <= guided.uneven + kSlight * plain.whole;
+}
 
 /// Of two stars the plain one, unless the other one is fairer.
 Filling fairer(Candidate plain, Candidate guided, const FillLimits& limits) {
   const bool is_reached = guided.filling.gap <= limits.gap;
   const bool is_near = limits.are_met(guided.filling) || !limits.are_met(plain.filling);
-  const bool is_fairer = plain.is_folded || plain.bending > kFair * guided.bending;
+  const bool is_fairer = plain.is_folded || !is_fair(plain.bending, guided.bending);
   return is_reached && !guided.is_folded && is_near && is_fairer ? std::move(guided.filling) : std::move(plain.filling);
 }
 
@@ -165,8 +179,8 @@ Filling fairest_star(const Hole& plain_hole, Hole guided_hole, const FillLimits&
   Candidate plain = candidate_of(star_filled(plain_hole, nullptr, limits));
   const std::optional<HoleGuide> guide = HoleGuide::of(guided_hole);
   if (!guide) return std::move(plain.filling);
-  const double least = guided_bending(guided_hole, *guide);
-  if (!plain.is_folded && plain.bending <= kFair * least) return std::move(plain.filling);
+  const std::optional<Bending> least = guided_bending(guided_hole, *guide);
+  if (!plain.is_folded && (!least || is_fair(plain.bending, *least))) return std::move(plain.filling);
   agree_at_corners(guided_hole, &*guide);
   return fairer(std::move(plain), candidate_of(star_filled(guided_hole, &*guide, limits)), limits);
 }
@@ -177,7 +191,7 @@ Filling filled(Hole& hole, const FillLimits& limits) {
   const Hole given = hole;
   agree_at_corners(hole, nullptr);
   std::optional<Filling> exact = exactly_bordered(hole, limits);
-  const bool is_sound = exact && !std::ranges::any_of(exact->patches, is_folded);
+  const bool is_sound = exact && !is_folded(*exact);
   if (is_sound && limits.are_met(*exact)) return *exact;
   const bool has_guide = goes_on && hole.share < 1.0;
   Filling star = has_guide ? fairest_star(hole, given, limits) : star_filled(hole, nullptr, limits);
@@ -186,12 +200,11 @@ Filling filled(Hole& hole, const FillLimits& limits) {
 }
 
 void require_unfolded(const Filling& filling) {
-  constexpr double kUpright = 0.5 * std::numbers::pi;
-  if (filling.angle > kUpright) {
+  if (filling.angle > 0.5 * std::numbers::pi) {
     throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
   }
-  if (filling.inner_angle <= kUpright && std::ranges::none_of(filling.patches, is_folded)) return;
-  throw InvalidShape("the filling would fold: its sides, or what goes on from their neighbours, run over each other");
+  if (!is_folded(filling)) return;
+  throw InvalidShape("the filling turns back over itself: its sides, or what goes on from their neighbours, leave no surface without a fold");
 }
 
 /// Of the borders, not of what lies beyond.

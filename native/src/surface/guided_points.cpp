@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 
-#include "fairness.hpp"
 #include "greville.hpp"
 #include "grid_controls.hpp"
 #include "splinecore/patch/evaluate.hpp"
@@ -66,11 +64,12 @@ std::vector<glm::dvec3> guided_points(const Hole& hole, const Star& star, const 
   return found;
 }
 
-double guided_bending(const Hole& hole, const HoleGuide& guide) {
+std::optional<Bending> guided_bending(const Hole& hole, const HoleGuide& guide) {
   constexpr int kDegree = 7;
   const Star star{KnotVector::bezier(kDegree), hole.sides.size(), false, hole.continuity() + 1};
   const std::vector<glm::dvec3> points = guided_points(hole, star, guide);
-  return points.empty() ? std::numeric_limits<double>::infinity() : bending_of(patches_of(star, points));
+  if (points.empty()) return {};
+  return bending_of(patches_of(star, points));
 }
 
 }  // namespace splinecore

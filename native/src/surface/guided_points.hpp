@@ -1,8 +1,10 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
+#include "fairness.hpp"
 #include "hole_guide.hpp"
 #include "star.hpp"
 
@@ -13,8 +15,8 @@ namespace splinecore {
 /// @returns none where they would fold in the plane
 std::vector<glm::dvec3> guided_points(const Hole& hole, const Star& star, const HoleGuide& guide);
 
-/// How much the guide bends, seen on few patches; see bending_of(). Without a limit where these would fold in the plane.
-double guided_bending(const Hole& hole, const HoleGuide& guide);
+/// How the guide bends, seen on few patches; none where these would fold in the plane.
+std::optional<Bending> guided_bending(const Hole& hole, const HoleGuide& guide);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

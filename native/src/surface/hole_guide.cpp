@@ -45,7 +45,7 @@ LineToApex line_from(const HolePlace& place, const Apex& apex) {
 }  // namespace
 
 glm::dvec2 HoleGuide::place_of(const HolePlace& place) const {
-  const glm::dvec3 way = place.point - apex_.point;
+  const glm::dvec3 way = -apex_.arriving(place.point);
   const glm::dvec2 seen(glm::dot(way, x_), glm::dot(way, y_));
   const double distance = glm::length(seen);
   return distance > 0.0 ? seen * (line_from(place, apex_).length() / distance) : seen;
@@ -165,7 +165,8 @@ std::optional<HoleGuide> HoleGuide::of(const Hole& hole) {
     plane->normal = normal;
     plane->origin = apex->point;
     if (round + 1 < kRounds) continue;
-    HoleGuide guide({apex->point, normal, glm::dvec3(0.0), apex->speed}, plane->x, plane->y);
+    const glm::dvec3 axis = apex->axis / glm::dot(apex->axis, normal);
+    HoleGuide guide({apex->point, normal, axis, glm::dvec3(0.0), apex->speed, apex->leaving}, plane->x, plane->y);
     guide.fit(hole);
     return guide;
   }
