@@ -122,12 +122,12 @@ double arriving_stretch(const HolePlace& place, const Apex& apex) {
 }  // namespace
 
 glm::dvec3 leaving(const HolePlace& place, const Apex& apex) {
-  const double least = apex.leaving == Leaving::straight_on ? 0.2 : 0.0;
+  const double least = apex.leaving == LeavingWay::straight_on ? 0.2 : 0.0;
   const glm::dvec3 chord = apex.point - place.point;
   const glm::dvec3 inwards = apex.seen(chord);
   if (!has_neighbour(place) || inwards == glm::dvec3(0.0)) return chord;
   const glm::dvec3 normal = glm::normalize(glm::cross(place.out, place.along));
-  const glm::dvec3 way = apex.leaving == Leaving::straight_on ? onward(place, inwards / length_of(inwards), apex.axis)
+  const glm::dvec3 way = apex.leaving == LeavingWay::straight_on ? onward(place, inwards / length_of(inwards), apex.axis)
                                                               : chord - normal * glm::dot(normal, chord);
   const double speed = length_of(way);
   if (!(speed > 0.0)) return chord;
@@ -137,7 +137,7 @@ glm::dvec3 leaving(const HolePlace& place, const Apex& apex) {
   return way * (length / speed * std::min(of_circle, cosine * stretch_of(way, apex.arriving(place.point))));
 }
 
-Apex apex_of(const Hole& hole, Leaving leaving) {
+Apex apex_of(const Hole& hole, LeavingWay leaving) {
   constexpr int kPlaces = 65;
   std::vector<std::vector<HolePlace>> sides;
   for (const HoleSide& side : hole.sides) sides.push_back(places_along(side, kPlaces));
@@ -167,7 +167,7 @@ AllPlaces all_places(const std::vector<std::vector<HolePlace>>& sides) {
 }
 
 /// None where the places are not seen whole along the axis.
-std::optional<Apex> apex_along(const HolePlane& plane, const glm::dvec3& axis, const AllPlaces& all, Leaving leaving) {
+std::optional<Apex> apex_along(const HolePlane& plane, const glm::dvec3& axis, const AllPlaces& all, LeavingWay leaving) {
   std::vector<Expectation> expected;
   for (std::size_t k = 0; k < all.places.size(); ++k) expected.push_back(expectation_at(all.places[k], all.lengths[k], plane, axis));
   if (!is_seen_whole(expected, plane)) return {};
@@ -197,7 +197,7 @@ bool leave_onward(const std::vector<HolePlace>& places, const Apex& apex) {
 }  // namespace
 
 /// As far along the axis that the neighbours have in common as lets all lines leave onward.
-std::optional<Apex> apex_over(const HolePlane& plane, const std::vector<std::vector<HolePlace>>& sides, Leaving leaving) {
+std::optional<Apex> apex_over(const HolePlane& plane, const std::vector<std::vector<HolePlace>>& sides, LeavingWay leaving) {
   constexpr int kParts = 4;
   const AllPlaces all = all_places(sides);
   const glm::dvec3 slope = axis_of(all.places, all.lengths, plane) - plane.normal;

@@ -12,7 +12,7 @@
 namespace splinecore {
 
 /// In a neighbour's plane: seen along the axis straight on to the apex, or as near to that as may be.
-enum class Leaving { straight_on, nearest };
+enum class LeavingWay { straight_on, nearest };
 
 /// Where the surface in a round hole is highest over it, more or less: lines from all sides run together there.
 struct Apex {
@@ -21,7 +21,7 @@ struct Apex {
   glm::dvec3 axis;     ///< along which it is seen, as long as it rises by 1 over that plane
   glm::dvec3 rise;     ///< in that plane: the slope of the tangent plane over it
   double speed = 1.0;  ///< of lines that arrive, by their distance seen along the axis
-  Leaving leaving = Leaving::straight_on;
+  LeavingWay leaving = LeavingWay::straight_on;
 
   /// The derivative at the apex, by t from 0 to 1, of the line from a point of a side; a linear function of it.
   glm::dvec3 arriving(const glm::dvec3& from) const { return flattened(point - from); }
@@ -46,11 +46,11 @@ glm::dvec3 leaving(const HolePlace& place, const Apex& apex);
 /// The apex that neighbours let expect: lines from all round, that leave in their planes at right angles to the sides, come
 /// to it along circles, as nearly as one point and one tangent plane allow.
 /// @throws InvalidShape where the hole lies over no plane, or is not seen whole from its middle
-Apex apex_of(const Hole& hole, Leaving leaving);
+Apex apex_of(const Hole& hole, LeavingWay leaving);
 
 /// The same of sides over a plane, seen at places_along() each; none where these are not seen whole from its origin.
 std::optional<Apex> apex_over(const HolePlane& plane, const std::vector<std::vector<HolePlace>>& sides,
-                              Leaving leaving = Leaving::straight_on);
+                              LeavingWay leaving = LeavingWay::straight_on);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -28,13 +28,13 @@ std::vector<double> places_in(const KnotVector& knots, std::span<const double> s
 }
 
 /// Of a surface, or a place of it: the area, and times that the sum of both curvatures, and of their squares.
-struct Integrals {
+struct BendingSums {
   double area = 0.0;
   double curvatures = 0.0;
   double squares = 0.0;
 };
 
-Integrals integrals_at(const glm::dvec3* d) {
+BendingSums sums_at(const glm::dvec3* d) {
   const glm::dvec3& u = d[3];
   const glm::dvec3& v = d[1];
   const glm::dvec3 normal = glm::cross(u, v);
@@ -59,7 +59,7 @@ glm::dvec3 normal_at(const NurbsPatch& patch, double u, double v) {
 }
 
 /// Four places with their normals, in order round them.
-struct Cell {
+struct NormalCell {
   std::array<double, 2> u;
   std::array<double, 2> v;
   std::array<glm::dvec3, 4> normals;
@@ -78,7 +78,7 @@ struct Cell {
 };
 
 /// Whether normals turn round in a cell as far as it may be halved.
-bool turns_round(const NurbsPatch& patch, const Cell& cell, int halvings) {
+bool turns_round(const NurbsPatch& patch, const NormalCell& cell, int halvings) {
   constexpr double kNear = 0.5;
   const double least = cell.least();
   if (least > kNear) return false;
@@ -89,17 +89,17 @@ bool turns_round(const NurbsPatch& patch, const Cell& cell, int halvings) {
   const std::array<glm::dvec3, 4> sides{normal_at(patch, u, cell.v[0]), normal_at(patch, cell.u[1], v), normal_at(patch, u, cell.v[1]),
                                         normal_at(patch, cell.u[0], v)};
   const auto& n = cell.normals;
-  const std::array<Cell, 4> parts{Cell{{cell.u[0], u}, {cell.v[0], v}, {n[0], sides[0], middle, sides[3]}},
-                                  Cell{{u, cell.u[1]}, {cell.v[0], v}, {sides[0], n[1], sides[1], middle}},
-                                  Cell{{u, cell.u[1]}, {v, cell.v[1]}, {middle, sides[1], n[2], sides[2]}},
-                                  Cell{{cell.u[0], u}, {v, cell.v[1]}, {sides[3], middle, sides[2], n[3]}}};
-  return std::ranges::any_of(parts, [&](const Cell& part) { return turns_round(patch, part, halvings - 1); });
+  const std::array<NormalCell, 4> parts{NormalCell{{cell.u[0], u}, {cell.v[0], v}, {n[0], sides[0], middle, sides[3]}},
+                                  NormalCell{{u, cell.u[1]}, {cell.v[0], v}, {sides[0], n[1], sides[1], middle}},
+                                  NormalCell{{u, cell.u[1]}, {v, cell.v[1]}, {middle, sides[1], n[2], sides[2]}},
+                                  NormalCell{{cell.u[0], u}, {v, cell.v[1]}, {sides[3], middle, sides[2], n[3]}}};
+  return std::ranges::any_of(parts, [&](const NormalCell& part) { return turns_round(patch, part, halvings - 1); });
 }
 
 }  // namespace
 
 Bending bending_of(std::span<const NurbsPatch> patches) {
-  Integrals sum;
+  BendingSums sum;
   for (const NurbsPatch& patch : patches) {
     std::array<std::vector<double>, 2> at;
     std::array<std::vector<double>, 2> weights;
@@ -119,7 +119,7 @@ Bending bending_of(std::span<const NurbsPatch> patches) {
       derivatives(patch, u, at[1], 2, std::span(&line.front().x, 3 * line.size()));
       for (std::size_t k = 0; k < at[1].size(); ++k) {
         const double weight = weights[0][i] * weights[1][k];
-        const Integrals here = integrals_at(&line[9 * k]);
+        const BendingSums here = sums_at(&line[9 * k]);
         sum.area += weight * here.area;
         sum.curvatures += weight * here.curvatures;
         sum.squares += weight * here.squares;
@@ -156,7 +156,7 @@ bool is_folded(const NurbsPatch& patch) {
     for (std::size_t k = 0; k + 1 < width; ++k) {
       if ((k + 1) % in_span[1] == 0) continue;
       const glm::dvec3* const n = &normals[i * width + k];
-      const Cell cell{{at[0][i], at[0][i + 1]}, {at[1][k], at[1][k + 1]}, {n[0], n[width], n[width + 1], n[1]}};
+      const NormalCell cell{{at[0][i], at[0][i + 1]}, {at[1][k], at[1][k + 1]}, {n[0], n[width], n[width + 1], n[1]}};
       if (turns_round(patch, cell, kHalvings)) return true;
     }
   }

@@ -102,7 +102,7 @@ std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limi
 }
 
 /// Patches from the sides of a round hole to one point; with the highest degree where the limits are not met.
-Filling round_filled(Hole hole, const FillLimits& limits, Leaving leaving) {
+Filling round_filled(Hole hole, const FillLimits& limits, LeavingWay leaving) {
   constexpr int kMostDegree = 9;
   constexpr int kForCurvatures = 7;
   const Apex apex = apex_of(hole, leaving);
@@ -128,8 +128,8 @@ bool is_folded(const Filling& filling) {
 
 /// In the second way where the first one folds.
 Filling round_filled(const Hole& hole, const FillLimits& limits) {
-  Filling filling = round_filled(hole, limits, Leaving::straight_on);
-  return is_folded(filling) ? round_filled(hole, limits, Leaving::nearest) : filling;
+  Filling filling = round_filled(hole, limits, LeavingWay::straight_on);
+  return is_folded(filling) ? round_filled(hole, limits, LeavingWay::nearest) : filling;
 }
 
 /// Patches round a point, or one; with the most spans where the limits are not met.
