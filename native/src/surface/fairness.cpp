@@ -86,8 +86,8 @@ bool turns_round(const NurbsPatch& patch, const NormalCell& cell, int halvings) 
   const double u = 0.5 * (cell.u[0] + cell.u[1]);
   const double v = 0.5 * (cell.v[0] + cell.v[1]);
   const glm::dvec3 middle = normal_at(patch, u, v);
-  const std::array<glm::dvec3, 4> sides{normal_at(patch, u, cell.v[0]), normal_at(patch, cell.u[1], v), normal_at(patch, u, cell.v[1]),
-                                        normal_at(patch, cell.u[0], v)};
+  const std::array<glm::dvec3, 4> sides{normal_at(patch, u, cell.v[0]), normal_at(patch, cell.u[1], v),
+                                        normal_at(patch, u, cell.v[1]), normal_at(patch, cell.u[0], v)};
   const auto& n = cell.normals;
   const std::array<NormalCell, 4> parts{NormalCell{{cell.u[0], u}, {cell.v[0], v}, {n[0], sides[0], middle, sides[3]}},
                                   NormalCell{{u, cell.u[1]}, {cell.v[0], v}, {sides[0], n[1], sides[1], middle}},
@@ -98,7 +98,7 @@ bool turns_round(const NurbsPatch& patch, const NormalCell& cell, int halvings) 
 
 }  // namespace
 
-Bending bending_of(std::span<const NurbsPatch> patches) {
+SurfaceBending bending_of(std::span<const NurbsPatch> patches) {
   BendingSums sum;
   for (const NurbsPatch& patch : patches) {
     std::array<std::vector<double>, 2> at;

@@ -148,26 +148,26 @@ Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& 
 }
 
 /// A filling to choose from.
-struct Candidate {
+struct FillCandidate {
   Filling filling;
   bool is_folded;
-  Bending bending;
+  SurfaceBending bending;
 };
 
-Candidate candidate_of(Filling filling) {
+FillCandidate candidate_of(Filling filling) {
   const bool folds = is_folded(filling);
-  const Bending bending = folds ? Bending() : bending_of(filling.patches);
+  const SurfaceBending bending = folds ? SurfaceBending() : bending_of(filling.patches);
   return {std::move(filling), folds, bending};
 }
 
 /// Whether a plain filling bends about as evenly as what a guide leads.
-bool is_fair(const Bending& plain, const Bending& guided) {
+bool is_fair(const SurfaceBending& plain, const SurfaceBending& guided) {
   constexpr double kSlight = 0.01;
   return plain.uneven <= guided.uneven + kSlight * plain.whole;
 }
 
 /// Of two stars the plain one, unless the other one is fairer.
-Filling fairer(Candidate plain, Candidate guided, const FillLimits& limits) {
+Filling fairer(FillCandidate plain, FillCandidate guided, const FillLimits& limits) {
   const bool is_reached = guided.filling.gap <= limits.gap;
   const bool is_near = limits.are_met(guided.filling) || !limits.are_met(plain.filling);
   const bool is_fairer = plain.is_folded || !is_fair(plain.bending, guided.bending);
@@ -176,10 +176,10 @@ Filling fairer(Candidate plain, Candidate guided, const FillLimits& limits) {
 
 /// Patches round a point, that go by a guide where that bends less.
 Filling fairest_star(const Hole& plain_hole, Hole guided_hole, const FillLimits& limits) {
-  Candidate plain = candidate_of(star_filled(plain_hole, nullptr, limits));
+  FillCandidate plain = candidate_of(star_filled(plain_hole, nullptr, limits));
   const std::optional<HoleGuide> guide = HoleGuide::of(guided_hole);
   if (!guide) return std::move(plain.filling);
-  const std::optional<Bending> least = guided_bending(guided_hole, *guide);
+  const std::optional<SurfaceBending> least = guided_bending(guided_hole, *guide);
   if (!plain.is_folded && (!least || is_fair(plain.bending, *least))) return std::move(plain.filling);
   agree_at_corners(guided_hole, &*guide);
   return fairer(std::move(plain), candidate_of(star_filled(guided_hole, &*guide, limits)), limits);

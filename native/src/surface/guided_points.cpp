@@ -35,7 +35,8 @@ bool is_folded_in_plane(const NurbsPatch& patch) {
   for (int k = 0; k < kPlaces; ++k) at.push_back((k + 0.5) / kPlaces);
   std::vector<glm::dvec3> points(at.size() * at.size());
   std::vector<glm::dvec3> normals(points.size());
-  evaluate_grid_with_normals(patch, at, at, std::span(&points.front().x, 3 * points.size()), std::span(&normals.front().x, 3 * normals.size()));
+  const std::size_t count = 3 * points.size();
+  evaluate_grid_with_normals(patch, at, at, std::span(&points.front().x, count), std::span(&normals.front().x, count));
   return !std::ranges::all_of(normals, [](const glm::dvec3& normal) { return normal.z > 0.0; });
 }
 
@@ -64,7 +65,7 @@ std::vector<glm::dvec3> guided_points(const Hole& hole, const Star& star, const 
   return found;
 }
 
-std::optional<Bending> guided_bending(const Hole& hole, const HoleGuide& guide) {
+std::optional<SurfaceBending> guided_bending(const Hole& hole, const HoleGuide& guide) {
   constexpr int kDegree = 7;
   const Star star{KnotVector::bezier(kDegree), hole.sides.size(), false, hole.continuity() + 1};
   const std::vector<glm::dvec3> points = guided_points(hole, star, guide);

@@ -16,7 +16,7 @@ namespace splinecore {
 std::vector<glm::dvec3> guided_points(const Hole& hole, const Star& star, const HoleGuide& guide);
 
 /// How the guide bends, seen on few patches; none where these would fold in the plane.
-std::optional<Bending> guided_bending(const Hole& hole, const HoleGuide& guide);
+std::optional<SurfaceBending> guided_bending(const Hole& hole, const HoleGuide& guide);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

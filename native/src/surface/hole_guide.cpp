@@ -86,10 +86,11 @@ glm::dvec3 HoleGuide::at(const glm::dvec2& place) const {
   return {p[0], p[1], p[2]};
 }
 
-std::vector<glm::dvec3> HoleGuide::across_on_surface(const Hole& hole, std::size_t i, std::span<const double> s, int order) const {
+std::vector<glm::dvec3> HoleGuide::across_on_surface(const Hole& hole, std::size_t i, std::span<const double> s,
+                                                     int order) const {
   const std::vector<glm::dvec2> places = border(hole.sides[i], s);
   const std::vector<glm::dvec2> ways = across(hole, i, s, 1);
-  const std::vector<glm::dvec2> turns = order == 2 ? across(hole, i, s, 2) : std::vector<glm::dvec2>(s.size(), glm::dvec2(0.0));
+  const std::vector<glm::dvec2> turns = order == 2 ? across(hole, i, s, 2) : std::vector<glm::dvec2>(s.size());
   const auto derivative = [&](const glm::dvec2& p, int by_x, int by_y) -> Eigen::RowVector3d {
     return plane_terms(kDegree, p, {by_x, by_y}) * factors_;
   };
@@ -99,7 +100,10 @@ std::vector<glm::dvec3> HoleGuide::across_on_surface(const Hole& hole, std::size
     const glm::dvec2 way = ways[k] / size_;
     const glm::dvec2 first = order == 1 ? way : turns[k] / size_;
     Eigen::RowVector3d sum = first.x * derivative(p, 1, 0) + first.y * derivative(p, 0, 1);
-    if (order == 2) sum += way.x * way.x * derivative(p, 2, 0) + 2.0 * way.x * way.y * derivative(p, 1, 1) + way.y * way.y * derivative(p, 0, 2);
+    if (order == 2) {
+      sum += way.x * way.x * derivative(p, 2, 0) + 2.0 * way.x * way.y * derivative(p, 1, 1);
+      sum += way.y * way.y * derivative(p, 0, 2);
+    }
     found.emplace_back(sum[0], sum[1], sum[2]);
   }
   return found;
@@ -109,6 +113,7 @@ std::vector<glm::dvec3> HoleGuide::across_on_surface(const Hole& hole, std::size
 void HoleGuide::fit(const Hole& hole) {
   constexpr int kParts = 8;
   constexpr double kOnSides = 4.0;
+  constexpr double kOfSlopes = 1.2;
   constexpr double kDependent = 1e-8;
   std::vector<Eigen::RowVectorXd> rows;
   std::vector<glm::dvec3> right;
@@ -136,7 +141,9 @@ void HoleGuide::fit(const Hole& hole) {
     if (!(speed > 0.0)) continue;
     const double distance = glm::length(from);
     const glm::dvec2 inwards = -from / distance;
-    add(0.3 * kOnSides, inwards.x * plane_terms(kDegree, from, {1, 0}) + inwards.y * plane_terms(kDegree, from, {0, 1}), start * (size_ / speed));
+    const Eigen::RowVectorXd by_x = plane_terms(kDegree, from, {1, 0});
+    const Eigen::RowVectorXd by_y = plane_terms(kDegree, from, {0, 1});
+    add(kOfSlopes, inwards.x * by_x + inwards.y * by_y, start * (size_ / speed));
   }
   Eigen::MatrixXd left(static_cast<Eigen::Index>(rows.size()), rows.front().size());
   Eigen::Matrix<double, Eigen::Dynamic, 3> wanted(static_cast<Eigen::Index>(rows.size()), 3);

@@ -29,16 +29,17 @@ void require_continuity(const NurbsPatch& made, Border border, const LoftNeighbo
   if (seam.gap > kApart) {
     const NurbsCurve edge = boundary(other, neighbour.side);
     if (edge.knot_vector().periodic() || distance_of(end_point(edge, false), end_point(edge, true)) <= kApart) return;
-    throw ToleranceNotReached("the patch cannot be made so exactly that it begins along the side of " + name, space.length(kApart),
-                              space.length(seam.gap));
+    throw ToleranceNotReached("the patch cannot be made so exactly that it begins along the side of " + name,
+                              space.length(kApart), space.length(seam.gap));
   }
   if (seam.angle > kAngle) {
-    throw ToleranceNotReached("the patch cannot be made so exactly that it goes on in the tangent planes of " + name, kAngle, seam.angle);
+    throw ToleranceNotReached("the patch cannot be made so exactly that it goes on in the tangent planes of " + name, kAngle,
+                              seam.angle);
   }
   if (neighbour.continuity < 2 || seam.g != 1) return;
   const double unit = space.length(1.0);
-  throw ToleranceNotReached("the patch cannot be made so exactly that it goes on with the curvatures of " + name, kCurvature / unit,
-                            seam.curvature_difference / unit);
+  throw ToleranceNotReached("the patch cannot be made so exactly that it goes on with the curvatures of " + name,
+                            kCurvature / unit, seam.curvature_difference / unit);
 }
 
 }  // namespace splinecore

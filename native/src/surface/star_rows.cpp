@@ -10,7 +10,8 @@ namespace splinecore {
 namespace {
 
 /// Rows of control points of a patch along its part of a side, one more than the highest order.
-std::vector<std::vector<glm::dvec3>> rows_along(const PartOfSide& part, const KnotVector& knots, const ValuesAlong& values, int most) {
+std::vector<std::vector<glm::dvec3>> rows_along(const PartOfSide& part, const KnotVector& knots, const ValuesAlong& values,
+                                                int most) {
   std::vector<double> s;
   for (const double place : interpolation_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
   std::vector<std::vector<glm::dvec3>> across;
@@ -22,7 +23,10 @@ std::vector<std::vector<glm::dvec3>> rows_along(const PartOfSide& part, const Kn
 
 std::vector<PartOfSide> star_parts(const Hole& hole) {
   if (hole.share == 1.0) {
-    return {{0, 0.0, 1.0, 0, Border::v_start}, {1, 0.0, 1.0, 0, Border::u_end}, {2, 1.0, 0.0, 0, Border::v_end}, {3, 1.0, 0.0, 0, Border::u_start}};
+    return {{0, 0.0, 1.0, 0, Border::v_start},
+            {1, 0.0, 1.0, 0, Border::u_end},
+            {2, 1.0, 0.0, 0, Border::v_end},
+            {3, 1.0, 0.0, 0, Border::u_start}};
   }
   std::vector<PartOfSide> parts;
   for (std::size_t k = 0; k < hole.sides.size(); ++k) {
