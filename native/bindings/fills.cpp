@@ -78,7 +78,9 @@ void bind_fills(py::module_& module) {
             "each other without a corner, patches run from each, as it is, to a point in which all end; where some do, from\n"
             "neighbours, they are one side of the hole.\n\n"
             "Where neighbours do not share their tangent plane at a corner, nothing can go on from both.\n"
-            "InvalidShape unless there are 3 to 8 sides that go round, or if one with a neighbour turns back over it, or runs on\n"
+            "In wide and deep holes patches go by lines that run from all sides to a point as circles would, where that bends more evenly.\n"
+            "InvalidShape unless there are 3 to 8 sides that go round, or where what fills the hole would fold, as it may where weights or\n"
+            "paces along sides differ much or curvatures are to go on far; or if one with a neighbour turns back over it, or runs on\n"
             "without a corner into one from no neighbour, or one or two corners are left, or a round hole is not seen whole from its\n"
             "middle;\n"
             "ToleranceNotReached says how far ends of sides lie apart, or how far the filling is from its sides.");

@@ -124,10 +124,12 @@ void bind_patch_blend(py::module_& build) {
             py::arg("strengths") = 1.0, py::kw_only(), py::arg("align") = true,
             "The NurbsPatch from a side of one patch to a side of another one that goes on from both: with their points, tangent\n"
             "planes, curvatures and how these change for 'G0' to 'G3', one word for both or a pair. u runs along the sides, v\n"
-            "from a to b in one span. strengths say how far it follows each. align: b's side is turned to run as a's does.\n"
+            "from a to b in one span. strengths say how far it follows each. align: b's side is turned to run as a's does; a closed\n"
+            "one then begins beside where a's does, so that its edge is the same curve, begun elsewhere.\n"
             "Lecture row S21.\n\n"
             "InvalidShape if a side is the seam of a periodic direction or lies at infinity, a patch stands still across its\n"
-            "side, both sides are one, or weights would not stay positive.");
+            "side, both sides are one, or weights would not stay positive; ToleranceNotReached where rounding leaves it off the\n"
+            "tangent planes by more than 1e-4 radians, or off the curvatures by more than a thousandth of the largest.");
 }
 
 }  // namespace

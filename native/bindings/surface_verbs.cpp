@@ -91,7 +91,9 @@ void bind_match(py::module_& build) {
             "The first rows of control points beside the side follow from the other patch's derivatives, at the patch's own speed\n"
             "times the strength; of `rows` that may move the others go with them evenly, and the rest stay where they are. Without\n"
             "`reversed` the nearer ends say which way the sides run.\n"
-            "InvalidShape if rows are too few, a patch stands still across its side, or that is the seam of a periodic direction.");
+            "InvalidShape if rows are too few, a patch stands still across its side, or that is the seam of a periodic direction;\n"
+            "ToleranceNotReached where rounding leaves it off the tangent planes by more than 1e-4 radians, or off the curvatures by\n"
+            "more than a thousandth of the largest.");
 }
 
 void bind_rounded_edge(py::module_& module) {

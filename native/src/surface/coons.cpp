@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/length.hpp"
 #include "bicubic_sum.hpp"
 #include "border_loop.hpp"
 #include "greville.hpp"
@@ -14,6 +15,7 @@
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/moebius.hpp"
 #include "splinecore/patch/isocurve.hpp"
 
@@ -96,6 +98,31 @@ NurbsPatch bilinear_sum(const OppositeSides& along_u, const OppositeSides& along
   return NurbsPatch::make(along_u.start.knot_vector(), along_v.start.knot_vector(), std::move(net));
 }
 
+/// How far apart two curves over one domain are at the same parameters, seen in every span of either; 0 for rounding of points so
+/// far out, and where a point lies at infinity.
+double distance_of_curves(const NurbsCurve& a, const NurbsCurve& b, double size) {
+  constexpr int kInSpan = 12;
+  constexpr double kRounding = 1e-13;
+  std::vector<double> ends(a.knot_vector().knots().begin(), a.knot_vector().knots().end());
+  ends.insert(ends.end(), b.knot_vector().knots().begin(), b.knot_vector().knots().end());
+  std::ranges::sort(ends);
+  std::vector<double> at;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double length = ends[i + 1] - ends[i];
+    for (int k = 0; k < kInSpan && length > 0.0; ++k) at.push_back(ends[i] + length * (k + 0.5) / kInSpan);
+  }
+  std::vector<glm::dvec3> of_a(at.size());
+  std::vector<glm::dvec3> of_b(at.size());
+  evaluate(a, at, {&of_a.front().x, 3 * at.size()}, {.at_infinity = AtInfinity::nan});
+  evaluate(b, at, {&of_b.front().x, 3 * at.size()}, {.at_infinity = AtInfinity::nan});
+  double largest = 0.0;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double distance = distance_of(of_a[k], of_b[k]);
+    if (distance > largest) largest = distance;
+  }
+  return largest > kRounding * size ? largest : 0.0;
+}
+
 /// A derivative as vectors of the space, over [0, 1], as the side now runs.
 std::optional<NurbsCurve> entered(const std::optional<NurbsCurve>& across, std::size_t side, bool is_turned, double unit) {
   if (!across) return {};
@@ -134,7 +161,15 @@ Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional
   const NearSpace space(all);
   const OppositeSides along_u(compatible(loop.curves[0], reversed(loop.curves[2])), space);
   const OppositeSides along_v(compatible(reversed(loop.curves[3]), loop.curves[1]), space);
-  return {bilinear_sum(along_u, along_v, space), loop.error};
+  double size = 0.0;
+  for (const glm::dvec4& p : all) size = std::max(size, length_of(glm::dvec3(p)));
+  double error = loop.error;
+  const auto compare = [&](const NurbsCurve& given, const NurbsCurve& made) { error = std::max(error, distance_of_curves(given, made, size)); };
+  compare(loop.curves[0], along_u.start);
+  compare(loop.curves[1], along_v.end);
+  compare(reversed(loop.curves[2]), along_u.end);
+  compare(reversed(loop.curves[3]), along_v.start);
+  return {bilinear_sum(along_u, along_v, space), error};
 }
 
 Approximation<NurbsPatch> bicubic_coons(std::span<const NurbsCurve> sides, std::span<const std::optional<NurbsCurve>> across,

@@ -10,8 +10,8 @@
 
 #include "base/length.hpp"
 #include "bicubic_sum.hpp"
-#include "fit/row_spline.hpp"
 #include "greville.hpp"
+#include "grid_controls.hpp"
 #include "hole_plane.hpp"
 #include "ribbon.hpp"
 #include "splinecore/patch/evaluate.hpp"
@@ -75,23 +75,6 @@ std::optional<Eigen::Matrix<double, kTerms, 1>> heights_of(const std::vector<std
   return solver.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), static_cast<Eigen::Index>(right.size())));
 }
 
-/// Control points of one number from its values at Greville's places in both directions, row after row.
-std::vector<double> controls_of(const KnotVector& knots, const std::vector<double>& values) {
-  const std::vector<double> at = greville_places(knots);
-  const std::size_t width = at.size();
-  const std::vector<double> all(knots.knots().begin(), knots.knots().end());
-  std::vector<double> found = values;
-  for (int direction = 0; direction < 2; ++direction) {
-    RowConditions given{at, {}, {}, {}};
-    for (std::size_t i = 0; i < width; ++i) given.rows.emplace_back(found.begin() + i * width, found.begin() + (i + 1) * width);
-    const std::vector<double> controls = spline_through(given, knots.degree(), Closing::open, all).controls;
-    for (std::size_t i = 0; i < width; ++i) {
-      for (std::size_t j = 0; j < width; ++j) found[j * width + i] = controls[i * width + j];
-    }
-  }
-  return found;
-}
-
 std::vector<glm::dvec3> heights_over_plane(const std::vector<std::vector<HolePlace>>& sides, const Star& star,
                                            std::span<const NurbsPatch> patches) {
   const std::optional<HolePlane> plane = plane_of(sides);
@@ -105,7 +88,7 @@ std::vector<glm::dvec3> heights_over_plane(const std::vector<std::vector<HolePla
     evaluate_grid(patches[k], at, at, std::span(&grid.front().x, 3 * grid.size()));
     std::vector<double> values;
     for (const glm::dvec3& p : grid) values.push_back(terms_at(plane->at(p)) * *heights);
-    const std::vector<double> controls = controls_of(star.knots, values);
+    const std::vector<double> controls = grid_controls(star.knots, values);
     for (std::size_t i = 0; i < at.size(); ++i) {
       for (std::size_t j = 0; j < at.size(); ++j) {
         found[star.at(k, i, j)] = plane->size * controls[i * at.size() + j] * plane->normal;

@@ -9,6 +9,8 @@
 #include "base/positive_weights.hpp"
 #include "border_loop.hpp"
 #include "build/fit_options.hpp"
+#include "fairness.hpp"
+#include "guided_points.hpp"
 #include "hole.hpp"
 #include "hole_borders.hpp"
 #include "meet/near_space.hpp"
@@ -100,10 +102,10 @@ std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limi
 }
 
 /// Patches from the sides of a round hole to one point; with the highest degree where the limits are not met.
-Filling round_filled(Hole& hole, const FillLimits& limits) {
+Filling round_filled(Hole hole, const FillLimits& limits, LeavingWay leaving) {
   constexpr int kMostDegree = 9;
   constexpr int kForCurvatures = 7;
-  const Apex apex = apex_of(hole);
+  const Apex apex = apex_of(hole, leaving);
   agree_round(hole, apex);
   std::vector<PartOfSide> parts;
   for (std::size_t i = 0; i < hole.sides.size(); ++i) parts.push_back({i, 0.0, 1.0, i, Border::v_start});
@@ -118,8 +120,20 @@ Filling round_filled(Hole& hole, const FillLimits& limits) {
   }
 }
 
+/// Whether normals turn round in a patch, or from one to the next.
+bool is_folded(const Filling& filling) {
+  constexpr double kUpright = 0.5 * std::numbers::pi;
+  return filling.inner_angle > kUpright || std::ranges::any_of(filling.patches, [](const NurbsPatch& patch) { return is_folded(patch); });
+}
+
+/// In the second way where the first one folds.
+Filling round_filled(const Hole& hole, const FillLimits& limits) {
+  Filling filling = round_filled(hole, limits, LeavingWay::straight_on);
+  return is_folded(filling) ? round_filled(hole, limits, LeavingWay::nearest) : filling;
+}
+
 /// Patches round a point, or one; with the most spans where the limits are not met.
-Filling star_filled(const Hole& hole, const FillLimits& limits) {
+Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& limits) {
   const StarKnots knots(hole);
   for (int spans = 1;; spans *= 2) {
     const bool is_last = knots.are_all(spans);
@@ -127,21 +141,70 @@ Filling star_filled(const Hole& hole, const FillLimits& limits) {
     Filling filling = seen_along_sides(hole, star_parts(hole), claimed.patches(), is_last ? std::nullopt : std::optional(limits));
     if (!is_last && !limits.are_met(filling)) continue;
     if (filling.gap > limits.gap && !knots.are_most(spans)) continue;
-    filling.patches = solved(hole, claimed);
+    filling.patches = solved(hole, claimed, guide);
     filling.inner_angle = angle_between_patches(filling.patches, Border::v_end);
     if (is_last || limits.are_met(filling)) return filling;
   }
 }
 
+/// A filling to choose from.
+struct FillCandidate {
+  Filling filling;
+  bool is_folded;
+  SurfaceBending bending;
+};
+
+FillCandidate candidate_of(Filling filling) {
+  const bool folds = is_folded(filling);
+  const SurfaceBending bending = folds ? SurfaceBending() : bending_of(filling.patches);
+  return {std::move(filling), folds, bending};
+}
+
+/// Whether a plain filling bends about as evenly as what a guide leads.
+bool is_fair(const SurfaceBending& plain, const SurfaceBending& guided) {
+  constexpr double kSlight = 0.01;
+  return plain.uneven <= guided.uneven + kSlight * plain.whole;
+}
+
+/// Of two stars the plain one, unless the other one is fairer.
+Filling fairer(FillCandidate plain, FillCandidate guided, const FillLimits& limits) {
+  const bool is_reached = guided.filling.gap <= limits.gap;
+  const bool is_near = limits.are_met(guided.filling) || !limits.are_met(plain.filling);
+  const bool is_fairer = plain.is_folded || !is_fair(plain.bending, guided.bending);
+  return is_reached && !guided.is_folded && is_near && is_fairer ? std::move(guided.filling) : std::move(plain.filling);
+}
+
+/// Patches round a point, that go by a guide where that bends less.
+Filling fairest_star(const Hole& plain_hole, Hole guided_hole, const FillLimits& limits) {
+  FillCandidate plain = candidate_of(star_filled(plain_hole, nullptr, limits));
+  const std::optional<HoleGuide> guide = HoleGuide::of(guided_hole);
+  if (!guide) return std::move(plain.filling);
+  const std::optional<SurfaceBending> least = guided_bending(guided_hole, *guide);
+  if (!plain.is_folded && (!least || is_fair(plain.bending, *least))) return std::move(plain.filling);
+  agree_at_corners(guided_hole, &*guide);
+  return fairer(std::move(plain), candidate_of(star_filled(guided_hole, &*guide, limits)), limits);
+}
+
 Filling filled(Hole& hole, const FillLimits& limits) {
   const bool goes_on = std::ranges::any_of(hole.sides, [](const HoleSide& side) { return side.continuity() > 0; });
   if (goes_on && is_round(hole)) return round_filled(hole, limits);
-  agree_at_corners(hole);
+  const Hole given = hole;
+  agree_at_corners(hole, nullptr);
   std::optional<Filling> exact = exactly_bordered(hole, limits);
-  if (exact && limits.are_met(*exact)) return *exact;
-  Filling star = star_filled(hole, limits);
-  const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !exact || star.angle < exact->angle);
+  const bool is_sound = exact && !is_folded(*exact);
+  if (is_sound && limits.are_met(*exact)) return *exact;
+  const bool has_guide = goes_on && hole.share < 1.0;
+  Filling star = has_guide ? fairest_star(hole, given, limits) : star_filled(hole, nullptr, limits);
+  const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !is_sound || star.angle < exact->angle);
   return exact && !is_better ? *exact : star;
+}
+
+void require_unfolded(const Filling& filling) {
+  if (filling.angle > 0.5 * std::numbers::pi) {
+    throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
+  }
+  if (!is_folded(filling)) return;
+  throw InvalidShape("the filling turns back over itself: its sides, or what goes on from their neighbours, leave no surface without a fold");
 }
 
 /// Of the borders, not of what lies beyond.
@@ -167,9 +230,7 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   Hole hole = hole_of(pieces);
   Filling filling = filled(hole, limits);
   if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);
-  if (filling.angle > 0.5 * std::numbers::pi) {
-    throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
-  }
+  require_unfolded(filling);
   filling.gap += loop.error;
   return filling;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "hole_guide.hpp"
 #include "least_parts.hpp"
 #include "splinecore/base/errors.hpp"
 
@@ -115,6 +116,41 @@ void agree_on_fourths(HoleSide& a, HoleSide& b) {
   b.bend_second(true, 2, parts[2], parts[3]);
 }
 
+/// The derivative along a side, at an end, of what leaves it on a guide; by differences.
+glm::dvec3 change_on(const HoleGuide& guide, const Hole& hole, std::size_t i, bool is_end, int order) {
+  constexpr double kStep = 0x1p-8;
+  const double at = is_end ? 1.0 : 0.0;
+  const double way = is_end ? -kStep : kStep;
+  const double s[] = {at, at + way, at + 2.0 * way, at + 3.0 * way};
+  const std::vector<glm::dvec3> d = guide.across_on_surface(hole, i, s, order);
+  return (-11.0 * d[0] + 18.0 * d[1] - 9.0 * d[2] + 2.0 * d[3]) / (6.0 * way);
+}
+
+/// Lets what leaves sides change at their ends as on a guide.
+void lean_towards(const HoleGuide& guide, Hole& hole, int order) {
+  constexpr std::array<glm::dvec3, 2> kNone{glm::dvec3(0.0), glm::dvec3(0.0)};
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+    HoleSide& side = hole.sides[i];
+    if (side.continuity() < order) continue;
+    for (const bool is_end : {false, true}) {
+      const AcrossJet jet = side.jet(is_end);
+      const glm::dvec3 missing = change_on(guide, hole, i, is_end, order) - (order == 1 ? jet.first[1] : jet.second[1]);
+      const auto parts = least_parts(missing, side.directions(is_end), kNone);
+      if (order == 1) side.bend_first(is_end, parts[0], parts[1]);
+      if (order == 2) side.bend_second(is_end, 1, parts[0], parts[1]);
+    }
+  }
+}
+
+void bulge_towards(const HoleGuide& guide, Hole& hole) {
+  for (const int order : {1, 2}) {
+    if (order == 2) lean_towards(guide, hole, 2);
+    for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+      hole.sides[i].bulge_towards([&](std::span<const double> s) { return guide.across_on_surface(hole, i, s, order); }, order, hole.continuity() + 1);
+    }
+  }
+}
+
 }  // namespace
 
 Hole hole_of(const std::vector<SidePiece>& pieces) {
@@ -143,9 +179,16 @@ bool goes_on_at_end(const Hole& hole, std::size_t i) {
   return is_straight_on(hole.sides[i].place(1.0).along, hole.sides[hole.after(i)].place(0.0).along);
 }
 
-void agree_at_corners(Hole& hole) {
+void agree_at_corners(Hole& hole, const HoleGuide* guide) {
   set_ends(hole);
-  for (HoleSide& side : hole.sides) side.agree_at_joints();
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) {
+    HoleSide& side = hole.sides[i];
+    std::vector<double> lengths;
+    if (guide) {
+      for (const glm::dvec3& d : guide->across_on_surface(hole, i, side.joints(), 1)) lengths.push_back(length_of(d));
+    }
+    side.agree_at_joints(lengths);
+  }
   const auto at_corners = [&](const auto& agree) {
     for (std::size_t i = 0; i < hole.sides.size(); ++i) {
       HoleSide& side = hole.sides[i];
@@ -153,10 +196,12 @@ void agree_at_corners(Hole& hole) {
       if (side.continuity() > 0 && before.continuity() > 0) agree(side, before);
     }
   };
+  if (guide) lean_towards(*guide, hole, 1);
   at_corners(agree_on_twist);
   for (HoleSide& side : hole.sides) {
     if (side.continuity() > 0) side.bend_onward();
   }
+  if (guide) bulge_towards(*guide, hole);
   at_corners([&](HoleSide& a, HoleSide& b) { agree_on_thirds(a, b, hole.share); });
   at_corners(agree_on_fourths);
 }

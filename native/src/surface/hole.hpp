@@ -32,10 +32,13 @@ Hole hole_of(const std::vector<SidePiece>& pieces);
 /// Whether a side goes on into the next one without a corner: within a degree or so, at which patches with one would fold.
 bool goes_on_at_end(const Hole& hole, std::size_t i);
 
+class HoleGuide;
+
 /// Sets how sides leave: at a corner along the next side, and so that both of a corner agree on mixed derivatives there, as
 /// nearly as their neighbours let them and as none leaves back over its neighbour.
+/// @param guide  to what they leave for between corners, if any
 /// @throws InvalidShape where one does at a corner, or a side with a neighbour goes on into another without a corner
-void agree_at_corners(Hole& hole);
+void agree_at_corners(Hole& hole, const HoleGuide* guide);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

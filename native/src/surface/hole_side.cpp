@@ -137,7 +137,7 @@ void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& 
   piece_at(is_end).piece.set_end(is_end, across, across_2);
 }
 
-void HoleSide::agree_at_joints() {
+void HoleSide::agree_at_joints(std::span<const double> lengths) {
   if (pieces_.size() == 1) return;
   const double ends[] = {0.0, 1.0};
   const std::vector<glm::dvec3> outer = across(ends, 1);
@@ -145,11 +145,26 @@ void HoleSide::agree_at_joints() {
     SidePiece& before = pieces_[k - 1].piece;
     SidePiece& behind = pieces_[k].piece;
     const double s = pieces_[k].from;
-    const Leaving leaving = leaving_between(before, behind, (1.0 - s) * length_of(outer[0]) + s * length_of(outer[1]));
+    const double length = lengths.empty() ? (1.0 - s) * length_of(outer[0]) + s * length_of(outer[1]) : lengths[k - 1];
+    const Leaving leaving = leaving_between(before, behind, length);
     before.set_end(true, leaving.first, leaving.second);
     behind.set_end(false, leaving.first, leaving.second);
   }
   for (std::size_t k = 1; k < pieces_.size(); ++k) turn_alike(pieces_[k - 1].piece, pieces_[k].piece);
+}
+
+void HoleSide::bulge_towards(const Wanted& wanted, int order, int power) {
+  constexpr int kPlaces = 17;
+  if (continuity() < order) return;
+  for (PlacedPiece& one : pieces_) {
+    std::vector<double> inside;
+    std::vector<double> s;
+    for (int k = 1; k + 1 < kPlaces; ++k) {
+      inside.push_back(static_cast<double>(k) / (kPlaces - 1));
+      s.push_back(one.from + inside.back() * one.length());
+    }
+    one.piece.bulge_towards(inside, wanted(s), order, power);
+  }
 }
 
 void HoleSide::bend_onward(double least) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -60,7 +61,14 @@ class HoleSide {
 
   /// Lets pieces leave alike where they meet: along the line between their neighbours, as nearly as these have one. For sides
   /// whose ends are set.
-  void agree_at_joints();
+  /// @param lengths  of what leaves joints; none: between those at the ends
+  void agree_at_joints(std::span<const double> lengths);
+
+  /// What leaves at places, given those.
+  using Wanted = std::function<std::vector<glm::dvec3>(std::span<const double>)>;
+
+  /// Lets each piece with a neighbour bulge towards that between its ends: see SidePiece.
+  void bulge_towards(const Wanted& wanted, int order, int power);
 
   /// Bends as much less as lets it nowhere leave back over a neighbour.
   /// @param least  what is to be left

@@ -11,6 +11,7 @@
 #include "base/quotient.hpp"
 #include "fit/row_spline.hpp"
 #include "going_on.hpp"
+#include "kept_continuity.hpp"
 #include "loft_sections.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -247,7 +248,10 @@ NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_ali
   options.is_aligned = is_aligned;
   options.start.neighbour = from;
   options.end.neighbour = to;
-  return loft({}, options).value;
+  NurbsPatch made = loft({}, options).value;
+  require_continuity(made, Border::v_start, from, "the first patch");
+  require_continuity(made, Border::v_end, to, "the second patch");
+  return made;
 }
 
 }  // namespace splinecore

@@ -9,6 +9,7 @@
 
 #include "aligned_sections.hpp"
 #include "going_on.hpp"
+#include "kept_continuity.hpp"
 #include "meet/near_space.hpp"
 #include "patch/lines.hpp"
 #include "ribbon.hpp"
@@ -246,6 +247,8 @@ Approximation<NurbsPatch> matched(const NurbsPatch& patch, Border side, const Nu
   const NurbsPatch first = with_side_first(near, side);
   if (are_closed) begin_beside(boundary(first, Border::v_start), ribbon, finds_way);
   const NurbsPatch made = with_side_back(moved_onto(first, std::move(ribbon), options), side);
+  const NurbsPatch goal = onto.with_points(space.enter(onto.points()));
+  require_continuity(made, side, {goal, onto_side, options.continuity}, "the other one", finds_way ? std::nullopt : std::optional(is_reversed));
   return {made.with_points(space.leave(made.points())), space.length(largest_distance(near, made))};
 }
 

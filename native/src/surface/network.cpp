@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "network_curves.hpp"
 #include "paced_family.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -208,21 +210,58 @@ NurbsPatch with_weights_one(const NurbsPatch& patch) {
   return patch.with_points(std::move(points));
 }
 
-/// The largest distance of curves from the lines of the patch on which they are to lie.
+/// Places that lie closer towards the ends of every span of a curve and of a line of the patch, and of what paces it.
+std::vector<double> span_places(const NurbsCurve& curve, const NurbsCurve& line, std::span<const double> crossings) {
+  constexpr int kInSpan = 12;
+  const Interval domain = curve.domain();
+  std::vector<double> ends{domain.start, domain.end};
+  const auto add = [&](std::span<const double> some) {
+    for (const double at : some) {
+      if (at > domain.start && at < domain.end) ends.push_back(at);
+    }
+  };
+  add(curve.knot_vector().knots());
+  add(line.knot_vector().knots());
+  add(crossings);
+  std::ranges::sort(ends);
+  std::vector<double> places{ends.front()};
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double length = ends[i + 1] - ends[i];
+    if (!(length > 0.0)) continue;
+    for (int k = 1; k < kInSpan; ++k) places.push_back(ends[i] + length * 0.5 * (1.0 - std::cos(std::numbers::pi * k / kInSpan)));
+    places.push_back(ends[i + 1]);
+  }
+  return places;
+}
+
+/// Distances of curve i of a family from a line of the patch; 0 where a point of either lies at infinity.
+std::vector<double> distances_at(const PacedFamily& family, std::size_t i, const NurbsCurve& line, const std::vector<double>& at) {
+  const std::vector<glm::dvec3> wanted = given_points(family, i, at);
+  std::vector<glm::dvec3> found(at.size());
+  evaluate(line, at, {&found.front().x, 3 * found.size()}, {.side = Side::left, .at_infinity = AtInfinity::nan});
+  std::vector<double> distances;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    distances.push_back(is_finite(wanted[k]) && is_finite(found[k]) ? distance_of(wanted[k], found[k]) : 0.0);
+  }
+  return distances;
+}
+
+/// The largest distance of curves from the lines of the patch on which they are to lie, looked for closer about where it is.
 double distance_from(const NurbsPatch& patch, const PacedFamily& family, std::span<const double> others, Axis axis) {
-  constexpr int kPlaces = 129;
-  const Interval domain = family.curves[0].domain();
-  std::vector<double> at;
-  for (int k = 0; k < kPlaces; ++k) at.push_back(k + 1 < kPlaces ? domain.start + domain.length() * k / (kPlaces - 1) : domain.end);
+  constexpr int kParts = 24;
   double largest = 0.0;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
-    const std::vector<glm::dvec3> wanted = given_points(family, i, at);
-    std::vector<glm::dvec3> found(kPlaces);
     const NurbsCurve line = isocurve(patch, axis, others[i]);
-    evaluate(line, at, {&found.front().x, 3 * found.size()}, {.side = Side::left, .at_infinity = AtInfinity::nan});
-    for (int k = 0; k < kPlaces; ++k) {
-      if (is_finite(wanted[k]) && is_finite(found[k])) largest = std::max(largest, distance_of(wanted[k], found[k]));
-    }
+    const std::vector<double> places = span_places(family.curves[i], line, family.wanted);
+    breathe(places.size());
+    const std::vector<double> distances = distances_at(family, i, line, places);
+    const auto at = static_cast<std::size_t>(std::ranges::max_element(distances) - distances.begin());
+    largest = std::max(largest, distances[at]);
+    const double from = places[at > 0 ? at - 1 : 0];
+    const double to = places[std::min(at + 1, places.size() - 1)];
+    std::vector<double> closer;
+    for (int k = 1; k < kParts; ++k) closer.push_back(from + (to - from) * k / kParts);
+    largest = std::max(largest, std::ranges::max(distances_at(family, i, line, closer)));
   }
   return largest;
 }

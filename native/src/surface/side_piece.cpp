@@ -1,10 +1,13 @@
 #include "side_piece.hpp"
 
+#include <Eigen/Dense>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <utility>
 
 #include "base/length.hpp"
+#include "bulge.hpp"
 #include "one_patch.hpp"
 #include "patch/lines.hpp"
 #include "splinecore/base/errors.hpp"
@@ -59,17 +62,39 @@ double slope_function(double s) { return s * (1.0 - s) * (1.0 - s); }
 /// The same of the second derivative, first derivatives being 0.
 double second_function(double s) { return 0.5 * s * s * (1.0 - s) * (1.0 - s) * (1.0 - s); }
 
+/// A polynomial by its factors.
+double value_of(const std::array<double, 5>& factors, double x) {
+  double sum = 0.0;
+  for (std::size_t k = factors.size(); k-- > 0;) sum = sum * x + factors[k];
+  return sum;
+}
+
+/// Factors of the bulge, times powers of 2 s - 1, for values at places, by least squares.
+std::array<double, 5> bulges_of(std::span<const double> s, const std::vector<double>& values, int power) {
+  std::array<double, 5> found{};
+  if (s.size() < found.size()) return found;
+  Eigen::MatrixXd left(std::ssize(s), std::ssize(found));
+  for (Eigen::Index i = 0; i < left.rows(); ++i) {
+    const double at = s[static_cast<std::size_t>(i)];
+    left(i, 0) = bulge(at, power);
+    for (Eigen::Index k = 1; k < left.cols(); ++k) left(i, k) = left(i, k - 1) * (2.0 * at - 1.0);
+  }
+  const Eigen::VectorXd factors = left.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)));
+  for (std::size_t k = 0; k < found.size(); ++k) found[k] = factors[static_cast<Eigen::Index>(k)];
+  return found;
+}
+
 }  // namespace
 
 double SidePiece::Factor::at(double s) const {
   const double t = 1.0 - s;
   return t * values[0] + s * values[1] + slopes[0] * slope_function(s) - slopes[1] * slope_function(t) +
-         seconds[0] * second_function(s) + seconds[1] * second_function(t);
+         seconds[0] * second_function(s) + seconds[1] * second_function(t) + bulge(s, power) * value_of(bulges, s - t);
 }
 
 std::array<double, 3> SidePiece::Factor::derivatives(bool is_end) const {
   const double of_slopes = is_end ? 2.0 * slopes[0] + 4.0 * slopes[1] : -4.0 * slopes[0] - 2.0 * slopes[1];
-  return {values[is_end], values[1] - values[0] + slopes[is_end], of_slopes + seconds[is_end]};
+  return {values[is_end], values[1] - values[0] + slopes[is_end], of_slopes + seconds[is_end] + (power == 2 ? 32.0 * value_of(bulges, is_end ? 1.0 : -1.0) : 0.0)};
 }
 
 SidePiece::SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour)
@@ -139,6 +164,42 @@ void SidePiece::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3&
   const auto [c, d] = parts_of(rest, here.out, here.along);
   c_.values[is_end] = c;
   d_.values[is_end] = d;
+}
+
+void SidePiece::bulge_towards(std::span<const double> s, std::span<const glm::dvec3> wanted, int order, int power) {
+  constexpr double kParallel = 1e-6;
+  constexpr double kLeast = 0.25;
+  const std::vector<HolePlace> here = places(s);
+  const std::vector<glm::dvec3> found = across(s, order);
+  std::vector<double> at;
+  std::vector<double> out;
+  std::vector<double> along;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const glm::dvec3 normal = glm::cross(here[i].out, here[i].along);
+    const double square = glm::dot(normal, normal);
+    if (!(square > kParallel * kParallel * glm::dot(here[i].out, here[i].out) * glm::dot(here[i].along, here[i].along))) continue;
+    const glm::dvec3 missing = wanted[i] - found[i];
+    at.push_back(s[i]);
+    out.push_back(glm::dot(glm::cross(missing, here[i].along), normal) / square);
+    along.push_back(glm::dot(glm::cross(here[i].out, missing), normal) / square);
+  }
+  Factor& of_out = order == 1 ? a_ : c_;
+  Factor& of_along = order == 1 ? b_ : d_;
+  of_out.power = of_along.power = power;
+  of_out.bulges = bulges_of(at, out, power);
+  of_along.bulges = bulges_of(at, along, power);
+  if (order == 2) return;
+  Factor before = a_;
+  before.bulges = {};
+  double share = 1.0;
+  for (const double place : at) {
+    const double own = before.at(place);
+    const double bent = a_.at(place) - own;
+    if (own + share * bent < kLeast * own) share = (kLeast - 1.0) * own / bent;
+  }
+  for (Factor* factor : {&a_, &b_}) {
+    for (double& part : factor->bulges) part *= share;
+  }
 }
 
 double SidePiece::bend_onward() {

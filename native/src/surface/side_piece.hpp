@@ -56,6 +56,11 @@ class SidePiece {
   /// c and d at an end.
   std::array<double, 2> second_parts(bool is_end) const { return {c_.values[is_end], d_.values[is_end]}; }
 
+  /// Adds to D, or to D2, what brings it as near as may be to vectors at places, in the neighbour's plane, and what changes
+  /// nothing at the ends of either, nor of as many derivatives as the power, less one. D goes on into the hole nowhere slower
+  /// than by a part of what it did.
+  void bulge_towards(std::span<const double> s, std::span<const glm::dvec3> wanted, int order, int power);
+
   /// Bends a and b as much less as lets it nowhere leave back over the neighbour. @returns what is left; 0 where it does at an end
   double bend_onward();
 
@@ -77,11 +82,14 @@ class SidePiece {
   std::vector<glm::dvec3> across(std::span<const double> s, int order) const;
 
  private:
-  /// A function of s: a line by its values at both ends, and what is added to its derivatives there: to the first ones by cubics.
+  /// A function of s: a line by its values at both ends, and what is added to its derivatives there: to the first ones by cubics;
+  /// and a bulge between these.
   struct Factor {
     std::array<double, 2> values{};
     std::array<double, 2> slopes{};   ///< added
     std::array<double, 2> seconds{};
+    std::array<double, 5> bulges{};   ///< factors of the bulge, times powers of 2 s - 1
+    int power = 2;                    ///< of the bulge
 
     double at(double s) const;
     std::array<double, 3> derivatives(bool is_end) const;

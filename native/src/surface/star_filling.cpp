@@ -7,35 +7,13 @@
 #include "base/sort_by.hpp"
 #include "basis/selection.hpp"
 #include "expected_points.hpp"
-#include "greville.hpp"
+#include "guided_points.hpp"
 #include "kink.hpp"
-#include "rows_beside.hpp"
-#include "star_claims.hpp"
+#include "star_rows.hpp"
 
 namespace splinecore {
 
 namespace {
-
-/// Rows of control points of a patch along its part of a side, one more than the side's continuity.
-std::vector<std::vector<glm::dvec3>> rows_along(const HoleSide& side, const PartOfSide& part, const KnotVector& knots) {
-  std::vector<double> s;
-  for (const double place : interpolation_places(knots)) s.push_back(part.from + (part.to - part.from) * place);
-  std::vector<std::vector<glm::dvec3>> across{side.points(s)};
-  for (int order = 1; order <= side.continuity(); ++order) across.push_back(side.across(s, order));
-  return rows_beside(knots, is_at_end(part.border) ? reversed(knots).knots : knots, across);
-}
-
-std::vector<NurbsPatch> patches_of(const Star& star, const std::vector<glm::dvec3>& points) {
-  std::vector<NurbsPatch> patches;
-  for (std::size_t k = 0; k < star.count; ++k) {
-    std::vector<glm::dvec4> net;
-    for (std::size_t i = 0; i < star.width(); ++i) {
-      for (std::size_t j = 0; j < star.width(); ++j) net.emplace_back(points[star.at(k, i, j)], 1.0);
-    }
-    patches.push_back(NurbsPatch::make(star.knots, star.knots, std::move(net)));
-  }
-  return patches;
-}
 
 std::vector<glm::dvec3> points_or_zero(const std::vector<std::optional<glm::dvec3>>& given) {
   std::vector<glm::dvec3> points;
@@ -110,18 +88,6 @@ std::vector<glm::dvec3> refined_points(const Star& star, const std::vector<Nurbs
 
 }  // namespace
 
-std::vector<PartOfSide> star_parts(const Hole& hole) {
-  if (hole.share == 1.0) {
-    return {{0, 0.0, 1.0, 0, Border::v_start}, {1, 0.0, 1.0, 0, Border::u_end}, {2, 1.0, 0.0, 0, Border::v_end}, {3, 1.0, 0.0, 0, Border::u_start}};
-  }
-  std::vector<PartOfSide> parts;
-  for (std::size_t k = 0; k < hole.sides.size(); ++k) {
-    parts.push_back({k, 0.0, hole.share, k, Border::v_start});
-    parts.push_back({hole.before(k), 1.0, hole.share, k, Border::u_start});
-  }
-  return parts;
-}
-
 StarKnots::StarKnots(const Hole& hole) : degree_(hole.continuity() == 2 ? 7 : 5), inner_(side_knots(hole, star_parts(hole), degree_)) {
   constexpr int kMostCopies = 40;
   int copies = 0;
@@ -156,30 +122,26 @@ std::vector<NurbsPatch> ClaimedStar::patches() const { return patches_of(star, p
 ClaimedStar claimed_star(const Hole& hole, const KnotVector& knots) {
   const bool is_one = hole.share == 1.0;
   const Star star{knots, is_one ? 1 : hole.sides.size(), is_one, hole.continuity() + 1};
-  const std::size_t last = star.width() - 1;
-  StarClaims claims(star);
-  for (const PartOfSide& part : star_parts(hole)) {
-    const auto rows = rows_along(hole.sides[part.side], part, knots);
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const std::size_t across = is_at_end(part.border) ? last - r : r;
-      for (std::size_t j = 0; j <= last; ++j) {
-        const bool is_along_u = axis_of(part.border) == Axis::v;
-        claims.add(part.patch, is_along_u ? j : across, is_along_u ? across : j, rows[r][j], static_cast<int>(r));
-      }
-    }
-  }
-  return {star, claims.points()};
+  std::vector<int> orders;
+  for (const HoleSide& side : hole.sides) orders.push_back(side.continuity());
+  const auto values = [&](std::size_t i, std::span<const double> s, int order) {
+    return order == 0 ? hole.sides[i].points(s) : hole.sides[i].across(s, order);
+  };
+  return {star, claimed_points(hole, star, values, orders)};
 }
 
-std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed) {
+std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed, const HoleGuide* guide) {
   const Star& star = claimed.star;
   if (const auto wide = without_short_spans(star.knots)) {
-    const std::vector<NurbsPatch> rough = solved(hole, claimed_star(hole, wide->knots));
+    const std::vector<NurbsPatch> rough = solved(hole, claimed_star(hole, wide->knots), guide);
     return patches_of(star, nearest_star(star, claimed.points, refined_points(star, rough, wide->left_out)));
   }
+  std::vector<glm::dvec3> expected;
+  if (guide) expected = guided_points(hole, star, *guide);
+  if (!expected.empty()) return patches_of(star, solved_star(star, claimed.points, expected));
   const bool is_one = star.count == 1;
   std::vector<NurbsPatch> patches = is_one ? claimed.patches() : patches_of(star, solved_star(star, claimed.points));
-  const std::vector<glm::dvec3> expected = expected_points(hole, star, patches);
+  expected = expected_points(hole, star, patches);
   return expected.empty() && !is_one ? patches : patches_of(star, solved_star(star, claimed.points, expected));
 }
 

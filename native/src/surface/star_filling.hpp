@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "hole.hpp"
+#include "hole_guide.hpp"
 #include "seen_filling.hpp"
 #include "star.hpp"
+#include "star_rows.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {
-
-/// Of four sides those of one patch; of others two for each patch round a point.
-std::vector<PartOfSide> star_parts(const Hole& hole);
 
 /// A place of the parameters of patches at which a side is less smooth, and how often its knot is needed for that.
 struct SideKnot {
@@ -48,7 +47,8 @@ struct ClaimedStar {
 ClaimedStar claimed_star(const Hole& hole, const KnotVector& knots);
 
 /// With the others where patches bend least, but for what is expected of them.
-std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed);
+/// @param guide  what is expected, if any
+std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed, const HoleGuide* guide);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -35,6 +35,8 @@ struct Filling {
 ///   derivatives of what lies between them and what neighbours let expect, which is that Coons patch, or of other numbers of
 ///   sides a polynomial over a plane (Sarraga 1987 and Greiner 1994): eight spans at most, and more only where sides need
 ///   them. Of four sides they are one patch; others are split from the middle of each side to a point.
+///   Where lines that run from all sides to a point, as circles would, let expect a surface that bends more evenly, as in wide and
+///   deep holes, patches go by that one.
 /// - where all sides go on into each other without a corner: patches from each, as it is, to a point in which they all end,
 ///   u along the side; lines go there as circles would. Their common tangent plane there is what neighbours let expect.
 /// Sides that go on into each other without a corner, from neighbours, or with a slight one that stands up from their tangent
@@ -43,11 +45,11 @@ struct Filling {
 ///
 /// What leaves a side does so in its neighbour's tangent planes, at corners along the next side. Where neighbours do not share
 /// their tangent plane, or how it turns, at a corner, nothing can go on from both there: angle says how far it is off.
-/// @returns patches, with equal control points along their common sides; with normals on one side, unless they fold, as they may
-///          where weights differ much or curvatures are to go on far
+/// @returns patches, with equal control points along their common sides; with normals on one side
 /// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it, goes on
 ///         without a corner into one from no neighbour, or is next to nothing beside one that it goes on into; where one or two
-///         corners are left, a round hole is not seen whole from its middle, or continuity is not from 0 to 2;
+///         corners are left, what fills the hole would fold, as it may where weights or paces along sides differ much or
+///         curvatures are to go on far, a round hole is not seen whole from its middle, or continuity is not from 0 to 2;
 ///         ToleranceNotReached where neighbouring sides' ends lie apart, or the sides are not reached
 Filling fill(std::span<const FillSide> sides, const FillOptions& options = {});
 

@@ -24,7 +24,9 @@ struct MatchOptions {
 /// as even as can be. The rest stay where they are: the patch is raised in degree until the opposite side is among these.
 /// @returns the patch over its domain, and the largest distance by which a point of it moved, at equal parameters
 /// @throws InvalidShape if the continuity is not from 0 to 3, or rows are too few for it, the strength is not above 0, a
-///         patch stands still across its side, that is the seam of a periodic direction, or lies at infinity.
+///         patch stands still across its side, that is the seam of a periodic direction, or lies at infinity;
+///         ToleranceNotReached where rounding leaves it off the other one's tangent planes by more than 1e-4 radians, or off its
+///         curvatures by more than a thousandth of the largest.
 Approximation<NurbsPatch> matched(const NurbsPatch& patch, Border side, const NurbsPatch& onto, Border onto_side,
                                   const MatchOptions& options = {});
 

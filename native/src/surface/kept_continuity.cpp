@@ -1,0 +1,45 @@
+#include "kept_continuity.hpp"
+
+#include "base/length.hpp"
+#include "meet/near_space.hpp"
+#include "splinecore/base/errors.hpp"
+#include "splinecore/base/points.hpp"
+#include "splinecore/measure/seam.hpp"
+
+namespace splinecore {
+
+namespace {
+
+glm::dvec3 end_point(const NurbsCurve& curve, bool is_end) {
+  return glm::dvec3(is_end ? curve.points().back() : curve.points().front());
+}
+
+}  // namespace
+
+void require_continuity(const NurbsPatch& made, Border border, const LoftNeighbour& neighbour, const std::string& name,
+                        std::optional<bool> reversed) {
+  constexpr double kAngle = 1e-4;
+  constexpr double kCurvature = 1e-3;
+  constexpr double kApart = 1e-6;
+  if (neighbour.continuity < 1) return;
+  const NearSpace space(together(made.points(), neighbour.patch.points()));
+  const NurbsPatch own = made.with_points(space.enter(made.points()));
+  const NurbsPatch other = neighbour.patch.with_points(space.enter(neighbour.patch.points()));
+  const SeamContinuity seam = seam_continuity(own, border, other, neighbour.side, kCurvature, {}, reversed);
+  if (seam.gap > kApart) {
+    const NurbsCurve edge = boundary(other, neighbour.side);
+    if (edge.knot_vector().periodic() || distance_of(end_point(edge, false), end_point(edge, true)) <= kApart) return;
+    throw ToleranceNotReached("the patch cannot be made so exactly that it begins along the side of " + name,
+                              space.length(kApart), space.length(seam.gap));
+  }
+  if (seam.angle > kAngle) {
+    throw ToleranceNotReached("the patch cannot be made so exactly that it goes on in the tangent planes of " + name, kAngle,
+                              seam.angle);
+  }
+  if (neighbour.continuity < 2 || seam.g != 1) return;
+  const double unit = space.length(1.0);
+  throw ToleranceNotReached("the patch cannot be made so exactly that it goes on with the curvatures of " + name,
+                            kCurvature / unit, seam.curvature_difference / unit);
+}
+
+}  // namespace splinecore
