@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "aligned_sections.hpp"
 #include "base/quotient.hpp"
+#include "closes.hpp"
 #include "rebuild_together.hpp"
 #include "ribbon.hpp"
 #include "splinecore/base/errors.hpp"
@@ -30,13 +32,8 @@ bool is_pole(const LoftSection& section) { return std::holds_alternative<glm::dv
 
 /// The bundle made periodic if each of its rows closes, up to rounding.
 Bundle closed_up(Bundle bundle) {
-  try {
-    std::vector<NurbsCurve> closed;
-    for (const NurbsCurve& row : bundle.rows) closed.push_back(made_periodic(row).value);
-    bundle.rows = std::move(closed);
-  } catch (const ToleranceNotReached&) {
-  } catch (const InvalidShape&) {
-  }
+  if (!std::ranges::all_of(bundle.rows, closes)) return bundle;
+  for (NurbsCurve& row : bundle.rows) row = made_periodic(row).value;
   return bundle;
 }
 
@@ -88,6 +85,16 @@ void align(std::vector<Bundle>& bundles, const NearSpace& space) {
   for (std::size_t i = 0; i < bundles.size(); ++i) {
     for (NurbsCurve& row : bundles[i].rows) row = turned(row, turns[i]);
   }
+}
+
+/// Sections that go round and run as those before them: so does the first beside the last, or that is shared among all.
+void close(std::vector<Bundle>& bundles, const NearSpace& space) {
+  const double share = turn_left(near_curve(bundles.back().rows[0], space), near_curve(bundles.front().rows[0], space));
+  if (share == 0.0) return;
+  std::vector<NurbsCurve> sections;
+  for (const Bundle& bundle : bundles) sections.push_back(bundle.rows[0]);
+  sections = turned_evenly(sections, share);
+  for (std::size_t i = 0; i < bundles.size(); ++i) bundles[i].rows[0] = std::move(sections[i]);
 }
 
 void turn(std::vector<Bundle>& bundles) {
@@ -183,6 +190,8 @@ LoftSections loft_sections(std::span<const LoftSection> sections, const LoftOpti
   for (Bundle& bundle : bundles) bundle = closed_up(std::move(bundle));
   const NearSpace space = space_of(bundles, sections);
   if (options.is_aligned) align(bundles, space);
+  const bool is_turned = std::ranges::any_of(options.turned, std::identity());
+  if (options.is_aligned && options.closing == Closing::closed && !is_turned) close(bundles, space);
   turn(bundles);
   double error = options.tolerance ? rebuild(bundles, *options.tolerance) : 0.0;
   error += make_compatible(bundles, options.knot_distance);

@@ -12,6 +12,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "build/fit_options.hpp"
+#include "closes.hpp"
 #include "fitted_rows.hpp"
 #include "kink.hpp"
 #include "meet/near_space.hpp"
@@ -57,15 +58,8 @@ double negligible_angle(std::span<const RailSection> sections, const SweepOption
 /// A rail that closes smoothly as a periodic one, one with corners from one of them on.
 /// @param negligible  angles of corners that are none
 NurbsCurve prepared(const NurbsCurve& rail, double negligible) {
-  if (!rail.periodic() && !is_closed(rail)) return clamped(rail);
-  NurbsCurve round = rail;
-  if (!rail.periodic()) {
-    try {
-      round = made_periodic(rail).value;
-    } catch (const InvalidShape&) {
-      return clamped(rail);
-    }
-  }
+  if (!closes(rail)) return clamped(rail);
+  const NurbsCurve round = made_periodic(rail).value;
   const std::vector<double> corners = corners_above(round, negligible);
   return corners.empty() ? round : clamped(with_seam_at(round, corners.front()));
 }

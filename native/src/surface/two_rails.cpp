@@ -7,6 +7,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "build/fit_options.hpp"
+#include "closes.hpp"
 #include "fitted_rows.hpp"
 #include "fitted_together.hpp"
 #include "kink.hpp"
@@ -123,14 +124,7 @@ std::vector<RailSection> of_width_one(const Rails& rails, std::span<const RailSe
   return made;
 }
 
-NurbsCurve closed_smoothly(const NurbsCurve& rail) {
-  if (rail.periodic() || !is_closed(rail)) return rail;
-  try {
-    return made_periodic(rail).value;
-  } catch (const InvalidShape&) {
-    return rail;
-  }
-}
+NurbsCurve closed_smoothly(const NurbsCurve& rail) { return closes(rail) ? made_periodic(rail).value : rail; }
 
 Rails prepared(const NurbsCurve& first, const NurbsCurve& second, const NearSpace& space) {
   NurbsCurve a = closed_smoothly(first);
