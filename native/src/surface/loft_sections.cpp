@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "aligned_sections.hpp"
 #include "base/quotient.hpp"
@@ -125,10 +126,51 @@ double rebuild(std::vector<Bundle>& bundles, double tolerance) {
   return rebuilt.error;
 }
 
+/// Knots over [0, 1] with those that are one up to rounding once, and how often each would be there at a degree.
+void add_knots(const NurbsCurve& curve, int degree, std::vector<std::pair<double, int>>& knots) {
+  const Interval domain = curve.domain();
+  const auto all = curve.knot_vector().knots();
+  for (std::size_t i = 0; i < all.size();) {
+    std::size_t end = i;
+    while (end < all.size() && all[end] == all[i]) ++end;
+    const double at = (all[i] - domain.start) / domain.length();
+    if (at > 0.0 && at < 1.0) knots.emplace_back(at, static_cast<int>(end - i) + degree - curve.degree());
+    i = end;
+  }
+}
+
+/// @throws InvalidShape if rows that all have their knots would have too many control points
+void require_room(const std::vector<NurbsCurve>& rows) {
+  constexpr double kSame = 0x1p-40;
+  constexpr double kMost = 0x1p20;
+  constexpr double kShared = 4.0;  // as many as so many sections have: they share most
+  const int degree = std::ranges::max(rows, {}, &NurbsCurve::degree).degree();
+  std::vector<std::pair<double, int>> knots;
+  std::size_t most = 0;
+  for (const NurbsCurve& row : rows) {
+    add_knots(row, degree, knots);
+    most = std::max(most, row.points().size());
+  }
+  std::ranges::sort(knots);
+  double count = degree + 1.0;
+  for (std::size_t i = 0; i < knots.size();) {
+    int copies = 0;
+    const double at = knots[i].first;
+    for (; i < knots.size() && knots[i].first - at <= kSame; ++i) copies = std::max(copies, knots[i].second);
+    count += copies;
+  }
+  const double points = count * static_cast<double>(rows.size());
+  if (points <= kMost || count <= kShared * static_cast<double>(most)) return;
+  throw InvalidShape("the sections do not share their knots: together they have so many that the surface would have " +
+                     std::to_string(static_cast<long long>(points)) +
+                     " control points. With a tolerance they are moved by less than that, onto few knots of their own");
+}
+
 /// All rows on one knot vector. @returns how far they were moved
 double make_compatible(std::vector<Bundle>& bundles, double knot_distance) {
   std::vector<NurbsCurve> all;
   for (const Bundle& bundle : bundles) all.insert(all.end(), bundle.rows.begin(), bundle.rows.end());
+  if (knot_distance == 0.0) require_room(all);
   const std::vector<NurbsCurve> made = compatible(all, knot_distance);
   double error = 0.0;
   std::size_t next = 0;
