@@ -307,7 +307,7 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
 std::vector<NurbsCurve> offset(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
   std::vector<NurbsCurve> found = offset_parts(curve, distance, options);
   if (found.empty()) {
-    throw InvalidShape("nothing is left of the offset: the distance is larger than every radius of the curve");
+    throw InvalidShape("nothing is left of the offset: on that side no place is as far from all of the curve as the distance");
   }
   return found;
 }

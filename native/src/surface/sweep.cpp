@@ -236,7 +236,13 @@ class Sweeping {
     const Interval beyond = other == Side::left ? Interval{whole.start, at} : Interval{at, whole.end};
     const glm::dvec3 next = places_.at(std::span(&at, 1), beyond)[0].frame.tangent;
     const glm::dvec3 normal = tangent + next;
-    if (!(length_of(normal) > kTurnsBack)) throw InvalidShape("the rail turns back at " + text_of(at));
+    if (!(length_of(normal) > kTurnsBack)) {
+      const double angle = 2.0 * std::acos(std::min(1.0, 0.5 * length_of(normal))) * (180.0 / std::numbers::pi);
+      constexpr double kBack = 179.5;
+      if (angle > kBack) throw InvalidShape("the rail turns back at " + text_of(at));
+      throw InvalidShape("the rail turns by " + std::to_string(std::lround(angle)) + " degrees at " + text_of(at) +
+                         ": a mitre there would reach out too far. Round the corner first");
+    }
     return normal / length_of(normal);
   }
 
