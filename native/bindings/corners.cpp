@@ -50,8 +50,9 @@ void bind_corners(py::module_& module) {
             py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0), py::kw_only(), py::arg("cancel") = py::none(),
             "Two curves of any kinds in one plane with the arc of a radius that touches both: (a, arc, b), NurbsCurves, each\n"
             "curve shortened to it.\n\n"
-            "Of the arcs that leave the parts about the parameters `kept` (2,), one of each curve, it is the nearest one. Open\n"
-            "curves that have none go on straight up to it; closed ones are not cut. Lecture row S18. InvalidShape if there is\n"
+            "Of the arcs that leave the parts about the parameters `kept` (2,), one of each curve, it is the nearest one, or one\n"
+            "that takes a curve whole, which is None then. Open curves that have none go on straight up to it; closed ones are\n"
+            "not cut. Lecture row S18. InvalidShape if there is\n"
             "none; and as fillets().");
   build.def("chamfered", [](const py::object& a, const py::object& b, const py::object& lengths, const py::object& kept,
                             const py::object& cancel) {

@@ -130,7 +130,7 @@ def test_fillets_stay_where_curves_are_scaled_and_moved(scale, far):
     matrix[:2, 3] = far * scale
     near = build.fillets(a, b, 0.2)
     made = build.fillets(a.transformed(matrix), b.transformed(matrix), 0.2 * scale)
-    assert len(made) == len(near) == 10
+    assert len(made) == len(near) == 13
     places = [np.array([fillet[1:3] for fillet in found]) for found in (near, made)]
     assert places[1] == pytest.approx(places[0], abs=1e-7 if far else 1e-12)
 

@@ -152,12 +152,15 @@ def _between(definition, first, second, kept, between, is_joined):
     a, b = curves[first - 1], curves[second - 1]
     made_a, bridge, made_b = between(a, b, tuple(map(_kept_at, (a, b), kept)))
     if is_joined:
-        whole = sc.build.join_curves([made_a, bridge, made_b], _ROUNDING * _size(a, b))
+        whole = sc.build.join_curves([one for one in (made_a, bridge, made_b) if one is not None], _ROUNDING * _size(a, b))
         return _changed(curves, first - 1, second - 1, whole)
-    after, parents = list(curves), list(range(len(curves)))
+    after = [*curves, bridge]
     after[first - 1], after[second - 1] = made_a, made_b
-    return verbs.Changed(definitions.from_value([*after, bridge]), (*parents, first - 1), 0.0,
-                         origins=tuple((places.Origin(i),) for i in (*parents, first - 1)))
+    # The bridge may have taken a piece whole.
+    left = [(one, parent) for one, parent in zip(after, (*range(len(curves)), first - 1)) if one is not None]
+    parents = tuple(parent for _, parent in left)
+    return verbs.Changed(definitions.from_value([one for one, _ in left]), parents, 0.0,
+                         origins=tuple((places.Origin(i),) for i in parents))
 
 
 def _changed(curves, first, second, whole):

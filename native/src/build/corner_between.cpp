@@ -30,27 +30,40 @@ double away_from(const NurbsCurve& a, const NurbsCurve& b, const std::array<doub
   return std::abs(at[0] - kept[0]) / a.domain().length() + std::abs(at[1] - kept[1]) / b.domain().length();
 }
 
-/// The fillet that leaves what is kept, the nearest one.
+/// Whether nothing is left of a curve up to a cut, or behind it; never of a closed one, which is not cut.
+bool is_taken_whole(const NurbsCurve& curve, double cut, bool is_left_before) {
+  const Interval domain = curve.domain();
+  return !is_closed(curve) && (is_left_before ? cut - domain.start : domain.end - cut) <= kNothing * domain.length();
+}
+
+/// The fillet that leaves what is kept, the nearest one; or else one that takes a curve whole.
 std::optional<Fillet> fillet_beside(const NurbsCurve& a, const NurbsCurve& b, double radius,
                                     const std::array<double, 2>& kept, const glm::dvec3& normal) {
   std::optional<Fillet> found;
+  bool takes_one = false;
   double least = 0.0;
   for (const Fillet& fillet : fillets(a, b, radius, normal)) {
-    const bool leaves_a = is_closed(a) || fillet.goes_on_a == (kept[0] < fillet.a);
-    const bool leaves_b = is_closed(b) || fillet.goes_on_b == (kept[1] > fillet.b);
+    const bool takes_a = is_taken_whole(a, fillet.a, fillet.goes_on_a);
+    const bool takes_b = is_taken_whole(b, fillet.b, !fillet.goes_on_b);
+    const bool leaves_a = takes_a || is_closed(a) || fillet.goes_on_a == (kept[0] < fillet.a);
+    const bool leaves_b = takes_b || is_closed(b) || fillet.goes_on_b == (kept[1] > fillet.b);
+    if (!leaves_a || !leaves_b) continue;
     const double away = away_from(a, b, {fillet.a, fillet.b}, kept);
-    if (!leaves_a || !leaves_b || (found && away >= least)) continue;
+    const bool takes = takes_a || takes_b;
+    if (found && (takes != takes_one ? takes : away >= least)) continue;
     found = fillet;
+    takes_one = takes;
     least = away;
   }
   return found;
 }
 
-/// The part of a curve about what is kept, from its own end up to a cut, which may be where it was made longer.
-NurbsCurve kept_part(const NurbsCurve& curve, const NurbsCurve& longer, double cut, double kept) {
+/// The part of a curve before or behind a cut, from its own end, which may be where it was made longer; none if that is nothing.
+std::optional<NurbsCurve> kept_part(const NurbsCurve& curve, const NurbsCurve& longer, double cut, bool is_before) {
   const Interval domain = curve.domain();
   if (is_closed(curve)) return curve;
-  return kept < cut ? part(longer, domain.start, cut) : part(longer, cut, domain.end);
+  if (is_taken_whole(curve, cut, is_before)) return {};
+  return is_before ? part(longer, domain.start, cut) : part(longer, cut, domain.end);
 }
 
 std::optional<CurveIntersection> corner_beside(const NurbsCurve& a, const NurbsCurve& b,
@@ -67,14 +80,10 @@ std::optional<CurveIntersection> corner_beside(const NurbsCurve& a, const NurbsC
 
 /// The parameter at a length from a corner towards what is kept.
 double parameter_towards(const NurbsCurve& curve, double corner, double length, double kept) {
-  const Interval domain = curve.domain();
   const double at = lengths_at_parameters(curve, std::span(&corner, 1)).front();
-  const double whole = lengths_at_parameters(curve, std::span(&domain.end, 1)).front();
-  const double along = kept < corner ? at - length : at + length;
-  if (!(along >= 0.0 && along <= whole)) {
-    throw InvalidShape("a curve is too short for a chamfer of " + text_of(length));
-  }
-  return parameters_at_lengths(curve, std::span(&along, 1)).front();
+  const auto found = parameter_along(curve, kept < corner ? at - length : at + length);
+  if (!found) throw InvalidShape("a curve is too short for a chamfer of " + text_of(length));
+  return *found;
 }
 
 double size_of_both(const NurbsCurve& a, const NurbsCurve& b) {
@@ -95,7 +104,8 @@ CornerBetween filleted(const NurbsCurve& a, const NurbsCurve& b, double radius, 
   const auto made = [&](const NurbsCurve& of_a, const NurbsCurve& of_b) -> std::optional<CornerBetween> {
     const std::optional<Fillet> fillet = fillet_beside(of_a, of_b, radius, kept, normal);
     if (!fillet) return {};
-    return CornerBetween{kept_part(a, of_a, fillet->a, kept[0]), fillet->arc, kept_part(b, of_b, fillet->b, kept[1])};
+    return CornerBetween{kept_part(a, of_a, fillet->a, fillet->goes_on_a), fillet->arc,
+                         kept_part(b, of_b, fillet->b, !fillet->goes_on_b)};
   };
   if (const auto found = made(a, b)) return *found;
   const double by = size_of_both(a, b) + radius;
@@ -116,8 +126,8 @@ CornerBetween chamfered(const NurbsCurve& a, const NurbsCurve& b, const std::arr
     if (!corner) return {};
     const double on_a = parameter_towards(of_a, corner->a, lengths[0], kept[0]);
     const double on_b = parameter_towards(of_b, corner->b, lengths[1], kept[1]);
-    return CornerBetween{kept_part(a, of_a, on_a, kept[0]), line_between(point_at(of_a, on_a), point_at(of_b, on_b)),
-                         kept_part(b, of_b, on_b, kept[1])};
+    return CornerBetween{kept_part(a, of_a, on_a, kept[0] < corner->a), line_between(point_at(of_a, on_a), point_at(of_b, on_b)),
+                         kept_part(b, of_b, on_b, kept[1] < corner->b)};
   };
   if (const auto found = made(a, b)) return *found;
   const double by = size_of_both(a, b);

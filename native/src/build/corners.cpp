@@ -73,7 +73,6 @@ NurbsCurve with_corners_cut(const NurbsCurve& curve, CutAt cut_at) {
     const Interval domain = runs[i].domain();
     const double start = i > 0 ? cuts[i - 1].behind : is_round ? cuts.back().behind : domain.start;
     const double end = i < corners ? cuts[i].before : domain.end;
-    constexpr double kNothing = 0x1p-36;
     if (end - start < -kNothing * domain.length()) {
       throw InvalidShape("what replaces the corners at both ends of the run to " + place_text(end_of(runs[i]).point) +
                          " does not fit on it");
@@ -107,14 +106,9 @@ CornerCut arc_at(const NurbsCurve& before, const NurbsCurve& behind, double radi
 
 /// The parameter at a length from another one, on the way to its start or end.
 double parameter_beside(const NurbsCurve& curve, double from, double by) {
-  const double along = lengths_at_parameters(curve, std::span(&from, 1)).front() + by;
-  const Interval domain = curve.domain();
-  const double whole = lengths_at_parameters(curve, std::span(&domain.end, 1)).front();
-  if (!(along >= 0.0 && along <= whole)) {
-    throw InvalidShape("the curve to " + place_text(end_of(curve).point) + " is too short for a chamfer of " +
-                       text_of(std::abs(by)));
-  }
-  return parameters_at_lengths(curve, std::span(&along, 1)).front();
+  const auto found = parameter_along(curve, lengths_at_parameters(curve, std::span(&from, 1)).front() + by);
+  if (found) return *found;
+  throw InvalidShape("the curve to " + place_text(end_of(curve).point) + " is too short for a chamfer of " + text_of(std::abs(by)));
 }
 
 CornerCut line_at(const NurbsCurve& before, const NurbsCurve& behind, double length) {

@@ -10,6 +10,7 @@
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/join.hpp"
+#include "splinecore/measure/arc_length.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 
 namespace splinecore {
@@ -38,6 +39,16 @@ glm::dvec3 point_at(const NurbsCurve& curve, double u) {
 
 NurbsCurve line_between(const glm::dvec3& a, const glm::dvec3& b) {
   return NurbsCurve::make(1, {0.0, 0.0, 1.0, 1.0}, {glm::dvec4(a, 1.0), glm::dvec4(b, 1.0)});
+}
+
+std::optional<double> parameter_along(const NurbsCurve& curve, double length) {
+  const Interval domain = curve.domain();
+  const double whole = lengths_at_parameters(curve, std::span(&domain.end, 1)).front();
+  const double room = kNothing * whole;
+  if (!(length >= -room && length <= whole + room)) return {};
+  if (length <= room) return domain.start;
+  if (length >= whole - room) return domain.end;
+  return parameters_at_lengths(curve, std::span(&length, 1)).front();
 }
 
 NurbsCurve follow(const NurbsCurve& curve, const NurbsCurve& more) {

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "base/sort_by.hpp"
 #include "meet/near_space.hpp"
@@ -16,6 +18,7 @@
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/meet/intersections.hpp"
 #include "splinecore/meet/nearest.hpp"
+#include "splinecore/meet/stationary.hpp"
 
 namespace splinecore {
 
@@ -73,13 +76,20 @@ class BesideBoth {
     return {d[0], tangent, d[0] + side * glm::cross(normal_, tangent), (1.0 - side * curvature) * d[1]};
   }
 
+  /// How far the place beside a curve goes between two parameters that follow each other as numbers.
+  static double rounding_of(const BesidePlace& place, double u) {
+    constexpr double kFew = 0x1p-50;
+    return kFew * std::abs(u) * glm::length(place.slope);
+  }
+
   std::optional<Fillet> fillet(double u, double v) const {
     constexpr double kOff = 1e-9;
     const BesidePlace on_a = place(a_, u, sides_[0]);
     const BesidePlace on_b = place(b_, v, sides_[1]);
     const double radius = std::abs(sides_[0]);
     const glm::dvec3 centre = 0.5 * (on_a.centre + on_b.centre);
-    if (!(glm::distance(on_a.centre, on_b.centre) <= kOff * radius)) return {};
+    const double room = kOff * radius + rounding_of(on_a, u) + rounding_of(on_b, v);
+    if (!(glm::distance(on_a.centre, on_b.centre) <= room)) return {};
     if (!(glm::distance(on_a.point, on_b.point) > kOff * radius)) return {};
     const glm::dvec3 from = on_a.point - centre;
     const glm::dvec3 to = on_b.point - centre;
@@ -96,11 +106,62 @@ class BesideBoth {
   std::array<double, 2> sides_;
 };
 
-double parameter_near(const NurbsCurve& curve, const glm::dvec3& point) {
-  NearestOnCurve found;
-  nearest(curve, std::span(&point, 1), std::span(&found, 1), 1);
-  return found.parameter;
+/// Parameters at which a circle about a place, of about this radius, may touch a curve: all, not the nearest alone, for where a
+/// curve bends more than the circle it lies on both sides of it.
+std::vector<double> touching_parameters(const NurbsCurve& curve, const glm::dvec3& centre, double radius) {
+  constexpr double kAbout = 0x1p-7;
+  std::vector<double> found;
+  NearestOnCurve first;
+  nearest(curve, std::span(&centre, 1), std::span(&first, 1), 1);
+  found.push_back(first.parameter);
+  try {
+    for (const StationaryOnCurve& place : stationary_points(curve, centre)) {
+      if (std::abs(place.distance - radius) <= kAbout * radius) found.push_back(place.parameter);
+    }
+  } catch (const InvalidShape&) {
+    // A part of it is an arc about that centre: any place of it is as good as the nearest one.
+    return found;
+  }
+  return found;
 }
+
+/// All fillets with their centres at crossings of offsets.
+class FilletSearch {
+ public:
+  FilletSearch(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal) : a_(a), b_(b), normal_(normal) {}
+
+  void look(double side_a, double side_b, const glm::dvec3& centre) {
+    const BesideBoth circle(a_, b_, normal_, {side_a, side_b});
+    const double radius = std::abs(side_a);
+    const std::vector<double> on_b = touching_parameters(b_, centre, radius);
+    for (const double u : touching_parameters(a_, centre, radius)) {
+      for (const double v : on_b) {
+        const auto made = circle.near(u, v);
+        if (made && !is_known(*made, radius)) found_.push_back(*made);
+      }
+    }
+  }
+
+  std::vector<Fillet> found() && { return std::move(found_); }
+
+ private:
+  /// About one centre there may be several, where a curve touches the circle more than once.
+  bool is_known(const Fillet& made, double radius) const {
+    constexpr double kSame = 1e-9;
+    constexpr double kSamePlace = 1e-6;  // where curves touch a circle, places on them are had to half the digits
+    return std::ranges::any_of(found_, [&](const Fillet& other) {
+      const auto apart = [](const glm::dvec4& p, const glm::dvec4& q) { return glm::distance(glm::dvec3(p), glm::dvec3(q)); };
+      return glm::distance(other.centre, made.centre) <= kSame * radius &&
+             apart(other.arc.points().front(), made.arc.points().front()) <= kSamePlace * radius &&
+             apart(other.arc.points().back(), made.arc.points().back()) <= kSamePlace * radius;
+    });
+  }
+
+  const NurbsCurve& a_;
+  const NurbsCurve& b_;
+  glm::dvec3 normal_;
+  std::vector<Fillet> found_;
+};
 
 }  // namespace
 
@@ -117,24 +178,18 @@ std::vector<Fillet> fillets(const NurbsCurve& given_a, const NurbsCurve& given_b
   const double radius = given_radius / space.length(1.0);
   OffsetOptions beside;
   beside.normal = up;
-  std::vector<Fillet> found;
+  FilletSearch search(a, b, up);
   for (const double side_a : {radius, -radius}) {
+    const std::vector<NurbsCurve> beside_a = offset_parts(a, side_a, beside);
     for (const double side_b : {radius, -radius}) {
-      const BesideBoth circle(a, b, up, {side_a, side_b});
-      for (const NurbsCurve& of_a : offset_parts(a, side_a, beside)) {
-        for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
-          for (const CurveIntersection& place : intersections(of_a, of_b).places) {
-            const auto made = circle.near(parameter_near(a, place.point), parameter_near(b, place.point));
-            constexpr double kSame = 1e-9;
-            const auto is_made = [&](const Fillet& other) {
-              return glm::distance(other.centre, made->centre) <= kSame * radius;
-            };
-            if (made && std::ranges::none_of(found, is_made)) found.push_back(*made);
-          }
+      for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
+        for (const NurbsCurve& of_a : beside_a) {
+          for (const CurveIntersection& place : intersections(of_a, of_b).places) search.look(side_a, side_b, place.point);
         }
       }
     }
   }
+  std::vector<Fillet> found = std::move(search).found();
   for (Fillet& fillet : found) {
     fillet.arc = fillet.arc.with_points(space.leave(fillet.arc.points()));
     fillet.centre = space.leave(fillet.centre);

@@ -68,7 +68,7 @@ class CurveOffset {
       } else {
         turn(pieces_[i - 1], pieces_[i]);
       }
-      for (BezierCurve& made : offset_piece(pieces_[i], step_)) runs_.back().push_back(std::move(made));
+      for (BezierCurve& made : offset_piece(pieces_[i], step_)) follow(std::move(made));
     }
     if (runs_.size() == 1 && glm::distance(end_of(pieces_.back()), start_of(pieces_.front())) <= kSame) {
       turn(pieces_.back(), pieces_.front());
@@ -78,6 +78,15 @@ class CurveOffset {
   }
 
  private:
+  /// Of a piece that is little more than rounding the direction is, too: what is left open behind it is closed.
+  void follow(BezierCurve piece) {
+    BezierPieces& run = runs_.back();
+    if (!run.empty() && glm::distance(end_of(run.back()), start_of(piece)) > kSame) {
+      run.push_back(line_between(end_of(run.back()), start_of(piece)));
+    }
+    run.push_back(std::move(piece));
+  }
+
   /// What joins the offsets of two pieces at their corner.
   void turn(const BezierCurve& before, const BezierCurve& behind) {
     const OffsetPlace a = offset_place(before, 1.0, step_);
@@ -91,11 +100,11 @@ class CurveOffset {
     if (cosine < 0.0 && std::abs(sine) <= kBack) angle = step_.distance > 0.0 ? -std::numbers::pi : std::numbers::pi;
     // On the inner side of a corner offsets cross; a line between them is nearer to the curve than they are.
     if (angle * step_.distance > 0.0) {
-      runs_.back().push_back(line_between(a.moved, b.moved));
+      follow(line_between(a.moved, b.moved));
     } else if (corner_ == OffsetCorner::sharp && 1.0 < kLongestCorner * std::cos(0.5 * angle)) {
       const glm::dvec3 tip = a.moved + std::abs(step_.distance) * std::tan(0.5 * std::abs(angle)) * a.tangent;
-      runs_.back().push_back(line_between(a.moved, tip));
-      runs_.back().push_back(line_between(tip, b.moved));
+      follow(line_between(a.moved, tip));
+      follow(line_between(tip, b.moved));
     } else {
       arc(a, angle);
     }
@@ -111,9 +120,9 @@ class CurveOffset {
     };
     for (int i = 0; i < count; ++i) {
       const double start = 2.0 * half * i;
-      runs_.back().push_back(BezierCurve::make({glm::dvec4(at(start, 1.0), 1.0),
-                                                glm::dvec4(at(start + half, 1.0 / std::cos(half)), std::cos(half)),
-                                                glm::dvec4(at(start + 2.0 * half, 1.0), 1.0)}));
+      follow(BezierCurve::make({glm::dvec4(at(start, 1.0), 1.0),
+                                glm::dvec4(at(start + half, 1.0 / std::cos(half)), std::cos(half)),
+                                glm::dvec4(at(start + 2.0 * half, 1.0), 1.0)}));
     }
   }
 
@@ -298,7 +307,7 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
 std::vector<NurbsCurve> offset(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
   std::vector<NurbsCurve> found = offset_parts(curve, distance, options);
   if (found.empty()) {
-    throw InvalidShape("nothing is left of the offset: the distance is larger than every radius of the curve");
+    throw InvalidShape("nothing is left of the offset: on that side no place is as far from all of the curve as the distance");
   }
   return found;
 }

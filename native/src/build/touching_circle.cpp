@@ -68,13 +68,16 @@ class ThreeTouches {
   /// @returns whether it found where the circle touches all
   bool solve() {
     constexpr int kMost = 60;
+    constexpr double kReached = 1e-13;   // by the radius
+    constexpr double kNear = 1e-10;
+    constexpr double kRounding = 0x1p-50;  // of the places of the curves and of the centre
     for (int round = 0; round < kMost; ++round) {
       breathe(1024);
       if (!step()) return false;
       look();
-      if (rest() <= 1e-12 * (radius_ + 1.0)) return radius_ > 0.0;
+      if (rest() <= kReached * radius_ + kRounding * size()) return radius_ > 0.0;
     }
-    return rest() <= 1e-10 * (radius_ + 1.0) && radius_ > 0.0;
+    return rest() <= kNear * radius_ + kRounding * size() && radius_ > 0.0;
   }
 
   glm::dvec2 centre() const { return centre_; }
@@ -92,6 +95,13 @@ class ThreeTouches {
     return centre_ - places_[i].point - sides_[i] * radius_ * places_[i].left();
   }
 
+  /// What is rounded where the circle is.
+  double size() const {
+    double largest = std::max(std::abs(centre_.x), std::abs(centre_.y));
+    for (const SidePlace& place : places_) largest = std::max({largest, std::abs(place.point.x), std::abs(place.point.y)});
+    return largest;
+  }
+
   double rest() const { return std::max({glm::length(gap(0)), glm::length(gap(1)), glm::length(gap(2))}); }
 
   /// Across each curve there are three equations for the centre and the radius; what is left along it moves its place.
@@ -107,7 +117,8 @@ class ThreeTouches {
       right[i] = -glm::dot(gap(k), left);
     }
     const double volume = glm::determinant(rows);
-    if (!(std::abs(volume) > 1e-14)) return false;
+    constexpr double kParallel = 0x1p-46;  // of rows of length about 1: the three directions say nothing of the circle
+    if (!(std::abs(volume) > kParallel)) return false;
     const glm::dvec3 by = glm::inverse(rows) * right;
     // No step goes farther than the circle is large, or turns it inside out.
     const double most = std::max({std::abs(by.x), std::abs(by.y), std::abs(by.z)});
@@ -116,7 +127,8 @@ class ThreeTouches {
       const double stretch = 1.0 - sides_[i] * radius_ * places_[i].curvature;
       const double along = glm::dot(gap(i) + glm::dvec2(by), places_[i].tangent);
       const Interval domain = curves_[i].domain();
-      const double way = std::abs(stretch) > 1e-3 ? along / (places_[i].speed * stretch) : 0.0;
+      // Where the curve bends as the circle does, its foot may be anywhere: no farther than a step may go.
+      const double way = stretch != 0.0 ? along / (places_[i].speed * stretch) : 0.0;
       at_[i] = std::clamp(at_[i] + share * std::clamp(way, -0.1 * domain.length(), 0.1 * domain.length()), domain.start,
                           domain.end);
     }

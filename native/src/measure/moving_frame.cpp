@@ -245,12 +245,16 @@ struct Query {
   std::size_t index;
 };
 
+/// A frame at the end is that which was carried there, also of a periodic curve, which begins there again.
+Side side_of(const KnotVector& knots, double u, Side side) { return u == knots.domain().end ? Side::left : side; }
+
 std::vector<Query> queries_of(const NearCurve& near, const KnotVector& knots, std::span<const double> parameters,
                               Side side) {
   std::vector<Query> queries;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const double u = std::scalbn(knots.admit(parameters[i], side, i), -near.parameters);
-    queries.push_back({near.curve.knot_vector().span_of(u, side), u, i});
+    const Side from = side_of(knots, parameters[i], side);
+    const double u = std::scalbn(knots.admit(parameters[i], from, i), -near.parameters);
+    queries.push_back({near.curve.knot_vector().span_of(u, from), u, i});
   }
   std::ranges::sort(queries, {}, [](const Query& q) { return std::tuple(q.span, q.u, q.index); });
   return queries;
@@ -269,7 +273,7 @@ void close_frames(const NurbsCurve& curve, std::span<const double> parameters, S
   const double end = curve.domain().end;
   const double whole = length(curve, curve.domain(), kPlaceTolerance).value;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const bool is_end = curve.knot_vector().admit(parameters[i], side, i) == end;
+    const bool is_end = curve.knot_vector().admit(parameters[i], side_of(curve.knot_vector(), parameters[i], side), i) == end;
     MovingFrame& frame = out[i];
     frame.normal = turned(frame.normal, frame.tangent, angle * (is_end ? 1.0 : lengths[i] / whole));
     frame.binormal = glm::cross(frame.tangent, frame.normal);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kink.hpp"
+#include "splinecore/base/errors.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
@@ -109,6 +110,13 @@ struct Beginning {
   double nearness;
 };
 
+/// How a curve runs best beside the one before it, and the angles by which it is turned from that, as it is and as it runs best.
+struct BestTurn {
+  SectionTurn turn;
+  double angle_as_it_is;
+  double angle;
+};
+
 Beginning nearest_of(const std::vector<double>& places, const Beginnings& nearness) {
   Beginning best{places.front(), nearness.at(places.front())};
   for (const double place : places) {
@@ -132,23 +140,36 @@ Beginning beginning_of(const NurbsCurve& curve, const Beginnings& nearness, bool
   return at_knot.nearness >= found.nearness - kAsNear * size ? at_knot : found;
 }
 
-SectionTurn turn_of(const NurbsCurve& before, const NurbsCurve& curve) {
+double angle_of(double nearness, double size) { return size > 0.0 ? std::acos(std::clamp(nearness / size, -1.0, 1.0)) : 0.0; }
+
+BestTurn best_turn(const NurbsCurve& before, const NurbsCurve& curve) {
   const NurbsCurve other_way = reversed(curve);
   const std::vector<glm::dvec3> other = about_middle(points_at(before, before.domain().start));
   const Beginnings along(other, curve);
   const Beginnings against(other, other_way);
   const std::vector<glm::dvec3> own = about_middle(points_at(curve, curve.domain().start));
   const double size = std::sqrt(product(other, other)) * std::sqrt(product(own, own));
+  const double as_it_is = along.at(curve.domain().start);
   if (!curve.periodic()) {
-    return {against.at(other_way.domain().start) > along.at(curve.domain().start) + kAsNear * size, {}};
+    const double back = against.at(other_way.domain().start);
+    const bool is_reversed = back > as_it_is + kAsNear * size;
+    return {{is_reversed, {}}, angle_of(as_it_is, size), angle_of(is_reversed ? back : as_it_is, size)};
   }
   const bool from_corner = before.periodic() && begins_at_corner(before);
   const Beginning first = beginning_of(curve, along, from_corner, size);
   const Beginning second = beginning_of(other_way, against, from_corner, size);
   const bool is_reversed = second.nearness > first.nearness + kAsNear * size;
-  const double at = is_reversed ? second.at : first.at;
+  const Beginning& best = is_reversed ? second : first;
   const double start = (is_reversed ? other_way : curve).domain().start;
-  return {is_reversed, at == start ? std::nullopt : std::optional(at)};
+  return {{is_reversed, best.at == start ? std::nullopt : std::optional(best.at)}, angle_of(as_it_is, size),
+          angle_of(best.nearness, size)};
+}
+
+/// Begun later by a part of the domain.
+NurbsCurve begun_later(const NurbsCurve& curve, double share) {
+  const Interval domain = curve.domain();
+  const double by = (share - std::floor(share)) * domain.length();
+  return by > 0.0 && by < domain.length() ? with_seam_at(curve, domain.start + by) : curve;
 }
 
 }  // namespace
@@ -162,10 +183,36 @@ std::vector<SectionTurn> turns_of(const std::vector<NurbsCurve>& curves) {
   std::vector<SectionTurn> turns;
   std::optional<NurbsCurve> before;
   for (const NurbsCurve& curve : curves) {
-    turns.push_back(before ? turn_of(*before, curve) : SectionTurn{});
+    turns.push_back(before ? best_turn(*before, curve).turn : SectionTurn{});
     before = turned(curve, turns.back());
   }
   return turns;
+}
+
+double turn_left(const NurbsCurve& last, const NurbsCurve& first) {
+  constexpr double kSeen = 0.2;      // radians more than need be: less is no harm
+  constexpr double kReversed = 1.0;  // few sections about a ring may lie as near the other way round
+  const BestTurn closing = best_turn(last, first);
+  const double more = closing.angle_as_it_is - closing.angle;
+  const SectionTurn& turn = closing.turn;
+  if (turn.is_reversed ? more <= kReversed : !turn.seam || more <= kSeen) return 0.0;
+  if (turn.is_reversed || (last.periodic() && begins_at_corner(last) && !corners_above(first, kSeen).empty())) {
+    throw InvalidShape(
+        "going round, the sections come back turned: the last one runs beside the first one as that would run from another "
+        "beginning, or backwards. An open loft, or sections that turn by whole turns, can be made; so can they as they are, "
+        "unaligned");
+  }
+  const Interval domain = first.domain();
+  const double share = (*turn.seam - domain.start) / domain.length();
+  return share - std::round(share);
+}
+
+std::vector<NurbsCurve> turned_evenly(const std::vector<NurbsCurve>& curves, double share) {
+  std::vector<NurbsCurve> made;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    made.push_back(begun_later(curves[i], -share * static_cast<double>(i) / static_cast<double>(curves.size())));
+  }
+  return made;
 }
 
 }  // namespace splinecore

@@ -23,5 +23,13 @@ NurbsCurve turned(const NurbsCurve& curve, const SectionTurn& turn);
 /// @param curves  about 1 large
 std::vector<SectionTurn> turns_of(const std::vector<NurbsCurve>& curves);
 
+/// By which part of its domain the first of sections that go round would have to begin later to run as the last one does,
+/// from -1/2 to 1/2; 0 where it does.
+/// @throws InvalidShape if it would have to begin at another corner, or to run the other way
+double turn_left(const NurbsCurve& last, const NurbsCurve& first);
+
+/// Periodic curves that go round and come back turned by this part of their domains: begun so that each has its share of that.
+std::vector<NurbsCurve> turned_evenly(const std::vector<NurbsCurve>& curves, double share);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

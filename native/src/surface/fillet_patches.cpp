@@ -9,13 +9,14 @@
 
 #include "base/length.hpp"
 #include "build/fit_options.hpp"
+#include "fillet_between.hpp"
 #include "fitted_patch.hpp"
-#include "fitted_rows.hpp"
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
 #include "rolling_ball.hpp"
 #include "side_first.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/ends.hpp"
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/join.hpp"
@@ -33,82 +34,69 @@ NurbsPatch ready(const NurbsPatch& patch, Border side, bool is_reversed) {
   return with_domain(with_domain(made, Axis::u, {0.0, 1.0}), Axis::v, {0.0, 1.0});
 }
 
+/// Places in every span of both patches along their edge.
+std::vector<double> places_along(const NurbsPatch& a, const NurbsPatch& b) {
+  constexpr std::array kShares{0.0, 0.13, 0.31, 0.5, 0.72, 0.89};
+  std::vector<double> places{1.0};
+  for (const NurbsPatch* const patch : {&a, &b}) {
+    const KnotVector& knots = patch->knot_vector(Axis::u);
+    for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+      const Interval span = knots.span_interval(i);
+      for (const double share : kShares) places.push_back(span.start + share * span.length());
+    }
+  }
+  return places;
+}
+
 void require_common_edge(const NurbsPatch& a, const NurbsPatch& b, double tolerance, double unit) {
-  constexpr int kPlaces = 65;
-  std::vector<double> u;
-  for (int k = 0; k < kPlaces; ++k) u.push_back(static_cast<double>(k) / (kPlaces - 1));
+  const std::vector<double> u = places_along(a, b);
   const double start[] = {0.0};
-  std::vector<glm::dvec3> on_a(kPlaces);
-  std::vector<glm::dvec3> on_b(kPlaces);
+  std::vector<glm::dvec3> on_a(u.size());
+  std::vector<glm::dvec3> on_b(u.size());
   evaluate_grid(a, u, start, std::span(&on_a.front().x, 3 * on_a.size()));
   evaluate_grid(b, u, start, std::span(&on_b.front().x, 3 * on_b.size()));
   double gap = 0.0;
-  for (int k = 0; k < kPlaces; ++k) gap = std::max(gap, distance_of(on_a[k], on_b[k]));
+  for (std::size_t k = 0; k < u.size(); ++k) gap = std::max(gap, distance_of(on_a[k], on_b[k]));
   if (!(gap <= tolerance)) {
     throw InvalidShape("the sides are not one edge, run through at one pace: they lie " + text_of(gap * unit) + " apart");
   }
 }
 
-/// The arc between both contacts, about the centre.
-std::array<glm::dvec4, 3> arc_of(const Contact& contact) {
-  const glm::dvec3 a = contact.first - contact.centre;
-  const glm::dvec3 b = contact.second - contact.centre;
-  const glm::dvec3 middle = a + b;
-  const double half = 0.5 * length_of(middle) / contact.radius;  // cosine of half the angle
-  const glm::dvec3 tip = contact.centre + middle / (2.0 * half * half);
-  return {glm::dvec4(contact.first, 1.0), glm::dvec4(half * tip, half), glm::dvec4(contact.second, 1.0)};
-}
-
-/// By the distance of its points from the centre.
-double off_radius(const NurbsPatch& fillet, const RollingBall& ball) {
-  constexpr int kAlong = 65;
-  constexpr std::array<double, 5> kAcross{0.0, 0.25, 0.5, 0.75, 1.0};
-  std::vector<double> u;
-  for (int k = 0; k < kAlong; ++k) u.push_back((k + 0.37) / kAlong);
-  std::vector<glm::dvec3> points(u.size() * kAcross.size());
-  evaluate_grid(fillet, u, kAcross, std::span(&points.front().x, 3 * points.size()));
-  double largest = 0.0;
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    const Contact contact = ball.at(u[k], true);
-    for (std::size_t j = 0; j < kAcross.size(); ++j) {
-      largest = std::max(largest, std::abs(distance_of(points[k * kAcross.size() + j], contact.centre) - contact.radius));
-    }
+/// Where the contact with a patch is less smooth than the patch: at its own knots, for the ball goes by its tangent planes, and where
+/// the ball is at a knot of the other one.
+std::vector<double> joints_of(const NurbsPatch& patch, const NurbsPatch& other, const RollingBall& ball, bool is_first) {
+  constexpr double kSame = 0x1p-30;
+  const KnotVector& own = patch.knot_vector(Axis::u);
+  const KnotVector& others = other.knot_vector(Axis::u);
+  std::vector<double> found = softened(own);
+  for (const double knot : inner_knots(others)) {
+    const Contact contact = ball.at(knot, !is_first);
+    const double at = is_first ? contact.on_first.x : contact.on_second.x;
+    const bool is_own = std::ranges::any_of(own.knots(), [&](double u) { return std::abs(u - at) <= kSame; });
+    if (is_own || !(at > kSame && at < 1.0 - kSame)) continue;
+    const int smooth = others.degree() - multiplicity(others, knot) - 1;
+    const int copies = std::clamp(own.degree() - smooth, 1, own.degree());
+    found.insert(found.end(), static_cast<std::size_t>(copies), at);
   }
-  return largest;
+  std::ranges::sort(found);
+  return found;
 }
 
-Approximation<NurbsPatch> rolled(const RollingBall& ball, const RowDomain& domain, double tolerance) {
-  constexpr int kHalvings = 6;
-  const auto rows_at = [&](std::span<const double> at, const Interval&) {
-    std::vector<glm::dvec4> rows;
-    for (const double u : at) {
-      const auto arc = arc_of(ball.at(u, true));
-      rows.insert(rows.end(), arc.begin(), arc.end());
-    }
-    return rows;
-  };
-  double within = tolerance;
-  for (int k = 0;; ++k, within *= 0.5) {
-    const FittedRows rows = fitted_rows(rows_at, domain, within);
-    const NurbsPatch made = swapped(patch_of(KnotVector::bezier(2), rows));
-    const double error = std::max(rows.error, off_radius(made, ball));
-    if (error <= tolerance) return {made, error};
-    if (k == kHalvings) throw ToleranceNotReached("the fillet cannot be had", tolerance, error);
-  }
-}
-
-/// What is left of a patch beyond the contact.
-Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const RollingBall& ball, bool is_first, double tolerance) {
+/// What is left of a patch beyond the contact, at each u of its own. Cut where the contact is a line of parameters.
+Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const NurbsPatch& other, const RollingBall& ball,
+                                    const std::vector<double>& places, bool is_first, double tolerance) {
   constexpr double kLevel = 0x1p-44;
   const auto contact_at = [&](double u) {
     const Contact contact = ball.at(u, is_first);
     return is_first ? contact.on_first.y : contact.on_second.y;
   };
   const double first = contact_at(0.5);
-  bool is_level = true;
-  for (const double u : {0.0, 0.13, 0.31, 0.72, 0.89, 1.0}) is_level = is_level && std::abs(contact_at(u) - first) <= kLevel;
+  const bool is_level = std::ranges::all_of(places, [&](double u) { return std::abs(contact_at(u) - first) <= kLevel; });
   if (is_level) return {with_domain(split(patch, Axis::v, first).second, Axis::v, {0.0, 1.0}), 0.0};
-  return fitted_patch(patch, [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
+  const int more = kSmooth - patch.knot_vector(Axis::u).degree();
+  const NurbsPatch raised = more > 0 ? elevated(patch, Axis::u, more) : patch;
+  const NurbsPatch model = refine(raised, Axis::u, joints_of(raised, other, ball, is_first));
+  return fitted_patch(model, [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
     for (std::size_t i = 0; i < u.size(); ++i) {
       const double start = contact_at(u[i]);
       std::vector<double> at;
@@ -116,6 +104,12 @@ Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const RollingBall& 
       evaluate_grid(patch, u.subspan(i, 1), at, std::span(&points[i * v.size()].x, 3 * v.size()));
     }
   }, tolerance);
+}
+
+/// Whether the ball touches both patches at the same u everywhere.
+bool is_even(const RollingBall& ball, const std::vector<double>& places) {
+  constexpr double kSame = 0x1p-36;
+  return std::ranges::all_of(places, [&](double u) { return std::abs(ball.at(u, true).on_second.x - u) <= kSame; });
 }
 
 std::vector<RailNumber> over_unit(std::span<const RailNumber> radii, const Interval& domain, double unit) {
@@ -153,16 +147,19 @@ RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch&
   const std::vector<RailNumber> over_edge = over_unit(radii, along, unit);
   const NumbersAlong by_edge(over_edge, {0.0, 1.0}, is_closed, "radius");
   const RollingBall ball(a, b, by_edge);
-  RowDomain domain{{0.0, 1.0}, joints_at(a.knot_vector(Axis::u)), is_closed ? Closing::closed : Closing::open};
-  std::ranges::copy(joints_at(b.knot_vector(Axis::u)), std::back_inserter(domain.joints));
+  const std::vector<double> places = places_along(a, b);
+  constexpr double kCut = 0.25;  // of the tolerance, for what is left of the patches: the fillet is measured from where they should be
   const auto within_tolerance = [&](const auto& make) { return said_outside(space, make); };
-  const Approximation<NurbsPatch> rounded = within_tolerance([&] { return rolled(ball, domain, within); });
-  const Approximation<NurbsPatch> left_a = within_tolerance([&] { return shortened(a, ball, true, within); });
-  const Approximation<NurbsPatch> left_b = within_tolerance([&] { return shortened(b, ball, false, within); });
+  const auto left_a = within_tolerance([&] { return shortened(a, b, ball, places, true, kCut * within); });
+  const auto left_b = within_tolerance([&] { return shortened(b, a, ball, places, false, kCut * within); });
+  const FilletBetween made = within_tolerance([&] {
+    return is_even(ball, places) ? fillet_of_arcs(left_a.value, left_b.value, ball, within)
+                                : slanted_fillet(left_a.value, left_b.value, ball, within);
+  });
   const auto out = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
-  const NurbsPatch back_b = is_reversed ? reversed(left_b.value, Axis::u) : left_b.value;
-  return {with_side_back(out(left_a.value), first_side), out(rounded.value), with_side_back(out(back_b), second_side),
-          unit * std::max({rounded.error, left_a.error, left_b.error})};
+  const NurbsPatch back_b = is_reversed ? reversed(made.second, Axis::u) : made.second;
+  return {with_side_back(out(made.first), first_side), out(made.fillet), with_side_back(out(back_b), second_side),
+          unit * std::max({made.error, left_a.error, left_b.error})};
 }
 
 }  // namespace splinecore

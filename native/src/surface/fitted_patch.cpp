@@ -23,6 +23,8 @@ namespace splinecore {
 namespace {
 
 constexpr std::array<Axis, 2> kBoth{Axis::u, Axis::v};
+/// Below the tolerance, for what lies between the places that are looked at; so is what is said above what was found.
+constexpr double kSeen = 0.8;
 /// How many places of each span are looked at first.
 constexpr std::size_t kFew = 4;
 
@@ -79,8 +81,8 @@ class SurfaceFit {
   Approximation<NurbsPatch> within(double tolerance) {
     constexpr std::size_t kMost = 1 << 18;
     for (;;) {
-      const Missed missed = missed_places(kAccepted * tolerance);
-      if (missed.u.empty() && missed.v.empty()) return {*made_, missed.error};
+      const Missed missed = missed_places(kSeen * tolerance);
+      if (missed.u.empty() && missed.v.empty()) return {*made_, missed.error / kSeen};
       if (made_->points().size() > kMost) {
         throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made_->points().size()) + " control points",
                                   tolerance, missed.error);

@@ -18,7 +18,8 @@ using SurfaceFunction =
 /// needs: spans in which it misses the surface are halved, after degrees below 3 have been raised to that. Surfaces with
 /// such weights and knots come out as they are.
 /// @param model  about 1 large, as the surface; without gaps
-/// @returns the patch, and the largest distance found, between the places at which it was made to meet the surface
+/// @returns the patch, and the largest distance between the places at which it was made to meet the surface: that found, and a
+///          quarter of it more
 /// @throws ToleranceNotReached if 2^18 control points do not come within it; InvalidShape if the model has a gap.
 Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance);
 

@@ -1,8 +1,10 @@
 #include "splinecore/surface/loft.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <string>
 
@@ -12,15 +14,21 @@
 #include "fit/row_spline.hpp"
 #include "going_on.hpp"
 #include "kept_continuity.hpp"
+#include "loft_misses.hpp"
+#include "loft_pace.hpp"
 #include "loft_sections.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
-#include "splinecore/curve/evaluate.hpp"
-#include "splinecore/fit/interpolate_patch.hpp"
 
 namespace splinecore {
 
 namespace {
+
+std::string short_text(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
+}
 
 bool is_smooth(LoftStyle style) { return style != LoftStyle::loose && style != LoftStyle::straight; }
 
@@ -60,65 +68,6 @@ void require_options(std::span<const LoftSection> sections, const LoftOptions& o
   if (is_free(options.start) && is_free(options.end)) return;
   if (options.closing == Closing::closed) throw InvalidShape("a closed loft has no start and no end");
   if (!is_smooth(options.style)) throw InvalidShape("a loose or straight loft goes on from nothing: it has no tangents at its ends");
-}
-
-/// Points of all sections at parameters where all are in sight: a grid, u by sections.
-std::vector<glm::dvec3> grid_of(const LoftSections& sections) {
-  constexpr int kPlaces = 64;
-  const Interval domain = sections.knots.domain();
-  std::vector<double> at(kPlaces);
-  for (int k = 0; k < kPlaces; ++k) at[k] = domain.start + domain.length() * (k + 0.5) / kPlaces;
-  const std::size_t count = sections.rows.size();
-  std::vector<glm::dvec3> points(kPlaces * count);
-  for (std::size_t j = 0; j < count; ++j) {
-    const NurbsCurve curve = NurbsCurve::from_homogeneous(sections.knots, sections.rows[j].near);
-    std::vector<glm::dvec3> line(kPlaces);
-    evaluate(curve, at, {&line.front().x, 3 * line.size()}, {.at_infinity = AtInfinity::nan});
-    for (int k = 0; k < kPlaces; ++k) points[k * count + j] = line[k];
-  }
-  std::vector<glm::dvec3> in_sight;
-  for (int k = 0; k < kPlaces; ++k) {
-    const auto line = std::span(points).subspan(k * count, count);
-    if (std::ranges::all_of(line, [](const glm::dvec3& p) { return is_finite(p); })) {
-      in_sight.insert(in_sight.end(), line.begin(), line.end());
-    }
-  }
-  if (in_sight.empty()) throw InvalidShape("the sections are nowhere in sight together");
-  return in_sight;
-}
-
-Parametrisation parametrisation_of(LoftStyle style) {
-  if (style == LoftStyle::tight) return Parametrisation::centripetal;
-  return style == LoftStyle::uniform ? Parametrisation::uniform : Parametrisation::chordal;
-}
-
-/// Parameters along v, and how fast points then run on average.
-struct Pace {
-  std::vector<double> parameters;
-  double speed;
-
-  double step_at(bool is_end) const {
-    return is_end ? parameters.back() - *(parameters.end() - 2) : parameters[1] - parameters[0];
-  }
-};
-
-Pace pace_along(const LoftSections& sections, const LoftOptions& options) {
-  const std::vector<glm::dvec3> points = grid_of(sections);
-  const PointGrid grid{points, points.size() / sections.rows.size(), sections.rows.size()};
-  const auto parameters = [&](Parametrisation kind) { return parameters_of(grid, Axis::v, kind, options.closing); };
-  Pace pace{options.parameters, 0.0};
-  try {
-    const double length = parameters(Parametrisation::chordal).back();
-    if (pace.parameters.empty()) {
-      pace.parameters = parameters(parametrisation_of(options.style));
-      const double last = pace.parameters.back();
-      for (double& parameter : pace.parameters) parameter /= last;
-    }
-    pace.speed = length / (pace.parameters.back() - pace.parameters.front());
-  } catch (const InvalidShape&) {
-    throw InvalidShape("two sections that follow each other are one");
-  }
-  return pace;
 }
 
 /// Of each point the same: where w is its weight, w times the vector.
@@ -184,8 +133,7 @@ void keep_level_weights(const RowConditions& given, RowSpline& spline) {
   }
 }
 
-RowSpline spline_along(const LoftSections& sections, const LoftOptions& options) {
-  const Pace pace = pace_along(sections, options);
+RowSpline spline_along(const LoftSections& sections, const LoftOptions& options, const Pace& pace) {
   RowConditions given;
   given.parameters = pace.parameters;
   for (const SectionRow& row : sections.rows) given.rows.push_back(numbers_of(row.near));
@@ -202,6 +150,19 @@ RowSpline spline_along(const LoftSections& sections, const LoftOptions& options)
   RowSpline spline{knots_through(given, degree, options.closing, options.knots), {}};
   for (const auto& row : given.rows) spline.controls.insert(spline.controls.end(), row.begin(), row.end());
   return spline;
+}
+
+/// How far the surface misses sections by rounding, in their space.
+/// @throws InvalidShape if that is more than is allowed
+double miss_of(const LoftSections& sections, const RowSpline& spline, const Pace& pace, const LoftOptions& options) {
+  constexpr double kMost = 0x1p-20;
+  if (options.style == LoftStyle::loose) return 0.0;
+  const double miss = largest_miss(sections, spline, pace.parameters);
+  if (miss <= (options.tolerance ? *options.tolerance / sections.space.length(1.0) : kMost)) return miss;
+  throw InvalidShape("between sections the surface would run off by " + short_text(farthest_control(spline)) +
+                     " times their size, so that rounding would make it miss them by " +
+                     short_text(sections.space.length(miss)) +
+                     ": a lower degree, or parameters and knots more like the distances of the sections, have less of that");
 }
 
 /// @throws InvalidShape if weights that are all positive in the sections are not between them.
@@ -223,7 +184,8 @@ void require_weights(const LoftSections& sections, std::span<const glm::dvec4> c
 Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options) {
   require_options(sections, options);
   const LoftSections made = loft_sections(sections, options);
-  const RowSpline spline = spline_along(made, options);
+  const Pace pace = pace_along(made, options);
+  const RowSpline spline = spline_along(made, options, pace);
   const auto count_u = made.rows.front().points.size();
   const auto count_v = static_cast<std::size_t>(spline.knots.count());
   std::vector<glm::dvec4> near(count_u * count_v);
@@ -234,13 +196,14 @@ Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const Loft
     }
   }
   require_weights(made, near, sections.empty());
+  const double miss = miss_of(made, spline, pace, options);
   std::vector<glm::dvec4> points = made.space.leave(near);
   const bool has_own_ends = options.closing == Closing::open;
   for (std::size_t i = 0; i < count_u && has_own_ends; ++i) {
     points[i * count_v] = made.rows.front().points[i];
     points[i * count_v + count_v - 1] = made.rows.back().points[i];
   }
-  return {NurbsPatch::make(made.knots, spline.knots, std::move(points)), made.error};
+  return {NurbsPatch::make(made.knots, spline.knots, std::move(points)), made.error + made.space.length(miss)};
 }
 
 NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_aligned) {

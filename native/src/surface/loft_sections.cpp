@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "aligned_sections.hpp"
 #include "base/quotient.hpp"
+#include "closes.hpp"
 #include "rebuild_together.hpp"
 #include "ribbon.hpp"
 #include "splinecore/base/errors.hpp"
@@ -30,13 +33,8 @@ bool is_pole(const LoftSection& section) { return std::holds_alternative<glm::dv
 
 /// The bundle made periodic if each of its rows closes, up to rounding.
 Bundle closed_up(Bundle bundle) {
-  try {
-    std::vector<NurbsCurve> closed;
-    for (const NurbsCurve& row : bundle.rows) closed.push_back(made_periodic(row).value);
-    bundle.rows = std::move(closed);
-  } catch (const ToleranceNotReached&) {
-  } catch (const InvalidShape&) {
-  }
+  if (!std::ranges::all_of(bundle.rows, closes)) return bundle;
+  for (NurbsCurve& row : bundle.rows) row = made_periodic(row).value;
   return bundle;
 }
 
@@ -90,6 +88,16 @@ void align(std::vector<Bundle>& bundles, const NearSpace& space) {
   }
 }
 
+/// Sections that go round and run as those before them: so does the first beside the last, or that is shared among all.
+void close(std::vector<Bundle>& bundles, const NearSpace& space) {
+  const double share = turn_left(near_curve(bundles.back().rows[0], space), near_curve(bundles.front().rows[0], space));
+  if (share == 0.0) return;
+  std::vector<NurbsCurve> sections;
+  for (const Bundle& bundle : bundles) sections.push_back(bundle.rows[0]);
+  sections = turned_evenly(sections, share);
+  for (std::size_t i = 0; i < bundles.size(); ++i) bundles[i].rows[0] = std::move(sections[i]);
+}
+
 void turn(std::vector<Bundle>& bundles) {
   for (Bundle& bundle : bundles) {
     for (NurbsCurve& row : bundle.rows) {
@@ -118,10 +126,51 @@ double rebuild(std::vector<Bundle>& bundles, double tolerance) {
   return rebuilt.error;
 }
 
+/// Knots over [0, 1] with those that are one up to rounding once, and how often each would be there at a degree.
+void add_knots(const NurbsCurve& curve, int degree, std::vector<std::pair<double, int>>& knots) {
+  const Interval domain = curve.domain();
+  const auto all = curve.knot_vector().knots();
+  for (std::size_t i = 0; i < all.size();) {
+    std::size_t end = i;
+    while (end < all.size() && all[end] == all[i]) ++end;
+    const double at = (all[i] - domain.start) / domain.length();
+    if (at > 0.0 && at < 1.0) knots.emplace_back(at, static_cast<int>(end - i) + degree - curve.degree());
+    i = end;
+  }
+}
+
+/// @throws InvalidShape if rows that all have their knots would have too many control points
+void require_room(const std::vector<NurbsCurve>& rows) {
+  constexpr double kSame = 0x1p-40;
+  constexpr double kMost = 0x1p20;
+  constexpr double kShared = 4.0;  // as many as so many sections have: they share most
+  const int degree = std::ranges::max(rows, {}, &NurbsCurve::degree).degree();
+  std::vector<std::pair<double, int>> knots;
+  std::size_t most = 0;
+  for (const NurbsCurve& row : rows) {
+    add_knots(row, degree, knots);
+    most = std::max(most, row.points().size());
+  }
+  std::ranges::sort(knots);
+  double count = degree + 1.0;
+  for (std::size_t i = 0; i < knots.size();) {
+    int copies = 0;
+    const double at = knots[i].first;
+    for (; i < knots.size() && knots[i].first - at <= kSame; ++i) copies = std::max(copies, knots[i].second);
+    count += copies;
+  }
+  const double points = count * static_cast<double>(rows.size());
+  if (points <= kMost || count <= kShared * static_cast<double>(most)) return;
+  throw InvalidShape("the sections do not share their knots: together they have so many that the surface would have " +
+                     std::to_string(static_cast<long long>(points)) +
+                     " control points. With a tolerance they are moved by less than that, onto few knots of their own");
+}
+
 /// All rows on one knot vector. @returns how far they were moved
 double make_compatible(std::vector<Bundle>& bundles, double knot_distance) {
   std::vector<NurbsCurve> all;
   for (const Bundle& bundle : bundles) all.insert(all.end(), bundle.rows.begin(), bundle.rows.end());
+  if (knot_distance == 0.0) require_room(all);
   const std::vector<NurbsCurve> made = compatible(all, knot_distance);
   double error = 0.0;
   std::size_t next = 0;
@@ -183,6 +232,8 @@ LoftSections loft_sections(std::span<const LoftSection> sections, const LoftOpti
   for (Bundle& bundle : bundles) bundle = closed_up(std::move(bundle));
   const NearSpace space = space_of(bundles, sections);
   if (options.is_aligned) align(bundles, space);
+  const bool is_turned = std::ranges::any_of(options.turned, std::identity());
+  if (options.is_aligned && options.closing == Closing::closed && !is_turned) close(bundles, space);
   turn(bundles);
   double error = options.tolerance ? rebuild(bundles, *options.tolerance) : 0.0;
   error += make_compatible(bundles, options.knot_distance);

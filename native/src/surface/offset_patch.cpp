@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
@@ -31,6 +32,12 @@ constexpr double kTolerance = 0x1p-20;  ///< of the size of a patch
 constexpr double kGathered = 0x1p-4;    ///< of the tolerance: how far points of a side may be from that which it is meant to be
 
 std::string place_text(double u, double v) { return "u = " + text_of(u) + ", v = " + text_of(v); }
+
+std::string short_text(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", number);
+  return text.data();
+}
 
 /// Even places in every span.
 std::vector<double> places_in_spans(const KnotVector& knots, int count = 5) {
@@ -101,7 +108,7 @@ void require_room(const NurbsPatch& patch, double distance, double unit) {
   for (std::size_t i = 0; i < bends.size(); ++i) {
     for (const double curvature : bends[i].principal) {
       if (!(curvature * distance >= 1.0)) continue;
-      throw InvalidShape("the patch bends with a radius of " + text_of(unit / std::abs(curvature)) + " at " + place_text(u[i], v[i]) +
+      throw InvalidShape("the patch bends with a radius of " + short_text(unit / std::abs(curvature)) + " at " + place_text(u[i], v[i]) +
                          ": its offset would fold there");
     }
   }

@@ -12,6 +12,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "build/fit_options.hpp"
+#include "closes.hpp"
 #include "fitted_rows.hpp"
 #include "kink.hpp"
 #include "meet/near_space.hpp"
@@ -57,15 +58,8 @@ double negligible_angle(std::span<const RailSection> sections, const SweepOption
 /// A rail that closes smoothly as a periodic one, one with corners from one of them on.
 /// @param negligible  angles of corners that are none
 NurbsCurve prepared(const NurbsCurve& rail, double negligible) {
-  if (!rail.periodic() && !is_closed(rail)) return clamped(rail);
-  NurbsCurve round = rail;
-  if (!rail.periodic()) {
-    try {
-      round = made_periodic(rail).value;
-    } catch (const InvalidShape&) {
-      return clamped(rail);
-    }
-  }
+  if (!closes(rail)) return clamped(rail);
+  const NurbsCurve round = made_periodic(rail).value;
   const std::vector<double> corners = corners_above(round, negligible);
   return corners.empty() ? round : clamped(with_seam_at(round, corners.front()));
 }
@@ -242,7 +236,13 @@ class Sweeping {
     const Interval beyond = other == Side::left ? Interval{whole.start, at} : Interval{at, whole.end};
     const glm::dvec3 next = places_.at(std::span(&at, 1), beyond)[0].frame.tangent;
     const glm::dvec3 normal = tangent + next;
-    if (!(length_of(normal) > kTurnsBack)) throw InvalidShape("the rail turns back at " + text_of(at));
+    if (!(length_of(normal) > kTurnsBack)) {
+      const double angle = 2.0 * std::acos(std::min(1.0, 0.5 * length_of(normal))) * (180.0 / std::numbers::pi);
+      constexpr double kBack = 179.5;
+      if (angle > kBack) throw InvalidShape("the rail turns back at " + text_of(at));
+      throw InvalidShape("the rail turns by " + std::to_string(std::lround(angle)) + " degrees at " + text_of(at) +
+                         ": a mitre there would reach out too far. Round the corner first");
+    }
     return normal / length_of(normal);
   }
 

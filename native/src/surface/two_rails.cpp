@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -7,6 +8,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "build/fit_options.hpp"
+#include "closes.hpp"
 #include "fitted_rows.hpp"
 #include "fitted_together.hpp"
 #include "kink.hpp"
@@ -20,6 +22,7 @@
 #include "splinecore/measure/arc_length.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/measure/curve_frame.hpp"
+#include "splinecore/meet/nearest.hpp"
 #include "splinecore/surface/sweep.hpp"
 
 namespace splinecore {
@@ -106,6 +109,17 @@ std::vector<PlaceBetween> places_between(const Rails& rails, std::span<const dou
   return places;
 }
 
+/// Sections go from one rail to the other: x from 0 to the width there. @throws InvalidShape of one that is near neither
+void require_between(const RailSection& section, double width, std::size_t index) {
+  constexpr double kTouches = 1e-3;
+  const std::array<glm::dvec3, 2> rails{glm::dvec3(0.0), glm::dvec3(width, 0.0, 0.0)};
+  std::array<NearestOnCurve, 2> found;
+  nearest(section.curve, rails, found, 1);
+  if (std::min(found[0].distance, found[1].distance) <= kTouches * width) return;
+  throw InvalidShape("sections" + index_text(index) + " touches neither rail: where it is, x is to go from 0, on the first one, to " +
+                     text_of(width) + ", on the second one");
+}
+
 /// Sections of which x is 1 at the second rail.
 std::vector<RailSection> of_width_one(const Rails& rails, std::span<const RailSection> sections, double unit_length,
                                       const TwoRailOptions& options) {
@@ -113,6 +127,7 @@ std::vector<RailSection> of_width_one(const Rails& rails, std::span<const RailSe
   for (const RailSection& section : sections) {
     const double at = std::clamp(section.at, rails.first.domain().start, rails.first.domain().end);
     const double width = places_between(rails, std::span(&at, 1), rails.first.domain(), options)[0].width;
+    require_between(section, width * unit_length, made.size());
     std::vector<glm::dvec4> points(section.curve.points().begin(), section.curve.points().end());
     for (glm::dvec4& p : points) {
       const glm::dvec3 near = glm::dvec3(p) / unit_length;
@@ -123,14 +138,7 @@ std::vector<RailSection> of_width_one(const Rails& rails, std::span<const RailSe
   return made;
 }
 
-NurbsCurve closed_smoothly(const NurbsCurve& rail) {
-  if (rail.periodic() || !is_closed(rail)) return rail;
-  try {
-    return made_periodic(rail).value;
-  } catch (const InvalidShape&) {
-    return rail;
-  }
-}
+NurbsCurve closed_smoothly(const NurbsCurve& rail) { return closes(rail) ? made_periodic(rail).value : rail; }
 
 Rails prepared(const NurbsCurve& first, const NurbsCurve& second, const NearSpace& space) {
   NurbsCurve a = closed_smoothly(first);
@@ -160,6 +168,29 @@ std::vector<double> breaks_of(const Rails& rails, bool has_up, double negligible
   return breaks;
 }
 
+/// @throws InvalidShape if on the whole, by their tangents, rails run against each other
+void require_one_way(const Rails& rails) {
+  constexpr int kInSpan = 8;
+  double with = 0.0;
+  for (const NurbsCurve* const by : {&rails.first, &rails.second}) {
+    const KnotVector& knots = by->knot_vector();
+    for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+      const Interval span = knots.span_interval(i);
+      std::vector<double> at;
+      for (int k = 0; k < kInSpan; ++k) at.push_back(span.start + span.length() * (k + 0.5) / kInSpan);
+      const std::vector<glm::dvec3> first = directions_of(rails.first, at, Side::right);
+      const std::vector<glm::dvec3> second = directions_of(rails.second, at, Side::right);
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        const double cosine = glm::dot(first[k], second[k]);
+        if (std::isfinite(cosine)) with += span.length() * cosine;
+      }
+    }
+  }
+  constexpr double kAgainst = -1e-6;
+  if (with >= kAgainst * rails.first.domain().length()) return;
+  throw InvalidShape("the rails run against each other: reverse one of them");
+}
+
 void require_options(const TwoRailOptions& options) {
   if (options.tolerance) require_tolerance(*options.tolerance);
   if (options.up && !(is_finite(*options.up) && length_of(*options.up) > 0.0)) {
@@ -174,6 +205,7 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
   require_options(options);
   const NearSpace space(together(rail.points(), second.points()));
   const Rails rails = prepared(rail, second, space);
+  require_one_way(rails);
   const RailSections along(of_width_one(rails, sections, space.length(1.0), options), rails.first, 1.0);
   const auto rows_at = [&](std::span<const double> at, const Interval& stretch) {
     const std::vector<PlaceBetween> places = places_between(rails, at, stretch, options);

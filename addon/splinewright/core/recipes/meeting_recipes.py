@@ -198,7 +198,7 @@ BESIDE_CURVES = (
     Recipe("about", "Helix About Curve",
            "A helix, or where the radii differ a spiral, about a curve; it follows when that is edited",
            (Parameter("radius", "Radius", "At the start of the curve", 0.2, 0.0, unit='LENGTH'),
-            Parameter("end_radius", "End Radius", "At its end", 0.2, 0.0, unit='LENGTH'),
+            Parameter("end_radius", "End Radius", "At its end", 0.2, 0.0, unit='LENGTH', follows="radius"),
             Parameter("turns", "Turns", "How often around; below 0 the other way", 8.0, -1000.0, 1000.0),
             Parameter("phase", "Phase", "Angle at which it starts", 0.0, unit='ROTATION'), _PIECE, _OWN_TOLERANCE),
            _about, resolution=8, inputs=("one curve",), takes_cancel=True, first_values=_first_radii),

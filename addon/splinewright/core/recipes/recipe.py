@@ -20,6 +20,7 @@ class Parameter:
     most: float = 1e9
     unit: str = 'NONE'                  # as Blender's properties: 'LENGTH', 'ROTATION'
     choices: tuple = ()                 # of texts: (value, label, description)
+    follows: str = ""                   # the parameter whose value it has where that is given and its own is not
 
 
 class Result(NamedTuple):

@@ -156,7 +156,7 @@ FROM_CURVES = (
            has_more=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_rails_first),
     Recipe("pipe", "Pipe", "A pipe about a curve, which it follows",
            (Parameter("radius", "Radius", "At the start of the curve", 0.1, 1e-6, unit='LENGTH'),
-            Parameter("end_radius", "End Radius", "At its end", 0.1, 1e-6, unit='LENGTH'),
+            Parameter("end_radius", "End Radius", "At its end", 0.1, 1e-6, unit='LENGTH', follows="radius"),
             Parameter("caps", "Caps", "What closes its ends", "none", choices=_CAPS), _TOLERANCE),
            _pipe, is_surface=True, resolution=8, inputs=("one curve",), is_measured=True, takes_cancel=True,
            first_values=_first_radii),

@@ -110,8 +110,8 @@ def _distance(label, text):
     return Parameter("distance", label, text, 0.1, unit='LENGTH')
 
 
-def _radius(name, label, text):
-    return Parameter(name, label, text, 0.1, 1e-6, unit='LENGTH')
+def _radius(name, label, text, follows=""):
+    return Parameter(name, label, text, 0.1, 1e-6, unit='LENGTH', follows=follows)
 
 
 RECIPES = (
@@ -131,7 +131,7 @@ RECIPES = (
            _matched, is_surface=True, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
     Recipe("rounded_edge", "Round Edge",
            "Two surfaces that meet in an edge, with a surface in its place that a rolling ball touches; it follows both",
-           (_radius("radius", "Radius", "Of the ball, where the edge starts"), _radius("end_radius", "End Radius", "Where it ends"),
+           (_radius("radius", "Radius", "Of the ball, where the edge starts"), _radius("end_radius", "End Radius", "Where it ends", "radius"),
             _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"), _TOLERANCE),
            _rounded, is_surface=True, resolution=8, inputs=("one surface", "another surface"), is_measured=True,
            takes_cancel=True),

@@ -79,6 +79,7 @@ class _FromObjects(LongWork, Repeatable):
         new_shapes.settle(self)
         if recipe.frame and not self.properties.is_property_set('frame'):
             self.frame = _beside(context)
+        self._follow()
         if recipe.first_values and not (recipe.frame and self.frame):
             self._suggest(sources, context)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
@@ -103,6 +104,13 @@ class _FromObjects(LongWork, Repeatable):
         if frame is None:
             raise Refusal(f"there is no object named {self.frame} in this scene")
         return (frame,)
+
+    def _follow(self):
+        """A number that is not given is as the one that it follows, if that is: one radius makes no cone."""
+        is_given = self.properties.is_property_set
+        for parameter in self.recipe.parameters:
+            if parameter.follows and is_given(parameter.follows) and not is_given(parameter.name):
+                setattr(self, parameter.name, getattr(self, parameter.follows))
 
     def _suggest(self, sources, context):
         """What cannot be read is refused where it is used."""

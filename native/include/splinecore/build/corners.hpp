@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -17,15 +18,16 @@ NurbsCurve rounded(const NurbsCurve& curve, double radius);
 /// The same with a line between the places at a length before and behind each corner.
 NurbsCurve chamfered(const NurbsCurve& curve, double length);
 
-/// Two curves up to what joins them.
+/// Two curves up to what joins them; one of which nothing is left is none.
 struct CornerBetween {
-  NurbsCurve a;
+  std::optional<NurbsCurve> a;
   NurbsCurve bridge;  ///< from a to b
-  NurbsCurve b;
+  std::optional<NurbsCurve> b;
 };
 
 /// Two curves with the arc of a radius that touches both, each shortened to it: of those that leave the parts about
-/// `kept` the one that is nearest to them. Open curves that have none go on straight up to it. Closed ones are not cut.
+/// `kept` the one that is nearest to them, or that takes a curve whole. Open curves that have none go on straight up to it.
+/// Closed ones are not cut.
 /// @param kept  a parameter of each
 /// @throws InvalidShape if there is none; and as fillets().
 CornerBetween filleted(const NurbsCurve& a, const NurbsCurve& b, double radius, const std::array<double, 2>& kept,

@@ -24,7 +24,7 @@ struct CarriedFrame {
 /// halved until they agree to 1e-10, and what is left of the difference is taken away (Richardson 1911). The steps
 /// depend on the curve alone; so does a frame, which is right to about 1e-9 for a curve that turns some hundred times.
 /// Straight parts keep the frame, at corners and gaps it turns as little as it can, at a cusp the normal stays.
-/// A periodic curve takes any parameter, modulo its period.
+/// A periodic curve takes any parameter, modulo its period; at the end of its domain the frame is that carried there.
 /// @throws InvalidShape for a parameter outside the domain of a plain curve, if the curve is a point, if the start is
 ///         zero or along the tangent, or if it is to be closed and does not close smoothly; PointAtInfinity;
 ///         ToleranceNotReached where a span turns so wildly that steps are halved more than 2^17 times; and as

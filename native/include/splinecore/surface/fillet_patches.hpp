@@ -20,9 +20,11 @@ struct RoundedEdge {
 /// A ball rolls along the edge that two patches have in common, on the side where they are nearer to each other, and touches
 /// both: the surface between (Rossignac and Requicha 1984; row S21).
 ///
-/// At each parameter of the first patch along the edge a cross section is the arc of a circle about the centre of the ball.
-/// The fillet ends where the first patch does; where sides beside the edge are not at right angles to it, the second one
-/// ends a little before it or behind it. Patches whose contact is a line of parameters are cut exactly.
+/// The three have their sides in common: the same control points on the same knots, so that a set of them shares its edges and a
+/// mesh has no crack; to that end patches gain degrees and knots along the edge. Where the ball touches both patches at the same
+/// parameter along the edge cross sections are arcs of circles about the centre of the ball; where it does not, as sides beside
+/// the edge slant or planes across it are no planes of symmetry, lines across go over several positions of it, so that the fillet
+/// ends where both patches do. Patches whose contact is a line of parameters are cut exactly.
 /// @param radii  at parameters of the first patch along the edge, between which they go without overshoot
 /// @param tolerance  none: 2^-20 of the size of the patches
 /// @throws InvalidShape if the sides are not one edge, their tangent planes agree, a radius is not above 0 or too large for

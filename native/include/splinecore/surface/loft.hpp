@@ -68,10 +68,13 @@ struct LoftOptions {
 /// periodic, if all are. Homogeneous control points are interpolated along v, so that rational sections are exact; where
 /// all have the same weights, these are those of the surface everywhere. Two sections alone are joined by segments, or by
 /// one span of the degree that the conditions at the ends ask for.
-/// @returns the surface, and how far sections were moved
+/// @returns the surface, and how far it is from the sections: how far these were moved, and by how much rounding makes it miss
+///          one, where that is more than rounding of their size
 /// @throws InvalidShape if there are fewer than two sections, neighbours' sides among them (three where closed), a point is another one than the first
-///         or last, sections follow each other that are one, weights would not stay positive between sections, or a
-///         neighbour's side lies at infinity; ToleranceNotReached.
+///         or last, sections follow each other that are one, weights would not stay positive between sections, a
+///         neighbour's side lies at infinity, closed ones come back turned, knots that sections do not share would make more
+///         than 2^20 control points, or degree and parameters take the surface so far away between sections that it would miss
+///         one by more than the tolerance, or 2^-20 of the size; ToleranceNotReached.
 Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options = {});
 
 /// The surface from a side of one patch to a side of another one that goes on from both: a loft of two neighbours, one
