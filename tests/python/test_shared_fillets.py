@@ -110,8 +110,10 @@ def test_random_edges(inputs):
         try:
             made = build.fillet_patches(*sides, radius, tolerance=1e-4 * size)
         except sc.InvalidShape as error:
-            assert "ball" in str(error) or "tangent plane" in str(error) or "inner one" in str(error), (seed, error)
+            assert "ball" in str(error) or "crease" in str(error) or "tangent plane" in str(error) or "inner one" in str(error), (seed, error)
             continue
+        except sc.ToleranceNotReached:
+            continue  # of degree 2, with knots: they bend abruptly there, and the ball with them
         made_count += 1
         assert made.error <= 1e-4 * size
         require_shared(made, sides[1], sides[3])

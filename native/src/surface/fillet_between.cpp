@@ -246,6 +246,7 @@ FilletBetween fillet_of_arcs(const NurbsPatch& first, const NurbsPatch& second, 
 
 FilletBetween slanted_fillet(const NurbsPatch& first, const NurbsPatch& second, const RollingBall& ball, double tolerance) {
   constexpr double kShare = 0.25;
+  constexpr std::size_t kMost = 1 << 12;  // where patches bend abruptly across the edge more would not come nearer
   const FilletBetween rough = FilletFit(first, second, ball).rough();
   const auto surface = [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
     for (std::size_t i = 0; i < u.size(); ++i) {
@@ -256,7 +257,7 @@ FilletBetween slanted_fillet(const NurbsPatch& first, const NurbsPatch& second, 
       }
     }
   };
-  const Approximation<NurbsPatch> made = fitted_patch(rough.fillet, surface, kShare * tolerance);
+  const Approximation<NurbsPatch> made = fitted_patch(rough.fillet, surface, kShare * tolerance, kMost);
   const KnotVector& knots = made.value.knot_vector(Axis::u);
   const NurbsPatch left_a = on_knots(rough.first, knots);
   const NurbsPatch left_b = on_knots(rough.second, knots);

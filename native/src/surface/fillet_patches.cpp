@@ -9,6 +9,7 @@
 
 #include "base/length.hpp"
 #include "build/fit_options.hpp"
+#include "creases.hpp"
 #include "fillet_between.hpp"
 #include "fitted_patch.hpp"
 #include "meet/near_space.hpp"
@@ -86,6 +87,7 @@ std::vector<double> joints_of(const NurbsPatch& patch, const NurbsPatch& other, 
 Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const NurbsPatch& other, const RollingBall& ball,
                                     const std::vector<double>& places, bool is_first, double tolerance) {
   constexpr double kLevel = 0x1p-44;
+  constexpr std::size_t kMost = 1 << 14;
   const auto contact_at = [&](double u) {
     const Contact contact = ball.at(u, is_first);
     return is_first ? contact.on_first.y : contact.on_second.y;
@@ -103,7 +105,7 @@ Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const NurbsPatch& o
       for (const double t : v) at.push_back(start + t * (1.0 - start));
       evaluate_grid(patch, u.subspan(i, 1), at, std::span(&points[i * v.size()].x, 3 * v.size()));
     }
-  }, tolerance);
+  }, tolerance, kMost);
 }
 
 /// Whether the ball touches both patches at the same u everywhere.
@@ -142,6 +144,8 @@ RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch&
   const NurbsPatch a = ready(first.with_points(space.enter(first.points())), first_side, false);
   const NurbsPatch b = ready(second.with_points(space.enter(second.points())), second_side, is_reversed);
   require_common_edge(a, b, within, unit);
+  require_smooth(a, Axis::u);
+  require_smooth(b, Axis::u);
   const bool is_closed = a.knot_vector(Axis::u).periodic() && b.knot_vector(Axis::u).periodic();
   const Interval along = first.knot_vector(axis_of(first_side) == Axis::u ? Axis::v : Axis::u).domain();
   const std::vector<RailNumber> over_edge = over_unit(radii, along, unit);

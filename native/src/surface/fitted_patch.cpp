@@ -78,12 +78,11 @@ class SurfaceFit {
  public:
   SurfaceFit(const NurbsPatch& model, const SurfaceFunction& surface) : model_(ready(model)), surface_(surface) { meet(); }
 
-  Approximation<NurbsPatch> within(double tolerance) {
-    constexpr std::size_t kMost = 1 << 18;
+  Approximation<NurbsPatch> within(double tolerance, std::size_t most) {
     for (;;) {
       const Missed missed = missed_places(kSeen * tolerance);
       if (missed.u.empty() && missed.v.empty()) return {*made_, missed.error / kSeen};
-      if (made_->points().size() > kMost) {
+      if (made_->points().size() > most) {
         throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made_->points().size()) + " control points",
                                   tolerance, missed.error);
       }
@@ -259,8 +258,9 @@ class SurfaceFit {
 
 }  // namespace
 
-Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance) {
-  return SurfaceFit(model, surface).within(tolerance);
+Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance,
+                                       std::size_t most) {
+  return SurfaceFit(model, surface).within(tolerance, most);
 }
 
 }  // namespace splinecore

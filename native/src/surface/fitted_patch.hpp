@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <span>
@@ -20,8 +21,10 @@ using SurfaceFunction =
 /// @param model  about 1 large, as the surface; without gaps
 /// @returns the patch, and the largest distance between the places at which it was made to meet the surface: that found, and a
 ///          quarter of it more
-/// @throws ToleranceNotReached if 2^18 control points do not come within it; InvalidShape if the model has a gap.
-Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance);
+/// @param most  control points
+/// @throws ToleranceNotReached if so many do not come within it; InvalidShape if the model has a gap.
+Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance,
+                                       std::size_t most = std::size_t{1} << 18);
 
 }  // namespace splinecore
 #pragma GCC visibility pop
