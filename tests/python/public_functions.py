@@ -66,7 +66,8 @@ FUNCTIONS = {
     "build.sweep": lambda at: build.sweep(sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), at.bezier, tolerance=1e-2 * at.size),
     "build.sweep_two_rails": lambda at: build.sweep_two_rails(
         sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), sc.BezierCurve([xyz(at, 0, 0, 2), xyz(at, 1, 1, 2), xyz(at, 2, 0, 2)]),
-        at.bezier, tolerance=1e-2 * at.size),
+        sc.BezierCurve([xyz(at, 0, 0.1 * (0 < k < at.degree), 2 * k / at.degree) for k in range(at.degree + 1)]),
+        tolerance=1e-2 * at.size),
     "build.pipe": lambda at: build.pipe(sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), 0.1 * at.size, caps="round",
                                         tolerance=1e-2 * at.size),
     "build.offset_patch": lambda at: build.offset_patch(build.sphere(xyz(at, 1), at.size), at.size),

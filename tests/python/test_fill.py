@@ -288,7 +288,8 @@ def sphere_patch(corners):
     shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], -1)
     flat = shares @ corners
     points = np.concatenate([flat, np.ones((*u.shape, 1))], -1)
-    return sc.fit.interpolate_patch(points / np.linalg.norm(points, axis=-1, keepdims=True), degrees=(5, 5)).value
+    points = points / np.linalg.norm(points, axis=-1, keepdims=True)
+    return sc.fit.interpolate_patch(points, degrees=(5, 5), parameters="chordal").value
 
 
 @pytest.mark.parametrize("word, count, most", [("G1", 4, 2e-3), ("G2", 4, 2e-3), ("G1", 5, 6e-3), ("G2", 5, 6e-3), ("G1", 6, 8e-3)])

@@ -64,6 +64,11 @@ def wild_walk(rng, count):
 MOST = {1: 1e-9, 2: 0.3, 3: 0.7, 4: 2, 5: 3, 6: 3, 7: 4, 8: 6, 9: 12}
 
 
+def smallest_step(points):
+    """Of the size of all."""
+    return np.linalg.norm(np.diff(points, axis=0), axis=1).min() / np.ptp(points, axis=0).max()
+
+
 @pytest.mark.parametrize('part', range(PARTS))
 def test_curves_through_wildly_uneven_points_stay_near(part, inputs):
     rng = np.random.default_rng([71, part])
@@ -72,7 +77,11 @@ def test_curves_through_wildly_uneven_points_stay_near(part, inputs):
         points = 10.0**rng.uniform(-9, 9) * wild_walk(rng, int(rng.integers(max(3, degree + 1), 40)))
         if closed and np.linalg.norm(points[0] - points[-1]) == 0:
             continue
-        made = fit.interpolate(points, degree, closed=closed)
+        try:
+            made = fit.interpolate(points, degree, closed=closed)
+        except sc.InvalidShape as refusal:
+            assert "rounding leaves the shape" in str(refusal) and smallest_step(points) < 1e-9
+            continue
         assert curve_outside(made.value, points) < MOST[degree]
         assert made.value.nearest(points).distances.max() <= made.error + 1e-12 * np.abs(points).max()
 
@@ -80,7 +89,7 @@ def test_curves_through_wildly_uneven_points_stay_near(part, inputs):
 def test_points_close_beside_others_far_apart_make_no_swing():
     """The curve swung 41 beyond a figure 2 long."""
     rng = np.random.default_rng(5)
-    for near in 10.0**-np.arange(1, 13):
+    for near in 10.0**-np.arange(1, 11):
         points = np.array([[0, 0], [1, 0], [1, near], [1 + near, near], [1 + near, 2 * near], [2, 1], [2, 1 - near]])
         for _ in range(10):
             turned = points + near * rng.uniform(-0.3, 0.3, points.shape)

@@ -170,7 +170,7 @@ def test_within_a_tolerance_there_are_few_spans():
     sections = []
     for z in heights:
         u = np.sort(np.r_[0, rng.uniform(0, 1, 40), 1])
-        sections.append(sc.fit.interpolate(np.c_[u, np.sin(2 * u + 0.2 * z), np.full_like(u, z)]).value)
+        sections.append(sc.fit.interpolate(np.c_[u, np.sin(2 * u + 0.2 * z), np.full_like(u, z)], parameters="chordal").value)
     exact = build.loft(sections).value
     made, error = build.loft(sections, tolerance=1e-3)
     assert exact.points.shape[0] > 150 and made.points.shape[0] <= 12

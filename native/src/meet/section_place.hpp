@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "patch_approach.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A point of a curve that two patches have in common.
+struct SectionPlace {
+  PatchSpots at;
+  glm::dvec3 point;
+  glm::dvec3 tangent;            ///< a unit vector
+  std::array<double, 4> slopes;  ///< by how much the parameters go by length
+
+  bool has_pieces_of(const SectionPlace& other) const noexcept {
+    return at.a.piece == other.at.a.piece && at.b.piece == other.at.b.piece;
+  }
+};
+
+/// How two surfaces that touch part from each other there: the second derivative of their distance across the way along
+/// which it is least, and that along it, which is 0 where they touch along a curve.
+struct Parting {
+  glm::dvec3 way;  ///< a unit vector
+  double along;
+  double across;
+};
+
+/// @returns none where one has no normal
+std::optional<Parting> parting_at(const PatchMeeting& here);
+
+/// Whether they touch along a curve there, rather than in a point.
+bool is_curve(const Parting& parting);
+
+/// Places of one such curve: from one to the next it is a cubic of Hermite within the tolerance of both patches. Where it
+/// goes from one piece to another, two places are one point.
+struct SectionTrace {
+  std::vector<SectionPlace> places;
+  bool is_closed;
+};
+
+/// The cubic between two places of the same pieces, and its images.
+struct SectionStep {
+  SectionStep(const SectionPlace& from, const SectionPlace& to) noexcept;
+
+  glm::dvec3 point(double s) const noexcept;
+  PatchSpots spots(double s) const noexcept;
+
+  /// Whether it comes so near to a point.
+  bool is_near(const glm::dvec3& place, double distance) const noexcept;
+
+  const SectionPlace& from;
+  const SectionPlace& to;
+  double length;
+};
+
+/// A place of the curve through a pair of places. @returns none where normals are parallel
+std::optional<SectionPlace> section_place(const TwoPatches& patches, const PatchSpots& at);
+
+/// A place where normals are parallel, in one of the pieces that it is in.
+struct SectionTouch {
+  PatchSpots at;
+  glm::dvec3 point;
+};
+
+}  // namespace splinecore
+#pragma GCC visibility pop
