@@ -121,3 +121,27 @@ def test_random_edges(inputs):
             points = left.evaluate_grid(*(np.linspace(*domain, 7) for domain in left.domain)).reshape(-1, 3)
             assert patch.nearest(points).distances.max() <= 1e-4 * size, seed
     assert made_count > 0.5 * inputs(1000)
+
+
+def test_radii_grow_along_an_edge_whose_sides_slant():
+    """The ball runs beyond the end of one patch where the other ends: its radius goes on, and all stays linear."""
+    for slant in (-2.0, -0.7, 0.3, 1.0, 2.5):
+        ground, wall = build.plane((0, 0, 0), (3, 0, 0), (slant, 2, 0)), build.plane((0, 0, 0), (3, 0, 0), (0, 0, 2))
+        for radii in ([(0, 0.1), (1, 0.4)], [(0, 0.4), (1, 0.1)], [(0, 0.02), (1, 0.6)]):
+            for pair in ((ground, wall), (wall, ground)):
+                made = build.fillet_patches(pair[0], 'v_start', pair[1], 'v_start', radii)
+                require_shared(made, 'v_start', 'v_start')
+                assert made.error < 1e-12 and made.fillet.points.shape[0] <= 4
+
+
+def test_radii_change_along_a_rim_whose_lid_is_turned():
+    """The ball runs over the seam of a closed edge: its radius goes round."""
+    turn = np.linspace(0, 2 * np.pi, 9, endpoint=False)
+    rings = [np.c_[size * np.cos(turn + by), size * np.sin(turn + by), 0 * turn] for size, by in ((3, 0), (1, 0.5))]
+    rim = sc.NurbsCurve(3, np.arange(10.0), rings[0], periodic=True)
+    lid, wall = build.ruled(rim, rim.with_points(rings[1])), build.extrude(rim, (0, 0, 3))
+    for radii in ([(0, 0.2), (4.5, 0.4)], [(1, 0.2), (4, 0.4), (8, 0.3)], [(0.5, 0.3), (5, 0.2)]):
+        for pair in ((lid, wall), (wall, lid)):
+            made = build.fillet_patches(pair[0], 'v_start', pair[1], 'v_start', radii, tolerance=1e-5)
+            require_shared(made, 'v_start', 'v_start')
+            assert made.error <= 1e-5

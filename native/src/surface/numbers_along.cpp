@@ -47,7 +47,8 @@ std::vector<RailNumber> repeated(std::span<const RailNumber> numbers, double per
 
 }  // namespace
 
-NumbersAlong::NumbersAlong(std::span<const RailNumber> numbers, const Interval& domain, bool is_closed, const char* name) {
+NumbersAlong::NumbersAlong(std::span<const RailNumber> numbers, const Interval& domain, bool is_closed, const char* name)
+    : domain_(domain), is_closed_(is_closed) {
   require_numbers(numbers, domain, is_closed, name);
   numbers_ = is_closed ? repeated(numbers, domain.length()) : std::vector<RailNumber>(numbers.begin(), numbers.end());
   slopes_.assign(numbers_.size(), 0.0);
@@ -85,6 +86,20 @@ double NumbersAlong::at(double parameter) const {
                        b.value * t * t * (3.0 - 2.0 * t) - slopes_[i + 1] * length * s * t * t;
   const auto [low, high] = std::minmax(a.value, b.value);
   return std::clamp(value, low, high);
+}
+
+double NumbersAlong::beyond(double parameter) const {
+  if (is_closed_) {
+    const double turns = std::floor((parameter - domain_.start) / domain_.length());
+    return at(parameter - turns * domain_.length());
+  }
+  if (parameter < numbers_.front().at && numbers_.front().at == domain_.start) {
+    return numbers_.front().value + (parameter - domain_.start) * slopes_.front();
+  }
+  if (parameter > numbers_.back().at && numbers_.back().at == domain_.end) {
+    return numbers_.back().value + (parameter - domain_.end) * slopes_.back();
+  }
+  return at(parameter);
 }
 
 }  // namespace splinecore

@@ -17,6 +17,9 @@ class NumbersAlong {
   NumbersAlong(std::span<const RailNumber> numbers, const Interval& domain, bool is_closed, const char* name);
 
   double at(double parameter) const;
+
+  /// Beyond the ends of the domain too, without a kink there: straight on, and of closed rails round again.
+  double beyond(double parameter) const;
   bool is_one() const;
   double largest() const;
 
@@ -24,6 +27,8 @@ class NumbersAlong {
   std::vector<double> joints() const;
 
  private:
+  Interval domain_;
+  bool is_closed_;
   std::vector<RailNumber> numbers_;
   std::vector<double> slopes_;
 };

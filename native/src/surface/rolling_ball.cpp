@@ -127,7 +127,7 @@ Contact RollingBall::at(double u, bool is_of_first) const {
   const double side_other = is_of_first ? side_of_second_ : side_of_first_;
   double left = 0.0;
   for (int round = 0; round < kRounds; ++round) {
-    contact.radius = radii_.at(std::clamp(is_of_first ? u : on_other.x, 0.0, 1.0));
+    contact.radius = radii_.beyond(is_of_first ? u : on_other.x);
     const TouchedPlace a = touched(fixed, on_fixed);
     const TouchedPlace b = touched(other, on_other);
     const double ra = side_fixed * contact.radius;
