@@ -28,17 +28,19 @@ FourParameters leads(const PatchPart& a, const PatchPart& b) {
 CrossingPart made(PatchPart a, PatchPart b, const FourParameters& leads) {
   // Of a much larger part the curve has but a small range.
   constexpr double kSmaller = 0.25;
+  constexpr double kTie = 0x1p-20;  // what functions of different systems may differ by decides nothing
   const bool is_a_small = a.largest_size() < kSmaller * b.largest_size();
   const bool is_b_small = b.largest_size() < kSmaller * a.largest_size();
   std::array<int, 4> signs{};
   std::size_t lead = 0;
-  double most = -1.0;
+  double most = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
     signs[i] = (leads[i] > 0.0 ? 1 : 0) - (leads[i] < 0.0 ? 1 : 0);
     const bool is_of_large = i < 2 ? is_b_small : is_a_small;
     const double sure = std::abs(leads[i]) * (is_of_large ? 0x1p-3 : 1.0);
-    if (sure > most) lead = i;
-    most = std::max(most, sure);
+    if (!(sure > (1.0 + kTie) * most)) continue;
+    lead = i;
+    most = sure;
   }
   return {std::move(a), std::move(b), signs, lead};
 }
